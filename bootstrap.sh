@@ -1,0 +1,132 @@
+#!/usr/bin/env bash
+# From a bare Debian 12 or Ubuntu 24.04 to a built, tested and running Lacuna; see ./bootstrap.sh help.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+build=$root/build
+
+packages=(
+    g++ cmake ninja-build pkg-config
+    librandom123-dev libcli11-dev libfmt-dev libtbb-dev libcairo2-dev nlohmann-json3-dev libssl-dev
+    libgtest-dev libbenchmark-dev librapidcheck-dev
+    pocl-opencl-icd opencl-headers opencl-clhpp-headers ocl-icd-opencl-dev clinfo
+    mesa-vulkan-drivers libvulkan-dev vulkan-validationlayers glslang-tools spirv-tools oclgrind
+    clang-format clang-tidy
+)
+
+usage() {
+    cat <<'END'
+usage: ./bootstrap.sh COMMAND
+
+  run           build, then make a first maximal set and a picture of it
+  test [ARG...] build, then run the tests; arguments go to ctest, for example -R NAME
+  build         install what is missing, configure and build into build/
+  clean         remove build/
+  help          print this
+
+Each command does only the work that is still to be done. Warnings are errors when CI is set.
+END
+}
+
+die() {
+    echo "bootstrap: $*" >&2
+    exit 1
+}
+
+bad_usage() {
+    echo "bootstrap: $*" >&2
+    exit 2
+}
+
+missing_packages() {
+    local installed package
+    # dpkg-query fails when it knows none of some name: that package is then simply not listed.
+    installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null) || true
+    for package in "${packages[@]}"; do
+        grep -qxF "installed $package" <<<"$installed" || echo "$package"
+    done
+}
+
+install_packages() {
+    local missing as_root=()
+    if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+        die "no apt-get here: install what these Debian packages hold, then use 'cmake --preset release': ${packages[*]}"
+    fi
+    mapfile -t missing < <(missing_packages)
+    ((${#missing[@]})) || return 0
+
+    if ((EUID != 0)); then
+        command -v sudo >/dev/null ||
+            die "no sudo here: as root, run 'apt-get install ${missing[*]}', then try again"
+        as_root=(sudo)
+    fi
+    as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get)
+    echo "bootstrap: installing ${missing[*]}"
+    "${as_root[@]}" update -q </dev/null ||
+        die "apt-get update failed: no package lists, so these cannot be installed: ${missing[*]}"
+    "${as_root[@]}" install -q -y --no-install-recommends "${missing[@]}" </dev/null ||
+        die "apt-get install failed; it was asked for: ${missing[*]}"
+}
+
+# The value of a variable in CMake's cache, or nothing.
+cached() {
+    sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt" 2>/dev/null || true
+}
+
+configure() {
+    local options=() source
+    source=$(cached CMAKE_HOME_DIRECTORY)
+    [[ -z $source || $source == "$root" ]] ||
+        die "build/ was configured for $source, not for $root: run './bootstrap.sh clean' first"
+    [[ -z ${CI:-} ]] || options=(-DLACUNA_WERROR=ON)
+    # build.ninja is written last, so it stands for a configuration that succeeded.
+    if [[ -f $build/build.ninja && (-z ${CI:-} || $(cached LACUNA_WERROR) == ON) ]]; then
+        return 0
+    fi
+    (cd "$root" && cmake --preset release "${options[@]}") ||
+        die "configuring failed: the first 'CMake Error' above says why"
+}
+
+build() {
+    install_packages
+    configure
+    cmake --build "$build" || die "building failed: the first 'error:' above says why"
+}
+
+run() {
+    local picture
+    build
+    for picture in "$build/first.png" "$build/first.svg"; do
+        "$build/lacuna" sample --radius 0.02 --torus -o "$picture" </dev/null ||
+            die "the program could not make $picture: its message stands above"
+    done
+    echo "$picture"
+}
+
+run_tests() {
+    build
+    # PoCL lists no device, and says nothing, when it cannot write its cache.
+    export POCL_CACHE_DIR=$build/pocl-cache
+    mkdir -p "$POCL_CACHE_DIR"
+    exec ctest --test-dir "$build" --output-on-failure --no-tests=error -j2 "$@"
+}
+
+main() {
+    local command=${1:-}
+    shift || true
+    [[ $command == test || $# -eq 0 ]] || bad_usage "$command $1: only 'test' takes further arguments"
+    case $command in
+        run) run ;;
+        test) run_tests "$@" ;;
+        build) build ;;
+        clean) rm -rf "$build" ;;
+        help | -h | --help) usage ;;
+        '')
+            usage >&2
+            exit 2
+            ;;
+        *) bad_usage "$command: must be run, test, build, clean or help" ;;
+    esac
+}
+
+main "$@"

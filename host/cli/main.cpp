@@ -1,0 +1,122 @@
+// The command lacuna: its subcommands, and which exception leaves with which exit code.
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <lacuna/lacuna.h>
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <string>
+
+#include "cli/interruption.h"
+#include "cli/options.h"
+#include "cli/sample.h"
+#include "files/point_files.h"
+
+namespace {
+
+using namespace lacuna;
+
+constexpr int kExitBadUsage = 2;
+constexpr int kExitFile = 3;
+constexpr int kExitDevice = 4;
+constexpr int kExitBug = 70;  // EX_SOFTWARE of sysexits.h
+
+constexpr const char* kDescription = R"(Makes blue-noise point sets.
+
+Examples:
+  lacuna sample --radius 0.01 -o points.svg
+  lacuna sample --count 10000 --torus > points.txt
+  lacuna sample --help
+)";
+
+// Lists each command by the first line of its description, without its examples.
+class Formatter : public CLI::Formatter {
+public:
+    std::string make_subcommand(const CLI::App* command) const override {
+        std::ostringstream out;
+        const std::string all = command->get_description();
+        CLI::detail::format_help(out, command->get_display_name(true),
+                                 all.substr(0, all.find('\n')), column_width_);
+        return out.str();
+    }
+};
+
+void add_commands(CLI::App& app) {
+    cli::add_sample(app);
+}
+
+int fail(int code, const std::string& message) {
+    std::fputs(fmt::format("lacuna: {}\n", message).c_str(), stderr);
+    return code;
+}
+
+int run(CLI::App& app, int argc, char** argv) {
+    app.name("lacuna");
+    app.formatter(std::make_shared<Formatter>());
+    app.set_version_flag("--version", std::string("lacuna ") + LACUNA_VERSION, "Print the version");
+    app.require_subcommand(1);
+    add_commands(app);
+    app.parse(argc, argv);
+    return 0;
+}
+
+// CLI11's messages begin with the option's name and leave out what is allowed.
+std::string explain(const CLI::ParseError& error, const std::string& extra, bool in_command) {
+    if (!extra.empty())
+        return fmt::format("{}: no such {}", cli::shown(extra),
+                           in_command ? "option, and no arguments are taken" : "command or option");
+    std::string what = error.what();
+    const std::string option = what.substr(0, what.find_first_of(": "));
+    if (what.ends_with(" missing")) return option + ": a value must follow";
+    if (what.find("At Most") != std::string::npos) return option + ": must be given only once";
+    if (what.ends_with("flag override")) return "--" + option + ": takes no value";
+    if (error.get_name() == "RequiredError") return "a command must follow";
+    return what;
+}
+
+// What CLI11 itself objects to, and --help and --version, which it throws too.
+int finish(const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+        app.exit(error, std::cout, std::cerr);
+        return std::cout.flush() ? 0 : fail(kExitFile, "cannot write to standard output");
+    }
+    const auto chosen = app.get_subcommands();
+    const std::string name = chosen.empty() ? "lacuna" : "lacuna " + chosen.front()->get_name();
+    const auto extras = app.remaining(true);
+    const std::string message =
+        explain(error, extras.empty() ? "" : extras.front(), !chosen.empty());
+    return fail(kExitBadUsage, fmt::format("{}; see {} --help", message, name));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // A closed pipe and a file grown too large are then errors of write, told like any other.
+    signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
+    CLI::App app(kDescription);
+    try {
+        return run(app, argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return finish(app, error);
+    } catch (const BadRequest& error) {
+        return fail(kExitBadUsage, std::string("--") + error.what());
+    } catch (const files::FileError& error) {
+        return fail(kExitFile, error.what());
+    } catch (const Unavailable& error) {
+        return fail(kExitDevice, error.what());
+    } catch (const DeviceError& error) {
+        return fail(kExitDevice, error.what());
+    } catch (const Cancelled&) {
+        return fail(cli::kExitInterrupted, "interrupted, nothing was written");
+    } catch (const std::bad_alloc&) {
+        return fail(kExitBadUsage, "out of memory: ask for fewer points");
+    } catch (const std::exception& error) {
+        return fail(kExitBug, fmt::format("this is a bug: {}", error.what()));
+    }
+}

@@ -1,0 +1,39 @@
+// Options whose values are read strictly: the whole text counts, and a bad one is a BadRequest.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace lacuna::cli {
+
+// A value as an error line shows it: quoted where it is empty or has blanks, escaped to stay on one
+// line.
+std::string shown(const std::string& text);
+
+// Each throws BadRequest(option, text, what is allowed). Ranges are the library's to check.
+void read(const std::string& option, const std::string& text, double& value);
+void read(const std::string& option, const std::string& text, std::uint64_t& value);
+void read(const std::string& option, const std::string& text, std::uint32_t& value);
+
+template <class Value>
+void read(const std::string& option, const std::string& text, std::optional<Value>& value) {
+    read(option, text, value.emplace());
+}
+
+// A domain as WIDTHxHEIGHT.
+void read_domain(const std::string& option, const std::string& text, double& width, double& height);
+
+// CLI11's own conversions let through octal, hexadecimal and blanks, so options come as text.
+template <class Value>
+void add_number(CLI::App& command, const std::string& option, const std::string& symbol,
+                Value& value, const std::string& help) {
+    command
+        .add_option_function<std::string>(
+            "--" + option, [option, &value](const std::string& text) { read(option, text, value); },
+            help)
+        ->type_name(symbol);
+}
+
+}  // namespace lacuna::cli

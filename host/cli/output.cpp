@@ -1,0 +1,70 @@
+// Checks paths before the work starts.
+#include "cli/output.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include "cli/options.h"
+#include "files/point_files.h"
+
+namespace lacuna::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int error) {
+    return std::generic_category().message(error);
+}
+
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+    throw files::FileError(fmt::format("{}: {}", path, why));
+}
+
+// As files::write_whole will find it: a new file is made beside the older one and renamed, but a
+// device or a pipe is written into.
+void check_writable(const std::string& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status)) refuse(path, reason(EISDIR));
+    if (fs::exists(status) && access(path.c_str(), W_OK) != 0) refuse(path, reason(errno));
+    if (fs::exists(status) && !fs::is_regular_file(status)) return;
+
+    const fs::path folder = folder_of(fs::weakly_canonical(path, error));
+    if (error) refuse(path, error.message());
+    if (!fs::is_directory(folder, error))
+        refuse(path, fmt::format("there is no folder {}", folder.string()));
+    if (access(folder.c_str(), W_OK | X_OK) != 0)
+        refuse(path, fmt::format("cannot make a file in {}: {}", folder.string(), reason(errno)));
+}
+
+bool is_same_file(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    if (fs::equivalent(a, b, error) && !error) return true;
+    return a.filename() == b.filename() && fs::equivalent(folder_of(a), folder_of(b), error) &&
+           !error;
+}
+
+}  // namespace
+
+void check_output(const std::string& path) {
+    files::format_of(path);
+    if (path != "-") check_writable(path);
+}
+
+void check_report(const std::string& path, const std::string& output) {
+    if (fs::path(path).extension() != ".json")
+        throw BadRequest("report", shown(path), "must be a file whose name ends in .json");
+    check_writable(path);
+    if (is_same_file(path, output))
+        throw BadRequest("report", shown(path), "must be another file than --output " + output);
+}
+
+}  // namespace lacuna::cli

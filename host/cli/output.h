@@ -1,0 +1,15 @@
+// What is checked of the paths to write before the work starts: a typo must not cost a long run.
+#pragma once
+
+#include <string>
+
+namespace lacuna::cli {
+
+// The path may be "-", standard output. Throws BadRequest for an unknown extension and
+// files::FileError where no file of that name could be made.
+void check_output(const std::string& path);
+
+// The report is a .json file other than the output. Throws as check_output does.
+void check_report(const std::string& path, const std::string& output);
+
+}  // namespace lacuna::cli

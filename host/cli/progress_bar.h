@@ -1,0 +1,36 @@
+// The progress bar: one line on a terminal's standard error, redrawn in place.
+#pragma once
+
+#include <lacuna/lacuna.h>
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace lacuna::cli {
+
+// The line for a terminal of so many columns, never wider than that; no escape but for colour.
+std::string progress_line(const Progress& progress, double seconds, std::size_t columns,
+                          bool colour);
+
+// Shows nothing when told to be quiet or when standard error is no terminal. Clears its line when
+// destroyed, so that errors and results start on a clean one.
+class ProgressBar : public Observer {
+public:
+    explicit ProgressBar(bool quiet);
+    ~ProgressBar() override;
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+
+    bool keep_going(const Progress& progress) override;
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    bool visible_;
+    bool colour_;
+    bool drawn_ = false;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point last_draw_ = start_;
+};
+
+}  // namespace lacuna::cli

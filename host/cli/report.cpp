@@ -1,0 +1,75 @@
+// Writes the report.
+#include "cli/report.h"
+
+#include <sys/resource.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "files/point_files.h"
+
+namespace lacuna::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json json_of(const Request& request, const std::string& mode) {
+    return {{"width", request.width},
+            {"height", request.height},
+            {"boundary", request.boundary == Boundary::torus ? "torus" : "box"},
+            {"mode", mode},
+            {"radius", or_null(request.radius)},
+            {"count", or_null(request.count)},
+            {"lines_per_radius", request.lines_per_radius},
+            {"snap", request.snap},
+            {"uniform_x", request.uniform_x},
+            {"limit", or_null(request.limit)},
+            {"round_size", request.round_size},
+            {"seed", request.seed},
+            {"backend", request.backend},
+            {"device", request.device},
+            {"threads", request.threads}};
+}
+
+Json json_of(const Stopwatch& stopwatch, double total_seconds) {
+    Json seconds;
+    for (const Verb verb : kVerbs) seconds[std::string(name_of(verb))] = stopwatch.seconds(verb);
+    seconds["total"] = total_seconds;
+    return seconds;
+}
+
+std::int64_t peak_memory_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    constexpr std::int64_t kBytesPerUnit = 1024;  // Linux counts it in KiB
+    return usage.ru_maxrss * kBytesPerUnit;
+}
+
+}  // namespace
+
+std::string report_of(const Request& request, const std::string& mode, const Result& result,
+                      const Stopwatch& stopwatch, double total_seconds) {
+    const Json report = {{"program", "lacuna"},
+                         {"version", LACUNA_VERSION},
+                         {"request", json_of(request, mode)},
+                         {"count", result.points.size()},
+                         {"radius", result.radius},
+                         {"maximal", result.maximal},
+                         {"rounds", result.rounds},
+                         {"draws", result.draws},
+                         {"seconds", json_of(stopwatch, total_seconds)},
+                         {"backend", result.backend},
+                         {"device", result.device},
+                         {"peak_memory_bytes", peak_memory_bytes()},
+                         {"points_sha256", files::sha256_of(result.points)}};
+    // Device names come from drivers, and need not be UTF-8.
+    return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,57 @@
+// The SHA-256 of a point set, which names its bytes whatever the format of the file.
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "files/little_endian.h"
+#include "files/point_files.h"
+
+namespace lacuna::files {
+namespace {
+
+// OpenSSL is called for this many points at once: a call costs more than a point.
+constexpr std::size_t kPointsPerUpdate = 4096;
+
+struct ContextDeleter {
+    void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
+};
+
+void check(int openssl_result, const char* call) {
+    if (openssl_result != 1) throw Error(std::string("SHA-256: ") + call + " of OpenSSL failed");
+}
+
+}  // namespace
+
+std::string sha256_of(std::span<const Point> points) {
+    const std::unique_ptr<EVP_MD_CTX, ContextDeleter> context(EVP_MD_CTX_new());
+    check(context != nullptr ? 1 : 0, "EVP_MD_CTX_new");
+    check(EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr), "EVP_DigestInit_ex");
+    std::string bytes;
+    while (!points.empty()) {
+        const std::size_t count = std::min(kPointsPerUpdate, points.size());
+        bytes.clear();
+        for (const Point& point : points.first(count)) {
+            append_little_endian(bytes, point.x);
+            append_little_endian(bytes, point.y);
+        }
+        check(EVP_DigestUpdate(context.get(), bytes.data(), bytes.size()), "EVP_DigestUpdate");
+        points = points.subspan(count);
+    }
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned int length = 0;
+    check(EVP_DigestFinal_ex(context.get(), digest.data(), &length), "EVP_DigestFinal_ex");
+
+    std::string hex;
+    for (const unsigned char byte : std::span(digest).first(length))
+        fmt::format_to(std::back_inserter(hex), "{:02x}", byte);
+    return hex;
+}
+
+}  // namespace lacuna::files

@@ -1,0 +1,54 @@
+// Point files and pictures, named by their extension; a file appears whole or not at all.
+#pragma once
+
+#include <lacuna/lacuna.h>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lacuna::files {
+
+enum class Format { txt, csv, npy, ply, json, svg, pdf, png };
+
+// A set of points with what a picture needs to know of it.
+struct PointSet {
+    std::span<const Point> points;
+    double width = 1;  // of the domain
+    double height = 1;
+    // Least distance; dots are drawn with a third of it as their radius. 0: not known; dots are
+    // then as large as those of a maximal set of as many points.
+    double radius = 0;
+};
+
+// A file could not be read or written: names the path and the system's reason.
+class FileError : public Error {
+    using Error::Error;
+};
+
+// The format that the extension of `path` names (any case); "-" (standard output) is txt.
+// Throws BadRequest("output", path, ...) listing the known extensions.
+Format format_of(const std::string& path);
+
+// The bytes of a file of that format.
+//   txt   `x y` a line, 17 significant digits, so that reading gives back the same doubles
+//   csv   the same with a header line `x,y`
+//   npy   NumPy 1.0 header, N x 2 float64, little-endian, C order
+//   ply   ASCII, vertex x y z as double, z = 0
+//   json  {"width":..., "height":..., "radius":..., "count":..., "points":[[x,y],...]}
+//   svg, pdf, png: black dots on white, y upwards; longer side 1024 pixels (png) or 512 points
+// The same set gives the same bytes on every call. Throws FileError if a picture cannot be drawn.
+std::string encode(const PointSet& set, Format format);
+
+// Writes `bytes` to `path` ("-": standard output), whole or not at all: into a new file beside it,
+// then a rename. An older file of that name is untouched until then and hands on its permissions.
+// Links are followed. What is not a regular file (a device, a pipe) is written into instead.
+// Throws FileError.
+void write_whole(const std::string& path, std::string_view bytes);
+
+// SHA-256, in hex, of the points as little-endian float64 x0 y0 x1 y1 ...: what --report prints
+// and what tests pin.
+std::string sha256_of(std::span<const Point> points);
+
+}  // namespace lacuna::files

@@ -1,0 +1,135 @@
+// The public API of Lacuna: a request goes in, a blue-noise point set comes out.
+//
+// What is promised
+//   - The same request and seed give the same points, bit for bit, on every backend, every device
+//     and any number of threads.
+//   - Points come in the order in which they were admitted; any prefix of a set is itself an
+//     unbiased Poisson-disk set.
+//   - Every point lies in [0, width) x [0, height).
+//   - Request::snap: no two points are closer than the radius, computed in double from the
+//     coordinates returned. Without it (Kalantari & Sen 2011, section 4.1, x interpolated in its
+//     strip) no two points are closer than radius * (1 - 1 / (2 * lines_per_radius)).
+//   - The library never prints, never exits and never reads the clock.
+//
+// What can go wrong is thrown: see the classes derived from Error at the end of this file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lacuna {
+
+// A position in the user's own units.
+struct Point {
+    double x;
+    double y;
+    friend bool operator==(const Point&, const Point&) = default;
+};
+
+// What happens at the edges of the domain: they wrap (torus) or they do not (box).
+enum class Boundary { box, torus };
+
+// What is wanted. Exactly one of radius and count must be set.
+struct Request {
+    double width = 1.0;   // of the domain, > 0
+    double height = 1.0;  // of the domain, > 0; neither side over 1000 times the other
+    Boundary boundary = Boundary::box;
+
+    std::optional<double> radius;        // least distance between two points
+    std::optional<std::uint64_t> count;  // exactly this many points, at a radius chosen to fit
+
+    std::uint32_t lines_per_radius = 30;  // the paper's m, 1 to 1000
+    bool snap = false;       // points on the lines themselves: keeps every distance >= radius
+    bool uniform_x = false;  // end of section 4.1: lines with room are equally likely
+
+    std::optional<std::uint64_t> limit;  // stop after this many points, >= 1
+    std::uint64_t round_size = 0;        // draws a round; 0 chooses, 1 is the paper's algorithm
+    std::uint64_t seed = 0;
+
+    std::string backend = "auto";  // a name from backends(), or "auto"
+    std::string device;            // for backends with devices: a number or part of a name
+    std::uint32_t threads = 0;     // 0: as many as the machine has
+
+    std::uint64_t memory_limit_bytes = 0;  // refuse a larger set; 0: the machine's memory
+};
+
+// What was made, and how.
+struct Result {
+    std::vector<Point> points;  // in order of admission
+    double radius = 0;          // the radius asked for, or chosen for Request::count
+    bool maximal = false;       // false when a limit or a count stopped it before the room ran out
+    std::uint64_t rounds = 0;
+    std::uint64_t draws = 0;
+    std::string backend;  // the name of the backend that did the work
+    std::string device;   // the name of its device
+};
+
+// The parts of a round, for those who time them.
+enum class Verb { invert, locate, admit, subtract, transfer, first_use };
+std::string_view name_of(Verb verb);
+
+struct Progress {
+    std::uint64_t points;           // admitted so far
+    std::uint64_t expected_points;  // an estimate, at least `points`
+    std::uint64_t rounds;
+};
+
+// Watches a run from the calling thread. The library has no clock: an observer that wants times
+// reads its own in begin and end.
+class Observer {
+public:
+    virtual ~Observer() = default;
+    // Called after each round. Return false to cancel: sample() then throws Cancelled.
+    virtual bool keep_going(const Progress&) { return true; }
+    virtual void begin(Verb) {}
+    virtual void end(Verb) {}
+};
+
+// Makes the set that `request` asks for.
+// Throws BadRequest, Unavailable, DeviceError, Cancelled.
+Result sample(const Request& request);
+Result sample(const Request& request, Observer& observer);
+
+// The number of points to expect of a maximal set: DESIGN's 0.69656 per squared radius on the
+// torus (random sequential adsorption's jamming limit), with the edge term on the box.
+double expected_count(double width, double height, Boundary boundary, double radius);
+
+// ---------------------------------------------------------------------------------------- errors
+
+class Error : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// The request cannot be met. what() is "OPTION VALUE: what is allowed"; option() is the command's
+// name for the field, without dashes.
+class BadRequest : public Error {
+public:
+    BadRequest(const std::string& option, const std::string& value, const std::string& allowed)
+        : Error(option + " " + value + ": " + allowed), option_(option) {}
+    const std::string& option() const { return option_; }
+
+private:
+    std::string option_;
+};
+
+// The backend or device asked for is not there.
+class Unavailable : public Error {
+    using Error::Error;
+};
+
+// A device failed in the middle of the work; names the call, the code and the driver's log.
+class DeviceError : public Error {
+    using Error::Error;
+};
+
+// Observer::keep_going returned false.
+class Cancelled : public Error {
+public:
+    Cancelled() : Error("cancelled") {}
+};
+
+}  // namespace lacuna

@@ -1,0 +1,188 @@
+// Checks a request and turns it into whole numbers.
+#include "plan.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <sstream>
+
+namespace lacuna {
+namespace {
+
+constexpr double kLongerSideUnits = 2147483648.0;  // 2^31
+constexpr double kLargestAspect = 1000.0;
+constexpr std::uint32_t kMostLinesPerRadius = 1000;
+// With fewer units to a radius, rounding it up would show; 1000 lines a radius need 2 units each.
+constexpr double kSmallestRadius = 1.0 / (1 << 20);  // of the longer side
+
+// Random sequential adsorption's jamming density, and the width of its edge effect in radii.
+constexpr double kTorusDensity = 0.69656;
+constexpr double kBoxDensity = 0.69655;
+constexpr double kBoxEdge = 0.666;
+constexpr double kCountDeviation = 0.244;  // standard deviation of a maximal count over sqrt(N)
+
+// The shortest decimal that reads back as the same double.
+std::string text(double value) {
+    char digits[32];
+    const auto end = std::to_chars(std::begin(digits), std::end(digits), value).ptr;
+    return {digits, end};
+}
+
+std::string gigabytes(double bytes) {
+    std::ostringstream out;
+    out.precision(4);
+    out << bytes / 1e9 << " GB";
+    return out.str();
+}
+
+double memory_limit(const Request& request) {
+    if (request.memory_limit_bytes != 0) return static_cast<double>(request.memory_limit_bytes);
+    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+           static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+// What a run holds at its peak: two spans a radius on every line, and points in grid and user
+// units with the growth of their vectors.
+double memory_needed(const Request& request, double radius, double points) {
+    constexpr double kBytesPerSpan = 8, kSpansPerRadius = 0.6, kBytesPerPoint = 48;
+    const double lines = std::ceil(request.lines_per_radius * request.width / radius);
+    const double spans = kSpansPerRadius * request.height / radius + 8;
+    return lines * spans * kBytesPerSpan + points * kBytesPerPoint;
+}
+
+void refuse_if_too_large(const Request& request, const std::string& option,
+                         const std::string& value, double radius, double points) {
+    const double needed = memory_needed(request, radius, points);
+    const double limit = memory_limit(request);
+    if (needed <= limit) return;
+    throw BadRequest(option, value,
+                     "needs about " + gigabytes(needed) + " of memory, more than the " +
+                         gigabytes(limit) + " there is");
+}
+
+double largest_radius(const Request& request) {
+    return request.boundary == Boundary::torus ? std::min(request.width, request.height)
+                                               : std::hypot(request.width, request.height);
+}
+
+void check_radius(const Request& request) {
+    const double radius = *request.radius;
+    const double longer = std::max(request.width, request.height);
+    if (!std::isfinite(radius) || radius <= 0)
+        throw BadRequest("radius", text(radius), "must be a finite number greater than 0");
+    if (radius > largest_radius(request))
+        throw BadRequest(
+            "radius", text(radius),
+            "must be at most " + text(largest_radius(request)) +
+                (request.boundary == Boundary::torus ? ", the shorter side of the torus"
+                                                     : ", the diagonal of the domain"));
+    double points = expected_count(request.width, request.height, request.boundary, radius);
+    if (request.limit) points = std::min(points, static_cast<double>(*request.limit));
+    refuse_if_too_large(request, "radius", text(radius), radius, points);
+    if (radius < longer * kSmallestRadius)
+        throw BadRequest("radius", text(radius),
+                         "must be at least " + text(longer * kSmallestRadius) +
+                             ", the longer side / 2^20, or the grid's units run out");
+}
+
+// The larger root q = 1 / r of density * (W q + edge) (H q + edge) = count.
+double radius_expecting(const Request& request, double count) {
+    if (request.boundary == Boundary::torus)
+        return std::sqrt(kTorusDensity * request.width * request.height / count);
+    const double a = request.width * request.height;
+    const double b = kBoxEdge * (request.width + request.height);
+    const double c = kBoxEdge * kBoxEdge - count / kBoxDensity;
+    if (c >= 0) return std::numeric_limits<double>::infinity();
+    return 2 * a / (std::sqrt(b * b - 4 * a * c) - b);
+}
+
+}  // namespace
+
+double expected_count(double width, double height, Boundary boundary, double radius) {
+    if (boundary == Boundary::torus) return kTorusDensity * (width / radius) * (height / radius);
+    return kBoxDensity * (width / radius + kBoxEdge) * (height / radius + kBoxEdge);
+}
+
+void check_request(const Request& request) {
+    const double shorter = std::min(request.width, request.height);
+    const double longer = std::max(request.width, request.height);
+    const std::string domain = text(request.width) + "x" + text(request.height);
+    if (!std::isfinite(request.width) || !std::isfinite(request.height) || !(shorter > 0))
+        throw BadRequest("domain", domain, "both sides must be finite numbers greater than 0");
+    if (longer > kLargestAspect * shorter)
+        throw BadRequest(
+            "domain", domain,
+            "the longer side may be at most " + text(kLargestAspect) + " times the shorter");
+    if (shorter < 1e-100 || longer > 1e100)
+        throw BadRequest("domain", domain, "the sides must lie between 1e-100 and 1e100");
+    if (request.lines_per_radius < 1 || request.lines_per_radius > kMostLinesPerRadius)
+        throw BadRequest("lines-per-radius", std::to_string(request.lines_per_radius),
+                         "must be between 1 and " + std::to_string(kMostLinesPerRadius));
+    if (request.limit && *request.limit == 0) throw BadRequest("limit", "0", "must be at least 1");
+    if (request.radius && request.count)
+        throw BadRequest("radius", text(*request.radius), "give either a radius or a count");
+    if (!request.radius && !request.count)
+        throw BadRequest("radius", "missing", "give either a radius or a count");
+    if (request.count && *request.count == 0) throw BadRequest("count", "0", "must be at least 1");
+    if (request.uniform_x && request.round_size > 1)
+        throw BadRequest("round-size", std::to_string(request.round_size),
+                         "must be 1 with uniform-x, whose draws cannot be thinned");
+}
+
+double radius_for_count(const Request& request, int attempt) {
+    const double count = static_cast<double>(*request.count);
+    // Strips lose some points of the true maximum, in proportion to their width.
+    const double loss = 1 + 0.2 / request.lines_per_radius;
+    const double wanted =
+        (count + 4 * kCountDeviation * std::sqrt(count)) * loss * std::pow(1.05, attempt);
+    const double radius = std::min(radius_expecting(request, wanted), largest_radius(request));
+    refuse_if_too_large(request, "count", std::to_string(*request.count), radius, count);
+    const double longer = std::max(request.width, request.height);
+    if (radius < longer * kSmallestRadius)
+        throw BadRequest("count", std::to_string(*request.count),
+                         "needs a radius under the longer side / 2^20: the grid's units run out");
+    return radius;
+}
+
+Plan make_plan(const Request& request) {
+    check_request(request);
+    check_radius(request);
+    const double radius = *request.radius;
+    const double longer = std::max(request.width, request.height);
+    const bool torus = request.boundary == Boundary::torus;
+    Plan plan{};
+
+    // Section 4.1: L = ceil(m W / r) lines, the strips equally wide and their centres whole.
+    const double lines = std::ceil(request.lines_per_radius * request.width / radius);
+    const double strip = kLongerSideUnits * (request.width / longer) / lines;
+    plan.lines = static_cast<std::uint32_t>(lines);
+    plan.strip_width = 2 * static_cast<std::uint32_t>(strip / 2);
+    plan.width = plan.lines * plan.strip_width;
+    plan.height = static_cast<std::uint32_t>(request.height * (plan.width / request.width));
+    plan.period_x = torus ? plan.width : 0;
+    plan.period_y = torus ? plan.height : 0;
+    plan.unit_x = request.width / plan.width;
+    plan.unit_y = request.height / plan.height;
+
+    // Rounded up by at least 2^-10 units, which is more than doubles lose on the way back.
+    const double units = radius / std::min(plan.unit_x, plan.unit_y);
+    plan.radius = static_cast<std::uint32_t>(units + 1.0 / 1024) + 1;
+    plan.radius_squared = std::uint64_t{plan.radius} * plan.radius;
+    plan.user_radius = radius;
+
+    plan.snap = request.snap;
+    plan.uniform_x = request.uniform_x;
+    plan.round_size = request.uniform_x ? 1 : request.round_size;
+    plan.seed = request.seed;
+    const std::uint64_t most = request.count.value_or(std::numeric_limits<std::uint64_t>::max());
+    plan.limit = std::min(most, request.limit.value_or(most));
+    const double expected = expected_count(request.width, request.height, request.boundary, radius);
+    plan.expected_samples = std::min(plan.limit, static_cast<std::uint64_t>(expected) + 1);
+    return plan;
+}
+
+}  // namespace lacuna

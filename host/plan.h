@@ -1,0 +1,62 @@
+// A request, checked and turned into whole numbers (DESIGN section 2: units of the grid).
+#pragma once
+
+#include <lacuna/lacuna.h>
+#include <cstdint>
+#include <vector>
+
+namespace lacuna {
+
+// A position in grid units.
+struct Sample {
+    std::uint32_t x;
+    std::uint32_t y;
+    friend bool operator==(const Sample&, const Sample&) = default;
+};
+
+// Everything that decides where samples go. Equal plans give equal samples on every backend.
+struct Plan {
+    // Domain: [0, width) x [0, height), 2^31 units along its longer side, a little less where
+    // needed to make the strips equally wide.
+    std::uint32_t width;
+    std::uint32_t height;
+    // The same where the axes wrap, 0 where they do not.
+    std::uint32_t period_x;
+    std::uint32_t period_y;
+
+    std::uint32_t lines;        // L = ceil(m * W / r)
+    std::uint32_t strip_width;  // even; lines * strip_width == width
+    std::uint32_t radius;       // rounded up: so many units are never less than the user's radius
+    std::uint64_t radius_squared;
+
+    bool snap;
+    bool uniform_x;
+    std::uint64_t limit;       // stop after so many samples
+    std::uint64_t round_size;  // 0: chosen by rounds.h
+    std::uint64_t seed;
+
+    // The user's units for one grid unit, along x and y. They differ by less than 2^-20.
+    double unit_x;
+    double unit_y;
+    double user_radius;
+    std::uint64_t expected_samples;  // of the maximal set, or the limit if that is less
+
+    std::uint32_t centre_of_line(std::uint32_t line) const {
+        return line * strip_width + strip_width / 2;
+    }
+    std::uint32_t line_of(Sample sample) const { return sample.x / strip_width; }
+    // Rounds so that no two samples at least `radius` units apart come closer than user_radius.
+    Point to_user(Sample sample) const { return {sample.x * unit_x, sample.y * unit_y}; }
+};
+
+// Throws BadRequest. request.radius must be set.
+Plan make_plan(const Request& request);
+
+// Checks all that does not depend on the radius. Throws BadRequest.
+void check_request(const Request& request);
+
+// The radius at which a maximal set holds request.count points and some to spare; more to spare
+// with every attempt. Throws BadRequest.
+double radius_for_count(const Request& request, int attempt);
+
+}  // namespace lacuna

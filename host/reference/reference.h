@@ -1,0 +1,15 @@
+// The paper's uniform sampler, one sample at a time: the yardstick of every backend.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include "generate.h"
+#include "plan.h"
+
+namespace lacuna::reference {
+
+// Kalantari & Sen 2011, section 4.1, in rounds of any size; rounds of one are the paper's
+// algorithm. Throws Cancelled.
+Outcome sample(const Plan& plan, Observer& observer);
+
+}  // namespace lacuna::reference

@@ -1,0 +1,68 @@
+// The names that the portable headers use, in C++, OpenCL C and GLSL.
+//
+// A portable header holds arithmetic on whole numbers: values in, values out. The square root
+// estimate below is the only float, and isqrt.h corrects it exactly.
+#ifndef LACUNA_PORTABLE_PRELUDE_H
+#define LACUNA_PORTABLE_PRELUDE_H
+
+#if defined(__cplusplus)
+#include <cmath>
+#include <cstdint>
+#define LACUNA_BEGIN namespace lacuna::portable {
+#define LACUNA_END }
+#define LACUNA_FN inline
+#define LACUNA_TYPEDEF(name)
+LACUNA_BEGIN
+using u32 = std::uint32_t;
+using u64 = std::uint64_t;
+inline u32 to_u32(u64 a) {
+    return static_cast<u32>(a);
+}
+inline u64 sqrt_estimate(u64 n) {  // through signed numbers, which convert in one instruction
+    const double wide = static_cast<double>(static_cast<std::int64_t>(n));
+    return static_cast<u64>(static_cast<std::int64_t>(std::sqrt(wide)));
+}
+LACUNA_END
+
+#elif defined(__OPENCL_C_VERSION__)
+#define LACUNA_BEGIN
+#define LACUNA_END
+#define LACUNA_FN static inline
+#define LACUNA_TYPEDEF(name) typedef struct name name;
+typedef uint u32;
+typedef ulong u64;
+#define to_u32(a) ((u32)(a))
+#ifdef cl_khr_fp64
+#pragma OPENCL EXTENSION cl_khr_fp64 : enable
+#define sqrt_estimate(n) ((u64)sqrt((double)(n)))
+#else
+#define LACUNA_FLOAT_ROOT
+#define sqrt_f32(n) sqrt((float)(n))
+#define residual_over(a, b) ((u64)(long)((float)(long)(a) / (b)))
+#define floor_u64(a) ((u64)(a))
+#endif
+
+#else  // GLSL, with GL_EXT_shader_explicit_arithmetic_types_int64
+#define LACUNA_BEGIN
+#define LACUNA_END
+#define LACUNA_FN
+#define LACUNA_TYPEDEF(name)
+#define u32 uint
+#define u64 uint64_t
+#define to_u32(a) uint(a)
+#define LACUNA_FLOAT_ROOT
+#define sqrt_f32(n) sqrt(float(n))
+#define residual_over(a, b) uint64_t(int64_t(float(int64_t(a)) / (b)))
+#define floor_u64(a) uint64_t(a)
+#endif
+
+#ifdef LACUNA_FLOAT_ROOT
+// 24 bits from the first root, the rest from one Newton step on the exact residual.
+LACUNA_FN u64 sqrt_estimate(u64 n) {
+    float root = sqrt_f32(n) + 1.0f;
+    u64 whole = floor_u64(root);
+    return whole + residual_over(n - whole * whole, 2.0f * root);
+}
+#endif
+
+#endif

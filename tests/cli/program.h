@@ -1,0 +1,67 @@
+// Runs the program under test as a user would, and keeps what it said.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lacuna::test {
+
+// A new folder, gone with all that is in it at the end of the test.
+class Folder {
+public:
+    Folder();
+    ~Folder();
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    std::string path(const std::string& name) const { return (path_ / name).string(); }
+    std::vector<std::string> names() const;  // of what is in it, sorted
+
+private:
+    std::filesystem::path path_;
+};
+
+struct Outcome {
+    int exit_code;  // 128 + the signal if one ended it, as shells say
+    std::string out;
+    std::string err;
+};
+
+// How to start the program, where it matters.
+struct Setting {
+    int stdout_fd = -1;            // instead of a file whose content is Outcome::out
+    int stderr_fd = -1;            // likewise
+    long largest_file_bytes = -1;  // what the system lets it write
+    std::map<std::string, std::string> environment;  // on top of this process's
+};
+
+class Program {
+public:
+    explicit Program(const std::vector<std::string>& arguments, const Setting& setting = {});
+    ~Program();
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+
+    void send(int signal) const;
+    // Waits until the program has a handler for `signal`; false when it ends without one.
+    bool waits_for(int signal) const;
+    bool is_running();
+    Outcome wait();
+
+private:
+    Folder folder_;
+    pid_t pid_ = -1;
+    int status_ = 0;
+    bool ended_ = false;
+};
+
+Outcome run(const std::vector<std::string>& arguments, const Setting& setting = {});
+
+std::string content_of(const std::string& path);
+void write_file(const std::string& path, const std::string& content);
+
+}  // namespace lacuna::test

@@ -1,0 +1,111 @@
+// Given a terminal, the program shows a progress bar there and leaves no trace of it.
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <pty.h>
+#include <unistd.h>
+
+#include <array>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "program.h"
+
+namespace {
+
+using namespace lacuna::test;
+
+class Terminal {
+public:
+    explicit Terminal(unsigned short columns) {
+        const winsize size{24, columns, 0, 0};
+        if (openpty(&ours_, &theirs_, nullptr, nullptr, &size) != 0) ours_ = -1;
+    }
+    ~Terminal() {
+        close(ours_);
+        close(theirs_);
+    }
+    Terminal(const Terminal&) = delete;
+    Terminal& operator=(const Terminal&) = delete;
+
+    bool exists() const { return ours_ >= 0; }
+    int fd() const { return theirs_; }
+
+    // What has been written to it so far.
+    std::string text() const {
+        std::string text;
+        std::array<char, 4096> bytes{};
+        for (pollfd ready{ours_, POLLIN, 0}; poll(&ready, 1, 0) > 0;) {
+            const ssize_t got = read(ours_, bytes.data(), bytes.size());
+            if (got <= 0) break;
+            text.append(bytes.data(), static_cast<std::size_t>(got));
+        }
+        return text;
+    }
+
+private:
+    int ours_ = -1;
+    int theirs_ = -1;
+};
+
+// Long enough to be seen, short enough to be waited for; every round is small.
+const std::vector<std::string> kRun{"sample", "--radius",  "0.003",    "--round-size",
+                                    "4",      "--backend", "reference"};
+
+std::string shown_on(const Terminal& terminal, std::vector<std::string> more,
+                     std::map<std::string, std::string> environment) {
+    more.insert(more.begin(), kRun.begin(), kRun.end());
+    Setting setting;
+    setting.stderr_fd = terminal.fd();
+    setting.environment = std::move(environment);
+    setting.environment.emplace("TERM", "xterm");
+    Program program(more, setting);
+    std::string text;
+    while (program.is_running()) {
+        text += terminal.text();  // or the program would wait for room
+        usleep(1000);
+    }
+    EXPECT_EQ(program.wait().exit_code, 0);
+    return text + terminal.text();
+}
+
+TEST(ProgressBar, TellsPointsRoundsAndRateAndClearsItsLineAtTheEnd) {
+    const Terminal terminal(120);
+    if (!terminal.exists()) GTEST_SKIP() << "no terminals here";
+    const std::string text = shown_on(terminal, {}, {{"NO_COLOR", ""}});
+    EXPECT_TRUE(std::regex_search(
+        text, std::regex(" [0-9]+ of about [0-9]+ points, [0-9]+ rounds, [0-9.e+]+ points/s")))
+        << text;
+    EXPECT_NE(text.find("\x1b[32m"), std::string::npos) << text;
+    EXPECT_TRUE(text.ends_with("\r\x1b[K")) << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+}
+
+TEST(ProgressBar, HasNoColourWhereNoColorIsSet) {
+    const Terminal terminal(120);
+    if (!terminal.exists()) GTEST_SKIP() << "no terminals here";
+    const std::string text = shown_on(terminal, {}, {{"NO_COLOR", "1"}});
+    EXPECT_NE(text.find("points/s"), std::string::npos) << text;
+    EXPECT_FALSE(std::regex_search(text, std::regex("\x1b\\[[0-9]*m"))) << text;
+}
+
+TEST(ProgressBar, NeverWrapsOnANarrowTerminal) {
+    const Terminal terminal(30);
+    if (!terminal.exists()) GTEST_SKIP() << "no terminals here";
+    const std::string text = shown_on(terminal, {}, {{"NO_COLOR", "1"}});
+    EXPECT_NE(text.find(" of about "), std::string::npos) << text;
+    const std::regex drawn("\r\x1b\\[K([^\r]*)");
+    for (auto line = std::sregex_iterator(text.begin(), text.end(), drawn);
+         line != std::sregex_iterator(); ++line)
+        EXPECT_LT((*line)[1].length(), 30) << (*line)[1];
+}
+
+TEST(ProgressBar, IsNotShownWhenQuietNorOnADumbTerminal) {
+    const Terminal terminal(120);
+    if (!terminal.exists()) GTEST_SKIP() << "no terminals here";
+    EXPECT_EQ(shown_on(terminal, {"--quiet"}, {}), "");
+    EXPECT_EQ(shown_on(terminal, {}, {{"TERM", "dumb"}}), "");
+}
+
+}  // namespace

@@ -1,0 +1,151 @@
+// Given a good request, the program writes the points where they were wanted and says what it did.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "program.h"
+
+namespace {
+
+using namespace lacuna::test;
+using Names = std::vector<std::string>;
+
+std::ptrdiff_t lines_in(const std::string& text) {
+    return std::count(text.begin(), text.end(), '\n');
+}
+
+TEST(Sample, WritesToStandardOutputWhatItWritesToAFile) {
+    const Folder folder;
+    const Outcome to_output = run({"sample", "--radius", "0.05", "--seed", "3"});
+    const Outcome to_dash = run({"sample", "--radius", "0.05", "--seed", "3", "-o", "-"});
+    const Outcome to_file =
+        run({"sample", "--radius", "0.05", "--seed", "3", "--output", folder.path("a.txt")});
+    EXPECT_EQ(to_output.exit_code, 0);
+    EXPECT_EQ(to_output.err, "");
+    EXPECT_GT(lines_in(to_output.out), 250);
+    EXPECT_EQ(to_dash.out, to_output.out);
+    EXPECT_EQ(to_file.out, "");
+    EXPECT_EQ(content_of(folder.path("a.txt")), to_output.out);
+    EXPECT_EQ(folder.names(), Names{"a.txt"});
+}
+
+TEST(Sample, GivesTheSameBytesForTheSameSeedAndOthersForAnother) {
+    const Names request{"sample", "--radius", "0.05", "--seed"};
+    const auto with_seed = [&](const std::string& seed) {
+        Names words = request;
+        words.push_back(seed);
+        return run(words).out;
+    };
+    EXPECT_NE(with_seed("1"), "");
+    EXPECT_EQ(with_seed("1"), with_seed("1"));
+    EXPECT_NE(with_seed("1"), with_seed("2"));
+    EXPECT_EQ(with_seed("0"), run({"sample", "--radius", "0.05"}).out);
+    EXPECT_NE(with_seed("18446744073709551615"), with_seed("1"));
+}
+
+TEST(Sample, EndsWithOneLineAboutAFileUnlessQuiet) {
+    const Folder folder;
+    const std::string path = folder.path("points.csv");
+    const Outcome outcome = run({"sample", "--count", "100", "-o", path});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_TRUE(outcome.err.starts_with("100 points, ")) << outcome.err;
+    EXPECT_TRUE(outcome.err.ends_with("-> " + path + "\n")) << outcome.err;
+    EXPECT_EQ(lines_in(outcome.err), 1);
+
+    const Outcome quiet = run({"sample", "--count", "100", "-o", path, "--quiet"});
+    EXPECT_EQ(quiet.exit_code, 0);
+    EXPECT_EQ(quiet.err, "");
+}
+
+TEST(Sample, MakesEveryKindOfFile) {
+    const Folder folder;
+    for (const std::string name :
+         {"a.txt", "a.csv", "a.npy", "a.ply", "a.json", "a.svg", "a.pdf", "a.png", "A.SVG"}) {
+        EXPECT_EQ(run({"sample", "--radius", "0.2", "-o", folder.path(name)}).exit_code, 0);
+        EXPECT_GT(std::filesystem::file_size(folder.path(name)), 20u) << name;
+    }
+    EXPECT_EQ(folder.names().size(), 9u);
+}
+
+TEST(Sample, TakesEveryOptionIntoTheRequestAndTheReport) {
+    const Folder folder;
+    const std::string report = folder.path("report.json");
+    const Outcome outcome = run({"sample",    "--radius",    "0.05",
+                                 "--domain",  "2.5x1",       "--torus",
+                                 "--mode",    "lines",       "--lines-per-radius",
+                                 "7",         "--uniform-x", "--snap",
+                                 "--limit",   "40",          "--round-size",
+                                 "1",         "--seed",      "9",
+                                 "--backend", "reference",   "--device",
+                                 "",          "--threads",   "2",
+                                 "--quiet",   "--report",    report});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(lines_in(outcome.out), 40);
+
+    const auto json = nlohmann::json::parse(content_of(report));
+    const auto expected = nlohmann::json::parse(R"({
+        "width": 2.5, "height": 1.0, "boundary": "torus", "mode": "lines", "radius": 0.05,
+        "count": null, "lines_per_radius": 7, "snap": true, "uniform_x": true, "limit": 40,
+        "round_size": 1, "seed": 9, "backend": "reference", "device": "", "threads": 2})");
+    EXPECT_EQ(json.at("request"), expected);
+    EXPECT_EQ(json.at("count"), 40);
+    EXPECT_EQ(json.at("maximal"), false);
+    EXPECT_EQ(json.at("backend"), "reference");
+}
+
+TEST(Sample, ReportsCountsTimesMemoryAndTheHashOfThePoints) {
+    const Folder folder;
+    const std::string report = folder.path("report.json");
+    const Outcome outcome = run({"sample", "--radius", "0.05", "--report", report});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+
+    const auto json = nlohmann::json::parse(content_of(report));
+    EXPECT_EQ(json.at("program"), "lacuna");
+    EXPECT_EQ("lacuna " + json.at("version").get<std::string>() + "\n", run({"--version"}).out);
+    EXPECT_EQ(json.at("request").at("radius"), 0.05);
+    EXPECT_EQ(json.at("request").at("limit"), nullptr);
+    EXPECT_EQ(json.at("count"), lines_in(outcome.out));
+    EXPECT_EQ(json.at("radius"), 0.05);
+    EXPECT_EQ(json.at("maximal"), true);
+    EXPECT_GT(json.at("rounds"), 0);
+    EXPECT_GE(json.at("draws"), json.at("count"));
+    double by_verb = 0;
+    for (const char* verb : {"invert", "locate", "admit", "subtract", "transfer", "first_use"}) {
+        EXPECT_GE(json.at("seconds").at(verb).get<double>(), 0);
+        by_verb += json.at("seconds").at(verb).get<double>();
+    }
+    EXPECT_GE(json.at("seconds").at("total").get<double>(), by_verb);
+    EXPECT_GT(json.at("seconds").at("total").get<double>(), 0);
+    EXPECT_TRUE(json.at("device").is_string());
+    EXPECT_GT(json.at("peak_memory_bytes"), 1 << 20);
+    EXPECT_EQ(json.at("points_sha256").get<std::string>().size(), 64u);
+
+    const std::string other = folder.path("other.json");
+    run({"sample", "--radius", "0.05", "--seed", "1", "--report", other});
+    const auto other_json = nlohmann::json::parse(content_of(other));
+    EXPECT_NE(other_json.at("points_sha256"), json.at("points_sha256"));
+}
+
+TEST(Help, BeginsWithExamplesAndNamesEveryOption) {
+    const Outcome general = run({"--help"});
+    EXPECT_EQ(general.exit_code, 0);
+    EXPECT_EQ(general.err, "");
+    EXPECT_NE(general.out.find("Examples:"), std::string::npos);
+
+    const Outcome outcome = run({"sample", "--help"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_LT(outcome.out.find("Examples:"), outcome.out.find("Options:"));
+    for (const char* option :
+         {"--radius", "--count", "--domain", "--torus", "--mode", "--lines-per-radius",
+          "--uniform-x", "--snap", "--limit", "--round-size", "--seed", "--backend", "--device",
+          "--threads", "--output", "--report", "--quiet"})
+        EXPECT_NE(outcome.out.find(option, outcome.out.find("Options:")), std::string::npos)
+            << option;
+}
+
+}  // namespace

@@ -1,0 +1,126 @@
+// Given trouble from outside - disks, pipes, signals - a file is whole or not there at all.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "program.h"
+
+namespace {
+
+using namespace lacuna::test;
+using Names = std::vector<std::string>;
+
+void expect_one_line(const std::string& text) {
+    EXPECT_TRUE(text.starts_with("lacuna: ")) << text;
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+}
+
+// So fine that it would run for minutes; rounds so small that it can be stopped soon.
+const Names kLongRun{"sample",    "--radius",     "0.0005", "--backend",
+                     "reference", "--round-size", "64"};
+
+Names long_run(const Names& more) {
+    Names words = kLongRun;
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+TEST(AFileThatCannotBeMade, IsRefusedBeforeTheWorkStarts) {
+    const Folder folder;
+    write_file(folder.path("file"), "");
+    std::filesystem::create_directory(folder.path("folder.txt"));
+    for (const std::string name : {"missing/a.txt", "file/a.txt", "folder.txt"}) {
+        const Outcome outcome = run(long_run({"-o", folder.path(name)}));
+        EXPECT_EQ(outcome.exit_code, 3);
+        EXPECT_EQ(outcome.out, "");
+        expect_one_line(outcome.err);
+        EXPECT_NE(outcome.err.find(folder.path(name)), std::string::npos) << outcome.err;
+    }
+    const Outcome outcome = run(long_run({"--report", folder.path("missing/a.json")}));
+    EXPECT_EQ(outcome.exit_code, 3);
+    expect_one_line(outcome.err);
+    EXPECT_EQ(folder.names(), (Names{"file", "folder.txt"}));
+}
+
+TEST(AFileThatCannotBeFinished, LeavesTheOlderOneUntouched) {
+    const Folder folder;
+    write_file(folder.path("a.txt"), "older\n");
+    Setting small_files;
+    small_files.largest_file_bytes = 1000;
+    const Outcome outcome =
+        run({"sample", "--radius", "0.05", "-o", folder.path("a.txt")}, small_files);
+    EXPECT_EQ(outcome.exit_code, 3);
+    expect_one_line(outcome.err);
+    EXPECT_NE(outcome.err.find("a.txt"), std::string::npos) << outcome.err;
+    EXPECT_EQ(content_of(folder.path("a.txt")), "older\n");
+    EXPECT_EQ(folder.names(), Names{"a.txt"});
+}
+
+TEST(StandardOutput, WithoutAReaderIsAnErrorOfOutput) {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
+    close(ends[0]);
+    Setting no_reader;
+    no_reader.stdout_fd = ends[1];
+    for (const Names& words : {Names{"sample", "--radius", "0.05", "-o", "-"}, Names{"--help"}}) {
+        const Outcome outcome = run(words, no_reader);
+        EXPECT_EQ(outcome.exit_code, 3);
+        expect_one_line(outcome.err);
+    }
+    close(ends[1]);
+}
+
+TEST(StandardOutput, OnAFullDiskIsAnErrorOfOutput) {
+    if (!std::filesystem::is_character_file("/dev/full"))
+        GTEST_SKIP() << "this system has no /dev/full";
+    Setting full;
+    full.stdout_fd = open("/dev/full", O_WRONLY | O_CLOEXEC);
+    ASSERT_GE(full.stdout_fd, 0);
+    const Outcome outcome = run({"sample", "--radius", "0.05"}, full);
+    EXPECT_EQ(outcome.exit_code, 3);
+    expect_one_line(outcome.err);
+    close(full.stdout_fd);
+}
+
+class AnInterruptedRun : public testing::TestWithParam<int> {};
+
+TEST_P(AnInterruptedRun, ExitsWith130AndLeavesNothing) {
+    const Folder folder;
+    write_file(folder.path("a.txt"), "older\n");
+    Program program(long_run({"-o", folder.path("a.txt"), "--report", folder.path("report.json")}));
+    ASSERT_TRUE(program.waits_for(GetParam()));
+    program.send(GetParam());
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_EQ(outcome.out, "");
+    expect_one_line(outcome.err);
+    EXPECT_EQ(content_of(folder.path("a.txt")), "older\n");
+    EXPECT_EQ(folder.names(), Names{"a.txt"});
+}
+
+INSTANTIATE_TEST_SUITE_P(ByCtrlCOrTheSystem, AnInterruptedRun, testing::Values(SIGINT, SIGTERM));
+
+TEST(ASecondSignal, DoesNotWaitForTheEndOfTheRound) {
+    const Folder folder;
+    // One round that no test would live to see the end of.
+    Program program({"sample", "--radius", "0.0005", "--backend", "reference", "--round-size",
+                     "1000000000000", "-o", folder.path("a.txt")});
+    ASSERT_TRUE(program.waits_for(SIGINT));
+    while (program.is_running()) {
+        program.send(SIGINT);
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    EXPECT_EQ(program.wait().exit_code, 130);
+    EXPECT_EQ(folder.names(), Names{});
+}
+
+}  // namespace

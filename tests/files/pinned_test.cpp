@@ -1,0 +1,57 @@
+// The bytes of five small requests, pinned by hash: they may change with a major version only.
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+
+#include "files/point_files.h"
+
+namespace {
+
+using namespace lacuna;
+
+std::string hash_of(const Request& request) {
+    return files::sha256_of(sample(request).points);
+}
+
+Request request_of(double radius, Boundary boundary) {
+    Request request;
+    request.radius = radius;
+    request.boundary = boundary;
+    request.backend = "reference";
+    return request;
+}
+
+TEST(Pinned, Torus) {
+    EXPECT_EQ(hash_of(request_of(0.05, Boundary::torus)),
+              "3b0964181e873e82999a69989ea581a0cb741bca0ddfb279887b9bf622468c76");
+}
+
+TEST(Pinned, RectangularBoxOnTheLines) {
+    Request request = request_of(0.07, Boundary::box);
+    request.width = 2.5;
+    request.snap = true;
+    request.seed = 1;
+    EXPECT_EQ(hash_of(request), "7eb075153dc967a65b533f1ab589e0da22c968d77360c9ca7e44b60d2015d5ca");
+}
+
+TEST(Pinned, UniformX) {
+    Request request = request_of(0.05, Boundary::torus);
+    request.uniform_x = true;
+    request.lines_per_radius = 10;
+    EXPECT_EQ(hash_of(request), "6390ed06fa443cc3784c761579692a450fc0adb248e252f678cd9a2e6d917149");
+}
+
+TEST(Pinned, OneDrawARound) {
+    Request request = request_of(0.05, Boundary::box);
+    request.round_size = 1;
+    request.seed = 18446744073709551615u;
+    EXPECT_EQ(hash_of(request), "e295d3c6a8c47c012624a83f3fa1c678e339d76ed1d3768aed31736932f4ab98");
+}
+
+TEST(Pinned, Count) {
+    Request request;
+    request.count = 1000;
+    request.backend = "reference";
+    EXPECT_EQ(hash_of(request), "ff23fa2a80379ce0e4659fbd8a059b2ce7acafdb4094cf28244c992909f8069f");
+}
+
+}  // namespace

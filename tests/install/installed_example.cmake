@@ -1,0 +1,51 @@
+# Given a build of Lacuna, when it is installed, then the example builds against it and runs.
+#
+# cmake -D BUILD=... -D SCRATCH=... -D EXAMPLE=... -D COMPILER=... [-D CXX_FLAGS=...]
+#       [-D SHARED_SOURCE=...] -P installed_example.cmake
+# With SHARED_SOURCE the library is first built there, shared, into BUILD.
+cmake_minimum_required(VERSION 3.25)
+
+# run(WHAT COMMAND...) runs a command; sets `output`; fails with what it printed.
+function(run what)
+    execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+    if(NOT code EQUAL 0)
+        message(FATAL_ERROR "${what} failed (${code}):\n${out}${err}")
+    endif()
+    set(output "${out}" PARENT_SCOPE)
+endfunction()
+
+set(toolchain -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPILER})
+
+if(SHARED_SOURCE)
+    run("configuring the shared library" ${CMAKE_COMMAND} ${toolchain} -S ${SHARED_SOURCE} -B ${BUILD}
+        -D BUILD_SHARED_LIBS=ON -D LACUNA_COMMAND=OFF -D LACUNA_TESTS=OFF -D LACUNA_BENCHMARKS=OFF)
+    run("building the shared library" ${CMAKE_COMMAND} --build ${BUILD})
+endif()
+
+# From nothing each time: what an earlier run installed must not help.
+set(prefix ${SCRATCH}/prefix)
+file(REMOVE_RECURSE ${prefix} ${SCRATCH}/example)
+run("installing" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+run("configuring the example" ${CMAKE_COMMAND} ${toolchain} -S ${EXAMPLE} -B ${SCRATCH}/example
+    -D CMAKE_PREFIX_PATH=${prefix} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}")
+run("building the example" ${CMAKE_COMMAND} --build ${SCRATCH}/example)
+
+file(STRINGS ${SCRATCH}/example/CMakeCache.txt found REGEX "^lacuna_DIR:")
+if(NOT found MATCHES "=${prefix}/")
+    message(FATAL_ERROR "the example found another Lacuna: ${found}; expected one in ${prefix}")
+endif()
+
+# Of this radius 278 points fit on average, with a standard deviation of 4.
+run("running the example" ${SCRATCH}/example/first_points)
+if(NOT output MATCHES "^2[5-9][0-9] points\n([0-9.e-]+ [0-9.e-]+)\n$")
+    message(FATAL_ERROR "the example printed:\n${output}expected 250 to 299 points, and the first")
+endif()
+set(first "${CMAKE_MATCH_1}")
+
+# The installed command, asked for the same, starts with the same point.
+if(EXISTS ${prefix}/bin/lacuna)
+    run("running the installed command" ${prefix}/bin/lacuna sample --radius 0.05 --torus -o -)
+    if(NOT output MATCHES "^([^\n]+)\n" OR NOT CMAKE_MATCH_1 STREQUAL first)
+        message(FATAL_ERROR "the command's first point is ${CMAKE_MATCH_1}, the example's ${first}")
+    endif()
+endif()

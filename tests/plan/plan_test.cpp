@@ -1,0 +1,157 @@
+// What the plan promises about whole numbers, and what a request may not ask for.
+#include "plan.h"
+
+#include <gtest/gtest.h>
+
+#include <rapidcheck/gtest.h>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using namespace lacuna;
+
+Request with_radius(double radius) {
+    Request request;
+    request.radius = radius;
+    return request;
+}
+
+TEST(Plan, HasTheNumberOfLinesOfThePaper) {
+    EXPECT_EQ(make_plan(with_radius(0.01)).lines, 3000u);
+    EXPECT_EQ(make_plan(with_radius(0.001)).lines, 30000u);
+    Request wide = with_radius(0.3);
+    wide.width = 2;
+    wide.lines_per_radius = 1;
+    EXPECT_EQ(make_plan(wide).lines, 7u);
+}
+
+RC_GTEST_PROP(Plan, KeepsEveryPromiseOfItsFields, ()) {
+    Request request;
+    request.width = *rc::gen::inRange(1, 1000) / 100.0;
+    request.height = *rc::gen::inRange(1, 1000) / 100.0;
+    request.boundary = *rc::gen::element(Boundary::box, Boundary::torus);
+    request.lines_per_radius = *rc::gen::inRange(1u, 1001u);
+    const double longer = std::max(request.width, request.height);
+    const double shorter = std::min(request.width, request.height);
+    request.radius = std::max(shorter * *rc::gen::inRange(1, 10001) / 10000, longer * 2e-5);
+    request.limit = 1;
+    request.memory_limit_bytes = std::uint64_t{1} << 50;
+    if (*request.radius > shorter) return;
+
+    const Plan plan = make_plan(request);
+    RC_ASSERT(plan.lines * std::uint64_t{plan.strip_width} == plan.width);
+    RC_ASSERT(plan.strip_width >= 2u && plan.strip_width % 2 == 0);
+    RC_ASSERT(plan.width <= 0x80000000u && plan.height <= 0x80000000u);
+    RC_ASSERT(plan.width > 0u && plan.height > 0u);
+    RC_ASSERT(plan.radius * std::min(plan.unit_x, plan.unit_y) >= *request.radius);
+    RC_ASSERT((plan.radius - 2) * std::min(plan.unit_x, plan.unit_y) <= *request.radius);
+    RC_ASSERT(std::abs(plan.unit_y / plan.unit_x - 1) < std::ldexp(1, -20));
+    // m strips to a radius, or a few thousandths more.
+    RC_ASSERT(plan.strip_width * std::uint64_t{request.lines_per_radius} <= plan.radius);
+    const Point last = plan.to_user({plan.width - 1, plan.height - 1});
+    RC_ASSERT(last.x < request.width && last.y < request.height);
+}
+
+// A user's check in double never finds less than the radius, for samples exactly plan.radius apart.
+RC_GTEST_PROP(Plan, RoundsDistancesInTheUsersFavour, ()) {
+    Request request;
+    request.width = *rc::gen::inRange(1, 100000) / 7919.0;
+    request.height = request.width * *rc::gen::inRange(1, 1000) / 997.0;
+    if (request.height * 1000 < request.width) return;
+    request.radius = std::min(request.width, request.height) / *rc::gen::inRange(2, 2000);
+    request.memory_limit_bytes = std::uint64_t{1} << 50;
+    const Plan plan = make_plan(request);
+    const auto x = *rc::gen::inRange<std::uint32_t>(0, plan.width - plan.radius);
+    const auto y = *rc::gen::inRange<std::uint32_t>(0, plan.height);
+    const Point a = plan.to_user({x, y});
+    const Point b = plan.to_user({x + plan.radius, y});
+    RC_ASSERT(std::sqrt((a.x - b.x) * (a.x - b.x)) >= *request.radius);
+    const Point c = plan.to_user({y % plan.width, 0});
+    const Point d = plan.to_user({y % plan.width, plan.radius});
+    RC_ASSERT(std::sqrt((c.y - d.y) * (c.y - d.y)) >= *request.radius);
+}
+
+std::string refusal(const Request& request) {
+    try {
+        make_plan(request);
+    } catch (const BadRequest& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(Plan, RefusesARadiusThatIsNoLength) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    const std::string must = ": must be a finite number greater than 0";
+    EXPECT_EQ(refusal(with_radius(0)), "radius 0" + must);
+    EXPECT_EQ(refusal(with_radius(-1)), "radius -1" + must);
+    EXPECT_EQ(refusal(with_radius(nan)), "radius nan" + must);
+    EXPECT_EQ(refusal(with_radius(infinity)), "radius inf" + must);
+}
+
+TEST(Plan, NamesAnyValueItRefuses) {
+    EXPECT_EQ(refusal(with_radius(-1e-320)),
+              "radius -1e-320: must be a finite number greater than 0");
+    EXPECT_EQ(refusal(with_radius(1e300)),
+              "radius 1e+300: must be at most 1.4142135623730951, the diagonal of the domain");
+}
+
+TEST(Plan, RefusesARadiusLargerThanTheDomain) {
+    EXPECT_EQ(refusal(with_radius(1.5)),
+              "radius 1.5: must be at most 1.4142135623730951, the diagonal of the domain");
+    EXPECT_EQ(refusal(with_radius(1.2)), "accepted");
+    Request torus = with_radius(1.2);
+    torus.boundary = Boundary::torus;
+    EXPECT_EQ(refusal(torus), "radius 1.2: must be at most 1, the shorter side of the torus");
+}
+
+TEST(Plan, SaysHowMuchMemoryASmallRadiusNeeds) {
+    Request request = with_radius(1e-5);
+    request.memory_limit_bytes = 1'000'000'000;
+    const std::string message = refusal(request);
+    EXPECT_NE(message.find("radius 1e-05: needs about "), std::string::npos) << message;
+    EXPECT_NE(message.find(" GB of memory, more than the 1 GB there is"), std::string::npos);
+}
+
+TEST(Plan, SaysWhenTheUnitsRunOut) {
+    Request request = with_radius(1e-7);
+    request.limit = 10;
+    request.memory_limit_bytes = ~std::uint64_t{0};
+    EXPECT_EQ(refusal(request),
+              "radius 1e-07: must be at least 9.5367431640625e-07, the longer side / 2^20, or the "
+              "grid's units run out");
+}
+
+TEST(Plan, RefusesDomainsThatAreNone) {
+    Request request = with_radius(0.1);
+    request.width = 0;
+    EXPECT_EQ(refusal(request), "domain 0x1: both sides must be finite numbers greater than 0");
+    request.width = 1e6;
+    EXPECT_EQ(refusal(request),
+              "domain 1e+06x1: the longer side may be at most 1000 times the shorter");
+    request.width = 1000;
+    EXPECT_EQ(refusal(request), "accepted");
+}
+
+TEST(Plan, RefusesCountsThatAreNone) {
+    Request request;
+    request.count = 0;
+    EXPECT_THROW(check_request(request), BadRequest);
+    request.count = 1'000'000'000'000;
+    EXPECT_THROW(radius_for_count(request, 0), BadRequest);
+    request.radius = 0.1;
+    EXPECT_THROW(check_request(request), BadRequest);
+    EXPECT_THROW(check_request(Request{}), BadRequest);
+}
+
+TEST(Plan, RefusesMOutsideItsRange) {
+    Request request = with_radius(0.1);
+    for (const std::uint32_t m : {0u, 1001u}) {
+        request.lines_per_radius = m;
+        EXPECT_THROW(make_plan(request), BadRequest);
+    }
+}
+
+}  // namespace

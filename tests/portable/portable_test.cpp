@@ -1,0 +1,91 @@
+// The portable arithmetic against brute force and at its extremes.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+
+#include "portable/chord.h"
+#include "portable/distance.h"
+#include "portable/isqrt.h"
+
+namespace {
+
+using namespace lacuna::portable;
+
+constexpr u64 kLongestSide = u64{1} << 31;
+
+TEST(Isqrt, EqualsBruteForceForSmallNumbers) {
+    u64 root = 0;
+    for (u64 n = 0; n < 1'000'000; ++n) {
+        if ((root + 1) * (root + 1) <= n) ++root;
+        ASSERT_EQ(isqrt(n), root) << n;
+    }
+}
+
+TEST(Isqrt, IsExactBesideEverySquareUpToTheLargestUnit) {
+    // Roots around the powers of two and random ones: n just below, at and above their squares.
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 1'000'000; ++i) {
+        u64 root = random() >> (33 + i % 31);
+        if (i < 62) root = (u64{1} << (i / 2)) + static_cast<u64>(i % 2);
+        if (root < 2) continue;
+        ASSERT_EQ(isqrt(root * root - 1), root - 1);
+        ASSERT_EQ(isqrt(root * root), root);
+        ASSERT_EQ(isqrt(root * root + 1), root);
+        ASSERT_EQ(isqrt(root * root + 2 * root), root);
+    }
+}
+
+TEST(Isqrt, HoldsAtTheEndOfItsRange) {
+    const u64 diagonal_squared = 2 * kLongestSide * kLongestSide;
+    EXPECT_EQ(isqrt(diagonal_squared - 1), 3'037'000'499u);
+    EXPECT_EQ(isqrt(u64{3'037'000'499} * 3'037'000'499), 3'037'000'499u);
+    EXPECT_EQ(isqrt(u64{3'037'000'499} * 3'037'000'499 - 1), 3'037'000'498u);
+}
+
+TEST(AxisDistance, WrapsAtEveryEdge) {
+    for (const u32 period : {2u, 3u, 10u, 0x80000000u}) {
+        EXPECT_EQ(axis_distance(0, period - 1, period), 1u);
+        EXPECT_EQ(axis_distance(period - 1, 0, period), 1u);
+        EXPECT_EQ(axis_distance(0, period / 2, period), period / 2);
+        EXPECT_EQ(axis_distance(period / 2, 0, period), period / 2);
+        EXPECT_EQ(axis_distance(period - 1, period - 1, period), 0u);
+    }
+}
+
+TEST(AxisDistance, DoesNotWrapOnABox) {
+    EXPECT_EQ(axis_distance(0, 0x7fffffffu, 0), 0x7fffffffu);
+    EXPECT_EQ(axis_distance(0x7fffffffu, 0, 0), 0x7fffffffu);
+}
+
+TEST(Conflicts, IsStrictAtTheRadius) {
+    // 3-4-5: exactly the radius apart is allowed, one unit less is not.
+    EXPECT_FALSE(conflicts(10, 10, 13, 14, 0, 0, 25));
+    EXPECT_TRUE(conflicts(10, 10, 13, 13, 0, 0, 25));
+    EXPECT_FALSE(conflicts(0, 0, 97, 96, 100, 100, 25));
+    EXPECT_TRUE(conflicts(0, 0, 98, 96, 100, 100, 25));
+}
+
+TEST(Conflicts, HoldsAcrossTheWholeDomain) {
+    const u64 diagonal_squared = 2 * (kLongestSide - 1) * (kLongestSide - 1);
+    EXPECT_FALSE(conflicts(0, 0, 0x7fffffffu, 0x7fffffffu, 0, 0, diagonal_squared));
+    EXPECT_TRUE(conflicts(0, 0, 0x7fffffffu, 0x7fffffffu, 0, 0, diagonal_squared + 1));
+}
+
+TEST(ChordReach, CountsTheOffsetsThatConflict) {
+    for (u32 radius = 1; radius <= 40; ++radius) {
+        for (u32 dx = 0; dx <= radius + 1; ++dx) {
+            u32 count = 0;
+            while (u64{dx} * dx + u64{count} * count < u64{radius} * radius) ++count;
+            ASSERT_EQ(chord_reach(dx, u64{radius} * radius), count) << radius << " " << dx;
+        }
+    }
+}
+
+TEST(ChordReach, HoldsForTheLargestRadius) {
+    const u64 radius_squared = 2 * kLongestSide * kLongestSide;
+    EXPECT_EQ(chord_reach(0, radius_squared), 3'037'000'500u);
+    EXPECT_EQ(chord_reach(0x7fffffffu, radius_squared), 2'147'483'649u);
+}
+
+}  // namespace
