@@ -3,8 +3,17 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <thread>
 
+#include "cpu/make_backend.h"
+#include "device/choice.h"
+#ifdef LACUNA_OPENCL
+#include "opencl/make_backend.h"
+#endif
 #include "reference/reference.h"
+#ifdef LACUNA_VULKAN
+#include "vulkan/make_backend.h"
+#endif
 
 namespace lacuna {
 namespace {
@@ -13,15 +22,67 @@ struct Entry {
     std::string_view name;
     // Throws Unavailable when there is no such device.
     Run (*run)(const Request&, const Plan&, Observer&);
+    std::vector<DeviceEntry> (*list)();
 };
+
+template <std::unique_ptr<Backend> (*make)(const Plan&, const Placement&)>
+Run run_rounds(const Request& request, const Plan& plan, Observer& observer) {
+    const std::unique_ptr<Backend> backend = make(plan, {request.device, request.threads});
+    Run run;
+    run.outcome = generate(plan, *backend, observer);
+    run.device = backend->device();
+    return run;
+}
 
 Run run_reference(const Request&, const Plan& plan, Observer& observer) {
     return {reference::sample(plan, observer), "", "1 thread"};
 }
 
+std::vector<DeviceEntry> processor_with(unsigned threads) {
+    DeviceEntry entry;
+    entry.name = std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+    entry.kind = "cpu";
+    entry.memory_bytes = machine_memory_bytes();
+    entry.largest_buffer_bytes = entry.memory_bytes;
+    return {entry};
+}
+
+std::vector<DeviceEntry> list_processor() {
+    return processor_with(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+std::vector<DeviceEntry> list_one_thread() {
+    return processor_with(1);
+}
+
+#if !defined(LACUNA_OPENCL) || !defined(LACUNA_VULKAN)
+constexpr const char* kLeftOut = "this build was made without it";
+
+Run run_left_out(const Request& request, const Plan&, Observer&) {
+    throw Unavailable("backend " + request.backend + ": " + kLeftOut);
+}
+
+std::vector<DeviceEntry> list_left_out() {
+    DeviceEntry entry;
+    entry.unusable = kLeftOut;
+    return {entry};
+}
+#endif
+
 // In order of preference.
 constexpr Entry kBackends[] = {
-    {"reference", run_reference},
+    {"cpu", run_rounds<cpu::make_backend>, list_processor},
+#ifdef LACUNA_OPENCL
+    {"opencl", run_rounds<opencl::make_backend>, opencl::list_devices},
+#else
+    {"opencl", run_left_out, list_left_out},
+#endif
+#ifdef LACUNA_VULKAN
+    {"vulkan", run_rounds<vulkan::make_backend>, vulkan::list_devices},
+#else
+    {"vulkan", run_left_out, list_left_out},
+#endif
+    {"reference", run_reference, list_one_thread},
 };
 
 std::string names() {
@@ -38,6 +99,15 @@ std::string wanted_backend(const Request& request) {
 }
 
 }  // namespace
+
+std::vector<Device> devices() {
+    std::vector<Device> all;
+    for (const Entry& entry : kBackends)
+        for (const DeviceEntry& device : entry.list())
+            all.push_back({std::string(entry.name), device.name, device.kind, device.memory_bytes,
+                           device.largest_buffer_bytes, device.unusable});
+    return all;
+}
 
 Run run_on_backend(const Request& request, const Plan& plan, Observer& observer) {
     const std::string wanted = wanted_backend(request);

@@ -41,8 +41,7 @@ std::string gigabytes(double bytes) {
 
 double memory_limit(const Request& request) {
     if (request.memory_limit_bytes != 0) return static_cast<double>(request.memory_limit_bytes);
-    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-           static_cast<double>(sysconf(_SC_PAGESIZE));
+    return static_cast<double>(machine_memory_bytes());
 }
 
 // What a run holds at its peak: two spans a radius on every line, and points in grid and user
@@ -101,6 +100,11 @@ double radius_expecting(const Request& request, double count) {
 }
 
 }  // namespace
+
+std::uint64_t machine_memory_bytes() {
+    return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
+           static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
 
 double expected_count(double width, double height, Boundary boundary, double radius) {
     if (boundary == Boundary::torus) return kTorusDensity * (width / radius) * (height / radius);

@@ -55,6 +55,9 @@ Plan make_plan(const Request& request);
 // Checks all that does not depend on the radius. Throws BadRequest.
 void check_request(const Request& request);
 
+// What a set may take unless the request says otherwise.
+std::uint64_t machine_memory_bytes();
+
 // The radius at which a maximal set holds request.count points and some to spare; more to spare
 // with every attempt. Throws BadRequest.
 double radius_for_count(const Request& request, int attempt);

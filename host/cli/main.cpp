@@ -12,6 +12,7 @@
 #include <sstream>
 #include <string>
 
+#include "cli/devices.h"
 #include "cli/interruption.h"
 #include "cli/options.h"
 #include "cli/sample.h"
@@ -32,6 +33,7 @@ Examples:
   lacuna sample --radius 0.01 -o points.svg
   lacuna sample --count 10000 --torus > points.txt
   lacuna sample --help
+  lacuna devices
 )";
 
 // Lists each command by the first line of its description, without its examples.
@@ -48,6 +50,7 @@ public:
 
 void add_commands(CLI::App& app) {
     cli::add_sample(app);
+    cli::add_devices(app);
 }
 
 int fail(int code, const std::string& message) {

@@ -88,4 +88,31 @@ TEST(ChordReach, HoldsForTheLargestRadius) {
     EXPECT_EQ(chord_reach(0x7fffffffu, radius_squared), 2'147'483'649u);
 }
 
+TEST(Chord, CoversExactlyTheOffsetsWithinReach) {
+    for (const u32 height : {1u, 2u, 9u, 16u}) {
+        for (u32 reach = 1; reach <= height + 3; ++reach) {
+            for (u32 y = 0; y < height; ++y) {
+                for (u32 other = 0; other < height; ++other) {
+                    const bool straight =
+                        other >= chord_begin(y, reach) && other < chord_end(y, reach, height);
+                    const bool wrapped = other < chord_wrapped_end(y, reach, height) ||
+                                         other >= chord_wrapped_begin(y, reach, height);
+                    ASSERT_EQ(straight, axis_distance(y, other, 0) < reach);
+                    ASSERT_EQ(straight || wrapped, axis_distance(y, other, height) < reach)
+                        << other << " from " << y << ", reach " << reach << ", height " << height;
+                }
+            }
+        }
+    }
+}
+
+TEST(Chord, HoldsForTheLargestUnits) {
+    const u32 height = 1u << 31;
+    const u32 reach = 3'037'000'500u;
+    EXPECT_EQ(chord_begin(height - 1, reach), 0u);
+    EXPECT_EQ(chord_end(height - 1, reach, height), height);
+    EXPECT_EQ(chord_wrapped_end(height - 1, 3, height), 2u);
+    EXPECT_EQ(chord_wrapped_begin(0, 3, height), height - 2);
+}
+
 }  // namespace

@@ -94,6 +94,20 @@ public:
 Result sample(const Request& request);
 Result sample(const Request& request, Observer& observer);
 
+// A device that a backend can run on, or what stands where one was hoped for.
+struct Device {
+    std::string backend;
+    std::string name;  // as the driver gives it
+    std::string kind;  // cpu, gpu or other
+    std::uint64_t memory_bytes = 0;
+    std::uint64_t largest_buffer_bytes = 0;
+    std::string unusable;  // why it cannot be used; empty when it can
+};
+
+// Every backend's devices: backends in order of preference, the devices of one by number, which is
+// what Request::device may name. A backend that this build lacks has one entry that says so.
+std::vector<Device> devices();
+
 // The number of points to expect of a maximal set: DESIGN's 0.69656 per squared radius on the
 // torus (random sequential adsorption's jamming limit), with the edge term on the box.
 double expected_count(double width, double height, Boundary boundary, double radius);

@@ -1,0 +1,10 @@
+// `lacuna devices`: every backend's devices, and why one cannot be used.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace lacuna::cli {
+
+void add_devices(CLI::App& app);
+
+}  // namespace lacuna::cli

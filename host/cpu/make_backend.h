@@ -1,0 +1,12 @@
+// The cpu backend: the three verbs on threads, a column of lines a task.
+#pragma once
+
+#include <memory>
+
+#include "backend.h"
+
+namespace lacuna::cpu {
+
+std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement);
+
+}  // namespace lacuna::cpu

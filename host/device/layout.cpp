@@ -1,0 +1,132 @@
+// The layout of a plan's memory on a device.
+#include "device/layout.h"
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+#include "columns.h"
+#include "portable/column.h"
+#include "portable/fate.h"
+#include "rounds.h"
+
+namespace lacuna::device {
+
+std::vector<Slab> share_out(std::uint32_t lines, std::uint32_t capacity,
+                            std::uint64_t largest_bytes) {
+    const std::uint64_t fit = largest_bytes / (std::uint64_t{capacity} * sizeof(Span));
+    const auto step = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(fit, 1, lines));
+    std::vector<Slab> slabs;
+    for (std::uint32_t line = 0; line < lines; line += step)
+        slabs.push_back({line, line + std::min(step, lines - line)});
+    return slabs;
+}
+
+portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uint32_t capacity) {
+    return {plan.radius_squared, plan.radius,      plan.height, plan.period_x, plan.period_y,
+            plan.lines,          plan.strip_width, columns,     capacity};
+}
+
+Range draws_of(const Slab& slab, std::span<const Draw> draws) {
+    const auto index_of_line = [&](std::uint32_t line) {
+        const auto first = std::partition_point(draws.begin(), draws.end(),
+                                                [&](const Draw& draw) { return draw.line < line; });
+        return static_cast<std::uint32_t>(first - draws.begin());
+    };
+    return {index_of_line(slab.first_line), index_of_line(slab.end_line)};
+}
+
+void find_near_begins(const Plan& plan, std::uint32_t columns,
+                      std::span<const std::uint32_t> column_begins,
+                      std::vector<std::uint32_t>& begins) {
+    begins.resize(columns + std::size_t{1});
+    begins[0] = 0;
+    for (std::uint32_t column = 0; column < columns; ++column) {
+        const std::uint32_t first = portable::first_neighbour(column, columns, plan.period_x);
+        const std::uint32_t count = portable::neighbour_count(column, columns, plan.period_x);
+        begins[column + 1] = begins[column];
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const std::uint32_t neighbour = (first + k) % columns;
+            begins[column + 1] += column_begins[neighbour + 1] - column_begins[neighbour];
+        }
+    }
+}
+
+void drop_rejected(std::span<const Sample> by_order, std::vector<Sample>& samples) {
+    samples.clear();
+    std::copy_if(by_order.begin(), by_order.end(), std::back_inserter(samples),
+                 [](const Sample& sample) { return sample.y != NO_SAMPLE; });
+}
+
+std::vector<Sample> samples_by_order(const Snapshot& snapshot) {
+    std::vector<Sample> samples(snapshot.candidates.size(), {NO_SAMPLE, NO_SAMPLE});
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const Candidate& candidate = snapshot.candidates[i];
+        if (snapshot.fates[i] == FATE_ADMITTED)
+            samples[candidate.order] = {candidate.x, candidate.y};
+    }
+    return samples;
+}
+
+std::vector<Span> pack(const Slab& slab, const Snapshot& snapshot) {
+    std::vector<Span> slots(std::size_t{slab.lines()} * snapshot.capacity);
+    for (std::uint32_t i = 0; i < slab.lines(); ++i) {
+        const std::vector<Span>& spans = snapshot.spans[slab.first_line + i];
+        std::copy(spans.begin(), spans.end(),
+                  slots.begin() + static_cast<std::ptrdiff_t>(std::size_t{i} * snapshot.capacity));
+    }
+    return slots;
+}
+
+void unpack(const Slab& slab, std::span<const Span> slots,
+            std::span<const std::uint32_t> span_counts, Snapshot& snapshot) {
+    for (std::uint32_t i = 0; i < slab.lines(); ++i) {
+        const auto spans =
+            slots.subspan(std::size_t{i} * snapshot.capacity, span_counts[slab.first_line + i]);
+        snapshot.spans.emplace_back(spans.begin(), spans.end());
+    }
+}
+
+namespace {
+
+std::string gigabytes(std::uint64_t bytes) {
+    std::ostringstream out;
+    out.precision(3);
+    out << static_cast<double>(bytes) / 1e9 << " GB";
+    return out.str();
+}
+
+// Of draws, located, candidates, fates and samples, and three samples near for each draw.
+constexpr std::uint64_t kBytesPerDraw = 3 * 16 + 4 + 8 + 3 * 8;
+constexpr std::uint64_t kLargestPerDraw = 3 * 8;  // of one buffer: the samples near
+
+}  // namespace
+
+void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint64_t memory_bytes,
+                         std::uint64_t largest_buffer_bytes) {
+    // Rounds have been seen to double once after the first; kLargestRound bounds them.
+    const std::uint64_t first = first_round_size(plan);
+    const std::uint64_t round = plan.round_size != 0 ? first : std::min(2 * first, kLargestRound);
+    const std::uint64_t line_bytes = std::uint64_t{first_capacity(plan)} * sizeof(Span);
+    const std::uint64_t lines_bytes = plan.lines * (line_bytes + 8);
+
+    // A table's indices have 32 bits.
+    const std::uint64_t most_draws = std::min<std::uint64_t>(
+        largest_buffer_bytes / kLargestPerDraw, std::numeric_limits<std::uint32_t>::max() / 3);
+    if (plan.round_size > most_draws)
+        throw BadRequest("round-size", std::to_string(plan.round_size),
+                         "must be at most " + std::to_string(most_draws) + " on " + device +
+                             ", whose largest buffer has " + gigabytes(largest_buffer_bytes));
+    const std::uint64_t largest =
+        std::max({line_bytes, plan.lines * std::uint64_t{4}, round * kLargestPerDraw});
+    if (largest > largest_buffer_bytes)
+        throw Unavailable("device " + device + ": the request needs a buffer of " +
+                          gigabytes(largest) + ", and its largest has " +
+                          gigabytes(largest_buffer_bytes));
+    const std::uint64_t needed = lines_bytes + round * kBytesPerDraw;
+    if (needed > memory_bytes)
+        throw Unavailable("device " + device + ": the request needs " + gigabytes(needed) +
+                          " of memory, and it has " + gigabytes(memory_bytes));
+}
+
+}  // namespace lacuna::device

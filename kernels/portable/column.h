@@ -1,0 +1,36 @@
+// Columns: runs of neighbouring lines at least as wide as the radius, so that all that touches a
+// line lies in its own column or the one on either side. Work is binned and shared out by column.
+#ifndef LACUNA_PORTABLE_COLUMN_H
+#define LACUNA_PORTABLE_COLUMN_H
+#include "prelude.h"
+
+LACUNA_BEGIN
+
+// The first line of a column; that of column `columns` is `lines`.
+LACUNA_FN u32 first_line_of_column(u32 column, u32 lines, u32 columns) {
+    u64 scaled = column;
+    return to_u32((scaled * lines + columns - 1u) / columns);
+}
+
+LACUNA_FN u32 column_of_line(u32 line, u32 lines, u32 columns) {
+    u64 scaled = line;
+    return to_u32(scaled * columns / lines);
+}
+
+// A column's neighbours, itself included, are first_neighbour + 0, 1, ... modulo `columns`, each
+// once. `wraps` is 0 on a box.
+LACUNA_FN u32 neighbour_count(u32 column, u32 columns, u32 wraps) {
+    if (wraps != 0u) return columns < 3u ? columns : 3u;
+    u32 below = column > 0u ? 1u : 0u;
+    u32 above = column + 1u < columns ? 1u : 0u;
+    return below + 1u + above;
+}
+
+LACUNA_FN u32 first_neighbour(u32 column, u32 columns, u32 wraps) {
+    if (wraps == 0u) return column > 0u ? column - 1u : 0u;
+    return columns < 3u ? 0u : (column + columns - 1u) % columns;
+}
+
+LACUNA_END
+
+#endif

@@ -1,0 +1,78 @@
+// Backends under test, by name. A test of one that this machine does not have is skipped, with the
+// reason; when the environment variable LACUNA_REQUIRE holds the name, it fails instead.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "backend.h"
+#include "cpu/make_backend.h"
+#include "device/layout.h"
+#include "plan.h"
+#ifdef LACUNA_OPENCL
+#include "opencl/make_backend.h"
+#endif
+#ifdef LACUNA_VULKAN
+#include "vulkan/make_backend.h"
+#endif
+
+namespace lacuna::tests {
+
+inline const auto kDeviceBackends = testing::Values("opencl", "vulkan");
+inline const auto kParallelBackends = testing::Values("cpu", "opencl", "vulkan");
+
+inline std::string name_of_parameter(const testing::TestParamInfo<std::string>& info) {
+    return info.param;
+}
+
+// Throws Unavailable.
+inline std::unique_ptr<Backend> make_backend(const std::string& name, const Plan& plan,
+                                             [[maybe_unused]] device::Tuning tuning = {}) {
+    const Placement anywhere;
+    if (name == "cpu") return cpu::make_backend(plan, anywhere);
+#ifdef LACUNA_OPENCL
+    if (name == "opencl")
+        return opencl::make_backend(plan, anywhere, opencl::Trial{tuning, {}, nullptr});
+#endif
+#ifdef LACUNA_VULKAN
+    if (name == "vulkan") return vulkan::make_backend(plan, anywhere, tuning);
+#endif
+    throw Unavailable("backend " + name + ": this build was made without it");
+}
+
+inline bool is_required(std::string_view name) {
+    const char* const required = std::getenv("LACUNA_REQUIRE");
+    return required != nullptr && std::string_view(required).find(name) != std::string_view::npos;
+}
+
+// Why the backend cannot be tested here; empty when it can.
+inline std::string why_missing(const std::string& name) {
+    Request request;
+    request.radius = 0.5;
+    try {
+        make_backend(name, make_plan(request));
+    } catch (const Unavailable& reason) {
+        return reason.what();
+    }
+    return "";
+}
+
+// For SetUp, after which gtest runs no body that was skipped or failed.
+inline void skip_or_fail_without(const std::string& name) {
+    const std::string reason = why_missing(name);
+    if (reason.empty()) return;
+    if (is_required(name)) FAIL() << "LACUNA_REQUIRE has " << name << ", but: " << reason;
+    GTEST_SKIP() << reason;
+}
+
+// Test bodies that take the backend's name: INSTANTIATE_TEST_SUITE_P with kDeviceBackends.
+class OnBackend : public testing::TestWithParam<std::string> {
+protected:
+    void SetUp() override { skip_or_fail_without(GetParam()); }
+};
+
+}  // namespace lacuna::tests

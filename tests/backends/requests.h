@@ -1,0 +1,81 @@
+// The requests on which every backend must equal the reference: modes, boundaries, rectangles,
+// m from 1 to 60, round sizes, threads, seeds.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <algorithm>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace lacuna::tests {
+
+inline std::string describe(const Request& request) {
+    std::ostringstream out;
+    out << request.width << "x" << request.height
+        << (request.boundary == Boundary::torus ? " torus" : " box") << ", radius "
+        << *request.radius << ", m " << request.lines_per_radius
+        << (request.snap ? ", snap" : ", interpolated")
+        << (request.uniform_x ? ", uniform-x" : ", cdf") << ", round size " << request.round_size
+        << ", seed " << request.seed << ", threads " << request.threads;
+    return out.str();
+}
+
+// Each is there for a reason.
+inline std::vector<Request> special_requests() {
+    const auto request = [](double width, double height, double radius, std::uint32_t m,
+                            Boundary boundary) {
+        Request made;
+        made.width = width;
+        made.height = height;
+        made.radius = radius;
+        made.lines_per_radius = m;
+        made.boundary = boundary;
+        return made;
+    };
+    return {
+        request(1, 1, 1.2, 1, Boundary::box),       // one line, a radius larger than the square
+        request(1, 1, 1.2, 60, Boundary::box),      // 50 lines in one column
+        request(1, 1, 1, 3, Boundary::torus),       // a radius as large as the torus
+        request(1, 1, 0.6, 7, Boundary::torus),     // a torus narrower than 2r
+        request(1, 1, 0.45, 10, Boundary::torus),   // two columns that are each other's neighbours
+        request(1, 1, 0.3, 10, Boundary::torus),    // three columns
+        request(1000, 1, 0.9, 2, Boundary::torus),  // the largest aspect, both ways
+        request(1, 1000, 0.9, 2, Boundary::torus),
+        request(1000, 1, 1.3, 1, Boundary::box),
+        request(1, 1000, 1.3, 1, Boundary::box),
+        request(1e-9, 1e-9, 1e-10, 5, Boundary::torus),  // units of any size
+        request(1e12, 2e12, 1e11, 5, Boundary::box),
+        request(1, 1, 0.004, 8, Boundary::torus),  // rounds large enough for threads to share
+    };
+}
+
+inline std::vector<Request> equality_requests() {
+    std::vector<Request> requests = special_requests();
+    std::mt19937_64 random(20111);
+    const auto pick = [&](std::initializer_list<double> values) {
+        return values.begin()[random() % values.size()];
+    };
+    while (requests.size() < 220) {
+        Request request;
+        request.width = pick({1, 1, 0.5, 1.7, 3});
+        request.height = pick({1, 1, 0.4, 2.1});
+        request.boundary = random() % 2 == 0 ? Boundary::torus : Boundary::box;
+        request.radius = pick({0.4, 0.2, 0.1, 0.05, 0.02, 0.013});
+        request.lines_per_radius = static_cast<std::uint32_t>(1 + random() % 60);
+        request.snap = random() % 2 == 0;
+        request.uniform_x = random() % 5 == 0 && *request.radius > 0.015;
+        request.round_size = static_cast<std::uint64_t>(pick({0, 0, 1, 2, 7}));
+        if (request.uniform_x) request.round_size = 1;
+        // Rounds of a few draws are launches of a few draws: keep those sets small.
+        if (request.round_size != 0) request.radius = std::max(*request.radius, 0.05);
+        request.threads = static_cast<std::uint32_t>(pick({1, 2, 5}));
+        request.seed = random();
+        requests.push_back(request);
+    }
+    return requests;
+}
+
+}  // namespace lacuna::tests
