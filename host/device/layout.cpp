@@ -97,8 +97,8 @@ std::string gigabytes(std::uint64_t bytes) {
 }
 
 // Of draws, located, candidates, fates and samples, and three samples near for each draw.
-constexpr std::uint64_t kBytesPerDraw = 3 * 16 + 4 + 8 + 3 * 8;
-constexpr std::uint64_t kLargestPerDraw = 3 * 8;  // of one buffer: the samples near
+constexpr std::uint64_t kBytesPerDraw = 48 + 4 + 8 + 24;
+constexpr std::uint64_t kLargestPerDraw = 24;  // of one buffer: the samples near
 
 }  // namespace
 

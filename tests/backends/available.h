@@ -35,8 +35,7 @@ inline std::unique_ptr<Backend> make_backend(const std::string& name, const Plan
     const Placement anywhere;
     if (name == "cpu") return cpu::make_backend(plan, anywhere);
 #ifdef LACUNA_OPENCL
-    if (name == "opencl")
-        return opencl::make_backend(plan, anywhere, opencl::Trial{tuning, {}, nullptr});
+    if (name == "opencl") return opencl::make_backend(plan, anywhere, tuning);
 #endif
 #ifdef LACUNA_VULKAN
     if (name == "vulkan") return vulkan::make_backend(plan, anywhere, tuning);

@@ -1,0 +1,53 @@
+# Script: writes a C++ file OUTPUT whose function lacuna::opencl::NAME() returns the OpenCL C files
+# FILES as one text. Quoted includes are expanded, each file once, from the file's own folder or
+# INCLUDE_DIR; #line keeps the places that a build log names.
+cmake_minimum_required(VERSION 3.25)
+set(seen)
+cmake_path(GET INCLUDE_DIR PARENT_PATH root)
+
+function(expand path result)
+    file(READ ${path} rest)
+    cmake_path(RELATIVE_PATH path BASE_DIRECTORY ${root} OUTPUT_VARIABLE shown)
+    set(text "#line 1 \"${shown}\"\n")
+    set(line 1)
+    while(rest MATCHES "(^|\n)#include \"([^\"\n]+)\"[^\n]*\n")
+        set(include "${CMAKE_MATCH_0}")
+        set(name ${CMAKE_MATCH_2})
+        string(FIND "${rest}" "${include}" at)
+        string(LENGTH "${include}" length)
+        string(SUBSTRING "${rest}" 0 ${at} before)
+        math(EXPR at "${at} + ${length}")
+        string(SUBSTRING "${rest}" ${at} -1 rest)
+
+        string(REGEX REPLACE "[^\n]" "" line_ends "${before}${include}")
+        string(LENGTH "${line_ends}" lines)
+        math(EXPR line "${line} + ${lines}")
+
+        cmake_path(GET path PARENT_PATH folder)
+        set(file ${folder}/${name})
+        if(NOT EXISTS ${file})
+            set(file ${INCLUDE_DIR}/${name})
+        endif()
+        set(included "\n")
+        if(NOT file IN_LIST seen)
+            list(APPEND seen ${file})
+            expand(${file} included)
+        endif()
+        string(APPEND text "${before}\n${included}#line ${line} \"${shown}\"\n")
+    endwhile()
+    set(${result} "${text}${rest}" PARENT_SCOPE)
+    set(seen "${seen}" PARENT_SCOPE)
+endfunction()
+
+set(source)
+foreach(file IN LISTS FILES)
+    expand(${file} expanded)
+    string(APPEND source "${expanded}")
+endforeach()
+file(WRITE ${OUTPUT}
+    "// OpenCL C source, embedded at build time.\n"
+    "#include <string>\n"
+    "namespace lacuna::opencl {\n"
+    "std::string ${NAME}();\n"
+    "std::string ${NAME}() { return R\"kernels(\n${source})kernels\"; }\n"
+    "}  // namespace lacuna::opencl\n")

@@ -1,0 +1,44 @@
+# The backend opencl: finds OpenCL, and embeds the kernels into the library.
+option(LACUNA_OPENCL "Build the backend opencl, where OpenCL is installed" ON)
+set(LACUNA_REQUIRE "$ENV{LACUNA_REQUIRE}" CACHE STRING
+    "Backends that must not be left out: opencl, vulkan")
+
+# lacuna_embed_kernels(TARGET NAME FILE...) expands the includes of the OpenCL C files, joins them,
+# and gives TARGET a source file that defines lacuna::opencl::NAME() with the text.
+function(lacuna_embed_kernels target name)
+    set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+    file(GLOB portable CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/kernels/portable/*.h)
+    set(script ${PROJECT_SOURCE_DIR}/cmake/embed_kernels.cmake)
+    add_custom_command(OUTPUT ${output}
+        COMMAND ${CMAKE_COMMAND} -D NAME=${name} -D "FILES=${ARGN}" -D OUTPUT=${output}
+            -D INCLUDE_DIR=${PROJECT_SOURCE_DIR}/kernels -P ${script}
+        DEPENDS ${ARGN} ${portable} ${script} VERBATIM
+        COMMENT "Embedding OpenCL kernels: ${name}")
+    target_sources(${target} PRIVATE ${output})
+endfunction()
+
+function(lacuna_add_opencl)
+    find_package(OpenCL)
+    find_path(OPENCL_HPP_INCLUDE_DIR CL/opencl.hpp HINTS ${OpenCL_INCLUDE_DIRS})
+    if(NOT OpenCL_FOUND OR NOT OPENCL_HPP_INCLUDE_DIR)
+        set(missing "OpenCL is missing: install its loader and its C and C++ headers"
+            " (Debian: ocl-icd-opencl-dev opencl-clhpp-headers)")
+        string(CONCAT missing ${missing})
+        if("${LACUNA_REQUIRE}" MATCHES "opencl")
+            message(FATAL_ERROR "${missing}")
+        endif()
+        message(STATUS "${missing}. Lacuna is built without the backend opencl.")
+        return()
+    endif()
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/host/opencl/*.cpp)
+    file(GLOB kernels CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/kernels/*.cl)
+    target_sources(lacuna PRIVATE ${sources})
+    lacuna_embed_kernels(lacuna kernel_source ${kernels})
+    target_include_directories(lacuna SYSTEM PRIVATE ${OPENCL_HPP_INCLUDE_DIR})
+    target_compile_definitions(lacuna PRIVATE LACUNA_OPENCL)
+    target_link_libraries(lacuna PRIVATE OpenCL::OpenCL)
+endfunction()
+
+if(LACUNA_OPENCL)
+    lacuna_add_opencl()
+endif()

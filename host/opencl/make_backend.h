@@ -1,0 +1,31 @@
+// The opencl backend: the three verbs as kernels of OpenCL C 1.2 (kernels/*.cl).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "backend.h"
+#include "device/choice.h"
+#include "device/layout.h"
+
+namespace lacuna::opencl {
+
+// Throws Unavailable, with the reason.
+std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement);
+
+std::vector<DeviceEntry> list_devices();
+
+// For tests, which must be able to tell that these kernels do the work.
+struct Trial {
+    std::string source;                 // in place of kernel_source(), unless empty
+    std::uint64_t* launches = nullptr;  // counts the kernels launched
+};
+std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement,
+                                      const device::Tuning& tuning, const Trial& trial = {});
+
+// The OpenCL C source of all kernels, includes expanded.
+std::string kernel_source();
+
+}  // namespace lacuna::opencl

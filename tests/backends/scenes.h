@@ -1,0 +1,179 @@
+// Scenes for single verbs: a plan, and a backend's memory before the verb.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <random>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "backend.h"
+#include "columns.h"
+#include "plan.h"
+#include "portable/column.h"
+#include "portable/fate.h"
+
+namespace lacuna::tests {
+
+struct Scene {
+    std::string name;
+    Plan plan;
+    Snapshot memory;          // what restore() takes
+    std::vector<Draw> draws;  // what locate() takes
+};
+
+inline Plan plan_of(double radius, std::uint32_t m, Boundary boundary, double width = 1,
+                    double height = 1) {
+    Request request;
+    request.width = width;
+    request.height = height;
+    request.radius = radius;
+    request.lines_per_radius = m;
+    request.boundary = boundary;
+    return make_plan(request);
+}
+
+// Every line free from end to end, no candidates.
+inline Snapshot empty_memory(const Plan& plan) {
+    return {first_capacity(plan), {plan.lines, {Span{0, plan.height}}}, {}, {}};
+}
+
+// Puts candidates where locate would have, and gives each a fate.
+inline void set_candidates(const Plan& plan, std::vector<Candidate> candidates, Snapshot& memory,
+                           std::uint32_t fate = FATE_UNDECIDED) {
+    const std::uint32_t columns = count_columns(plan);
+    const auto key = [&](const Candidate& c) {
+        return std::tuple(portable::column_of_line(c.line, plan.lines, columns), c.y, c.order);
+    };
+    std::sort(candidates.begin(), candidates.end(),
+              [&](const Candidate& a, const Candidate& b) { return key(a) < key(b); });
+    memory.fates.assign(candidates.size(), fate);
+    memory.candidates = std::move(candidates);
+}
+
+class Chance {
+public:
+    explicit Chance(std::uint64_t seed) : random_(seed) {}
+    std::uint32_t below(std::uint64_t end) { return static_cast<std::uint32_t>(random_() % end); }
+    bool one_in(std::uint32_t n) { return below(n) == 0; }
+    std::vector<std::uint32_t> orders(std::uint32_t count) {
+        std::vector<std::uint32_t> all(count);
+        std::iota(all.begin(), all.end(), 0u);
+        std::shuffle(all.begin(), all.end(), random_);
+        return all;
+    }
+
+private:
+    std::mt19937_64 random_;
+};
+
+// Sorted, disjoint spans; often none, often one unit long, sometimes touching, at either end.
+inline std::vector<Span> hostile_spans(Chance& chance, std::uint32_t height, std::uint32_t most) {
+    if (chance.one_in(4)) return {};
+    std::vector<std::uint32_t> ends = {0, height};
+    const std::uint32_t count = chance.below(most) + 1;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        ends.push_back(chance.below(height));
+        if (chance.one_in(3)) ends.push_back(std::min(ends.back() + 1, height));
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    std::vector<Span> spans;
+    for (std::size_t i = 0; i + 1 < ends.size() && spans.size() < most; ++i)
+        if (!chance.one_in(2)) spans.push_back({ends[i], ends[i + 1]});
+    return spans;
+}
+
+inline void set_hostile_spans(const Plan& plan, Chance& chance, Snapshot& memory) {
+    for (std::vector<Span>& spans : memory.spans)
+        spans = hostile_spans(chance, plan.height, memory.capacity);
+}
+
+inline std::uint32_t length_of(const std::vector<Span>& spans) {
+    std::uint32_t length = 0;
+    for (const Span span : spans) length += span.end - span.begin;
+    return length;
+}
+
+// Draws of lines that have room, sorted by line, in a random order of precedence; some at the very
+// ends of a line's free length.
+inline std::vector<Draw> random_draws(const Plan& plan, const Snapshot& memory, Chance& chance,
+                                      std::uint32_t count) {
+    std::vector<Draw> draws;
+    const std::vector<std::uint32_t> orders = chance.orders(count);
+    for (std::uint32_t tries = 0; draws.size() < count && tries < 100 * count; ++tries) {
+        const std::uint32_t line = chance.below(plan.lines);
+        const std::uint32_t free = length_of(memory.spans[line]);
+        if (free == 0) continue;
+        std::uint32_t rank = chance.below(free);
+        if (chance.one_in(8)) rank = chance.one_in(2) ? 0 : free - 1;
+        const std::uint32_t x = line * plan.strip_width + chance.below(plan.strip_width);
+        draws.push_back({line, rank, x, orders[draws.size()]});
+    }
+    // Where no line has room there may be fewer: orders must have no gaps.
+    if (draws.size() < count)
+        for (std::uint32_t i = 0; i < draws.size(); ++i) draws[i].order = i;
+    std::stable_sort(draws.begin(), draws.end(),
+                     [](const Draw& a, const Draw& b) { return a.line < b.line; });
+    return draws;
+}
+
+// Candidates anywhere, the corners of the domain among them.
+inline std::vector<Candidate> random_candidates(const Plan& plan, Chance& chance,
+                                                std::uint32_t count) {
+    std::vector<Candidate> candidates;
+    for (const std::uint32_t order : chance.orders(count)) {
+        std::uint32_t x = chance.below(plan.width);
+        std::uint32_t y = chance.below(plan.height);
+        if (chance.one_in(16)) x = chance.one_in(2) ? 0 : plan.width - 1;
+        if (chance.one_in(16)) y = chance.one_in(2) ? 0 : plan.height - 1;
+        candidates.push_back({x, y, x / plan.strip_width, order});
+    }
+    return candidates;
+}
+
+// A plan, hostile spans, random candidates and draws.
+inline Scene random_scene(std::string name, const Plan& plan, std::uint32_t count,
+                          std::uint64_t seed) {
+    Chance chance(seed);
+    Scene scene{std::move(name), plan, empty_memory(plan), {}};
+    set_hostile_spans(plan, chance, scene.memory);
+    set_candidates(plan, random_candidates(plan, chance, count), scene.memory);
+    scene.draws = random_draws(plan, scene.memory, chance, count);
+    return scene;
+}
+
+// Each is there for a reason; all of them go through each verb.
+inline std::vector<Scene> random_scenes() {
+    const Boundary box = Boundary::box;
+    const Boundary torus = Boundary::torus;
+    std::vector<Scene> scenes = {
+        random_scene("one line", plan_of(1.2, 1, box), 40, 1),
+        random_scene("a radius larger than the box", plan_of(1.3, 20, box), 70, 2),
+        random_scene("chords that wrap at both ends", plan_of(1, 6, torus), 50, 3),
+        random_scene("one column of a torus", plan_of(0.6, 9, torus), 90, 4),
+        random_scene("two columns of a torus", plan_of(0.45, 9, torus), 90, 5),
+        random_scene("three columns of a torus", plan_of(0.3, 9, torus), 90, 6),
+        random_scene("two columns of a box", plan_of(0.45, 9, box), 90, 7),
+        random_scene("three columns of a box", plan_of(0.3, 9, box), 90, 8),
+        random_scene("a wide torus", plan_of(0.9, 2, torus, 1000, 1), 700, 9),
+        random_scene("a high torus", plan_of(0.9, 2, torus, 1, 1000), 700, 10),
+        random_scene("a high box", plan_of(0.9, 1, box, 1, 1000), 700, 11),
+    };
+    // Chunks and work groups: one draw, a few, and the sizes of groups, more or less one.
+    for (const std::uint32_t count : {1u, 2u, 63u, 64u, 65u, 127u, 129u, 255u, 257u, 5000u})
+        scenes.push_back(random_scene("draws: " + std::to_string(count), plan_of(0.04, 5, torus),
+                                      count, 100 + count));
+    for (std::uint64_t seed = 0; seed < 24; ++seed)
+        scenes.push_back(random_scene(
+            "random box or torus, seed " + std::to_string(seed),
+            plan_of(0.02 + 0.03 * static_cast<double>(seed % 7),
+                    1 + static_cast<std::uint32_t>(seed) * 2, seed % 2 == 0 ? box : torus, 1, 0.7),
+            300, 1000 + seed));
+    return scenes;
+}
+
+}  // namespace lacuna::tests

@@ -1,0 +1,254 @@
+// Each verb alone, on each device backend: set the scene, call the verb, compare what it leaves
+// with what the cpu backend leaves, number for number.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <ostream>
+
+#include "backends/available.h"
+#include "backends/scenes.h"
+
+namespace lacuna {
+
+std::ostream& operator<<(std::ostream& out, const Span& span) {
+    return out << span.begin << ".." << span.end;
+}
+std::ostream& operator<<(std::ostream& out, const Sample& s) {
+    return out << "(" << s.x << ", " << s.y << ")";
+}
+std::ostream& operator<<(std::ostream& out, const Candidate& c) {
+    return out << "(" << c.x << ", " << c.y << "), line " << c.line << ", draw " << c.order;
+}
+
+namespace {
+
+using tests::Scene;
+using Verb = std::function<void(Backend&, const Scene&)>;
+
+// What a verb leaves, apart from the room that a backend takes for it.
+struct Left {
+    Snapshot memory;
+    std::vector<Sample> samples;
+    std::vector<std::uint32_t> free_lengths;
+};
+
+Left after(Backend& backend, const Scene& scene, const Verb& verb) {
+    backend.restore(scene.memory);
+    verb(backend, scene);
+    Left left{backend.snapshot(), {}, {}};
+    const Round round = backend.finish_round();
+    left.samples.assign(round.samples.begin(), round.samples.end());
+    left.free_lengths.assign(round.free_lengths.begin(), round.free_lengths.end());
+    return left;
+}
+
+// Names the first of two lists that differs.
+template <typename T>
+testing::AssertionResult same(const char* what, const std::vector<T>& expected,
+                              const std::vector<T>& got) {
+    for (std::size_t i = 0; i < std::min(expected.size(), got.size()); ++i)
+        if (!(expected[i] == got[i]))
+            return testing::AssertionFailure()
+                   << what << " " << i << ": expected " << testing::PrintToString(expected[i])
+                   << ", got " << testing::PrintToString(got[i]);
+    if (expected.size() != got.size())
+        return testing::AssertionFailure()
+               << what << ": expected " << expected.size() << ", got " << got.size();
+    return testing::AssertionSuccess();
+}
+
+void expect_same(const Left& expected, const Left& got) {
+    EXPECT_TRUE(same("candidate", expected.memory.candidates, got.memory.candidates));
+    EXPECT_TRUE(same("fate", expected.memory.fates, got.memory.fates));
+    EXPECT_TRUE(same("line", expected.memory.spans, got.memory.spans));
+    EXPECT_TRUE(same("sample", expected.samples, got.samples));
+    EXPECT_TRUE(same("free length", expected.free_lengths, got.free_lengths));
+}
+
+void locate(Backend& backend, const Scene& scene) {
+    backend.locate(scene.draws);
+}
+void admit(Backend& backend, const Scene&) {
+    backend.admit();
+}
+void subtract(Backend& backend, const Scene&) {
+    backend.subtract();
+}
+void whole_round(Backend& backend, const Scene& scene) {
+    backend.locate(scene.draws);
+    backend.admit();
+    backend.subtract();
+}
+
+class Verbs : public tests::OnBackend {
+protected:
+    Left on_device(const Scene& scene, const Verb& verb, device::Tuning tuning = {}) {
+        return after(*tests::make_backend(GetParam(), scene.plan, tuning), scene, verb);
+    }
+    // The verb leaves what the cpu backend leaves, in one slab and in many.
+    void expect_equal(const Scene& scene, const Verb& verb) {
+        SCOPED_TRACE(scene.name);
+        const Left expected = after(*tests::make_backend("cpu", scene.plan), scene, verb);
+        expect_same(expected, on_device(scene, verb));
+        SCOPED_TRACE("three lines a slab");
+        const std::uint64_t line_bytes = scene.memory.capacity * sizeof(Span);
+        expect_same(expected, on_device(scene, verb, {3 * line_bytes}));
+    }
+};
+
+using tests::random_scenes;
+
+TEST_P(Verbs, LocateEqualsTheCpuInEveryScene) {
+    for (const Scene& scene : random_scenes()) expect_equal(scene, locate);
+}
+
+TEST_P(Verbs, AdmitEqualsTheCpuInEveryScene) {
+    for (const Scene& scene : random_scenes()) expect_equal(scene, admit);
+}
+
+TEST_P(Verbs, AdmitKeepsFatesThatAreDecided) {
+    tests::Chance chance(5);
+    for (Scene& scene : random_scenes()) {
+        for (std::uint32_t& fate : scene.memory.fates)
+            if (chance.one_in(2)) fate = chance.one_in(3) ? FATE_ADMITTED : FATE_REJECTED;
+        expect_equal(scene, admit);
+    }
+}
+
+TEST_P(Verbs, SubtractEqualsTheCpuInEveryScene) {
+    tests::Chance chance(6);
+    for (Scene& scene : random_scenes()) {
+        for (std::uint32_t& fate : scene.memory.fates)
+            fate = chance.one_in(2) ? FATE_ADMITTED : FATE_REJECTED;
+        expect_equal(scene, subtract);
+    }
+}
+
+TEST_P(Verbs, AWholeRoundEqualsTheCpuInEveryScene) {
+    for (const Scene& scene : random_scenes()) expect_equal(scene, whole_round);
+}
+
+TEST_P(Verbs, ASecondRoundStartsFromWhatTheFirstLeft) {
+    for (const Scene& scene : random_scenes()) {
+        if (scene.draws.empty()) continue;
+        expect_equal(scene, [](Backend& backend, const Scene& scene_of_first) {
+            whole_round(backend, scene_of_first);
+            backend.finish_round();
+            const Snapshot memory = backend.snapshot();
+            tests::Chance chance(7);
+            // More draws than before, so that buffers grow, then fewer.
+            for (const std::uint32_t count : {400u, 3u}) {
+                const std::vector<Draw> draws =
+                    tests::random_draws(scene_of_first.plan, memory, chance, count);
+                backend.locate(draws);
+                backend.admit();
+                if (count == 400) backend.finish_round();
+            }
+            backend.subtract();
+        });
+    }
+}
+
+TEST_P(Verbs, NoCandidatesLeaveEverythingAsItWas) {
+    tests::Chance chance(8);
+    Scene scene{"no candidates", tests::plan_of(0.1, 5, Boundary::torus), {}, {}};
+    scene.memory = tests::empty_memory(scene.plan);
+    tests::set_hostile_spans(scene.plan, chance, scene.memory);
+    const Left left = on_device(scene, [](Backend& backend, const Scene&) {
+        backend.admit();
+        backend.subtract();
+    });
+    EXPECT_TRUE(same("line", scene.memory.spans, left.memory.spans));
+    EXPECT_TRUE(left.samples.empty());
+}
+
+TEST_P(Verbs, OfManyDrawsAtOnePlaceTheFirstIsAdmitted) {
+    Scene scene{"one place", tests::plan_of(0.1, 5, Boundary::torus), {}, {}};
+    scene.memory = tests::empty_memory(scene.plan);
+    for (std::uint32_t order = 0; order < 1000; ++order)
+        scene.draws.push_back({7, 12345, 7 * scene.plan.strip_width, 999 - order});
+    const Left left = on_device(scene, whole_round);
+    const std::vector<Sample> first = {{7 * scene.plan.strip_width, 12345}};
+    EXPECT_TRUE(same("sample", first, left.samples));
+    expect_equal(scene, whole_round);
+}
+
+// A chain of candidates along one line, each in conflict with the two beside it only.
+Scene chain(std::uint32_t length, bool upwards) {
+    Scene scene{upwards ? "a chain upwards" : "a chain downwards",
+                tests::plan_of(0.001, 1, Boundary::box, 0.1, 1),
+                {},
+                {}};
+    scene.memory = tests::empty_memory(scene.plan);
+    std::vector<Candidate> candidates;
+    for (std::uint32_t i = 0; i < length; ++i)
+        candidates.push_back({scene.plan.centre_of_line(0), i * (scene.plan.radius - 1), 0,
+                              upwards ? i : length - 1 - i});
+    tests::set_candidates(scene.plan, candidates, scene.memory);
+    return scene;
+}
+
+TEST_P(Verbs, ChainsOfAnyDepthAreSettled) {
+    constexpr std::uint32_t kLength = 999;
+    for (const bool upwards : {true, false}) {
+        const Scene scene = chain(kLength, upwards);
+        const Left left = on_device(scene, [](Backend& backend, const Scene&) {
+            backend.admit();
+            backend.subtract();
+        });
+        // The first is admitted, the next rejected, and so on; of an odd number, both ends stay.
+        std::vector<std::uint32_t> alternating;
+        for (std::uint32_t i = 0; i < kLength; ++i)
+            alternating.push_back(i % 2 == 0 ? FATE_ADMITTED : FATE_REJECTED);
+        EXPECT_TRUE(same("fate", alternating, left.memory.fates));
+        EXPECT_EQ(left.samples.size(), (kLength + 1) / 2);
+        expect_equal(scene, [](Backend& backend, const Scene&) {
+            backend.admit();
+            backend.subtract();
+        });
+    }
+}
+
+// A line of `spans` spans with room for `capacity`, the last of which a sample cuts in two.
+Scene tight(std::uint32_t spans, std::uint32_t capacity) {
+    Scene scene{"tight", tests::plan_of(0.01, 1, Boundary::box), {}, {}};
+    scene.memory = tests::empty_memory(scene.plan);
+    scene.memory.capacity = capacity;
+    std::vector<Span>& line = scene.memory.spans[0];
+    line.clear();
+    for (std::uint32_t i = 0; i + 1 < spans; ++i) line.push_back({10 * i, 10 * i + 1});
+    const std::uint32_t middle = scene.plan.height / 2;
+    line.push_back({middle - 2 * scene.plan.radius, middle + 2 * scene.plan.radius});
+    tests::set_candidates(scene.plan, {{scene.plan.centre_of_line(0), middle, 0, 0}}, scene.memory,
+                          FATE_ADMITTED);
+    return scene;
+}
+
+TEST_P(Verbs, RoomThatIsExactlyUsedUpDoesNotGrow) {
+    const Scene scene = tight(11, 12);
+    EXPECT_EQ(on_device(scene, subtract).memory.capacity, 12u);
+    expect_equal(scene, subtract);
+}
+
+TEST_P(Verbs, RoomPassedByOneGrowsAndLosesNothing) {
+    const Scene scene = tight(12, 12);
+    const Left left = on_device(scene, subtract);
+    EXPECT_EQ(left.memory.capacity, 24u);
+    EXPECT_EQ(left.memory.spans[0].size(), 13u);
+    expect_equal(scene, subtract);
+}
+
+TEST_P(Verbs, RoomGrowsAsOftenAsItTakes) {
+    Scene scene{"room for one span", tests::plan_of(0.005, 3, Boundary::torus), {}, {}};
+    scene.memory = tests::empty_memory(scene.plan);
+    scene.memory.capacity = 1;
+    tests::Chance chance(9);
+    scene.draws = tests::random_draws(scene.plan, scene.memory, chance, 8000);
+    EXPECT_GE(on_device(scene, whole_round).memory.capacity, 32u);
+    expect_equal(scene, whole_round);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backend, Verbs, tests::kDeviceBackends, tests::name_of_parameter);
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,43 @@
+# Script: PROGRAM makes small sets under Oclgrind, which must find no race, no use of uninitialized
+# memory, no access out of bounds. It tells by its log alone. SCRATCH is a folder to write to.
+find_program(OCLGRIND oclgrind)
+if(NOT OCLGRIND)
+    if("$ENV{LACUNA_REQUIRE}" MATCHES "opencl")
+        message(FATAL_ERROR "LACUNA_REQUIRE has opencl, but oclgrind is not installed")
+    endif()
+    message("SKIPPED: oclgrind is not installed")
+    return()
+endif()
+file(MAKE_DIRECTORY ${SCRATCH})
+set(log ${SCRATCH}/oclgrind.log)
+
+function(check)
+    file(REMOVE ${log})
+    # Unoptimised: it does not know all that its compiler makes of whole-number arithmetic.
+    execute_process(
+        COMMAND ${OCLGRIND} --build-options -cl-opt-disable --data-races --uninitialized
+            --log ${log} ${PROGRAM} sample --backend opencl --quiet ${ARGN}
+        RESULT_VARIABLE code OUTPUT_VARIABLE points ERROR_VARIABLE errors)
+    if(NOT code EQUAL 0)
+        message(FATAL_ERROR "${ARGN}: exit code ${code}: ${errors}")
+    endif()
+    execute_process(COMMAND ${PROGRAM} sample --backend cpu --quiet ${ARGN}
+        OUTPUT_VARIABLE expected COMMAND_ERROR_IS_FATAL ANY)
+    if(NOT points STREQUAL expected)
+        message(FATAL_ERROR "${ARGN}: not the points of the cpu backend")
+    endif()
+    if(NOT EXISTS ${log})
+        message(FATAL_ERROR "${ARGN}: oclgrind has left no log")
+    endif()
+    file(READ ${log} found)
+    if(NOT found STREQUAL "")
+        message(FATAL_ERROR "${ARGN}: oclgrind says: ${found}")
+    endif()
+endfunction()
+
+# Rounds of one size: it takes a buffer for uninitialized that lies where one was released.
+check(--radius 0.2 --lines-per-radius 2 --torus --round-size 16)
+check(--radius 0.2 --lines-per-radius 2 --round-size 16)
+check(--radius 0.06 --lines-per-radius 3 --torus --round-size 64)
+check(--radius 0.06 --lines-per-radius 3 --round-size 64)
+check(--radius 0.4 --lines-per-radius 5 --torus --round-size 1)
