@@ -54,38 +54,82 @@ kernel void gather(const Geometry g, const u32 last_pass, global const u32* rest
 }
 
 // A line's spans with a gap that moves along: [0, done) lie below it, [rest, end) above. Chords
-// that come in the order of y move it a little at a time, and cut where it stands.
+// that come in the order of y move it a little at a time, and cut where it stands. It opens when a
+// chord first leaves more pieces than before. The spans beside it are at hand: `below` is a copy of
+// the last one below it, or empty at 0, `above` of the first one above it, or beyond every y.
 typedef struct Gap {
     u32 done;
     u32 rest;
     u32 end;
+    u32 room;    // where the end may move to
+    u32 total;   // length of all spans
+    uint2 below;
+    uint2 above;
 } Gap;
 
-// Takes [begin, end) out. False when the gap is used up: then nothing is cut.
+void load_below(global uint2* spans, Gap* gap) {
+    gap->below = gap->done > 0u ? spans[gap->done - 1u] : (uint2)(0u, 0u);
+}
+
+void load_above(global uint2* spans, Gap* gap) {
+    gap->above = gap->rest < gap->end ? spans[gap->rest] : (uint2)(NO_SAMPLE, NO_SAMPLE);
+}
+
+// Moves what lies above the gap to the end of the room. False when it is there already.
+bool open_gap(global uint2* spans, Gap* gap) {
+    const u32 shift = gap->room - gap->end;
+    for (u32 i = gap->end; i > gap->rest; --i) spans[i - 1u + shift] = spans[i - 1u];
+    gap->rest += shift;
+    gap->end += shift;
+    return shift > 0u;
+}
+
+// Takes [begin, end) out. False when the room is used up: then nothing is cut.
 bool cut(global uint2* spans, Gap* gap, const u32 begin, const u32 end) {
-    while (gap->done > 0u && spans[gap->done - 1u].y > begin) {
+    // Move the gap down, or up, to where the chord begins.
+    while (gap->below.y > begin) {
         --gap->rest;
         --gap->done;
-        spans[gap->rest] = spans[gap->done];
+        gap->above = gap->below;
+        if (gap->done < gap->rest) spans[gap->rest] = gap->above;
+        load_below(spans, gap);
     }
-    while (gap->rest < gap->end && spans[gap->rest].y <= begin) {
-        spans[gap->done] = spans[gap->rest];
+    while (gap->above.y <= begin) {
+        gap->below = gap->above;
+        if (gap->done < gap->rest) spans[gap->done] = gap->below;
         ++gap->done;
         ++gap->rest;
+        load_above(spans, gap);
     }
-    if (gap->rest < gap->end && spans[gap->rest].x < begin) {
-        const uint2 span = spans[gap->rest];
-        if (span.y > end) {  // the chord lies inside the span: one piece more than before
-            if (gap->done == gap->rest) return false;
-            spans[gap->rest].x = end;
+
+    // Keep what the chord leaves of its first span below it.
+    if (gap->above.x < begin) {
+        const bool is_inside = gap->above.y > end;  // one piece more than before
+        if (is_inside && gap->done == gap->rest && !open_gap(spans, gap)) return false;
+        gap->total -= (is_inside ? end : gap->above.y) - begin;
+        gap->below = (uint2)(gap->above.x, begin);
+        if (is_inside) {
+            gap->above.x = end;
+            spans[gap->rest] = gap->above;
         } else {
             ++gap->rest;
+            load_above(spans, gap);
         }
-        spans[gap->done] = (uint2)(span.x, begin);
+        spans[gap->done] = gap->below;
         ++gap->done;
     }
-    while (gap->rest < gap->end && spans[gap->rest].y <= end) ++gap->rest;
-    if (gap->rest < gap->end && spans[gap->rest].x < end) spans[gap->rest].x = end;
+
+    // Drop what it covers, and keep what it leaves of its last span above it.
+    while (gap->above.y <= end) {
+        gap->total -= gap->above.y - gap->above.x;
+        ++gap->rest;
+        load_above(spans, gap);
+    }
+    if (gap->above.x < end) {
+        gap->total -= end - gap->above.x;
+        gap->above.x = end;
+        spans[gap->rest] = gap->above;
+    }
     return true;
 }
 
@@ -113,7 +157,7 @@ kernel void subtract(const Geometry g, const u32 first_line, const u32 end_line,
     const u32 centre = line * g.strip_width + g.strip_width / 2u;
     global uint2* slot = spans + (u64)(line - first_line) * g.capacity;
     const u32 room = min(g.capacity, count + (near_end - near_begin) + 2u);
-    Gap gap = {count, room, room};
+    Gap gap = {0u, 0u, count, room, free_lengths[line], (uint2)(0u, 0u), slot[0]};
     bool fits = true;
 
     // On a torus, what sticks out at one end is cut at the other.
@@ -145,16 +189,15 @@ kernel void subtract(const Geometry g, const u32 first_line, const u32 end_line,
     if (top < g.height && fits) fits = cut(slot, &gap, top, g.height);
     if (!fits) atomic_xchg(overflow, 1u);
 
-    // Close the gap and add up what is left.
+    // Close the gap.
+    if (gap.done == gap.rest) gap.done = gap.rest = gap.end;
     while (gap.rest < gap.end) {
         slot[gap.done] = slot[gap.rest];
         ++gap.done;
         ++gap.rest;
     }
-    u32 length = 0u;
-    for (u32 i = 0u; i < gap.done; ++i) length += slot[i].y - slot[i].x;
     span_counts[line] = gap.done;
-    free_lengths[line] = length;
+    free_lengths[line] = gap.total;
 }
 
 // Moves the lines [first_line, end_line) from slots of g.capacity spans to slots of `larger`.

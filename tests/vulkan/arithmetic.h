@@ -1,0 +1,78 @@
+// All of the portable arithmetic on one set of numbers: the same text for C++ and for GLSL.
+#ifndef LACUNA_TESTS_VULKAN_ARITHMETIC_H
+#define LACUNA_TESTS_VULKAN_ARITHMETIC_H
+#include "portable/chord.h"
+#include "portable/column.h"
+#include "portable/distance.h"
+#include "portable/isqrt.h"
+#include "portable/window.h"
+
+LACUNA_BEGIN
+
+struct Numbers {
+    u64 n;
+    u64 radius_squared;
+    u32 ax;
+    u32 ay;
+    u32 bx;
+    u32 by;
+    u32 period_x;
+    u32 period_y;
+    u32 radius;
+    u32 height;
+    u32 line;
+    u32 lines;
+    u32 columns;
+    u32 wraps;
+};
+
+struct Answers {
+    u64 root;
+    u32 distance;
+    u32 is_conflict;
+    u32 reach;
+    u32 begin;
+    u32 end;
+    u32 wrapped_begin;
+    u32 wrapped_end;
+    u32 low_0;
+    u32 low_1;
+    u32 low_2;
+    u32 high_0;
+    u32 high_1;
+    u32 high_2;
+    u32 column;
+    u32 first_line;
+    u32 neighbours;
+    u32 first;
+    u32 unused;
+};
+
+LACUNA_FN Answers answer(Numbers q) {
+    Answers a;
+    a.root = isqrt(q.n);
+    a.distance = axis_distance(q.ax, q.bx, q.period_x);
+    a.is_conflict =
+        conflicts(q.ax, q.ay, q.bx, q.by, q.period_x, q.period_y, q.radius_squared) ? 1u : 0u;
+    a.reach = chord_reach(a.distance, q.radius_squared);
+    a.begin = chord_begin(q.ay, a.reach);
+    a.end = chord_end(q.ay, a.reach, q.height);
+    a.wrapped_begin = chord_wrapped_begin(q.ay, a.reach, q.height);
+    a.wrapped_end = chord_wrapped_end(q.ay, a.reach, q.height);
+    a.low_0 = window_low(0u, q.ay, q.radius, q.height);
+    a.low_1 = window_low(1u, q.ay, q.radius, q.height);
+    a.low_2 = window_low(2u, q.ay, q.radius, q.height);
+    a.high_0 = window_high(0u, q.ay, q.radius, q.height);
+    a.high_1 = window_high(1u, q.ay, q.radius, q.height);
+    a.high_2 = window_high(2u, q.ay, q.radius, q.height);
+    a.column = column_of_line(q.line, q.lines, q.columns);
+    a.first_line = first_line_of_column(a.column, q.lines, q.columns);
+    a.neighbours = neighbour_count(a.column, q.columns, q.wraps);
+    a.first = first_neighbour(a.column, q.columns, q.wraps);
+    a.unused = 0u;
+    return a;
+}
+
+LACUNA_END
+
+#endif
