@@ -27,7 +27,10 @@ struct Entry {
 
 template <std::unique_ptr<Backend> (*make)(const Plan&, const Placement&)>
 Run run_rounds(const Request& request, const Plan& plan, Observer& observer) {
+    // A device's kernels are built here, at first use.
+    observer.begin(Verb::first_use);
     const std::unique_ptr<Backend> backend = make(plan, {request.device, request.threads});
+    observer.end(Verb::first_use);
     Run run;
     run.outcome = generate(plan, *backend, observer);
     run.device = backend->device();
