@@ -4,6 +4,7 @@
 
 #include <lacuna/lacuna.h>
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -11,17 +12,20 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "cli/devices.h"
 #include "cli/interruption.h"
 #include "cli/options.h"
 #include "cli/sample.h"
+#include "cli/verify.h"
 #include "files/point_files.h"
 
 namespace {
 
 using namespace lacuna;
 
+constexpr int kExitNotProven = 1;
 constexpr int kExitBadUsage = 2;
 constexpr int kExitFile = 3;
 constexpr int kExitDevice = 4;
@@ -33,6 +37,7 @@ Examples:
   lacuna sample --radius 0.01 -o points.svg
   lacuna sample --count 10000 --torus > points.txt
   lacuna sample --help
+  lacuna verify points.txt --radius 0.01
   lacuna devices
 )";
 
@@ -50,6 +55,7 @@ public:
 
 void add_commands(CLI::App& app) {
     cli::add_sample(app);
+    cli::add_verify(app);
     cli::add_devices(app);
 }
 
@@ -68,17 +74,28 @@ int run(CLI::App& app, int argc, char** argv) {
     return 0;
 }
 
+bool takes_arguments(const CLI::App& command) {
+    const auto options = command.get_options();
+    return std::any_of(options.begin(), options.end(),
+                       [](const CLI::Option* option) { return option->get_positional(); });
+}
+
 // CLI11's messages begin with the option's name and leave out what is allowed.
-std::string explain(const CLI::ParseError& error, const std::string& extra, bool in_command) {
-    if (!extra.empty())
-        return fmt::format("{}: no such {}", cli::shown(extra),
-                           in_command ? "option, and no arguments are taken" : "command or option");
+std::string explain(const CLI::ParseError& error, const std::string& extra,
+                    const CLI::App* command) {
+    if (!extra.empty()) {
+        const std::string_view wanted = command == nullptr ? "command or option"
+                                        : takes_arguments(*command)
+                                            ? "option, and no more arguments are taken"
+                                            : "option, and no arguments are taken";
+        return fmt::format("{}: no such {}", cli::shown(extra), wanted);
+    }
     std::string what = error.what();
     const std::string option = what.substr(0, what.find_first_of(": "));
     if (what.ends_with(" missing")) return option + ": a value must follow";
     if (what.find("At Most") != std::string::npos) return option + ": must be given only once";
     if (what.ends_with("flag override")) return "--" + option + ": takes no value";
-    if (error.get_name() == "RequiredError") return "a command must follow";
+    if (error.get_name() == "RequiredError" && command == nullptr) return "a command must follow";
     return what;
 }
 
@@ -91,8 +108,8 @@ int finish(const CLI::App& app, const CLI::ParseError& error) {
     const auto chosen = app.get_subcommands();
     const std::string name = chosen.empty() ? "lacuna" : "lacuna " + chosen.front()->get_name();
     const auto extras = app.remaining(true);
-    const std::string message =
-        explain(error, extras.empty() ? "" : extras.front(), !chosen.empty());
+    const std::string message = explain(error, extras.empty() ? "" : extras.front(),
+                                        chosen.empty() ? nullptr : chosen.front());
     return fail(kExitBadUsage, fmt::format("{}; see {} --help", message, name));
 }
 
@@ -109,6 +126,8 @@ int main(int argc, char** argv) {
         return finish(app, error);
     } catch (const BadRequest& error) {
         return fail(kExitBadUsage, std::string("--") + error.what());
+    } catch (const cli::NotProven&) {
+        return kExitNotProven;
     } catch (const files::FileError& error) {
         return fail(kExitFile, error.what());
     } catch (const Unavailable& error) {

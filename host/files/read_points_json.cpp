@@ -1,0 +1,139 @@
+// JSON point sets, read as a stream: a tree of millions of values would take gigabytes.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "files/read_points_formats.h"
+
+namespace lacuna::files {
+namespace {
+
+using Json = nlohmann::json;
+
+// Follows the nesting: an optional object, whose key "points" holds an array, of pairs.
+class PointsHandler : public nlohmann::json_sax<Json> {
+public:
+    explicit PointsHandler(const std::string& name) : name_(name) {}
+
+    std::vector<Point> take_points() {
+        if (!has_points_) refuse(name_, R"(there is no "points", an array of [x, y])");
+        if (count_ && *count_ != points_.size())
+            refuse(name_, fmt::format("{} points: \"count\" says {}", points_.size(), *count_));
+        return std::move(points_);
+    }
+
+    bool null() override { return scalar("null"); }
+    bool boolean(bool value) override { return scalar(value ? "true" : "false"); }
+    bool number_integer(number_integer_t value) override {
+        return number(static_cast<double>(value));
+    }
+    bool number_unsigned(number_unsigned_t value) override {
+        if (depth_ == 1 && in_object_ && key_ == "count") count_ = value;
+        return number(static_cast<double>(value));
+    }
+    bool number_float(number_float_t value, const string_t&) override { return number(value); }
+    bool string(string_t& value) override { return scalar(excerpt(value)); }
+    bool binary(binary_t&) override { return scalar("binary data"); }
+
+    bool start_object(std::size_t) override {
+        if (depth_ == 0) {
+            in_object_ = true;
+        } else {
+            refuse_unless_skipped("an object");
+        }
+        ++depth_;
+        return true;
+    }
+
+    bool key(string_t& key) override {
+        if (depth_ == 1 && in_object_) key_ = key;
+        return true;
+    }
+
+    bool end_object() override {
+        --depth_;
+        return true;
+    }
+
+    bool start_array(std::size_t) override {
+        ++depth_;
+        if (depth_ == points_depth() && is_in_points()) {
+            if (has_points_) refuse(name_, R"("points" is there twice)");
+            has_points_ = true;
+        } else if (is_in_points() && depth_ > points_depth() + 1) {
+            refuse_unless_skipped("an array");
+        }
+        numbers_ = 0;
+        return true;
+    }
+
+    bool end_array() override {
+        if (is_in_points() && depth_ == points_depth() + 1) {
+            if (numbers_ != 2)
+                refuse(name_, fmt::format("point {} has {} number{}: must be [x, y]",
+                                          points_.size(), numbers_, numbers_ == 1 ? "" : "s"));
+            check_finite(point_, points_.size(), name_);
+            points_.push_back(point_);
+        }
+        --depth_;
+        return true;
+    }
+
+    // The library's own text repeats the file, whose bytes may be anything.
+    bool parse_error(std::size_t position, const std::string& token,
+                     const Json::exception&) override {
+        refuse(name_, fmt::format("byte {}: {} cannot be read as JSON; is the file whole?",
+                                  position, excerpt(token)));
+    }
+
+private:
+    // The depth inside the array of points; inside a point it is one more.
+    int points_depth() const { return in_object_ ? 2 : 1; }
+    bool is_in_points() const { return !in_object_ || key_ == "points"; }
+
+    void refuse_unless_skipped(const std::string& what) const {
+        if (is_in_points())
+            refuse(name_,
+                   fmt::format("point {}: {} must be [x, y], two numbers", points_.size(), what));
+    }
+
+    bool scalar(const std::string& what) {
+        refuse_unless_skipped(what);
+        return true;
+    }
+
+    bool number(double value) {
+        if (!is_in_points()) return true;
+        if (depth_ != points_depth() + 1) return scalar(fmt::format("{}", value));
+        if (numbers_ < 2) (numbers_ == 0 ? point_.x : point_.y) = value;
+        ++numbers_;
+        return true;
+    }
+
+    const std::string& name_;
+    std::vector<Point> points_;
+    std::optional<std::uint64_t> count_;
+    std::string key_;  // of the outermost object
+    Point point_{};
+    std::size_t numbers_ = 0;  // of the point so far
+    int depth_ = 0;
+    bool in_object_ = false;
+    bool has_points_ = false;
+};
+
+}  // namespace
+
+std::vector<Point> decode_json(std::string_view bytes, const std::string& name) {
+    PointsHandler handler(name);
+    Json::sax_parse(bytes, &handler);
+    return handler.take_points();
+}
+
+}  // namespace lacuna::files

@@ -1,0 +1,37 @@
+// The domain of a point set under proof, and distances in it as a user would compute them.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna::verify {
+
+struct Domain {
+    double width;
+    double height;
+    bool torus;
+
+    double longer_side() const { return std::max(width, height); }
+
+    // More than all roundings together of a distance that is reckoned in doubles, from sums of
+    // coordinates under twice the longer side, and compared with another a hundred times.
+    double rounding() const { return longer_side() * 0x1p-44; }
+
+    bool contains(Point p) const { return p.x >= 0 && p.x < width && p.y >= 0 && p.y < height; }
+
+    double distance(Point a, Point b) const {
+        const double dx = along(a.x, b.x, width);
+        const double dy = along(a.y, b.y, height);
+        return std::sqrt(dx * dx + dy * dy);
+    }
+
+private:
+    double along(double a, double b, double side) const {
+        const double straight = std::abs(a - b);
+        return torus ? std::min(straight, side - straight) : straight;
+    }
+};
+
+}  // namespace lacuna::verify

@@ -1,0 +1,42 @@
+// Proves or refutes what a maximal Poisson-disk set promises, from its coordinates alone.
+//
+// Shares no code with the samplers, whose whole numbers it knows nothing of: everything is done in
+// doubles on what the user reads back, with bounds for their rounding.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "verify/closest.h"
+#include "verify/emptiest.h"
+
+namespace lacuna::verify {
+
+struct Verdict {
+    // The first point that is not in [0, width) x [0, height). If any, nothing else was looked at.
+    std::optional<std::size_t> outside;
+    Pair closest;
+    Spot emptiest;
+    bool kept = false;     // no two points are closer than the radius
+    bool covered = false;  // no spot is farther than radius + tolerance from every point
+
+    bool is_maximal() const { return kept && covered; }
+};
+
+// What samplers on a grid may lose by rounding the radius up to whole units: 2^-29 of the longer
+// side, which is at least two units.
+double default_tolerance(double width, double height);
+
+// Distances wrap around the edges of a torus, and are what a user would compute: in double,
+// sqrt(dx * dx + dy * dy). A point and its own image are not a pair.
+//
+// `kept` is exact. When `covered` is false, emptiest is a spot that is too far from every point;
+// when true, no spot is, but for kFinest of the longer side.
+// Throws BadRequest for a domain, radius or tolerance that makes no sense.
+Verdict check(std::span<const Point> points, double width, double height, bool torus, double radius,
+              double tolerance);
+
+}  // namespace lacuna::verify

@@ -1,0 +1,40 @@
+// The bytes of files that the readers are tested with.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "files/little_endian.h"
+#include "files/point_files.h"
+
+namespace lacuna::files {
+
+inline constexpr Format kReadable[] = {Format::txt, Format::csv, Format::npy, Format::ply,
+                                       Format::json};
+
+inline std::string npy(int major, const std::string& header, const std::string& data) {
+    std::string bytes = "\x93NUMPY";
+    bytes += static_cast<char>(major);
+    bytes += '\0';
+    for (int i = 0; i < (major == 1 ? 2 : 4); ++i)
+        bytes += static_cast<char>((header.size() >> (8 * i)) & 0xffU);
+    return bytes + header + data;
+}
+
+inline std::string doubles(const std::vector<double>& values) {
+    std::string bytes;
+    for (const double value : values) append_little_endian(bytes, value);
+    return bytes;
+}
+
+inline std::string floats(const std::vector<float>& values) {
+    std::string bytes;
+    for (const float value : values)
+        for (unsigned i = 0; i < 4; ++i)
+            bytes += static_cast<char>((std::bit_cast<std::uint32_t>(value) >> (8 * i)) & 0xffU);
+    return bytes;
+}
+
+}  // namespace lacuna::files

@@ -1,0 +1,114 @@
+// Given random sets, the proof agrees with looking at every pair and at a fine raster of spots.
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "verify/sets.h"
+#include "verify/verify.h"
+
+namespace lacuna::verify {
+namespace {
+
+// Coordinates on a grid of `grid` steps: a coarse one makes ties, a fine one makes none.
+std::vector<Point> draw_points(const Domain& domain, int grid) {
+    const auto coordinates = rc::gen::pair(rc::gen::inRange(0, grid), rc::gen::inRange(0, grid));
+    const auto cells = *rc::gen::container<std::vector<std::pair<int, int>>>(coordinates);
+    std::vector<Point> points;
+    for (const auto& [i, j] : cells)
+        points.push_back({domain.width * i / grid, domain.height * j / grid});
+    return points;
+}
+
+Domain draw_domain() {
+    const double width = *rc::gen::element(1.0, 2.5, 0.01, 1e30);
+    return {width, width * *rc::gen::element(1.0, 0.3, 7.0), *rc::gen::arbitrary<bool>()};
+}
+
+RC_GTEST_PROP(TheClosestPair, IsThatOfAllPairs, ()) {
+    const Domain domain = draw_domain();
+    const std::vector<Point> points = draw_points(domain, *rc::gen::element(5, 1000, 1 << 30));
+    const Pair found = closest_pair(domain, points);
+    const Pair expected = closest_of_all_pairs(domain, points);
+    RC_ASSERT(found.distance == expected.distance);
+    if (points.size() < 2) return;
+    RC_ASSERT(found.first < found.second);
+    RC_ASSERT(domain.distance(points[found.first], points[found.second]) == found.distance);
+    if (found.distance == 0) return;
+    RC_ASSERT(found.first == expected.first);
+    RC_ASSERT(found.second == expected.second);
+}
+
+RC_GTEST_PROP(TheEmptiestSpot, IsNoNearerThanAnyOfARasterAndAsFarAsItSays, ()) {
+    constexpr int kSteps = 40;
+    const Domain domain = draw_domain();
+    std::vector<Point> points = draw_points(domain, *rc::gen::element(5, 1000, 1 << 30));
+    points.push_back({0, 0});
+    const double limit = *rc::gen::element(0.05, 0.3, 1.0) * domain.longer_side();
+    const Spot spot = emptiest_spot(domain, points, limit);
+
+    RC_ASSERT(spot.distance == distance_to_nearest(domain, points, spot.at));
+    const double raster = farthest_of_raster(domain, points, kSteps);
+    RC_ASSERT(raster <= spot.distance * (1 + kSpotPrecision) + kFinest * domain.longer_side());
+    const double half_diagonal = std::hypot(domain.width, domain.height) / kSteps / 2;
+    RC_ASSERT(spot.distance <= raster + half_diagonal * (1 + 1e-9));
+}
+
+std::vector<Point> random_points(std::size_t count, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> side(0, 1);
+    std::vector<Point> points(count);
+    for (Point& point : points) point = {side(random), side(random)};
+    return points;
+}
+
+TEST(ALargeSet, HasTheClosestPairOfAllPairsAndNoSpotOfARasterIsEmptier) {
+    const std::vector<Point> points = random_points(4000, 1);
+    for (const bool torus : {false, true}) {
+        const Domain domain{1, 1, torus};
+        const Pair expected = closest_of_all_pairs(domain, points);
+        const Verdict verdict = check(points, 1, 1, torus, 0.01, 0);
+        EXPECT_EQ(verdict.closest.distance, expected.distance);
+        EXPECT_EQ(verdict.closest.first, expected.first);
+        EXPECT_EQ(verdict.closest.second, expected.second);
+        const double raster = farthest_of_raster(domain, points, 300);
+        EXPECT_GE(verdict.emptiest.distance, raster * (1 - kSpotPrecision));
+        EXPECT_LE(verdict.emptiest.distance, raster + std::sqrt(0.5) / 300);
+    }
+}
+
+TEST(AVerdict, IsTheSameInEveryRunWhateverTheThreads) {
+    const std::vector<Point> points = random_points(20000, 2);
+    const Verdict first = check(points, 1, 1, true, 0.01, 0);
+    for (int i = 0; i < 5; ++i) {
+        const Verdict again = check(points, 1, 1, true, 0.01, 0);
+        EXPECT_EQ(again.emptiest.at, first.emptiest.at);
+        EXPECT_EQ(again.emptiest.distance, first.emptiest.distance);
+        EXPECT_EQ(again.closest.first, first.closest.first);
+    }
+}
+
+// Would take hours if all pairs, or all points for every cell, were looked at.
+TEST(ACrowd, OfPointsThatCoincideOrNearlySoIsSeenThroughQuickly) {
+    std::vector<Point> points = random_points(100000, 3);
+    for (Point& point : points) point = {0.5 + 1e-9 * point.x, 0.5 + 1e-9 * point.y};
+    const Verdict near = check(points, 1, 1, false, 0.1, 0);
+    EXPECT_NEAR(near.emptiest.distance, std::sqrt(0.5), 2e-9);
+    EXPECT_FALSE(near.kept);
+
+    std::fill(points.begin(), points.end(), Point{0.5, 0.5});
+    const Verdict same = check(points, 1, 1, true, 0.1, 0);
+    EXPECT_NEAR(same.emptiest.distance, std::sqrt(0.5), 1e-11);
+    EXPECT_EQ(same.closest.distance, 0);
+    EXPECT_NE(same.closest.first, same.closest.second);
+}
+
+}  // namespace
+}  // namespace lacuna::verify
