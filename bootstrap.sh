@@ -8,6 +8,7 @@ build=$root/build
 packages=(
     g++ cmake ninja-build pkg-config
     librandom123-dev libcli11-dev libfmt-dev libtbb-dev libcairo2-dev nlohmann-json3-dev libssl-dev
+    libeigen3-dev libnanoflann-dev
     libgtest-dev libbenchmark-dev librapidcheck-dev
     pocl-opencl-icd opencl-headers opencl-clhpp-headers ocl-icd-opencl-dev clinfo
     mesa-vulkan-drivers libvulkan-dev vulkan-validationlayers glslang-tools spirv-tools oclgrind

@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/analyze.h"
 #include "cli/devices.h"
 #include "cli/interruption.h"
 #include "cli/options.h"
@@ -38,6 +39,7 @@ Examples:
   lacuna sample --count 10000 --torus > points.txt
   lacuna sample --help
   lacuna verify points.txt --radius 0.01
+  lacuna analyze points.txt -o sheet.pdf
   lacuna devices
 )";
 
@@ -56,6 +58,7 @@ public:
 void add_commands(CLI::App& app) {
     cli::add_sample(app);
     cli::add_verify(app);
+    cli::add_analyze(app);
     cli::add_devices(app);
 }
 

@@ -45,18 +45,18 @@ void check_writable(const std::string& path) {
         refuse(path, fmt::format("cannot make a file in {}: {}", folder.string(), reason(errno)));
 }
 
-bool is_same_file(const fs::path& a, const fs::path& b) {
-    std::error_code error;
-    if (fs::equivalent(a, b, error) && !error) return true;
-    return a.filename() == b.filename() && fs::equivalent(folder_of(a), folder_of(b), error) &&
-           !error;
-}
-
 }  // namespace
 
 void check_output(const std::string& path) {
     files::format_of(path);
     if (path != "-") check_writable(path);
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+    std::error_code error;
+    if (fs::equivalent(a, b, error) && !error) return true;
+    return fs::path(a).filename() == fs::path(b).filename() &&
+           fs::equivalent(folder_of(a), folder_of(b), error) && !error;
 }
 
 void check_report(const std::string& path, const std::string& output) {

@@ -34,7 +34,12 @@ std::size_t terminal_columns() {
     return size.ws_col;
 }
 
-void show(const std::string& text) {
+// The last column stays free: some terminals wrap as soon as it is written.
+std::size_t line_columns() {
+    return terminal_columns() - 1;
+}
+
+void print(const std::string& text) {
     std::fputs(text.c_str(), stderr);
     std::fflush(stderr);
 }
@@ -48,8 +53,14 @@ std::string progress_line(const Progress& progress, double seconds, std::size_t 
     const double share = std::min(1.0, static_cast<double>(progress.points) / expected);
     const double rate = seconds > 0 ? static_cast<double>(progress.points) / seconds : 0;
     const std::string numbers =
-        fmt::format("{:3.0f} %  {} of about {} points, {} rounds, {:.3g} points/s", 100 * share,
-                    progress.points, progress.expected_points, progress.rounds, rate);
+        fmt::format("{} of about {} points, {} rounds, {:.3g} points/s", progress.points,
+                    progress.expected_points, progress.rounds, rate);
+    return progress_line(share, numbers, columns, colour);
+}
+
+std::string progress_line(double share, const std::string& words, std::size_t columns,
+                          bool colour) {
+    const std::string numbers = fmt::format("{:3.0f} %  {}", 100 * share, words);
     if (numbers.size() + kBarCells + 4 > columns) return numbers.substr(0, columns);
 
     const auto full = static_cast<std::size_t>(share * kBarCells);
@@ -61,19 +72,30 @@ ProgressBar::ProgressBar(bool quiet)
     : visible_(!quiet && is_capable_terminal()), colour_(!is_set("NO_COLOR")) {}
 
 ProgressBar::~ProgressBar() {
-    if (drawn_) show(std::string(kClearLine));
+    if (drawn_) print(std::string(kClearLine));
 }
 
 bool ProgressBar::keep_going(const Progress& progress) {
-    const Clock::time_point now = Clock::now();
-    if (!visible_ || now - last_draw_ < kBetweenDraws) return true;
-    last_draw_ = now;
-    drawn_ = true;
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    // The last column stays free: some terminals wrap as soon as it is written.
-    const std::string line = progress_line(progress, seconds, terminal_columns() - 1, colour_);
-    show(std::string(kClearLine) + line);
+    if (!is_due()) return true;
+    const double seconds = std::chrono::duration<double>(last_draw_ - start_).count();
+    draw(progress_line(progress, seconds, line_columns(), colour_));
     return true;
+}
+
+void ProgressBar::show(double share, const std::string& words) {
+    if (is_due()) draw(progress_line(share, words, line_columns(), colour_));
+}
+
+bool ProgressBar::is_due() {
+    const Clock::time_point now = Clock::now();
+    if (!visible_ || now - last_draw_ < kBetweenDraws) return false;
+    last_draw_ = now;
+    return true;
+}
+
+void ProgressBar::draw(const std::string& line) {
+    drawn_ = true;
+    print(std::string(kClearLine) + line);
 }
 
 }  // namespace lacuna::cli

@@ -12,6 +12,9 @@ namespace lacuna::cli {
 std::string progress_line(const Progress& progress, double seconds, std::size_t columns,
                           bool colour);
 
+// The same for any work of which `share`, 0 to 1, is done; `words` stand beside the bar.
+std::string progress_line(double share, const std::string& words, std::size_t columns, bool colour);
+
 // Shows nothing when told to be quiet or when standard error is no terminal. Clears its line when
 // destroyed, so that errors and results start on a clean one.
 class ProgressBar : public Observer {
@@ -23,8 +26,15 @@ public:
 
     bool keep_going(const Progress& progress) override;
 
+    // For work other than sampling.
+    void show(double share, const std::string& words);
+
 private:
     using Clock = std::chrono::steady_clock;
+
+    // Whether it is time to draw again.
+    bool is_due();
+    void draw(const std::string& line);
 
     bool visible_;
     bool colour_;

@@ -24,11 +24,6 @@ constexpr std::array<NamedFormat, 8> kFormats{{{".txt", Format::txt},
                                                {".pdf", Format::pdf},
                                                {".png", Format::png}}};
 
-// ASCII only: what the locale takes for a letter must not change which file is written.
-char lower_case(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 std::string known_extensions() {
     std::string list;
     for (const NamedFormat& known : kFormats) list.append(" ").append(known.extension);
@@ -36,6 +31,10 @@ std::string known_extensions() {
 }
 
 }  // namespace
+
+char lower_case(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
 
 Format format_of(const std::string& path) {
     if (path == "-") return Format::txt;

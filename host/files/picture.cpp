@@ -9,11 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <exception>
 #include <iterator>
-#include <memory>
 #include <span>
 #include <string>
+
+#include "files/cairo_surface.h"
 
 namespace lacuna::files {
 namespace {
@@ -22,15 +22,6 @@ constexpr double kLongerSideInPixels = 1024;
 constexpr double kLongerSideInPoints = 512;
 // In one stroke: keeps the working memory of cairo, and of viewers, small.
 constexpr std::size_t kDotsPerStroke = 4096;
-
-struct SurfaceDeleter {
-    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-};
-struct ContextDeleter {
-    void operator()(cairo_t* context) const { cairo_destroy(context); }
-};
-using Surface = std::unique_ptr<cairo_surface_t, SurfaceDeleter>;
-using Context = std::unique_ptr<cairo_t, ContextDeleter>;
 
 // The picture's sides, and the domain's units turned into the picture's, y upwards.
 struct Page {
@@ -45,30 +36,6 @@ Page page_of(const PointSet& set, double longer_side) {
     const double longer = std::max(set.width, set.height);
     return {longer_side * (set.width / longer), longer_side * (set.height / longer),
             longer_side / longer};
-}
-
-void check(cairo_status_t status) {
-    if (status != CAIRO_STATUS_SUCCESS)
-        throw FileError(std::string("the picture cannot be drawn: ") +
-                        cairo_status_to_string(status));
-}
-
-Surface checked(cairo_surface_t* created) {
-    Surface surface(created);
-    check(cairo_surface_status(surface.get()));
-    return surface;
-}
-
-// Cairo's write callback. No exception may cross cairo, which is C.
-cairo_status_t append_to_string(void* closure, const unsigned char* data,
-                                unsigned int length) noexcept {
-    try {
-        auto& bytes = *static_cast<std::string*>(closure);
-        bytes.append(data, data + length);
-        return CAIRO_STATUS_SUCCESS;
-    } catch (const std::exception&) {
-        return CAIRO_STATUS_NO_MEMORY;
-    }
 }
 
 double dot_radius(const PointSet& set) {

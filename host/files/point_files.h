@@ -27,6 +27,9 @@ class FileError : public Error {
     using Error::Error;
 };
 
+// ASCII only: what the locale takes for a letter must not change which file is meant.
+char lower_case(char c);
+
 // The format that the extension of `path` names (any case); "-" (standard output) is txt.
 // Throws BadRequest("output", path, ...) listing the known extensions.
 Format format_of(const std::string& path);

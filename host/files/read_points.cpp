@@ -93,10 +93,17 @@ std::vector<Point> decode(std::string_view bytes, Format format, const std::stri
 std::vector<Point> read_points(const std::string& path) {
     const Format format = format_to_read(path);
     refuse_picture(format, path);
-    if (path == "-")
-        return decode(read_all(STDIN_FILENO, "standard input"), format, "standard input");
+    return decode(read_bytes(path), format, name_to_show(path));
+}
+
+std::string read_bytes(const std::string& path) {
+    if (path == "-") return read_all(STDIN_FILENO, name_to_show(path));
     const OpenFile file(path);
-    return decode(read_all(file.descriptor(), path), format, path);
+    return read_all(file.descriptor(), path);
+}
+
+std::string name_to_show(const std::string& path) {
+    return path == "-" ? "standard input" : path;
 }
 
 }  // namespace lacuna::files

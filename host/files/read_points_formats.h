@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "files/point_files.h"
+#include "files/read_sets.h"
 
 namespace lacuna::files {
 
@@ -24,6 +25,18 @@ std::vector<Point> decode_lines(std::string_view bytes, bool is_csv, const std::
 std::vector<Point> decode_npy(std::string_view bytes, const std::string& name);
 std::vector<Point> decode_ply(std::string_view bytes, const std::string& name);
 std::vector<Point> decode_json(std::string_view bytes, const std::string& name);
+SetsOfFile decode_json_with_header(std::string_view bytes, const std::string& name);
+
+// The text formats that hold a count or several sets: see read_sets.
+std::vector<Point> decode_counted_lines(std::string_view bytes, const std::string& name);
+std::vector<std::vector<Point>> decode_separated_lines(std::string_view bytes,
+                                                       const std::string& name);
+
+// All bytes of the file; "-" is standard input. Throws FileError.
+std::string read_bytes(const std::string& path);
+
+// What messages call the file.
+std::string name_to_show(const std::string& path);
 
 [[noreturn]] inline void refuse(const std::string& place, const std::string& why) {
     throw FileError(fmt::format("{}: {}", place, why));

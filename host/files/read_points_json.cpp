@@ -17,6 +17,12 @@ namespace {
 
 using Json = nlohmann::json;
 
+struct Header {
+    std::optional<double> width;
+    std::optional<double> height;
+    std::optional<double> radius;
+};
+
 // Follows the nesting: an optional object, whose key "points" holds an array, of pairs.
 class PointsHandler : public nlohmann::json_sax<Json> {
 public:
@@ -28,6 +34,9 @@ public:
             refuse(name_, fmt::format("{} points: \"count\" says {}", points_.size(), *count_));
         return std::move(points_);
     }
+
+    // Of an object; what is not there, or 0, is not known.
+    const Header& header() const { return header_; }
 
     bool null() override { return scalar("null"); }
     bool boolean(bool value) override { return scalar(value ? "true" : "false"); }
@@ -110,6 +119,7 @@ private:
     }
 
     bool number(double value) {
+        if (depth_ == 1 && in_object_) read_header(value);
         if (!is_in_points()) return true;
         if (depth_ != points_depth() + 1) return scalar(fmt::format("{}", value));
         if (numbers_ < 2) (numbers_ == 0 ? point_.x : point_.y) = value;
@@ -117,8 +127,21 @@ private:
         return true;
     }
 
+    void read_header(double value) {
+        const auto set = [&](std::optional<double>& field) {
+            if (value < 0 || !std::isfinite(value))
+                refuse(name_, fmt::format("\"{}\" is {}: must be a finite number of at least 0",
+                                          key_, value));
+            if (value > 0) field = value;
+        };
+        if (key_ == "width") set(header_.width);
+        if (key_ == "height") set(header_.height);
+        if (key_ == "radius") set(header_.radius);
+    }
+
     const std::string& name_;
     std::vector<Point> points_;
+    Header header_;
     std::optional<std::uint64_t> count_;
     std::string key_;  // of the outermost object
     Point point_{};
@@ -134,6 +157,15 @@ std::vector<Point> decode_json(std::string_view bytes, const std::string& name) 
     PointsHandler handler(name);
     Json::sax_parse(bytes, &handler);
     return handler.take_points();
+}
+
+SetsOfFile decode_json_with_header(std::string_view bytes, const std::string& name) {
+    PointsHandler handler(name);
+    Json::sax_parse(bytes, &handler);
+    const auto [width, height, radius] = handler.header();
+    if (width.has_value() != height.has_value())
+        refuse(name, R"("width" and "height" must be there both or neither)");
+    return {{handler.take_points()}, width, height, radius};
 }
 
 }  // namespace lacuna::files

@@ -1,9 +1,13 @@
-// The text formats txt and csv: two numbers a line.
+// The text formats: two numbers a line.
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "files/read_points_formats.h"
@@ -57,10 +61,94 @@ bool is_header(std::string_view line) {
     return is_word(line.substr(0, comma)) && is_word(line.substr(comma + 1));
 }
 
+std::string_view without_mark(std::string_view bytes) {
+    if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+    return bytes;
+}
+
+// One whole number alone.
+std::optional<std::uint64_t> count_of(std::string_view line) {
+    skip_blanks(line);
+    std::uint64_t count = 0;
+    if (take_number(line, count) != std::errc{}) return std::nullopt;
+    skip_blanks(line);
+    return line.empty() ? std::optional(count) : std::nullopt;
+}
+
+bool is_bare_separator(std::string_view line) {
+    skip_blanks(line);
+    if (!line.starts_with('#')) return false;
+    line.remove_prefix(1);
+    skip_blanks(line);
+    return line.empty();
+}
+
+// Finds what could be the end of a set in a file that can hold but one.
+class Separator {
+public:
+    void see(std::string_view line, std::size_t number, bool has_points) {
+        if (has_points && at_ == 0 && is_bare_separator(line)) at_ = number;
+    }
+    void refuse_before_point(const std::string& name) const {
+        if (at_ != 0)
+            refuse(fmt::format("{}:{}", name, at_),
+                   "a line of # alone ends a set in a .dat file and is skipped in a .txt: name the "
+                   "file .dat if several sets are in it, else take the line out");
+    }
+
+private:
+    std::size_t at_ = 0;  // the first such line
+};
+
 }  // namespace
 
+std::vector<Point> decode_counted_lines(std::string_view bytes, const std::string& name) {
+    bytes = without_mark(bytes);
+    std::vector<Point> points;
+    std::optional<std::uint64_t> count;
+    Separator separator;
+    bool is_first = true;
+    for (std::size_t number = 1; !bytes.empty(); ++number) {
+        const std::string_view line = take_line(bytes);
+        separator.see(line, number, !points.empty());
+        if (is_skipped(line)) continue;
+        if (std::exchange(is_first, false)) {
+            count = count_of(line);
+            if (count) continue;
+        }
+        Point point{};
+        if (!read_line(line, false, point)) refuse_line(name, number, line, false);
+        separator.refuse_before_point(name);
+        points.push_back(point);
+    }
+    if (count && *count != points.size())
+        refuse(name, fmt::format("{} point{}: the first line says {}", points.size(),
+                                 points.size() == 1 ? "" : "s", *count));
+    return points;
+}
+
+std::vector<std::vector<Point>> decode_separated_lines(std::string_view bytes,
+                                                       const std::string& name) {
+    bytes = without_mark(bytes);
+    std::vector<std::vector<Point>> sets(1);
+    for (std::size_t number = 1; !bytes.empty(); ++number) {
+        const std::string_view line = take_line(bytes);
+        if (is_skipped(line)) {
+            // A blank line ends nothing; neither does a # before the first point of a set.
+            const bool ends_set = line.find('#') != std::string_view::npos;
+            if (ends_set && !sets.back().empty()) sets.emplace_back();
+            continue;
+        }
+        Point point{};
+        if (!read_line(line, false, point)) refuse_line(name, number, line, false);
+        sets.back().push_back(point);
+    }
+    if (sets.size() > 1 && sets.back().empty()) sets.pop_back();
+    return sets;
+}
+
 std::vector<Point> decode_lines(std::string_view bytes, bool is_csv, const std::string& name) {
-    if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+    bytes = without_mark(bytes);
     std::vector<Point> points;
     bool may_be_header = is_csv;
     for (std::size_t number = 1; !bytes.empty(); ++number) {

@@ -24,18 +24,6 @@ std::string text(double value) {
     return {digits.data(), end};
 }
 
-void check_domain(double width, double height) {
-    const std::string domain = text(width) + "x" + text(height);
-    const double shorter = std::min(width, height);
-    const double longer = std::max(width, height);
-    if (!std::isfinite(width) || !std::isfinite(height) || shorter <= 0)
-        throw BadRequest("domain", domain, "both sides must be finite numbers greater than 0");
-    if (shorter < kSmallestSide || longer > kLargestSide)
-        throw BadRequest("domain", domain, "the sides must lie between 1e-100 and 1e100");
-    if (longer > kLargestAspect * shorter)
-        throw BadRequest("domain", domain, "the longer side may be at most 1000 times the shorter");
-}
-
 void check_lengths(double radius, double tolerance, double longer) {
     if (!std::isfinite(radius) || radius <= 0)
         throw BadRequest("radius", text(radius), "must be a finite number greater than 0");
@@ -48,6 +36,18 @@ void check_lengths(double radius, double tolerance, double longer) {
 }
 
 }  // namespace
+
+void check_domain(double width, double height) {
+    const std::string domain = text(width) + "x" + text(height);
+    const double shorter = std::min(width, height);
+    const double longer = std::max(width, height);
+    if (!std::isfinite(width) || !std::isfinite(height) || shorter <= 0)
+        throw BadRequest("domain", domain, "both sides must be finite numbers greater than 0");
+    if (shorter < kSmallestSide || longer > kLargestSide)
+        throw BadRequest("domain", domain, "the sides must lie between 1e-100 and 1e100");
+    if (longer > kLargestAspect * shorter)
+        throw BadRequest("domain", domain, "the longer side may be at most 1000 times the shorter");
+}
 
 double default_tolerance(double width, double height) {
     return std::max(width, height) * 0x1p-29;

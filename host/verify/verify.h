@@ -26,6 +26,10 @@ struct Verdict {
     bool is_maximal() const { return kept && covered; }
 };
 
+// Throws BadRequest("domain", ...) unless both sides lie between 1e-100 and 1e100 and neither is
+// over 1000 times the other.
+void check_domain(double width, double height);
+
 // What samplers on a grid may lose by rounding the radius up to whole units: 2^-29 of the longer
 // side, which is at least two units.
 double default_tolerance(double width, double height);

@@ -8,6 +8,7 @@
 #include <map>
 #include <regex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "program.h"
@@ -53,14 +54,13 @@ private:
 const std::vector<std::string> kRun{"sample", "--radius",  "0.003",    "--round-size",
                                     "4",      "--backend", "reference"};
 
-std::string shown_on(const Terminal& terminal, std::vector<std::string> more,
+std::string shown_by(const std::vector<std::string>& words, const Terminal& terminal,
                      std::map<std::string, std::string> environment) {
-    more.insert(more.begin(), kRun.begin(), kRun.end());
     Setting setting;
     setting.stderr_fd = terminal.fd();
     setting.environment = std::move(environment);
     setting.environment.emplace("TERM", "xterm");
-    Program program(more, setting);
+    Program program(words, setting);
     std::string text;
     while (program.is_running()) {
         text += terminal.text();  // or the program would wait for room
@@ -68,6 +68,12 @@ std::string shown_on(const Terminal& terminal, std::vector<std::string> more,
     }
     EXPECT_EQ(program.wait().exit_code, 0);
     return text + terminal.text();
+}
+
+std::string shown_on(const Terminal& terminal, std::vector<std::string> more,
+                     std::map<std::string, std::string> environment) {
+    more.insert(more.begin(), kRun.begin(), kRun.end());
+    return shown_by(more, terminal, std::move(environment));
 }
 
 TEST(ProgressBar, TellsPointsRoundsAndRateAndClearsItsLineAtTheEnd) {
@@ -106,6 +112,18 @@ TEST(ProgressBar, IsNotShownWhenQuietNorOnADumbTerminal) {
     if (!terminal.exists()) GTEST_SKIP() << "no terminals here";
     EXPECT_EQ(shown_on(terminal, {"--quiet"}, {}), "");
     EXPECT_EQ(shown_on(terminal, {}, {{"TERM", "dumb"}}), "");
+}
+
+TEST(ProgressBar, TellsHowFarAnAnalysisIsAndClearsItsLineAtTheEnd) {
+    const Terminal terminal(120);
+    if (!terminal.exists()) GTEST_SKIP() << "no terminals here";
+    const Folder folder;
+    const std::string points = folder.path("a.npy");
+    ASSERT_EQ(run({"sample", "--count", "20000", "-o", points, "--quiet"}).exit_code, 0);
+    const std::string text = shown_by({"analyze", points}, terminal, {{"NO_COLOR", "1"}});
+    EXPECT_TRUE(std::regex_search(text, std::regex(" [0-9]+ %  analysing 1 set"))) << text;
+    EXPECT_TRUE(text.ends_with("\r\x1b[K")) << text;
+    EXPECT_EQ(shown_by({"analyze", points, "--quiet"}, terminal, {}), "");
 }
 
 }  // namespace

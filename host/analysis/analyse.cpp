@@ -1,0 +1,191 @@
+// Set by set, then the means.
+#include "analysis/analyse.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "analysis/neighbours.h"
+#include "analysis/pairs.h"
+#include "verify/verify.h"
+
+namespace lacuna::analysis {
+namespace {
+
+Counts counts_of(std::span<const std::vector<Point>> sets) {
+    Counts counts{sets.front().size(), 0, 0};
+    for (const auto& points : sets) {
+        counts.least = std::min(counts.least, points.size());
+        counts.most = std::max(counts.most, points.size());
+        counts.mean += static_cast<double>(points.size()) / static_cast<double>(sets.size());
+    }
+    return counts;
+}
+
+// Adds `values` to `sums`, of which only as many are kept as all have had.
+void accumulate(std::vector<double>& sums, const std::vector<double>& values, bool is_first) {
+    if (is_first) {
+        sums = values;
+        return;
+    }
+    sums.resize(std::min(sums.size(), values.size()));
+    std::transform(sums.begin(), sums.end(), values.begin(), sums.begin(), std::plus<>());
+}
+
+// What is summed over the sets.
+class Distributions {
+public:
+    Distributions(const Domain& domain, std::size_t sets)
+        : domain_(domain), share_(1.0 / static_cast<double>(sets)) {}
+
+    void add(const Neighbours& neighbours, std::optional<double> radius) {
+        add_nearest(nearest_distances(neighbours));
+        accumulate(g_, pair_correlation(neighbours), is_first_);
+        add_contact(neighbours, radius.value_or(0));
+        is_first_ = false;
+    }
+
+    // The mean over the sets, by kPairBin.
+    std::vector<double> pair_correlation_mean() const {
+        std::vector<double> mean = g_;
+        for (double& value : mean) value *= share_;
+        return mean;
+    }
+
+    Distances means() const {
+        Distances means = distances_;
+        std::vector<double> g = pair_correlation_mean();
+        g.resize(std::min(g.size(), kReportedPairBins * kFineBins));
+        means.pair_correlation = coarser(g, kFineBins);
+        if (has_contact_) means.contact = contact_;
+        return means;
+    }
+
+private:
+    void add_nearest(const std::vector<double>& nearest) {
+        const double spacing = mean_spacing(domain_, nearest.size());
+        const double point_share = share_ / static_cast<double>(nearest.size());
+        distances_.nearest_shares.resize(kNearestBins, 0);
+        for (const double distance : nearest) {
+            distances_.mean += distance * point_share;
+            const double bin = distance / (spacing * kNearestBin);
+            if (bin < double{kNearestBins}) {
+                distances_.nearest_shares[static_cast<std::size_t>(bin)] += point_share;
+            } else {
+                distances_.nearest_beyond += point_share;
+            }
+        }
+        const double least = *std::min_element(nearest.begin(), nearest.end());
+        const double relative = relative_radius(least, domain_, nearest.size());
+        distances_.least = is_first_ ? least : std::min(distances_.least, least);
+        distances_.relative_radius =
+            is_first_ ? relative : std::min(distances_.relative_radius, relative);
+    }
+
+    // From the radius, 0 where it is not known.
+    void add_contact(const Neighbours& neighbours, double from) {
+        const double to = kContactEnd * from;
+        has_contact_ = has_contact_ && from > 0 && to < std::min(domain_.width, domain_.height) / 2;
+        if (!has_contact_) return;
+        contact_ += share_ * pair_correlation_between(neighbours, from, to);
+    }
+
+    Domain domain_;
+    double share_;
+    bool is_first_ = true;
+    bool has_contact_ = true;
+    double contact_ = 0;
+    Distances distances_{};
+    std::vector<double> g_;
+};
+
+// The mean of what is known of each set; none where it is not known of all.
+class BondOrders {
+public:
+    void add(const std::optional<BondOrder>& order) {
+        known_ = known_ && order.has_value();
+        if (!known_) return;
+        sum_.global += order->global;
+        sum_.local += order->local;
+        sum_.points += order->points;
+        ++sets_;
+    }
+    std::optional<BondOrder> mean() const {
+        if (!known_) return std::nullopt;
+        return BondOrder{sum_.global / sets_, sum_.local / sets_, sum_.points};
+    }
+
+private:
+    bool known_ = true;
+    double sets_ = 0;
+    BondOrder sum_{};
+};
+
+void add_radius(Analysis& analysis, std::span<const std::vector<Point>> sets,
+                std::span<const std::optional<double>> radii) {
+    const auto is_known = [](const std::optional<double>& radius) { return radius.has_value(); };
+    if (radii.empty() || !std::all_of(radii.begin(), radii.end(), is_known)) return;
+    const double area = analysis.domain.width * analysis.domain.height;
+    double radius = 0;
+    double product = 0;
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        radius += *radii[i];
+        product += static_cast<double>(sets[i].size()) * *radii[i] * *radii[i] / area;
+    }
+    analysis.radius = radius / static_cast<double>(sets.size());
+    analysis.count_times_squared_radius = product / static_cast<double>(sets.size());
+}
+
+void add_distances(Analysis& analysis, std::span<const std::vector<Point>> sets,
+                   std::span<const std::optional<double>> radii, const KeepGoing& keep_going) {
+    BondOrders bond_orders;
+    Distributions distributions(analysis.domain, sets.size());
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        if (!keep_going(static_cast<double>(i) / static_cast<double>(sets.size())))
+            throw Cancelled();
+        const Neighbours neighbours(sets[i], analysis.domain);
+        bond_orders.add(bond_order(neighbours));
+        if (analysis.counts.least > 1)
+            distributions.add(neighbours, radii.empty() ? std::nullopt : radii[i]);
+    }
+    analysis.bond_order = bond_orders.mean();
+    if (analysis.counts.least < 2) return;
+    analysis.distances = distributions.means();
+    analysis.oscillations = oscillations(distributions.pair_correlation_mean());
+}
+
+}  // namespace
+
+void check_radius(double radius) {
+    if (!std::isfinite(radius) || radius <= 0)
+        throw BadRequest("radius", fmt::format("{}", radius),
+                         "must be a finite number greater than 0");
+}
+
+Analysis analyse(std::span<const std::vector<Point>> sets, const Domain& domain,
+                 std::span<const std::optional<double>> radii, const KeepGoing& keep_going) {
+    verify::check_domain(domain.width, domain.height);
+    for (const std::optional<double>& radius : radii)
+        if (radius) check_radius(*radius);
+    // Of the time, that of the sums grows with the square of the count, the rest but linearly.
+    constexpr double kShareOfSpectrum = 0.95;
+    Analysis analysis{};
+    analysis.domain = domain;
+    analysis.sets = sets.size();
+    analysis.counts = counts_of(sets);
+    add_radius(analysis, sets, radii);
+    analysis.spectrum = mean_spectrum(
+        sets, domain, [&](double share) { return keep_going(kShareOfSpectrum * share); });
+    analysis.radial = radial_of(analysis.spectrum);
+    analysis.vertical_line = vertical_line(analysis.spectrum, analysis.radial);
+    analysis.horizontal_line = horizontal_line(analysis.spectrum, analysis.radial);
+    analysis.effective_nyquist = effective_nyquist(analysis.radial);
+    add_distances(analysis, sets, radii, [&](double share) {
+        return keep_going(kShareOfSpectrum + (1 - kShareOfSpectrum) * share);
+    });
+    return analysis;
+}
+
+}  // namespace lacuna::analysis

@@ -1,0 +1,80 @@
+// What a plot is drawn on: lines, text, dots and grey images, as svg, pdf or png.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "files/point_files.h"
+
+namespace lacuna::analysis {
+
+// Positions on the page: in points, x to the right and y down from the upper left corner.
+using Position = Point;
+
+struct Box {
+    double left;
+    double top;
+    double width;
+    double height;
+
+    double right() const { return left + width; }
+    double bottom() const { return top + height; }
+};
+
+struct Colour {
+    std::uint8_t red;
+    std::uint8_t green;
+    std::uint8_t blue;
+};
+
+struct Pen {
+    Colour colour;
+    double width;
+    bool dashed = false;
+};
+
+enum class Anchor { start, middle, end };
+
+struct Style {
+    double size;
+    Anchor anchor = Anchor::start;
+    Colour colour{0, 0, 0};
+    bool bold = false;
+    bool upwards = false;  // turned to the left by a quarter
+};
+
+// Rows from the top; 0 is black, 255 is white.
+struct Image {
+    int width;
+    int height;
+    std::vector<std::uint8_t> greys;
+};
+
+class Canvas {
+public:
+    virtual ~Canvas() = default;
+
+    // Through all positions in turn; what lies outside `clip` is cut off.
+    virtual void line(std::span<const Position> positions, const Pen& pen, const Box& clip) = 0;
+    // Black disks, cut off likewise.
+    virtual void dots(std::span<const Position> centres, double radius, const Box& clip) = 0;
+    virtual void frame(const Box& box, const Pen& pen) = 0;
+    virtual void text(Position at, const std::string& utf8, const Style& style) = 0;
+    // Fills the box; its pixels stay sharp squares.
+    virtual void image(const Box& box, const Image& image) = 0;
+
+    // The bytes of the file. Nothing may be drawn afterwards.
+    virtual std::string finish() = 0;
+};
+
+// A white page, in points. Format is svg, pdf or png, which has two pixels a point. The same
+// drawing gives the same bytes on every call, where the same fonts are installed.
+// All that can throw throws files::FileError with cairo's reason.
+std::unique_ptr<Canvas> make_canvas(files::Format format, double width, double height);
+
+}  // namespace lacuna::analysis

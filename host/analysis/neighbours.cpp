@@ -1,0 +1,159 @@
+// Searches in a k-d tree; on a torus also from the images of the point that is asked for.
+#include "analysis/neighbours.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <nanoflann.hpp>
+
+namespace lacuna::analysis {
+namespace {
+
+// The interface that nanoflann asks of points.
+struct Cloud {
+    std::span<const Point> points;
+
+    std::size_t kdtree_get_point_count() const { return points.size(); }
+    double kdtree_get_pt(std::size_t index, std::size_t axis) const {
+        return axis == 0 ? points[index].x : points[index].y;
+    }
+    template <class Box>
+    bool kdtree_get_bbox(Box&) const {
+        return false;
+    }
+};
+
+using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>,
+                                                  Cloud, 2, std::size_t>;
+
+// The interface that nanoflann asks of a result: puts each pair once into its bin.
+class Bins {
+public:
+    Bins(double width, std::vector<std::uint64_t>& counts)
+        : width_(width),
+          squared_reach_(std::pow(width * static_cast<double>(counts.size()), 2)),
+          counts_(counts) {}
+
+    void start_from(std::size_t index) { from_ = index; }
+
+    // NOLINTBEGIN(readability-identifier-naming): nanoflann's names
+    double worstDist() const { return squared_reach_; }
+    bool full() const { return true; }
+    std::size_t size() const { return 0; }
+    bool addPoint(double squared_distance, std::size_t index) {
+        if (index > from_) {
+            const auto bin = static_cast<std::size_t>(std::sqrt(squared_distance) / width_);
+            ++counts_[std::min(bin, counts_.size() - 1)];
+        }
+        return true;
+    }
+    // NOLINTEND(readability-identifier-naming)
+
+private:
+    double width_;
+    double squared_reach_;
+    std::vector<std::uint64_t>& counts_;
+    std::size_t from_ = 0;
+};
+
+double shortest(double difference, double side, bool torus) {
+    return torus ? difference - side * std::nearbyint(difference / side) : difference;
+}
+
+}  // namespace
+
+class Neighbours::Tree {
+public:
+    explicit Tree(std::span<const Point> points) : cloud_{points}, index_(2, cloud_) {}
+
+    template <class Result>
+    void search(Point from, Result& result) const {
+        const double position[2] = {from.x, from.y};
+        index_.findNeighbors(result, position, {});
+    }
+
+private:
+    Cloud cloud_;
+    Index index_;
+};
+
+Neighbours::Neighbours(std::span<const Point> points, const Domain& domain)
+    : points_(points), domain_(domain), tree_(std::make_unique<Tree>(points)) {}
+
+Neighbours::~Neighbours() = default;
+
+std::vector<Point> Neighbours::images(Point point, double reach) const {
+    std::vector<Point> images{point};
+    if (!domain_.torus) return images;
+    const auto can_reach = [reach](double at, double side) {
+        return at + reach >= 0 && at - reach <= side;
+    };
+    for (const double i : {-1.0, 0.0, 1.0}) {
+        for (const double j : {-1.0, 0.0, 1.0}) {
+            const Point image{point.x + i * domain_.width, point.y + j * domain_.height};
+            if ((i != 0 || j != 0) && can_reach(image.x, domain_.width) &&
+                can_reach(image.y, domain_.height))
+                images.push_back(image);
+        }
+    }
+    return images;
+}
+
+std::vector<Neighbours::Neighbour> Neighbours::nearest(std::size_t index, std::size_t count) const {
+    const std::size_t most = std::min(count, points_.size() - 1);
+    // The point itself and second images of its neighbours are found too: they may take the places
+    // of others, where few points or a thin torus bring them near.
+    for (std::size_t places = count + 1;; places *= 2) {
+        std::vector<Neighbour> neighbours = among_nearest(index, places);
+        if (neighbours.size() < most) continue;
+        neighbours.resize(most);
+        return neighbours;
+    }
+}
+
+std::vector<Neighbours::Neighbour> Neighbours::among_nearest(std::size_t index,
+                                                             std::size_t places) const {
+    std::vector<std::size_t> indices(places);
+    std::vector<double> squares(places);
+    nanoflann::KNNResultSet<double, std::size_t> found(places);
+    found.init(indices.data(), squares.data());
+    const Point from = points_[index];
+    tree_->search(from, found);
+    const double reach =
+        found.full() ? std::sqrt(squares.back()) : std::numeric_limits<double>::infinity();
+    const std::vector<Point> all = images(from, reach);
+    std::for_each(all.begin() + 1, all.end(),
+                  [&](const Point& image) { tree_->search(image, found); });
+
+    std::vector<Neighbour> neighbours;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const std::size_t other = indices[i];
+        const auto is_other = [other](const Neighbour& known) { return known.index == other; };
+        if (other == index || std::any_of(neighbours.begin(), neighbours.end(), is_other)) continue;
+        const double dx = shortest(points_[other].x - from.x, domain_.width, domain_.torus);
+        const double dy = shortest(points_[other].y - from.y, domain_.height, domain_.torus);
+        neighbours.push_back({other, dx, dy, std::sqrt(dx * dx + dy * dy)});
+    }
+    return neighbours;
+}
+
+std::vector<std::uint64_t> Neighbours::count_pairs(double width, std::size_t bins) const {
+    const double reach = width * static_cast<double>(bins);
+    tbb::enumerable_thread_specific<std::vector<std::uint64_t>> parts(
+        std::vector<std::uint64_t>(bins, 0));
+    tbb::parallel_for(std::size_t{0}, points_.size(), [&](std::size_t i) {
+        Bins result(width, parts.local());
+        result.start_from(i);
+        for (const Point& image : images(points_[i], reach)) tree_->search(image, result);
+    });
+    std::vector<std::uint64_t> counts(bins, 0);
+    for (const auto& part : parts)
+        std::transform(counts.begin(), counts.end(), part.begin(), counts.begin(), std::plus<>());
+    return counts;
+}
+
+}  // namespace lacuna::analysis

@@ -1,0 +1,172 @@
+// Lays the four panels out.
+#include "analysis/sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "analysis/canvas.h"
+#include "analysis/pairs.h"
+#include "analysis/plot.h"
+
+namespace lacuna::analysis {
+namespace {
+
+constexpr double kPageWidth = 640;
+constexpr double kPageHeight = 594;
+constexpr double kPanelWidth = 252;
+constexpr double kUpperHeight = 252;
+constexpr double kLowerHeight = 176;
+constexpr double kLeft = 52;
+constexpr double kRight = 368;
+constexpr double kUpper = 66;
+constexpr double kLower = 374;
+constexpr Colour kInk{0x22, 0x22, 0x22};
+constexpr Colour kCurve{0x1f, 0x4e, 0x9c};
+constexpr double kFarthest = 2;  // k / sqrt(N)
+constexpr double kWhitePower = 3;
+
+// As large as fits into a panel, in the middle of it.
+Box fitted(const Box& panel, double width, double height) {
+    const double scale = std::min(panel.width / width, panel.height / height);
+    return {panel.left + (panel.width - scale * width) / 2,
+            panel.top + (panel.height - scale * height) / 2, scale * width, scale * height};
+}
+
+std::string heading(const Analysis& analysis) {
+    const Counts& counts = analysis.counts;
+    const std::string of = counts.least == counts.most
+                               ? fmt::format("{} point{}", counts.most, counts.most == 1 ? "" : "s")
+                               : fmt::format("{} to {} points", counts.least, counts.most);
+    const std::string sets =
+        analysis.sets == 1 ? of : fmt::format("{} sets of {}", analysis.sets, of);
+    return fmt::format("{}, {} {:.6g} \u00d7 {:.6g}", sets, analysis.domain.torus ? "torus" : "box",
+                       analysis.domain.width, analysis.domain.height);
+}
+
+std::string numbers(const Analysis& analysis) {
+    std::string line;
+    const auto add = [&](const std::string& piece) {
+        line += (line.empty() ? "" : "   \u00b7   ") + piece;
+    };
+    if (analysis.radius)
+        add(fmt::format("r = {:.6g}, N r\u00b2 / area = {:.4f}", *analysis.radius,
+                        *analysis.count_times_squared_radius));
+    if (analysis.distances)
+        add(fmt::format("relative radius {:.3f}", analysis.distances->relative_radius));
+    if (analysis.effective_nyquist)
+        add(fmt::format("effective Nyquist {:.3f}", *analysis.effective_nyquist));
+    if (analysis.oscillations) add(fmt::format("oscillations {:.3f}", *analysis.oscillations));
+    if (analysis.bond_order) add(fmt::format("|\u03c8\u2086| {:.3f}", analysis.bond_order->local));
+    return line;
+}
+
+void draw_points(Canvas& canvas, const Analysis& analysis, std::span<const Point> points) {
+    const Domain& domain = analysis.domain;
+    const Box box = fitted({kLeft, kUpper, kPanelWidth, kUpperHeight}, domain.width, domain.height);
+    Plot plot(canvas, box, {0, domain.width, "x"}, {0, domain.height, "y"});
+    plot.draw_axes(analysis.sets == 1 ? "Points" : "Points of the first set", Grid::none);
+    std::vector<Position> positions;
+    positions.reserve(points.size());
+    for (const Point& point : points)
+        positions.push_back({box.left + point.x / domain.width * box.width,
+                             box.bottom() - point.y / domain.height * box.height});
+    constexpr double kMaximalRadius = 0.8346;  // of a maximal set, in mean spacings: sqrt(0.69656)
+    const double radius =
+        analysis.radius.value_or(kMaximalRadius * mean_spacing(domain, points.size()));
+    const double shorter = std::min(domain.width, domain.height);
+    canvas.dots(positions, std::min(radius, shorter) / 3 * (box.width / domain.width), box);
+}
+
+// A pixel a frequency, from -kFarthest to kFarthest; DC is black.
+Image periodogram_image(const Spectrum& spectrum) {
+    const double unit = std::sqrt(spectrum.count);
+    const auto reach = [&](double step, int most) {
+        return std::clamp(static_cast<int>(std::lround(kFarthest * unit / step)), 1, most);
+    };
+    const int kx_max = reach(spectrum.magnitude(1, 0), spectrum.range.kx_max);
+    const int ky_max = reach(spectrum.magnitude(0, 1), spectrum.range.ky_max);
+    Image image{2 * kx_max + 1, 2 * ky_max + 1, {}};
+    for (int ky = ky_max; ky >= -ky_max; --ky)
+        for (int kx = -kx_max; kx <= kx_max; ++kx)
+            image.greys.push_back(static_cast<std::uint8_t>(
+                std::lround(255 * std::min(1.0, spectrum.power(kx, ky) / kWhitePower))));
+    return image;
+}
+
+void draw_periodogram(Canvas& canvas, const Analysis& analysis) {
+    const Spectrum& spectrum = analysis.spectrum;
+    const Image image = periodogram_image(spectrum);
+    // What the image covers: its outer pixels reach half a frequency farther.
+    const double unit = std::sqrt(spectrum.count);
+    const double x = image.width / 2.0 * spectrum.magnitude(1, 0) / unit;
+    const double y = image.height / 2.0 * spectrum.magnitude(0, 1) / unit;
+    const Box box = fitted({kRight, kUpper, kPanelWidth, kUpperHeight}, x, y);
+    canvas.image(box, image);
+    Plot plot(canvas, box, {-x, x, "kx / \u221aN"}, {-y, y, "ky / \u221aN"});
+    plot.draw_axes(fmt::format("Periodogram, 0 black to {:g} white", kWhitePower), Grid::none);
+}
+
+void draw_radial_power(Canvas& canvas, const Radial& radial) {
+    constexpr double kTallest = 10;
+    constexpr double kLowest = 2;
+    const Annulus& peak = radial.peak();
+    const double top = std::clamp(std::ceil(peak.power * 2.2) / 2, kLowest, kTallest);
+    Plot plot(canvas, {kLeft, kLower, kPanelWidth, kLowerHeight}, {0, kFarthest, "k / \u221aN"},
+              {0, top, "power"});
+    plot.draw_axes(fmt::format("Radial power, peak {:.4g} at {:.3g}", peak.power, peak.frequency));
+    plot.draw_level(1, "1: independent points");
+    std::vector<Point> curve;
+    for (const Annulus& annulus : radial.annuli)
+        curve.push_back({annulus.frequency, annulus.power});
+    plot.draw_curve(curve, {kCurve, 1.2});
+}
+
+void draw_anisotropy(Canvas& canvas, const Analysis& analysis) {
+    const double expected = 10 * std::log10(1 / static_cast<double>(analysis.sets));
+    constexpr double kAround = 12;
+    Plot plot(canvas, {kRight, kLower, kPanelWidth, kLowerHeight}, {0, kFarthest, "k / \u221aN"},
+              {std::floor((expected - kAround) / 5) * 5, std::ceil((expected + kAround) / 5) * 5,
+               "anisotropy (dB)"});
+    const auto mean = analysis.radial.mean_anisotropy_db();
+    plot.draw_axes(mean ? fmt::format("Radial anisotropy, mean {} dB",
+                                      with_minus(fmt::format("{:.2f}", *mean)))
+                        : "Radial anisotropy: none, no spread of power");
+    std::vector<Point> curve;
+    const auto draw = [&] {
+        plot.draw_curve(curve, {kCurve, 1.2});
+        curve.clear();
+    };
+    for (const Annulus& annulus : analysis.radial.annuli) {
+        if (annulus.anisotropy_db) {
+            curve.push_back({annulus.frequency, *annulus.anisotropy_db});
+        } else {
+            draw();  // a gap
+        }
+    }
+    draw();
+    plot.draw_level(expected, fmt::format("{} dB: {} set{} without direction",
+                                          with_minus(fmt::format("{:.3g}", expected)),
+                                          analysis.sets, analysis.sets == 1 ? "" : "s"));
+}
+
+}  // namespace
+
+std::string draw_sheet(const Analysis& analysis, std::span<const Point> points,
+                       files::Format format) {
+    const std::unique_ptr<Canvas> canvas = make_canvas(format, kPageWidth, kPageHeight);
+    canvas->text({kLeft, 24}, heading(analysis), {13, Anchor::start, kInk, true});
+    canvas->text({kLeft, 41}, numbers(analysis), {8.5, Anchor::start, kInk});
+    draw_points(*canvas, analysis, points);
+    draw_periodogram(*canvas, analysis);
+    draw_radial_power(*canvas, analysis.radial);
+    draw_anisotropy(*canvas, analysis);
+    return canvas->finish();
+}
+
+}  // namespace lacuna::analysis

@@ -1,0 +1,59 @@
+// The periodogram of a point set: exact sums at the frequencies of its domain.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "analysis/domain.h"
+
+namespace lacuna::analysis {
+
+// Frequencies are (kx / width, ky / height) in cycles a unit of length, kx and ky whole numbers:
+// the waves that fit into the domain, which DC, k = (0, 0), is left out of. In the unit square that
+// is k itself. |k| stands for the frequency's length times the square root of the domain's area, so
+// that a domain of any shape and size has as many frequencies below a |k| as the unit square.
+struct Range {
+    int kx_max;
+    int ky_max;
+};
+
+// Far enough for the whole disk |k| <= 2 sqrt(count) + 3: what radial means up to 2 sqrt(count)
+// need.
+Range range_for(const Domain& domain, double count);
+
+// The mean of the periodograms of several sets at the same frequencies,
+//   P(k) = |sum over points of exp(-2 pi i (kx x / width + ky y / height))|^2 / count
+// (Ulichney 1988; Lagae & Dutre 2008): 1 on average where points are independent.
+struct Spectrum {
+    Domain domain;
+    Range range;
+    std::size_t sets = 0;
+    double count = 0;  // of points in a set, on average
+
+    // kx from 0 to kx_max, and for each of them ky from -ky_max to ky_max. The other half of the
+    // plane is the same once more, as P(-k) = P(k).
+    std::vector<double> powers;
+
+    // |kx| <= kx_max and |ky| <= ky_max. DC has the power 0.
+    double power(int kx, int ky) const;
+
+    double magnitude(int kx, int ky) const;  // |k|, see Range
+
+    // P is no better known than this: rounding leaves so much where the sum is zero.
+    double rounding() const { return 1e-20 * count; }
+};
+
+// The powers, in the order of Spectrum::powers, of one set of at least one point. As matrix
+// products on all cores; the result does not depend on their number. Every P is right to 1e-9 of
+// itself or of 1. Memory: 24 bytes a frequency of half the plane. Throws Cancelled.
+std::vector<double> periodogram(std::span<const Point> points, const Domain& domain, Range range,
+                                const KeepGoing& keep_going);
+
+// Of at least one set, each of at least one point. Throws Cancelled.
+Spectrum mean_spectrum(std::span<const std::vector<Point>> sets, const Domain& domain,
+                       const KeepGoing& keep_going);
+
+}  // namespace lacuna::analysis

@@ -1,0 +1,230 @@
+// The options of `lacuna analyze`, and its run.
+#include "cli/analyze.h"
+
+#include <fmt/format.h>
+#include <lacuna/lacuna.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "analysis/analyse.h"
+#include "analysis/sheet.h"
+#include "cli/analysis_report.h"
+#include "cli/interruption.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/progress_bar.h"
+#include "files/point_files.h"
+#include "files/read_sets.h"
+#include "verify/verify.h"
+
+namespace lacuna::cli {
+namespace {
+
+constexpr const char* kDescription =
+    R"(Spectrum and statistics of point sets; those of several sets are averaged.
+
+Examples:
+  lacuna analyze points.txt --torus                 numbers on standard output
+  lacuna analyze a.json -o sheet.pdf -o a-numbers.json   a plot sheet, and all numbers
+  lacuna analyze set*.txt --radius 0.01 --torus     the mean of many sets
+  lacuna sample --radius 0.01 | lacuna analyze - --radius 0.01
+  lacuna analyze sets.dat other.rps                 files of the tools UTK and PSA
+
+Power P(k) = |sum of exp(-2 pi i k.x)|^2 / count at the whole numbers k, on another domain than the
+unit square at (kx / W, ky / H); its mean over rings two wide, for |k| up to 2 sqrt(count). Relative
+radius: the least distance over that of the hexagonal lattice. Effective Nyquist frequency, over
+sqrt(count) / 2, and oscillations: Heck, Schloemer & Deussen 2013. Bond order: Nelson & Halperin
+1979, six nearest neighbours. The time grows with the square of the count.
+
+A .txt is `x y` a line, or has a first line of one number, the count, as PSA writes it. In a .dat a
+line of # ends a set. The domain and radius that a .json tells hold where no option does.
+
+Exit code: 0 done, 2 bad usage, 3 a file cannot be read or written, 130 interrupted.
+)";
+
+struct Sides {
+    double width;
+    double height;
+    friend bool operator==(const Sides&, const Sides&) = default;
+};
+
+struct Options {
+    std::vector<std::string> files;
+    std::vector<std::string> outputs;
+    std::optional<Sides> sides;
+    std::optional<double> radius;
+    bool torus = false;
+    bool quiet = false;
+};
+
+// All sets of all files, with what the files tell of them.
+struct Input {
+    std::vector<std::vector<Point>> sets;
+    std::vector<std::optional<double>> radii;  // one a set
+    std::vector<std::string> names;            // one a set, for messages
+    std::optional<Sides> sides;
+    std::string sides_from;  // the file that told them
+};
+
+bool is_sheet(files::Format format) {
+    return format == files::Format::svg || format == files::Format::pdf ||
+           format == files::Format::png;
+}
+
+// Of an output: json, svg, pdf or png. Throws BadRequest for any other.
+files::Format report_format(const std::string& path) {
+    const auto refuse = [&] {
+        throw BadRequest("output", shown(path),
+                         "the extension must be one of .json .svg .pdf .png");
+    };
+    if (path == "-") refuse();
+    try {
+        const files::Format format = files::format_of(path);
+        if (is_sheet(format) || format == files::Format::json) return format;
+    } catch (const BadRequest&) {
+        refuse();
+    }
+    refuse();
+    return {};
+}
+
+// Before the work starts.
+void check(const Options& options) {
+    if (options.sides) verify::check_domain(options.sides->width, options.sides->height);
+    if (options.radius) analysis::check_radius(*options.radius);
+    for (const std::string& path : options.outputs) {
+        report_format(path);
+        check_output(path);
+        for (const std::string& file : options.files)
+            if (is_same_file(path, file))
+                throw BadRequest("output", shown(path), "must be another file than the points");
+    }
+    if (std::count(options.files.begin(), options.files.end(), "-") > 1)
+        throw files::FileError("standard input: can be read only once");
+}
+
+void add_sides(Input& input, const files::SetsOfFile& file, const std::string& name) {
+    if (!file.width) return;
+    const Sides sides{*file.width, *file.height};
+    try {
+        verify::check_domain(sides.width, sides.height);
+    } catch (const BadRequest& error) {
+        throw files::FileError(name + ": " + error.what());
+    }
+    if (input.sides && *input.sides != sides)
+        throw files::FileError(
+            fmt::format("{}: its domain is {}x{}, that of {} is {}x{}: analyse them apart, or say "
+                        "with --domain which holds",
+                        name, sides.width, sides.height, input.sides_from, input.sides->width,
+                        input.sides->height));
+    input.sides = sides;
+    input.sides_from = name;
+}
+
+Input read(const Options& options) {
+    Input input;
+    for (const std::string& path : options.files) {
+        files::SetsOfFile file = files::read_sets(path);
+        const std::string name = path == "-" ? "standard input" : path;
+        if (!options.sides) add_sides(input, file, name);
+        for (std::size_t i = 0; i < file.sets.size(); ++i) {
+            input.names.push_back(file.sets.size() == 1 ? name
+                                                        : fmt::format("{}: set {}", name, i + 1));
+            if (file.sets[i].empty())
+                throw files::FileError(
+                    fmt::format("{}: there is no point to analyse", input.names.back()));
+            input.radii.push_back(options.radius ? options.radius : file.radius);
+            input.sets.push_back(std::move(file.sets[i]));
+        }
+    }
+    return input;
+}
+
+// What lies in the domain, upper edges included: programs that write float32 round up to them.
+void check_inside(const Input& input, const analysis::Domain& domain) {
+    for (std::size_t i = 0; i < input.sets.size(); ++i) {
+        const std::vector<Point>& points = input.sets[i];
+        const auto outside = std::find_if(points.begin(), points.end(), [&](const Point& p) {
+            return p.x < 0 || p.x > domain.width || p.y < 0 || p.y > domain.height;
+        });
+        if (outside == points.end()) continue;
+        throw files::FileError(fmt::format(
+            "{}: point {} at ({}, {}) lies outside the domain [0, {}] x [0, {}]: give --domain",
+            input.names[i], std::distance(points.begin(), outside), outside->x, outside->y,
+            domain.width, domain.height));
+    }
+}
+
+analysis::Analysis analyse(const Input& input, const analysis::Domain& domain, bool quiet,
+                           Interruption& interruption) {
+    ProgressBar bar(quiet);
+    const std::string words =
+        fmt::format("analysing {} set{}", input.sets.size(), input.sets.size() == 1 ? "" : "s");
+    return analysis::analyse(input.sets, domain, input.radii, [&](double share) {
+        bar.show(share, words);
+        return interruption.keep_going({});
+    });
+}
+
+void run(const Options& options) {
+    check(options);
+    Interruption interruption;
+    const Input input = read(options);
+    const Sides sides = options.sides.value_or(input.sides.value_or(Sides{1, 1}));
+    const analysis::Domain domain{sides.width, sides.height, options.torus};
+    check_inside(input, domain);
+    const analysis::Analysis analysis = analyse(input, domain, options.quiet, interruption);
+
+    interruption.start_writing(!options.outputs.empty());
+    for (const std::string& path : options.outputs) {
+        const files::Format format = report_format(path);
+        files::write_whole(path, is_sheet(format)
+                                     ? analysis::draw_sheet(analysis, input.sets.front(), format)
+                                     : json_of(analysis, options.files));
+    }
+    files::write_whole("-", text_of(analysis));
+}
+
+}  // namespace
+
+void add_analyze(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("analyze", kDescription);
+    const auto options = std::make_shared<Options>();
+    command
+        .add_option("FILE", options->files,
+                    "By extension: .txt .csv .npy .ply .json .dat .rps; - is standard input, as "
+                    ".txt")
+        ->type_name("...")
+        ->required();
+    command
+        .add_option_function<std::string>(
+            "--domain",
+            [options](const std::string& text) {
+                Sides& sides = options->sides.emplace();
+                read_domain("domain", text, sides.width, sides.height);
+            },
+            "Width and height of the domain (default 1x1, or what a .json tells)")
+        ->type_name("WxH");
+    command.add_flag("--torus", options->torus, "The edges wrap: distances go across them")
+        ->disable_flag_override();
+    add_number(command, "radius", "R", options->radius,
+               "What the sets were made with, for count * R^2 and distances in radii");
+    command
+        .add_option("-o,--output", options->outputs,
+                    "Numbers and curves as .json, or a plot sheet as .svg .pdf .png; may be given "
+                    "several times")
+        ->type_name("REPORT")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,112 @@
+// Given an analysis, its sheet is a picture of it: the same bytes each time, and of nothing else.
+#include "analysis/sheet.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "analysis/plot.h"
+#include "analysis/sets.h"
+#include "files/point_files.h"
+
+namespace lacuna::analysis {
+namespace {
+
+using files::Format;
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+std::size_t occurrences(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++count;
+    return count;
+}
+
+std::string sheet_of(const Sets& sets, Format format, const Domain& domain = {1, 1, true}) {
+    return draw_sheet(analyse(sets, domain, {}, carry_on), sets.front(), format);
+}
+
+Sets ten_sets() {
+    Sets sets;
+    for (std::uint64_t seed = 0; seed < 10; ++seed)
+        sets.push_back(white_noise(300, {1, 1, true}, seed));
+    return sets;
+}
+
+TEST(SheetAsSvg, ShowsThePointsOfTheFirstSetAndTheReferenceOfSoManySets) {
+    const std::string ten = sheet_of(ten_sets(), Format::svg);
+    EXPECT_TRUE(ten.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg "));
+    EXPECT_TRUE(ten.ends_with("</svg>\n"));
+    EXPECT_EQ(occurrences(ten, "h0\n"), 300U);
+    EXPECT_TRUE(contains(ten, "10 sets of 300 points, torus 1 \u00d7 1"));
+    EXPECT_TRUE(contains(ten, "\u221210 dB: 10 sets without direction"));
+    EXPECT_TRUE(contains(ten, "data:image/png;base64,iVBORw0KGgo"));
+
+    const std::string one = sheet_of({ten_sets().front()}, Format::svg);
+    EXPECT_TRUE(contains(one, ">300 points, torus"));
+    EXPECT_TRUE(contains(one, ">0 dB: 1 set without direction"));
+}
+
+TEST(SheetAsSvg, ShowsPointsAtTheirPlacesWithYUpwards) {
+    // The panel of points is 252 points wide and high, its upper left corner at (52, 66).
+    const std::string svg = sheet_of({{{0.25, 0.125}}}, Format::svg);
+    EXPECT_TRUE(contains(svg, "M115.000 286.500h0")) << svg;
+}
+
+TEST(SheetAsSvg, KeepsTheShapeOfTheDomain) {
+    const std::string svg =
+        sheet_of({white_noise(50, {4, 1, false}, 1)}, Format::svg, {4, 1, false});
+    EXPECT_TRUE(contains(svg, "box 4 \u00d7 1"));
+    EXPECT_TRUE(contains(svg, "width=\"252.00\" height=\"63.00\" fill=\"none\"")) << svg;
+}
+
+TEST(SheetAsPdf, IsOnePageWithoutTheTimeOfDay) {
+    const std::string pdf = sheet_of(ten_sets(), Format::pdf);
+    EXPECT_TRUE(pdf.starts_with("%PDF-1."));
+    EXPECT_TRUE(contains(pdf, "/CreationDate (20000101000000Z)"));
+    EXPECT_TRUE(contains(pdf, "/Count 1\n"));
+}
+
+class Sheet : public testing::TestWithParam<Format> {};
+
+TEST_P(Sheet, WhenDrawnTwiceHasTheSameBytes) {
+    const Sets sets = ten_sets();
+    EXPECT_EQ(sheet_of(sets, GetParam()), sheet_of(sets, GetParam()));
+}
+
+TEST_P(Sheet, WhenASetDiffersHasOtherBytes) {
+    Sets sets = ten_sets();
+    const std::string before = sheet_of(sets, GetParam());
+    sets.back() = white_noise(300, {1, 1, true}, 99);
+    EXPECT_NE(sheet_of(sets, GetParam()), before);
+}
+
+TEST_P(Sheet, OfAWhollyRegularSetOrOnePointIsStillDrawn) {
+    EXPECT_FALSE(sheet_of({grid(16, 16, {1, 1, true})}, GetParam()).empty());
+    EXPECT_FALSE(sheet_of({{{0.5, 0.5}}}, GetParam()).empty());
+    EXPECT_FALSE(
+        sheet_of({white_noise(30, {1000, 1, true}, 1)}, GetParam(), {1000, 1, true}).empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, Sheet, testing::Values(Format::svg, Format::pdf, Format::png),
+                         [](const testing::TestParamInfo<Format>& format) {
+                             return format.param == Format::svg   ? "Svg"
+                                    : format.param == Format::pdf ? "Pdf"
+                                                                  : "Png";
+                         });
+
+TEST(Ticks, AreRoundNumbersWithinTheAxis) {
+    EXPECT_EQ(ticks_of(0, 2, 4), (std::vector<double>{0, 0.5, 1, 1.5, 2}));
+    EXPECT_EQ(ticks_of(-25, 5, 3), (std::vector<double>{-20, -10, 0}));
+    EXPECT_EQ(ticks_of(0.3, 6.1, 3), (std::vector<double>{2, 4, 6}));
+    EXPECT_EQ(ticks_of(0, 1, 5).size(), 6U);
+    EXPECT_FALSE(std::signbit(ticks_of(-1, 1, 2)[1]));
+}
+
+}  // namespace
+}  // namespace lacuna::analysis

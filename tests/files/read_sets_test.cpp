@@ -1,0 +1,169 @@
+// Given files of this program, of PSA and of UTK, their sets are read; what is ambiguous is
+// refused.
+#include "files/read_sets.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/point_files.h"
+
+namespace lacuna::files {
+namespace {
+
+using Points = std::vector<Point>;
+
+class ReadSets : public testing::Test {
+protected:
+    ReadSets() {
+        std::string name = (std::filesystem::temp_directory_path() / "lacuna-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for the test");
+        folder_ = name;
+    }
+    ~ReadSets() override {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder_, ignored);
+    }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+    SetsOfFile read(const std::string& name, std::string_view content) const {
+        std::ofstream(path(name), std::ios::binary) << content;
+        return read_sets(path(name));
+    }
+
+    // The error line without the file's path.
+    std::string refusal(const std::string& name, std::string_view content) const {
+        try {
+            read(name, content);
+        } catch (const FileError& error) {
+            const std::string what = error.what();
+            EXPECT_TRUE(what.starts_with(path(name) + ":")) << what;
+            EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+            return what.substr(path(name).size() + 1);
+        }
+        return "not refused";
+    }
+
+private:
+    std::filesystem::path folder_;
+};
+
+const Points kThree{{0.25, 0.5}, {0.125, 1e-3}, {0.75, 0.875}};
+
+TEST_F(ReadSets, OfThisProgramsFormatsAreWhatWasWritten) {
+    for (const std::string name : {"a.txt", "a.csv", "a.npy", "a.ply", "a.json", "A.TXT"}) {
+        const auto file = read(name, encode({kThree, 1, 1, 0.1}, format_of(name)));
+        ASSERT_EQ(file.sets.size(), 1U) << name;
+        EXPECT_EQ(file.sets[0], kThree) << name;
+    }
+}
+
+TEST_F(ReadSets, OfAJsonFileComeWithItsDomainAndRadius) {
+    const auto file = read("a.json", encode({kThree, 2.5, 1, 0.125}, Format::json));
+    EXPECT_EQ(file.width, 2.5);
+    EXPECT_EQ(file.height, 1);
+    EXPECT_EQ(file.radius, 0.125);
+
+    // 0 is written for a radius that is not known, and other objects' keys are theirs.
+    const auto unknown =
+        read("a.json", R"({"radius": 0, "of": {"width": 3, "radius": 4}, "points": [[0.5, 0.5]]})");
+    EXPECT_EQ(unknown.sets[0], (Points{{0.5, 0.5}}));
+    EXPECT_FALSE(unknown.radius);
+    EXPECT_FALSE(unknown.width);
+    EXPECT_FALSE(read("a.json", "[[0.5, 0.5]]").width);
+}
+
+TEST_F(ReadSets, OfAJsonFileWithHalfADomainOrANegativeRadiusAreRefused) {
+    EXPECT_EQ(refusal("a.json", R"({"width": 2, "points": []})"),
+              R"( "width" and "height" must be there both or neither)");
+    EXPECT_EQ(refusal("a.json", R"({"radius": -1, "points": []})"),
+              R"( "radius" is -1: must be a finite number of at least 0)");
+}
+
+TEST_F(ReadSets, OfPsasTextFilesBeginWithTheirCount) {
+    const auto file = read("a.txt", "3\n0.25 0.5\n0.125 0.001\r\n 0.75\t0.875\n");
+    ASSERT_EQ(file.sets.size(), 1U);
+    EXPECT_EQ(file.sets[0], kThree);
+    EXPECT_EQ(read("a.txt", "0\n").sets[0].size(), 0U);
+}
+
+TEST_F(ReadSets, OfPsasTextFilesWithAnotherCountAreRefused) {
+    EXPECT_EQ(refusal("a.txt", "4\n0.25 0.5\n0.5 0.5\n"), " 2 points: the first line says 4");
+    EXPECT_EQ(refusal("a.txt", "0\n0.25 0.5\n"), " 1 point: the first line says 0");
+    // A count is a whole number, and only on the first line.
+    EXPECT_EQ(refusal("a.txt", "1.5\n0.25 0.5\n"),
+              R"(1: "1.5" must be two finite numbers, such as 0.25 0.75)");
+    EXPECT_EQ(refusal("a.txt", "0.25 0.5\n1\n"),
+              R"(2: "1" must be two finite numbers, such as 0.25 0.75)");
+}
+
+std::string little_endian_floats(const std::vector<float>& values) {
+    std::string bytes;
+    for (const float value : values) {
+        const auto bits = std::bit_cast<std::uint32_t>(value);
+        for (unsigned shift = 0; shift < 32; shift += 8)
+            bytes += static_cast<char>((bits >> shift) & 0xffU);
+    }
+    return bytes;
+}
+
+TEST_F(ReadSets, OfPsasBinaryFilesArePairsOfFloats) {
+    const auto file = read("a.rps", little_endian_floats({0.25F, 0.5F, 0.1F, 0.875F}));
+    ASSERT_EQ(file.sets.size(), 1U);
+    EXPECT_EQ(file.sets[0], (Points{{0.25, 0.5}, {double{0.1F}, 0.875}}));
+}
+
+TEST_F(ReadSets, OfPsasBinaryFilesCutShortOrWithoutNumbersAreRefused) {
+    EXPECT_EQ(refusal("a.rps", little_endian_floats({0.25F, 0.5F, 0.1F})),
+              " 12 bytes: must be a multiple of 8, x and y as float32");
+    EXPECT_EQ(refusal("a.rps", little_endian_floats({0.25F, NAN})),
+              " point 0 is (0.25, nan): both must be finite numbers");
+}
+
+TEST_F(ReadSets, OfUtksFilesAreSeparatedByLinesOfHashes) {
+    const auto file = read(
+        "a.dat", "# made by a program\n0.25\t0.5\n0.125\t0.001\n#\n0.75 0.875\n\n0.5 0.5\n#\n");
+    ASSERT_EQ(file.sets.size(), 2U);
+    EXPECT_EQ(file.sets[0], (Points{{0.25, 0.5}, {0.125, 0.001}}));
+    EXPECT_EQ(file.sets[1], (Points{{0.75, 0.875}, {0.5, 0.5}}));
+    EXPECT_EQ(read("b.dat", "0.25 0.5\n").sets.size(), 1U);
+    EXPECT_EQ(read("c.dat", "#\n#\n0.25 0.5\n#\n#\n0.5 0.5\n#\n#\n").sets.size(), 2U);
+    // No point at all is one empty set.
+    EXPECT_EQ(read("d.dat", "").sets, std::vector<Points>(1));
+}
+
+TEST_F(ReadSets, OfUtksFilesOfOtherDimensionsAreRefused) {
+    EXPECT_EQ(refusal("a.dat", "0.25 0.5\n0.25 0.5 0.75\n"),
+              R"(2: "0.25 0.5 0.75" must be two finite numbers, such as 0.25 0.75)");
+    EXPECT_EQ(refusal("a.dat", "2\n0.25 0.5\n0.25 0.75\n"),
+              R"(1: "2" must be two finite numbers, such as 0.25 0.75)");
+}
+
+TEST_F(ReadSets, OfATextFileThatCouldHoldSeveralAreRefused) {
+    EXPECT_EQ(refusal("a.txt", "0.25 0.5\n#\n0.5 0.5\n").substr(0, 3), "2: ");
+    EXPECT_NE(refusal("a.txt", "0.25 0.5\n # \n\n0.5 0.5\n").find(".dat"), std::string::npos);
+    // Words behind the #, and a # before or after all points, are comments.
+    EXPECT_EQ(read("a.txt", "#\n0.25 0.5\n# word\n0.125 0.001\n0.75 0.875\n#\n").sets[0], kThree);
+}
+
+TEST_F(ReadSets, OfAnUnknownFormatAreRefusedWithAllThatAreKnown) {
+    EXPECT_EQ(
+        refusal("a.xyz", ""),
+        " not a point file: the extension must be one of .txt .csv .npy .ply .json .dat .rps");
+    EXPECT_NE(refusal("a.svg", "").find("a picture"), std::string::npos);
+    EXPECT_THROW(read_sets(path("missing.dat")), FileError);
+}
+
+}  // namespace
+}  // namespace lacuna::files
