@@ -9,6 +9,7 @@ packages=(
     g++ cmake ninja-build pkg-config
     librandom123-dev libcli11-dev libfmt-dev libtbb-dev libcairo2-dev nlohmann-json3-dev libssl-dev
     libeigen3-dev libnanoflann-dev
+    libpng-dev libjpeg-dev
     libgtest-dev libbenchmark-dev librapidcheck-dev
     pocl-opencl-icd opencl-headers opencl-clhpp-headers ocl-icd-opencl-dev clinfo
     mesa-vulkan-drivers libvulkan-dev vulkan-validationlayers glslang-tools spirv-tools oclgrind

@@ -10,3 +10,11 @@ if(LACUNA_SANITIZE)
         -fsanitize=${LACUNA_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     target_link_options(lacuna_options INTERFACE -fsanitize=${LACUNA_SANITIZE})
 endif()
+if(LACUNA_FUZZ)
+    if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+        message(FATAL_ERROR "LACUNA_FUZZ needs clang++ (Debian's clang and libclang-rt-14-dev), as"
+            " the preset fuzz chooses it; the compiler is ${CMAKE_CXX_COMPILER}")
+    endif()
+    # What libFuzzer steers by; its main comes with the fuzzers alone.
+    target_compile_options(lacuna_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()

@@ -13,6 +13,7 @@
 #include "files/point_files.h"
 #include "files/read_points.h"
 #include "files/read_points_formats.h"
+#include "files/read_whole.h"
 
 namespace lacuna::files {
 namespace {
@@ -57,15 +58,15 @@ SetsOfFile one_set(std::vector<Point> points) {
 }  // namespace
 
 SetsOfFile read_sets(const std::string& path) {
-    const std::string name = name_to_show(path);
+    const std::string name = name_of(path);
     const std::string extension = extension_of(path);
     if (path == "-" || extension == ".txt")
-        return one_set(decode_counted_lines(read_bytes(path), name));
-    if (extension == ".rps") return one_set(decode_rps(read_bytes(path), name));
-    if (extension == ".json") return decode_json_with_header(read_bytes(path), name);
+        return one_set(decode_counted_lines(read_whole(path), name));
+    if (extension == ".rps") return one_set(decode_rps(read_whole(path), name));
+    if (extension == ".json") return decode_json_with_header(read_whole(path), name);
     if (extension == ".dat") {
         SetsOfFile file;
-        file.sets = decode_separated_lines(read_bytes(path), name);
+        file.sets = decode_separated_lines(read_whole(path), name);
         return file;
     }
     if (!is_known(path))

@@ -33,6 +33,14 @@ struct Point {
 // What happens at the edges of the domain: they wrap (torus) or they do not (box).
 enum class Boundary { box, torus };
 
+// Importance over the domain: where samples are wanted, and how densely (section 4.2).
+struct Field {
+    std::uint32_t columns = 0;       // pixels
+    std::uint32_t rows = 0;          // pixels
+    std::vector<double> importance;  // rows * columns values, finite, >= 0 (0: no sample there);
+                                     // row by row, row 0 is the top of the picture (largest y)
+};
+
 // What is wanted. Exactly one of radius and count must be set.
 struct Request {
     double width = 1.0;   // of the domain, > 0

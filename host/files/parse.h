@@ -1,0 +1,78 @@
+// What readers of files share: refusals, lines, words and numbers.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+
+#include "files/point_files.h"
+
+namespace lacuna::files {
+
+[[noreturn]] inline void refuse(const std::string& place, const std::string& why) {
+    throw FileError(fmt::format("{}: {}", place, why));
+}
+
+// A piece of a file as a message shows it: quoted, escaped, and short.
+inline std::string excerpt(std::string_view text) {
+    constexpr std::size_t kLongest = 40;
+    const bool is_long = text.size() > kLongest;
+    return fmt::format("{:?}{}", text.substr(0, kLongest), is_long ? "..." : "");
+}
+
+// The next line, without its end; takes it from `rest`.
+inline std::string_view take_line(std::string_view& rest) {
+    const std::size_t end = rest.find('\n');
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line;
+}
+
+inline void skip_blanks(std::string_view& text) {
+    while (text.starts_with(' ') || text.starts_with('\t')) text.remove_prefix(1);
+}
+
+// The next word, up to a blank or the end; takes it and the blanks around it from `rest`.
+inline std::string_view take_word(std::string_view& rest) {
+    skip_blanks(rest);
+    const std::string_view word = rest.substr(0, rest.find_first_of(" \t"));
+    rest.remove_prefix(word.size());
+    skip_blanks(rest);
+    return word;
+}
+
+// The number that `rest` begins with; takes it from there if there is one.
+template <class Number>
+std::errc take_number(std::string_view& rest, Number& number) {
+    std::string_view digits = rest;
+    if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error == std::errc{}) rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+    return error;
+}
+
+// The number at the front of `bytes`, in the byte order given, on any machine.
+template <class Number>
+Number load(std::string_view bytes, std::endian order) {
+    std::array<char, sizeof(Number)> own{};
+    std::copy_n(bytes.begin(), own.size(), own.begin());
+    if (order != std::endian::native) std::reverse(own.begin(), own.end());
+    return std::bit_cast<Number>(own);
+}
+
+template <class Number>
+Number load_little_endian(std::string_view bytes) {
+    return load<Number>(bytes, std::endian::little);
+}
+
+}  // namespace lacuna::files

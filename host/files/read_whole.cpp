@@ -1,0 +1,69 @@
+// Reads a file, a pipe or standard input to its end.
+#include "files/read_whole.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <string>
+#include <system_error>
+
+#include "files/parse.h"
+
+namespace lacuna::files {
+namespace {
+
+[[noreturn]] void fail(const std::string& name, int error) {
+    refuse(name, std::generic_category().message(error));
+}
+
+// Until its end, which a pipe does not tell beforehand.
+std::string read_all(int descriptor, const std::string& name) {
+    constexpr std::size_t kFirstRoom = std::size_t{1} << 16U;
+    struct stat status {};
+    const bool has_size = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+    std::string bytes(has_size ? static_cast<std::size_t>(status.st_size) + 1 : kFirstRoom, '\0');
+    std::size_t size = 0;
+    for (;;) {
+        if (size == bytes.size()) bytes.resize(2 * size);
+        const ssize_t got = ::read(descriptor, bytes.data() + size, bytes.size() - size);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) fail(name, errno);
+        if (got == 0) break;
+        size += static_cast<std::size_t>(got);
+    }
+    bytes.resize(size);
+    return bytes;
+}
+
+class OpenFile {
+public:
+    explicit OpenFile(const std::string& path)
+        : descriptor_(::open(path.c_str(), O_RDONLY | O_NOCTTY | O_CLOEXEC)) {
+        if (descriptor_ < 0) fail(path, errno);
+    }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    ~OpenFile() { ::close(descriptor_); }
+
+    int descriptor() const { return descriptor_; }
+
+private:
+    int descriptor_;
+};
+
+}  // namespace
+
+std::string name_of(const std::string& path) {
+    return path == "-" ? "standard input" : path;
+}
+
+std::string read_whole(const std::string& path) {
+    if (path == "-") return read_all(STDIN_FILENO, name_of(path));
+    const OpenFile file(path);
+    return read_all(file.descriptor(), path);
+}
+
+}  // namespace lacuna::files

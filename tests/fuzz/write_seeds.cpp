@@ -1,0 +1,43 @@
+// Writes small valid files of every kind for the fuzzers to start from, into a folder.
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "field/pictures.h"
+#include "files/point_files.h"
+
+namespace {
+
+using namespace lacuna;
+
+void write_seeds(const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder / "images");
+    std::filesystem::create_directories(folder / "points");
+    for (const auto& [name, bytes] : field::one_of_each())
+        files::write_whole(folder / "images" / name, bytes);
+    constexpr std::array kNames{"a.txt", "a.csv", "a.npy", "a.ply", "a.json"};
+    const std::vector<Point> points{{0.25, 0.5}, {1e-3, -2}};
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+        const std::string path = folder / "points" / kNames[i];
+        const char format = static_cast<char>(i);
+        files::write_whole(path, format + files::encode({points}, files::format_of(path)));
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fputs("usage: write_seeds FOLDER\n", stderr);
+        return 2;
+    }
+    try {
+        write_seeds(argv[1]);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "write_seeds: %s\n", error.what());
+        return 1;
+    }
+}
