@@ -1,7 +1,6 @@
 # The backend opencl: finds OpenCL, and embeds the kernels into the library.
 option(LACUNA_OPENCL "Build the backend opencl, where OpenCL is installed" ON)
-set(LACUNA_REQUIRE "$ENV{LACUNA_REQUIRE}" CACHE STRING
-    "Backends that must not be left out: opencl, vulkan")
+include(${CMAKE_CURRENT_LIST_DIR}/leave_out.cmake)
 
 # lacuna_embed_kernels(TARGET NAME FILE...) expands the includes of the OpenCL C files, joins them,
 # and gives TARGET a source file that defines lacuna::opencl::NAME() with the text.
@@ -21,13 +20,8 @@ function(lacuna_add_opencl)
     find_package(OpenCL)
     find_path(OPENCL_HPP_INCLUDE_DIR CL/opencl.hpp HINTS ${OpenCL_INCLUDE_DIRS})
     if(NOT OpenCL_FOUND OR NOT OPENCL_HPP_INCLUDE_DIR)
-        set(missing "OpenCL is missing: install its loader and its C and C++ headers"
-            " (Debian: ocl-icd-opencl-dev opencl-clhpp-headers)")
-        string(CONCAT missing ${missing})
-        if("${LACUNA_REQUIRE}" MATCHES "opencl")
-            message(FATAL_ERROR "${missing}")
-        endif()
-        message(STATUS "${missing}. Lacuna is built without the backend opencl.")
+        lacuna_leave_out(opencl "OpenCL is missing: install its loader and its C and C++ headers"
+            "ocl-icd-opencl-dev opencl-clhpp-headers")
         return()
     endif()
     file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/host/opencl/*.cpp)

@@ -1,8 +1,7 @@
 # The backend vulkan: compiles the shaders and embeds them. Vulkan itself is loaded when a program
 # asks for it, so that the library also runs where there is none.
 option(LACUNA_VULKAN "Build the backend vulkan, where Vulkan's headers and glslang are" ON)
-set(LACUNA_REQUIRE "$ENV{LACUNA_REQUIRE}" CACHE STRING
-    "Backends that must not be left out: opencl, vulkan")
+include(${CMAKE_CURRENT_LIST_DIR}/leave_out.cmake)
 
 # lacuna_embed_shader(TARGET FILE ENTRY) compiles the entry of a GLSL file and gives TARGET a header
 # ENTRY.spv.h with the words ENTRY_spirv. A file may hold several entries, each behind its
@@ -32,13 +31,8 @@ function(lacuna_add_vulkan)
     find_path(VULKAN_RAII_INCLUDE_DIR vulkan/vulkan_raii.hpp HINTS ${Vulkan_INCLUDE_DIRS})
     if(NOT TARGET Vulkan::Headers OR NOT VULKAN_RAII_INCLUDE_DIR
         OR NOT TARGET Vulkan::glslangValidator)
-        set(missing "Vulkan is missing: install its C++ headers and glslangValidator"
-            " (Debian: libvulkan-dev glslang-tools)")
-        string(CONCAT missing ${missing})
-        if("${LACUNA_REQUIRE}" MATCHES "vulkan")
-            message(FATAL_ERROR "${missing}")
-        endif()
-        message(STATUS "${missing}. Lacuna is built without the backend vulkan.")
+        lacuna_leave_out(vulkan "Vulkan is missing: install its C++ headers and glslangValidator"
+            "libvulkan-dev glslang-tools")
         return()
     endif()
     find_program(SPIRV_VAL spirv-val)
@@ -46,11 +40,19 @@ function(lacuna_add_vulkan)
     target_sources(lacuna PRIVATE ${sources})
     set(shaders ${PROJECT_SOURCE_DIR}/shaders)
     lacuna_embed_shader(lacuna ${shaders}/locate.comp locate)
+    lacuna_embed_shader(lacuna ${shaders}/locate.comp locate_in_boxes)
     lacuna_embed_shader(lacuna ${shaders}/locate.comp sort_columns)
+    lacuna_embed_shader(lacuna ${shaders}/admit.comp screen)
     lacuna_embed_shader(lacuna ${shaders}/admit.comp admit)
     lacuna_embed_shader(lacuna ${shaders}/subtract.comp gather)
     lacuna_embed_shader(lacuna ${shaders}/subtract.comp subtract)
     lacuna_embed_shader(lacuna ${shaders}/subtract.comp grow)
+    lacuna_embed_shader(lacuna ${shaders}/refine.comp insert)
+    lacuna_embed_shader(lacuna ${shaders}/refine.comp unfold)
+    lacuna_embed_shader(lacuna ${shaders}/refine.comp cut)
+    lacuna_embed_shader(lacuna ${shaders}/refine.comp keep)
+    lacuna_embed_shader(lacuna ${shaders}/refine.comp scan)
+    lacuna_embed_shader(lacuna ${shaders}/refine.comp find_place_begins)
     target_include_directories(lacuna SYSTEM PRIVATE ${VULKAN_RAII_INCLUDE_DIR})
     target_compile_definitions(lacuna PRIVATE LACUNA_VULKAN)
     set(LACUNA_HAS_VULKAN ON PARENT_SCOPE)

@@ -1,4 +1,4 @@
-// How the lines are shared out: columns of lines, and where a round's draws fall among them.
+// How the work is shared out: columns of lines, and where places and draws fall among them.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,14 @@ namespace lacuna {
 // column or in the one on either side (portable/column.h).
 std::uint32_t count_columns(const Plan& plan);
 
-// begins[column] .. begins[column + 1] are the draws, or candidates, of the column. They must come
-// column by column, as draws sorted by line do.
-void find_column_begins(const Plan& plan, std::uint32_t columns, std::span<const Draw> draws,
+// The first line of every column, then the number of lines.
+std::vector<std::uint32_t> first_lines(const Plan& plan, std::uint32_t columns);
+
+// begins[column] .. begins[column + 1] are the draws of the column, whose places are
+// place_begins[column] .. place_begins[column + 1]. The draws are sorted by place.
+void find_column_begins(std::span<const std::uint32_t> place_begins, std::span<const Draw> draws,
                         std::vector<std::uint32_t>& begins);
+// The same for candidates, which come column by column.
 void find_column_begins(const Plan& plan, std::uint32_t columns,
                         std::span<const Candidate> candidates, std::vector<std::uint32_t>& begins);
 

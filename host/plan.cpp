@@ -4,11 +4,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <sstream>
+
+#include "portable/cell.h"
 
 namespace lacuna {
 namespace {
@@ -16,6 +19,8 @@ namespace {
 constexpr double kLongerSideUnits = 2147483648.0;  // 2^31
 constexpr double kLargestAspect = 1000.0;
 constexpr std::uint32_t kMostLinesPerRadius = 1000;
+constexpr std::uint32_t kExactLinesPerRadius = 6;   // the fastest: docs/speed.md
+constexpr std::uint32_t kPaperLinesPerRadius = 30;  // section 5.1
 // With fewer units to a radius, rounding it up would show; 1000 lines a radius need 2 units each.
 constexpr double kSmallestRadius = 1.0 / (1 << 20);  // of the longer side
 
@@ -24,6 +29,11 @@ constexpr double kTorusDensity = 0.69656;
 constexpr double kBoxDensity = 0.69655;
 constexpr double kBoxEdge = 0.666;
 constexpr double kCountDeviation = 0.244;  // standard deviation of a maximal count over sqrt(N)
+
+std::uint32_t lines_per_radius(const Request& request) {
+    return request.lines_per_radius.value_or(request.mode == Mode::exact ? kExactLinesPerRadius
+                                                                         : kPaperLinesPerRadius);
+}
 
 // The shortest decimal that reads back as the same double.
 std::string text(double value) {
@@ -48,7 +58,7 @@ double memory_limit(const Request& request) {
 // units with the growth of their vectors.
 double memory_needed(const Request& request, double radius, double points) {
     constexpr double kBytesPerSpan = 8, kSpansPerRadius = 0.6, kBytesPerPoint = 48;
-    const double lines = std::ceil(request.lines_per_radius * request.width / radius);
+    const double lines = std::ceil(lines_per_radius(request) * request.width / radius);
     const double spans = kSpansPerRadius * request.height / radius + 8;
     return lines * spans * kBytesPerSpan + points * kBytesPerPoint;
 }
@@ -123,9 +133,13 @@ void check_request(const Request& request) {
             "the longer side may be at most " + text(kLargestAspect) + " times the shorter");
     if (shorter < 1e-100 || longer > 1e100)
         throw BadRequest("domain", domain, "the sides must lie between 1e-100 and 1e100");
-    if (request.lines_per_radius < 1 || request.lines_per_radius > kMostLinesPerRadius)
-        throw BadRequest("lines-per-radius", std::to_string(request.lines_per_radius),
+    const std::uint32_t lines = lines_per_radius(request);
+    if (lines < 1 || lines > kMostLinesPerRadius)
+        throw BadRequest("lines-per-radius", std::to_string(lines),
                          "must be between 1 and " + std::to_string(kMostLinesPerRadius));
+    if (request.mode == Mode::exact && (request.snap || request.uniform_x))
+        throw BadRequest(request.snap ? "snap" : "uniform-x", "with mode exact",
+                         "is for mode lines only");
     if (request.limit && *request.limit == 0) throw BadRequest("limit", "0", "must be at least 1");
     if (request.radius && request.count)
         throw BadRequest("radius", text(*request.radius), "give either a radius or a count");
@@ -139,8 +153,8 @@ void check_request(const Request& request) {
 
 double radius_for_count(const Request& request, int attempt) {
     const double count = static_cast<double>(*request.count);
-    // Strips lose some points of the true maximum, in proportion to their width.
-    const double loss = 1 + 0.2 / request.lines_per_radius;
+    // Lines lose some points of the true maximum, in proportion to the width of their strips.
+    const double loss = request.mode == Mode::exact ? 1 : 1 + 0.2 / lines_per_radius(request);
     const double wanted =
         (count + 4 * kCountDeviation * std::sqrt(count)) * loss * std::pow(1.05, attempt);
     const double radius = std::min(radius_expecting(request, wanted), largest_radius(request));
@@ -161,10 +175,11 @@ Plan make_plan(const Request& request) {
     Plan plan{};
 
     // Section 4.1: L = ceil(m W / r) lines, the strips equally wide and their centres whole.
-    const double lines = std::ceil(request.lines_per_radius * request.width / radius);
+    const double lines = std::ceil(lines_per_radius(request) * request.width / radius);
     const double strip = kLongerSideUnits * (request.width / longer) / lines;
     plan.lines = static_cast<std::uint32_t>(lines);
     plan.strip_width = 2 * static_cast<std::uint32_t>(strip / 2);
+    if (request.mode == Mode::exact) plan.strip_width = std::bit_floor(plan.strip_width);
     plan.width = plan.lines * plan.strip_width;
     plan.height = static_cast<std::uint32_t>(request.height * (plan.width / request.width));
     plan.period_x = torus ? plan.width : 0;
@@ -176,8 +191,13 @@ Plan make_plan(const Request& request) {
     const double units = radius / std::min(plan.unit_x, plan.unit_y);
     plan.radius = static_cast<std::uint32_t>(units + 1.0 / 1024) + 1;
     plan.radius_squared = std::uint64_t{plan.radius} * plan.radius;
+    plan.cell_side = portable::cell_side(plan.radius_squared);
+    plan.cell_columns = portable::count_cells(plan.width, plan.cell_side);
+    plan.cell_rows = portable::count_cells(plan.height, plan.cell_side);
     plan.user_radius = radius;
+    plan.lines_per_radius = lines_per_radius(request);
 
+    plan.exact = request.mode == Mode::exact;
     plan.snap = request.snap;
     plan.uniform_x = request.uniform_x;
     plan.round_size = request.uniform_x ? 1 : request.round_size;

@@ -16,8 +16,8 @@ struct Sample {
 
 // Everything that decides where samples go. Equal plans give equal samples on every backend.
 struct Plan {
-    // Domain: [0, width) x [0, height), 2^31 units along its longer side, a little less where
-    // needed to make the strips equally wide.
+    // Domain: [0, width) x [0, height), 2^31 units along its longer side, less where needed to make
+    // the strips equally wide: a little in lines, down to 2^30 in exact.
     std::uint32_t width;
     std::uint32_t height;
     // The same where the axes wrap, 0 where they do not.
@@ -25,10 +25,14 @@ struct Plan {
     std::uint32_t period_y;
 
     std::uint32_t lines;        // L = ceil(m * W / r)
-    std::uint32_t strip_width;  // even; lines * strip_width == width
+    std::uint32_t strip_width;  // even; a power of two in exact; lines * strip_width == width
     std::uint32_t radius;       // rounded up: so many units are never less than the user's radius
     std::uint64_t radius_squared;
+    std::uint32_t cell_side;  // see portable/cell.h
+    std::uint32_t cell_columns;
+    std::uint32_t cell_rows;
 
+    bool exact;  // Mode::exact
     bool snap;
     bool uniform_x;
     std::uint64_t limit;       // stop after so many samples
@@ -39,12 +43,16 @@ struct Plan {
     double unit_x;
     double unit_y;
     double user_radius;
+    std::uint32_t lines_per_radius;
     std::uint64_t expected_samples;  // of the maximal set, or the limit if that is less
 
     std::uint32_t centre_of_line(std::uint32_t line) const {
         return line * strip_width + strip_width / 2;
     }
     std::uint32_t line_of(Sample sample) const { return sample.x / strip_width; }
+    // Added to the distance of a line before its chord is found. In exact a chord is what covers
+    // the whole width of the strip, so that the free spans hold all of the free space.
+    std::uint32_t chord_margin() const { return exact ? strip_width / 2 : 0; }
     // Rounds so that no two samples at least `radius` units apart come closer than user_radius.
     Point to_user(Sample sample) const { return {sample.x * unit_x, sample.y * unit_y}; }
 };

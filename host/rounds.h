@@ -1,8 +1,7 @@
-// How many draws a round takes: whole numbers only, a function of nothing but the counts so far,
-// so that every backend takes the same rounds.
+// How many draws a round takes, and in exact when to refine: whole numbers only, a function of
+// nothing but the counts so far, so that every backend takes the same rounds.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include "plan.h"
@@ -15,19 +14,33 @@ inline constexpr std::uint64_t kLargestRound = std::uint64_t{1} << 22;
 
 // On an empty domain A / (8 r^2) draws: about a sixth of the maximal count, of which some four in
 // five are admitted.
-inline std::uint64_t first_round_size(const Plan& plan) {
-    if (plan.round_size != 0) return plan.round_size;
-    const std::uint64_t area = std::uint64_t{plan.width} * plan.height;
-    return std::clamp(area / plan.radius_squared / 8, kSmallestRound, kLargestRound);
-}
+std::uint64_t first_round_size(const Plan& plan);
 
-// Steers towards four in five: grow while more are admitted, shrink while fewer are.
-inline std::uint64_t next_round_size(const Plan& plan, std::uint64_t size, std::uint64_t admitted) {
-    if (plan.round_size != 0) return plan.round_size;
-    const std::uint64_t lost = size - admitted;
-    // The share lost grows with the size of the round: size / 5 lost is where it should be.
-    const std::uint64_t wanted = lost == 0 ? 2 * size : size * size / (5 * lost);
-    return std::clamp(std::clamp(wanted, size / 2, 2 * size), kSmallestRound, kLargestRound);
-}
+class RoundPolicy {
+public:
+    explicit RoundPolicy(const Plan& plan) : plan_(plan), size_(first_round_size(plan)) {}
+
+    // Draws of the next round.
+    std::uint64_t size() const { return size_; }
+    // Whether the next round ends in refine, not in subtract; once true it stays so.
+    bool refines() const { return refines_; }
+    // Whether that refine halves the places.
+    bool halves() const { return halves_; }
+
+    // What became of a round of size() draws: how many were free of earlier rounds' samples, how
+    // many of those were admitted, and how many places there are after it, and how wide.
+    void note(std::uint64_t survivors, std::uint64_t admitted, std::uint64_t places,
+              std::uint32_t place_width);
+
+private:
+    void judge_places(std::uint64_t survivors, std::uint32_t width);
+
+    const Plan& plan_;
+    std::uint64_t size_;
+    std::uint64_t seen_ = 0;  // draws since the places were last judged
+    std::uint64_t seen_survivors_ = 0;
+    bool refines_ = false;
+    bool halves_ = false;
+};
 
 }  // namespace lacuna

@@ -17,6 +17,7 @@ Result run(const Request& request, Observer& observer) {
     result.points.reserve(run.outcome.samples.size());
     for (const Sample& sample : run.outcome.samples) result.points.push_back(plan.to_user(sample));
     result.radius = plan.user_radius;
+    result.lines_per_radius = plan.lines_per_radius;
     result.maximal = run.outcome.samples.size() < plan.limit;
     result.rounds = run.outcome.rounds;
     result.draws = run.outcome.draws;
@@ -26,6 +27,10 @@ Result run(const Request& request, Observer& observer) {
 }
 
 }  // namespace
+
+std::string_view name_of(Mode mode) {
+    return mode == Mode::exact ? "exact" : "lines";
+}
 
 std::string_view name_of(Verb verb) {
     switch (verb) {
@@ -37,6 +42,8 @@ std::string_view name_of(Verb verb) {
             return "admit";
         case Verb::subtract:
             return "subtract";
+        case Verb::refine:
+            return "refine";
         case Verb::transfer:
             return "transfer";
         case Verb::first_use:

@@ -2,6 +2,7 @@
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
+#include "portable/failure.h"
 #include "portable/fate.h"
 #include "portable/geometry.h"
 
@@ -12,7 +13,8 @@ kernel void gather(const Geometry g, const u32 last_pass, global const u32* rest
                    global const u32* restrict column_begins,
                    global const u32* restrict near_begins,
                    global const uint4* restrict candidates, global const u32* restrict fates,
-                   global u32* restrict near_counts, global uint2* restrict near) {
+                   global u32* restrict near_counts, global uint2* restrict near,
+                   volatile global u32* failure) {
     const u32 column = (u32)get_global_id(0);
     if (column >= g.columns || undecided[last_pass] != 0u) return;
     const u32 first = first_neighbour(column, g.columns, g.period_x);
@@ -51,6 +53,7 @@ kernel void gather(const Geometry g, const u32 last_pass, global const u32* rest
         ++next;
     }
     near_counts[column] = next - near_begins[column];
+    if (!has_turns_left(g.height)) atomic_or(failure, FAILED_GATHER);
 }
 
 // A line's spans with a gap that moves along: [0, done) lie below it, [rest, end) above. Chords
@@ -85,7 +88,7 @@ bool open_gap(global uint2* spans, Gap* gap) {
 }
 
 // Takes [begin, end) out. False when the room is used up: then nothing is cut.
-bool cut(global uint2* spans, Gap* gap, const u32 begin, const u32 end) {
+bool cut_out(global uint2* spans, Gap* gap, const u32 begin, const u32 end) {
     // Move the gap down, or up, to where the chord begins.
     while (gap->below.y > begin) {
         --gap->rest;
@@ -133,8 +136,10 @@ bool cut(global uint2* spans, Gap* gap, const u32 begin, const u32 end) {
     return true;
 }
 
+// In exact a chord is what covers the strip's whole width: it is cut at the far edge.
 u32 reach_of(const Geometry g, const u32 centre, const uint2 sample) {
-    return chord_reach(axis_distance(sample.x, centre, g.period_x), g.radius_squared);
+    return chord_reach(axis_distance(sample.x, centre, g.period_x) + g.chord_margin,
+                       g.radius_squared);
 }
 
 // Serves the lines [first_line, end_line), which `spans` holds from its begin on. A line that runs
@@ -145,7 +150,8 @@ kernel void subtract(const Geometry g, const u32 first_line, const u32 end_line,
                      global const u32* restrict near_begins,
                      global const u32* restrict near_counts, global const uint2* restrict near,
                      global uint2* spans, global u32* restrict span_counts,
-                     global u32* restrict free_lengths, volatile global u32* overflow) {
+                     global u32* restrict free_lengths, volatile global u32* overflow,
+                     volatile global u32* failure) {
     const u32 line = first_line + (u32)get_global_id(0);
     if (line >= end_line || undecided[last_pass] != 0u) return;
     const u32 column = column_of_line(line, g.lines, g.columns);
@@ -178,15 +184,15 @@ kernel void subtract(const Geometry g, const u32 first_line, const u32 end_line,
     }
 
     // Cut the chords from the bottom up.
-    if (bottom > 0u) fits = cut(slot, &gap, 0u, bottom);
+    if (bottom > 0u) fits = cut_out(slot, &gap, 0u, bottom);
     for (u32 i = near_begin; i < near_end && fits; ++i) {
         const uint2 sample = near[i];
         const u32 reach = reach_of(g, centre, sample);
         if (reach == 0u) continue;
-        fits = cut(slot, &gap, chord_begin(sample.y, reach),
+        fits = cut_out(slot, &gap, chord_begin(sample.y, reach),
                    chord_end(sample.y, reach, g.height));
     }
-    if (top < g.height && fits) fits = cut(slot, &gap, top, g.height);
+    if (top < g.height && fits) fits = cut_out(slot, &gap, top, g.height);
     if (!fits) atomic_xchg(overflow, 1u);
 
     // Close the gap.
@@ -198,6 +204,7 @@ kernel void subtract(const Geometry g, const u32 first_line, const u32 end_line,
     }
     span_counts[line] = gap.done;
     free_lengths[line] = gap.total;
+    if (!has_turns_left(g.height)) atomic_or(failure, FAILED_SUBTRACT);
 }
 
 // Moves the lines [first_line, end_line) from slots of g.capacity spans to slots of `larger`.

@@ -5,6 +5,7 @@
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
+#include "portable/failure.h"
 #include "portable/fate.h"
 #include "portable/geometry.h"
 
@@ -22,6 +23,7 @@ layout(binding = 3) readonly restrict buffer Candidates { uvec4 candidates[]; };
 layout(binding = 4) readonly restrict buffer Fates { u32 fates[]; };
 layout(binding = 5) writeonly restrict buffer NearCounts { u32 near_counts[]; };
 layout(binding = 6) writeonly restrict buffer Near { uvec2 near[]; };
+layout(binding = 7) coherent restrict buffer Failure { u32 failure; };
 
 void main() {
     const u32 column = first_item + gl_GlobalInvocationID.x;
@@ -62,6 +64,7 @@ void main() {
         ++next;
     }
     near_counts[column] = next - near_begins[column];
+    if (!has_turns_left(g.height)) atomicOr(failure, FAILED_GATHER);
 }
 #endif
 
@@ -79,6 +82,7 @@ layout(binding = 4) restrict buffer Spans { uvec2 spans[]; };
 layout(binding = 5) restrict buffer SpanCounts { u32 span_counts[]; };
 layout(binding = 6) restrict buffer FreeLengths { u32 free_lengths[]; };
 layout(binding = 7) coherent restrict buffer Overflow { u32 overflow; };
+layout(binding = 8) coherent restrict buffer Failure { u32 failure; };
 
 // A line's spans with a gap that moves along: [slot, done) lie below it, [rest, end) above. Chords
 // that come in the order of y move it a little at a time, and cut where it stands. It opens when a
@@ -162,7 +166,8 @@ bool cut(inout Gap gap, const u32 begin, const u32 end) {
 }
 
 u32 reach_of(const u32 centre, const uvec2 a_sample) {
-    return chord_reach(axis_distance(a_sample.x, centre, g.period_x), g.radius_squared);
+    const u32 dx = axis_distance(a_sample.x, centre, g.period_x) + g.chord_margin;
+    return chord_reach(dx, g.radius_squared);
 }
 
 void main() {
@@ -217,6 +222,7 @@ void main() {
     }
     span_counts[line] = gap.done - slot;
     free_lengths[line] = gap.total;
+    if (!has_turns_left(g.height)) atomicOr(failure, FAILED_SUBTRACT);
 }
 #endif
 

@@ -19,14 +19,14 @@ Json or_null(const std::optional<Value>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
-Json json_of(const Request& request, const std::string& mode) {
+Json json_of(const Request& request, const Result& result) {
     return {{"width", request.width},
             {"height", request.height},
             {"boundary", request.boundary == Boundary::torus ? "torus" : "box"},
-            {"mode", mode},
+            {"mode", name_of(request.mode)},
             {"radius", or_null(request.radius)},
             {"count", or_null(request.count)},
-            {"lines_per_radius", request.lines_per_radius},
+            {"lines_per_radius", result.lines_per_radius},
             {"snap", request.snap},
             {"uniform_x", request.uniform_x},
             {"limit", or_null(request.limit)},
@@ -53,11 +53,11 @@ std::int64_t peak_memory_bytes() {
 
 }  // namespace
 
-std::string report_of(const Request& request, const std::string& mode, const Result& result,
-                      const Stopwatch& stopwatch, double total_seconds) {
+std::string report_of(const Request& request, const Result& result, const Stopwatch& stopwatch,
+                      double total_seconds) {
     const Json report = {{"program", "lacuna"},
                          {"version", LACUNA_VERSION},
-                         {"request", json_of(request, mode)},
+                         {"request", json_of(request, result)},
                          {"count", result.points.size()},
                          {"radius", result.radius},
                          {"maximal", result.maximal},

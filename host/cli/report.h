@@ -9,7 +9,7 @@
 namespace lacuna::cli {
 
 // `total_seconds` are those of the sampling, without the writing of files.
-std::string report_of(const Request& request, const std::string& mode, const Result& result,
-                      const Stopwatch& stopwatch, double total_seconds);
+std::string report_of(const Request& request, const Result& result, const Stopwatch& stopwatch,
+                      double total_seconds);
 
 }  // namespace lacuna::cli

@@ -27,13 +27,12 @@ Examples:
   lacuna sample --radius 0.01                       points as `x y` lines on standard output
   lacuna sample --radius 0.01 -o points.svg         a picture; see --output for the formats
   lacuna sample --count 10000 --torus -o points.npy exactly so many points, and edges that wrap
-  lacuna sample --radius 0.02 --domain 2x1 --snap   every distance at least the radius
+  lacuna sample --radius 0.02 --domain 2x1 --mode lines   the paper's algorithm
   lacuna sample --radius 0.005 --seed 7 -o a.csv --report a.json   and what it cost
 )";
 
 struct Options {
     Request request;
-    std::string mode = "lines";
     std::string output = "-";
     std::string report;
     bool quiet = false;
@@ -42,7 +41,7 @@ struct Options {
 void add_what_to_make(CLI::App& command, Options& options) {
     Request& request = options.request;
     add_number(command, "radius", "R", request.radius,
-               "Least distance between two points, but for a little (see --snap); this or --count");
+               "Least distance between two points; this or --count");
     add_number(command, "count", "N", request.count,
                "Exactly so many points, at a radius that fits; this or --radius");
     command
@@ -62,27 +61,33 @@ void add_what_to_make(CLI::App& command, Options& options) {
                "Same seed, same points, whatever the backend (default 0)");
 }
 
+void read_mode(const std::string& text, Mode& mode) {
+    for (const Mode known : {Mode::exact, Mode::lines}) {
+        if (text != name_of(known)) continue;
+        mode = known;
+        return;
+    }
+    throw BadRequest("mode", shown(text), "must be exact or lines");
+}
+
 void add_how_to_make_it(CLI::App& command, Options& options) {
     Request& request = options.request;
     command
         .add_option_function<std::string>(
-            "--mode",
-            [&options](const std::string& mode) {
-                if (mode != "lines") throw BadRequest("mode", shown(mode), "must be lines");
-                options.mode = mode;
-            },
-            "How to sample: lines (default), as in the paper")
+            "--mode", [&request](const std::string& mode) { read_mode(mode, request.mode); },
+            "exact (default): no gap is left, every distance is at least the radius; lines: as in "
+            "the paper")
         ->type_name("MODE");
     add_number(command, "lines-per-radius", "M", request.lines_per_radius,
-               "Lines in a radius' width (default 30)");
+               "Lines in a radius' width (default 6 in exact, 30 in lines)");
     command
         .add_flag("--uniform-x", request.uniform_x,
-                  "Lines with room are equally likely, however much room they have")
+                  "In lines: those with room are equally likely, however much room they have")
         ->disable_flag_override();
     command
         .add_flag("--snap", request.snap,
-                  "Points lie on the lines: no distance is less than the radius; without, 1/(2M) "
-                  "of it less")
+                  "In lines: points lie on them, and no distance is less than the radius; without, "
+                  "1/(2M) of it less")
         ->disable_flag_override();
     add_number(command, "round-size", "K", request.round_size,
                "Draws in a round; 0 chooses (default), 1 is the paper's algorithm");
@@ -115,8 +120,7 @@ void write(const Options& options, const Result& result, const Stopwatch& stopwa
     const files::PointSet set{result.points, request.width, request.height, result.radius};
     files::write_whole(options.output, files::encode(set, files::format_of(options.output)));
     if (!options.report.empty())
-        files::write_whole(options.report,
-                           report_of(request, options.mode, result, stopwatch, seconds));
+        files::write_whole(options.report, report_of(request, result, stopwatch, seconds));
     if (options.quiet || options.output == "-") return;
     const std::string summary =
         fmt::format("{} points, {} rounds, {:.3f} s, {} -> {}\n", result.points.size(),

@@ -8,8 +8,8 @@
 
 namespace lacuna::cli {
 
-inline constexpr std::array kVerbs{Verb::invert,   Verb::locate,   Verb::admit,
-                                   Verb::subtract, Verb::transfer, Verb::first_use};
+inline constexpr std::array kVerbs{Verb::invert, Verb::locate,   Verb::admit,    Verb::subtract,
+                                   Verb::refine, Verb::transfer, Verb::first_use};
 
 class Stopwatch : public Observer {
 public:

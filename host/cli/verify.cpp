@@ -32,8 +32,8 @@ Examples:
 Two promises are checked. No two points are closer than R. No spot of the domain, edges and corners
 included, is farther than R + T from every point. The closest two points and the emptiest spot are
 printed; points are numbered from 0, in the order of the file. Distances are in double, as you would
-compute them: sqrt(dx * dx + dy * dy). The default T is what a sampler may lose by rounding R up to
-whole units of a grid, 2^30 or more of them along the longer side; T = 0 forgives no more than
+compute them: sqrt(dx * dx + dy * dy). The default T is more than a sampler may lose by rounding R
+up to whole units of a grid, 2^30 or more of them along the longer side; T = 0 forgives no more than
 1e-12 of that side.
 
 Exit code: 0 both hold, 1 one does not, 2 bad usage, 3 the file cannot be read.
@@ -151,7 +151,7 @@ void add_verify(CLI::App& app) {
         ->type_name("WxH");
     command.add_flag("--torus", options->torus, "The edges wrap")->disable_flag_override();
     add_number(command, "tolerance", "T", options->tolerance,
-               "How far over R a gap may be (default 2^-29 of the longer side)");
+               "How far over R a gap may be (default 2^-28 of the longer side)");
     command.callback([options] { run(*options); });
 }
 

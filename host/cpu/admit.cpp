@@ -1,4 +1,4 @@
-// admit: a candidate becomes a sample unless an earlier sample of the round covers it.
+// admit: a candidate becomes a sample unless an earlier sample covers it.
 //
 // "Earlier" is by the order of the draws, whatever the order of the work.
 #include <algorithm>
@@ -69,6 +69,14 @@ private:
 
 }  // namespace
 
+void screen(State& state, std::uint32_t column) {
+    for (std::size_t i = state.column_begins[column]; i < state.column_begins[column + 1]; ++i) {
+        const Candidate& candidate = state.candidates[i];
+        if (state.fates[i] == FATE_UNDECIDED && state.cells->is_covered(candidate.x, candidate.y))
+            state.fates[i] = FATE_COVERED;
+    }
+}
+
 bool admit(State& state, std::uint32_t column) {
     const Plan& plan = state.plan;
     const std::uint32_t first = portable::first_neighbour(column, state.columns, plan.period_x);
@@ -81,13 +89,14 @@ bool admit(State& state, std::uint32_t column) {
     for (std::size_t i = state.column_begins[column]; i < state.column_begins[column + 1]; ++i) {
         if (read(state, i) != FATE_UNDECIDED) continue;
         const Candidate& candidate = state.candidates[i];
-        const std::uint32_t centre = plan.centre_of_line(candidate.line);
+        // On a line, what counts is the chord on that line.
+        const std::uint32_t x = plan.exact ? candidate.x : plan.centre_of_line(candidate.line);
         bool waits = false;
         const auto covers = [&](std::size_t j) {
             const Candidate& other = state.candidates[j];
             if (!precedes(other, candidate) ||
-                !portable::conflicts(other.x, other.y, centre, candidate.y, plan.period_x,
-                                     plan.period_y, plan.radius_squared))
+                !portable::conflicts(other.x, other.y, x, candidate.y, plan.period_x, plan.period_y,
+                                     plan.radius_squared))
                 return false;
             const std::uint32_t fate = read(state, j);
             waits = waits || fate == FATE_UNDECIDED;

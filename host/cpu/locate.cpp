@@ -1,4 +1,4 @@
-// locate: the rank of each draw, walked to a y through its line's free spans.
+// locate: the rank of each draw, walked to a y through its place's free length.
 #include <algorithm>
 
 #include "cpu/state.h"
@@ -7,18 +7,31 @@
 namespace lacuna::cpu {
 namespace {
 
-// Walks the line once for all its draws, which ascend in rank.
-void walk(std::span<const Span> spans, std::span<Candidate> ascending) {
-    const Span* span = spans.data();
+// Draws [begin, end) of lines. A line is walked once for all its draws, which ascend in rank.
+void locate_on_lines(State& state, std::span<const Draw> draws, std::uint32_t begin,
+                     std::uint32_t end) {
+    const Span* span = nullptr;
     std::uint32_t passed = 0;
-    for (Candidate& candidate : ascending) {
-        std::uint32_t rank = candidate.y - passed;
-        while (rank >= span->end - span->begin) {
-            rank -= span->end - span->begin;
+    for (std::uint32_t i = begin; i < end; ++i) {
+        const std::uint32_t line = draws[i].place;
+        if (i == begin || line != draws[i - 1].place) {
+            span = state.slot(line).data();
+            passed = 0;
+        }
+        while (draws[i].rank - passed >= span->end - span->begin) {
             passed += span->end - span->begin;
             ++span;
         }
-        candidate.y = span->begin + rank;
+        state.candidates[i] = {line * state.plan.strip_width + draws[i].offset,
+                               span->begin + (draws[i].rank - passed), line, draws[i].order};
+    }
+}
+
+void locate_in_boxes(State& state, std::span<const Draw> draws, std::uint32_t column) {
+    for (std::uint32_t i = state.column_begins[column]; i < state.column_begins[column + 1]; ++i) {
+        const Box& box = state.boxes[column][draws[i].place - state.place_begins[column]];
+        state.candidates[i] = {box.x + draws[i].offset, box.begin + draws[i].rank,
+                               box.x / state.plan.strip_width, draws[i].order};
     }
 }
 
@@ -27,19 +40,10 @@ void walk(std::span<const Span> spans, std::span<Candidate> ascending) {
 void locate(State& state, std::span<const Draw> draws, std::uint32_t column) {
     const std::uint32_t begin = state.column_begins[column];
     const std::uint32_t end = state.column_begins[column + 1];
-
-    for (std::uint32_t i = begin; i < end;) {
-        // A line's draws are served together. Until the walk a candidate's y holds its rank.
-        const std::uint32_t line = draws[i].line;
-        std::uint32_t next = i;
-        for (; next < end && draws[next].line == line; ++next)
-            state.candidates[next] = {draws[next].x, draws[next].rank, line, draws[next].order};
-        const std::span<Candidate> of_line(&state.candidates[i], next - i);
-        std::sort(of_line.begin(), of_line.end(),
-                  [](const Candidate& a, const Candidate& b) { return a.y < b.y; });
-        walk(state.slot(line), of_line);
-        i = next;
-    }
+    if (state.has_boxes())
+        locate_in_boxes(state, draws, column);
+    else
+        locate_on_lines(state, draws, begin, end);
     std::sort(state.candidates.begin() + begin, state.candidates.begin() + end,
               [](const Candidate& a, const Candidate& b) {
                   return a.y != b.y ? a.y < b.y : a.order < b.order;

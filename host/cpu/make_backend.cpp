@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
+#include <thread>
+#include <utility>
 
 #include "columns.h"
 #include "cpu/state.h"
@@ -20,8 +23,11 @@
 namespace lacuna::cpu {
 namespace {
 
-// So few draws are served faster by one thread than by waking another.
-constexpr std::size_t kParallelDraws = 128;
+// So few draws, or places, are served faster by one thread than by waking another.
+constexpr std::size_t kParallelAmount = 128;
+
+// A column of the largest sets takes some milliseconds; asking takes a tenth of a microsecond.
+constexpr std::uint32_t kColumnsPerPoll = 4;
 
 class CpuBackend : public Backend {
 public:
@@ -36,75 +42,139 @@ public:
         return std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads");
     }
 
+    void watch(std::function<bool()> may_go_on) override { may_go_on_ = std::move(may_go_on); }
+
     void locate(std::span<const Draw> draws) override {
+        if (state_.cells && !has_cells_) clear_cells();
         state_.candidates.resize(draws.size());
         state_.fates.resize(draws.size());
-        find_column_begins(state_.plan, state_.columns, draws, state_.column_begins);
-        for_columns([&](std::uint32_t column) { cpu::locate(state_, draws, column); });
+        find_column_begins(state_.place_begins, draws, state_.column_begins);
+        for_columns(draws.size(),
+                    [&](std::uint32_t column) { cpu::locate(state_, draws, column); });
     }
 
     void admit() override {
-        while (!all_columns([&](std::uint32_t column) { return cpu::admit(state_, column); })) {
+        const std::size_t draws = state_.candidates.size();
+        if (state_.plan.exact)
+            for_columns(draws, [&](std::uint32_t column) { cpu::screen(state_, column); });
+        while (
+            !all_columns(draws, [&](std::uint32_t column) { return cpu::admit(state_, column); })) {
         }
     }
 
     void subtract() override {
-        while (!all_columns([&](std::uint32_t column) { return cpu::subtract(state_, column); }))
+        insert();
+        while (!all_columns(state_.candidates.size(),
+                            [&](std::uint32_t column) { return cpu::subtract(state_, column); }))
             state_.grow();
+    }
+
+    void refine(bool halve) override {
+        insert();
+        const std::uint32_t width = state_.place_width() >> (halve ? 1 : 0);
+        const std::size_t places = state_.place_begins.back();
+        for_columns(places, [&](std::uint32_t column) { cpu::refine(state_, column, width); });
+        state_.box_width = width;
+        state_.spans.reset();
+        state_.span_counts = {};
+        measure_boxes();
     }
 
     Round finish_round() override {
         by_order_.assign(state_.candidates.size(), kNone);
-        for (std::uint32_t i = 0; i < by_order_.size(); ++i)
+        std::uint64_t survivors = 0;
+        for (std::uint32_t i = 0; i < by_order_.size(); ++i) {
+            survivors += state_.fates[i] != FATE_COVERED;
             if (state_.fates[i] == FATE_ADMITTED) by_order_[state_.candidates[i].order] = i;
+        }
         samples_.clear();
         for (const std::uint32_t i : by_order_)
             if (i != kNone) samples_.push_back({state_.candidates[i].x, state_.candidates[i].y});
-        return {samples_, state_.free_lengths};
+        return {samples_, survivors, state_.free_lengths, state_.place_width()};
     }
 
-    Snapshot snapshot() override {
-        Snapshot snapshot{state_.capacity, {}, state_.candidates, state_.fates};
-        for (std::uint32_t line = 0; line < state_.plan.lines; ++line) {
-            const std::span<Span> spans = state_.slot(line).first(state_.span_counts[line]);
-            snapshot.spans.emplace_back(spans.begin(), spans.end());
-        }
-        return snapshot;
+    Snapshot snapshot() override { return state_.snapshot(); }
+    void restore(const Snapshot& snapshot) override {
+        state_.restore(snapshot);
+        has_cells_ = true;
     }
-
-    void restore(const Snapshot& snapshot) override { state_.restore(snapshot); }
 
 private:
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-    template <typename Work>
-    void for_columns(Work work) {
-        if (threads_ == 1 || state_.candidates.size() < kParallelDraws) {
-            for (std::uint32_t column = 0; column < state_.columns; ++column) work(column);
-            return;
-        }
-        handover_.fetch_add(1, std::memory_order_release);
-        arena_.execute([&] {
-            tbb::parallel_for(std::uint32_t{0}, state_.columns,
-                              [&](std::uint32_t column)
-                                  LACUNA_UNSEEN_BY_TSAN { serve(column, work); });
+    void clear_cells() {
+        const std::uint64_t cells = state_.cells->columns();
+        const auto share = [&](std::uint64_t column) {
+            return static_cast<std::uint32_t>(column * cells / state_.columns);
+        };
+        for_columns(cells * state_.plan.cell_rows, [&](std::uint32_t column) {
+            state_.cells->clear(share(column), share(column + std::uint64_t{1}));
         });
-        handover_.load(std::memory_order_acquire);
+        has_cells_ = true;
+    }
+
+    void insert() {
+        if (!state_.plan.exact) return;
+        for_columns(state_.candidates.size(),
+                    [&](std::uint32_t column) { cpu::insert(state_, column); });
+    }
+
+    // Where each column's boxes begin among all, and their lengths.
+    void measure_boxes() {
+        for (std::uint32_t i = 0; i < state_.columns; ++i)
+            state_.place_begins[i + 1] =
+                state_.place_begins[i] + static_cast<std::uint32_t>(state_.boxes[i].size());
+        state_.free_lengths.resize(state_.place_begins.back());
+        for_columns(state_.place_begins.back(), [&](std::uint32_t column) {
+            std::transform(state_.boxes[column].begin(), state_.boxes[column].end(),
+                           state_.free_lengths.begin() + state_.place_begins[column],
+                           [](const Box& box) { return box.end - box.begin; });
+        });
+    }
+
+    // Does all columns' work, in parallel where there is enough of it. The calling thread asks now
+    // and then whether to go on; if not, what is left is not done.
+    template <typename Work>
+    void for_columns(std::size_t amount, Work work) {
+        cancelled_.store(false, std::memory_order_relaxed);
+        const std::thread::id caller = std::this_thread::get_id();
+        if (threads_ == 1 || amount < kParallelAmount) {
+            for (std::uint32_t column = 0; column < state_.columns; ++column)
+                serve(column, caller, work);
+        } else {
+            handover_.fetch_add(1, std::memory_order_release);
+            arena_.execute([&] {
+                tbb::parallel_for(std::uint32_t{0}, state_.columns,
+                                  [&](std::uint32_t column)
+                                      LACUNA_UNSEEN_BY_TSAN { hand_over(column, caller, work); });
+            });
+            handover_.load(std::memory_order_acquire);
+        }
+        if (cancelled_.load(std::memory_order_relaxed)) throw Cancelled();
+    }
+
+    template <typename Work>
+    void serve(std::uint32_t column, std::thread::id caller, Work& work) {
+        if (cancelled_.load(std::memory_order_relaxed)) return;
+        if (column % kColumnsPerPoll == 0 && may_go_on_ && std::this_thread::get_id() == caller &&
+            !may_go_on_())
+            cancelled_.store(true, std::memory_order_relaxed);
+        work(column);
     }
 
     // oneTBB hands memory over between threads by itself. It is said once more here because a
     // ThreadSanitizer that does not see into the library cannot know.
     template <typename Work>
-    void serve(std::uint32_t column, Work& work) {
+    void hand_over(std::uint32_t column, std::thread::id caller, Work& work) {
         handover_.load(std::memory_order_acquire);
-        work(column);
+        serve(column, caller, work);
         handover_.fetch_add(1, std::memory_order_release);
     }
 
     template <typename Work>
-    bool all_columns(Work work) {
+    bool all_columns(std::size_t amount, Work work) {
         std::atomic<bool> all{true};
-        for_columns([&](std::uint32_t column) {
+        for_columns(amount, [&](std::uint32_t column) {
             if (!work(column)) all.store(false, std::memory_order_relaxed);
         });
         return all;
@@ -115,6 +185,9 @@ private:
     tbb::global_control allowed_;  // more threads than cores, if that is what was asked for
     tbb::task_arena arena_;
     std::atomic<std::uint64_t> handover_{0};
+    std::function<bool()> may_go_on_;
+    std::atomic<bool> cancelled_{false};
+    bool has_cells_ = false;               // they are cleared at the first round
     std::vector<std::uint32_t> by_order_;  // the sample of each draw, or kNone
     std::vector<Sample> samples_;
 };

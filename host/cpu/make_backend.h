@@ -1,4 +1,4 @@
-// The cpu backend: the three verbs on threads, a column of lines a task.
+// The cpu backend: the verbs on threads, a column of lines a task.
 #pragma once
 
 #include <memory>

@@ -87,8 +87,8 @@ void find_chords(const Plan& plan, std::uint32_t centre, std::span<const Sample>
     Span bottom{0, 0};
     Span top{plan.height, plan.height};
     const auto reach_of = [&](Sample sample) {
-        return portable::chord_reach(portable::axis_distance(sample.x, centre, plan.period_x),
-                                     plan.radius_squared);
+        const std::uint32_t dx = portable::axis_distance(sample.x, centre, plan.period_x);
+        return portable::chord_reach(dx + plan.chord_margin(), plan.radius_squared);
     };
     if (plan.period_y != 0) {
         for (std::size_t i = near.size(); i-- > 0;) {
@@ -126,7 +126,7 @@ bool subtract(State& state, std::uint32_t column) {
     if (near.empty()) return true;
 
     bool complete = true;
-    for (std::uint32_t i = state.first_line(column); i < state.first_line(column + 1); ++i) {
+    for (std::uint32_t i = state.first_lines[column]; i < state.first_lines[column + 1]; ++i) {
         if (state.span_counts[i] == 0) continue;
         find_chords(state.plan, state.plan.centre_of_line(i), near, chords);
         line.load(state.slot(i).first(state.span_counts[i]), chords.size());

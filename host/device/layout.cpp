@@ -23,14 +23,29 @@ std::vector<Slab> share_out(std::uint32_t lines, std::uint32_t capacity,
 }
 
 portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uint32_t capacity) {
-    return {plan.radius_squared, plan.radius,      plan.height, plan.period_x, plan.period_y,
-            plan.lines,          plan.strip_width, columns,     capacity};
+    portable::Geometry geometry{};
+    geometry.radius_squared = plan.radius_squared;
+    geometry.radius = plan.radius;
+    geometry.width = plan.width;
+    geometry.height = plan.height;
+    geometry.period_x = plan.period_x;
+    geometry.period_y = plan.period_y;
+    geometry.lines = plan.lines;
+    geometry.strip_width = plan.strip_width;
+    geometry.columns = columns;
+    geometry.capacity = capacity;
+    geometry.is_exact = plan.exact ? 1 : 0;
+    geometry.chord_margin = plan.chord_margin();
+    geometry.cell_side = plan.cell_side;
+    geometry.cell_columns = plan.cell_columns;
+    geometry.cell_rows = plan.cell_rows;
+    return geometry;
 }
 
 Range draws_of(const Slab& slab, std::span<const Draw> draws) {
     const auto index_of_line = [&](std::uint32_t line) {
-        const auto first = std::partition_point(draws.begin(), draws.end(),
-                                                [&](const Draw& draw) { return draw.line < line; });
+        const auto first = std::partition_point(
+            draws.begin(), draws.end(), [&](const Draw& draw) { return draw.place < line; });
         return static_cast<std::uint32_t>(first - draws.begin());
     };
     return {index_of_line(slab.first_line), index_of_line(slab.end_line)};
@@ -52,18 +67,24 @@ void find_near_begins(const Plan& plan, std::uint32_t columns,
     }
 }
 
-void drop_rejected(std::span<const Sample> by_order, std::vector<Sample>& samples) {
+std::uint64_t take_admitted(std::span<const Sample> by_order, std::vector<Sample>& samples) {
     samples.clear();
-    std::copy_if(by_order.begin(), by_order.end(), std::back_inserter(samples),
-                 [](const Sample& sample) { return sample.y != NO_SAMPLE; });
+    std::uint64_t survivors = 0;
+    for (const Sample& sample : by_order) {
+        const bool admitted = sample.x != NO_SAMPLE;
+        if (admitted) samples.push_back(sample);
+        survivors += admitted || sample.y != FATE_COVERED;
+    }
+    return survivors;
 }
 
 std::vector<Sample> samples_by_order(const Snapshot& snapshot) {
-    std::vector<Sample> samples(snapshot.candidates.size(), {NO_SAMPLE, NO_SAMPLE});
+    std::vector<Sample> samples(snapshot.candidates.size());
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const Candidate& candidate = snapshot.candidates[i];
-        if (snapshot.fates[i] == FATE_ADMITTED)
-            samples[candidate.order] = {candidate.x, candidate.y};
+        samples[candidate.order] = snapshot.fates[i] == FATE_ADMITTED
+                                       ? Sample{candidate.x, candidate.y}
+                                       : Sample{NO_SAMPLE, snapshot.fates[i]};
     }
     return samples;
 }
@@ -100,6 +121,12 @@ std::string gigabytes(std::uint64_t bytes) {
 constexpr std::uint64_t kBytesPerDraw = 48 + 4 + 8 + 24;
 constexpr std::uint64_t kLargestPerDraw = 24;  // of one buffer: the samples near
 
+// Of a cell, and of a box and the two that it may become; in exact.
+constexpr std::uint64_t kBytesPerCell = 8;
+constexpr std::uint64_t kBytesPerBox = 12 + 4 + 2 * (12 + 12);
+// Boxes for a sample of the maximal set, at most: 0.45 to 0.5 have been seen.
+constexpr double kBoxesPerSample = 0.75;
+
 }  // namespace
 
 void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint64_t memory_bytes,
@@ -117,13 +144,19 @@ void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint6
         throw BadRequest("round-size", std::to_string(plan.round_size),
                          "must be at most " + std::to_string(most_draws) + " on " + device +
                              ", whose largest buffer has " + gigabytes(largest_buffer_bytes));
+    // Cells and boxes have a buffer for each coordinate.
+    const std::uint64_t cells = plan.exact ? std::uint64_t{plan.cell_columns} * plan.cell_rows : 0;
+    const auto boxes = static_cast<std::uint64_t>(
+        plan.exact ? kBoxesPerSample * static_cast<double>(plan.expected_samples) : 0);
     const std::uint64_t largest =
-        std::max({line_bytes, plan.lines * std::uint64_t{4}, round * kLargestPerDraw});
+        std::max({line_bytes, plan.lines * std::uint64_t{4}, round * kLargestPerDraw,
+                  cells * kBytesPerCell / 2, boxes * 2 * std::uint64_t{4}});
     if (largest > largest_buffer_bytes)
         throw Unavailable("device " + device + ": the request needs a buffer of " +
                           gigabytes(largest) + ", and its largest has " +
                           gigabytes(largest_buffer_bytes));
-    const std::uint64_t needed = lines_bytes + round * kBytesPerDraw;
+    const std::uint64_t needed =
+        lines_bytes + round * kBytesPerDraw + cells * kBytesPerCell + boxes * kBytesPerBox;
     if (needed > memory_bytes)
         throw Unavailable("device " + device + ": the request needs " + gigabytes(needed) +
                           " of memory, and it has " + gigabytes(memory_bytes));

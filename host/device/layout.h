@@ -38,7 +38,7 @@ std::vector<Slab> share_out(std::uint32_t lines, std::uint32_t capacity,
 
 portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uint32_t capacity);
 
-// The draws of a slab's lines; draws are sorted by line.
+// The draws of a slab's lines, which are their places; draws are sorted by place.
 Range draws_of(const Slab& slab, std::span<const Draw> draws);
 
 // begins[column] .. begins[column + 1] is room for all samples that may cut the column's lines:
@@ -47,8 +47,9 @@ void find_near_begins(const Plan& plan, std::uint32_t columns,
                       std::span<const std::uint32_t> column_begins,
                       std::vector<std::uint32_t>& begins);
 
-// The samples of a round, from those of its draws in order; rejected draws have NO_SAMPLE.
-void drop_rejected(std::span<const Sample> by_order, std::vector<Sample>& samples);
+// The samples of a round, from those of its draws in order: draws not admitted have x == NO_SAMPLE
+// and their fate in y. Returns how many draws no sample of an earlier round covers.
+std::uint64_t take_admitted(std::span<const Sample> by_order, std::vector<Sample>& samples);
 
 // The same the other way round: what a snapshot's fates make of its candidates, by order.
 std::vector<Sample> samples_by_order(const Snapshot& snapshot);

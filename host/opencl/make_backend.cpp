@@ -1,16 +1,35 @@
-// The opencl backend: queues the three verbs and waits for each.
+// The opencl backend: queues the verbs and waits for each.
 #include "opencl/make_backend.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <functional>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 
 #include "columns.h"
 #include "opencl/state.h"
+#include "portable/failure.h"
 
 namespace lacuna::opencl {
 namespace {
+
+// Chords cut from a line in the time that a draw takes.
+constexpr std::uint64_t kChordsPerDraw = 8;
+
+// The lowest of the kernels that failed, and what to do.
+std::string text_of(std::uint32_t failure) {
+    constexpr const char* kJobs[] = {"locate",   "sort_columns", "admit", "gather",
+                                     "subtract", "refine",       "refine"};
+    const auto job = static_cast<std::size_t>(std::countr_zero(failure)) % std::size(kJobs);
+    const bool ended_early = (failure & FAILED_CHORDS) == 0;
+    return std::string(kJobs[job]) +
+           (ended_early ? ": a loop was ended early by the driver"
+                        : ": more samples near a box than there is room for") +
+           ": use fewer points, or another backend";
+}
 
 class OpenClBackend : public Backend {
 public:
@@ -21,7 +40,7 @@ public:
     // Transfers into this object's memory may be on their way when an error ends a run.
     ~OpenClBackend() override {
         try {
-            state_.queue.finish();
+            state_.queue.drain();
         } catch (const cl::Error&) {  // of the run, and told by it
         }
     }
@@ -29,18 +48,39 @@ public:
     OpenClBackend& operator=(const OpenClBackend&) = delete;
 
     std::string device() const override { return name_; }
+    void watch(std::function<bool()> may_go_on) override {
+        state_.queue.watch(std::move(may_go_on));
+    }
 
+    // Each verb waits, so that an observer can tell their times apart; it costs some 30 us a verb.
     void locate(std::span<const Draw> draws) override {
-        guard([&] { queue_locate(draws); });
-        finish_verb();
+        guard([&] {
+            queue_locate(draws);
+            state_.queue.finish();
+        });
     }
     void admit() override {
-        guard([&] { queue_passes(settling_ ? 1 : 0); });
-        finish_verb();
+        guard([&] {
+            if (state_.plan.exact) queue_screen();
+            queue_passes(0);
+            state_.queue.finish();
+        });
     }
     void subtract() override {
-        guard([&] { queue_subtract(); });
-        finish_verb();
+        guard([&] {
+            subtracting_ = true;
+            queue_subtract();
+            state_.queue.finish();
+        });
+    }
+    void refine(bool halve) override {
+        guard([&] {
+            settle();
+            queue_insert();
+            if (!state_.has_boxes()) unfold();
+            cut(halve);
+            state_.queue.finish();
+        });
     }
     Round finish_round() override {
         return guard([&] { return wait(); });
@@ -55,7 +95,6 @@ public:
     void restore(const Snapshot& snapshot) override {
         guard([&] {
             state_.restore(snapshot);
-            settling_ = true;
             subtracting_ = false;
         });
     }
@@ -66,70 +105,175 @@ private:
         return guarded(name_, state_.program->log, work);
     }
 
-    // An observer can then tell the verbs' times apart; it costs some 30 us a verb.
-    void finish_verb() {
-        guard([&] { state_.queue.finish(); });
-    }
-
     void queue_locate(std::span<const Draw> draws) {
         State& s = state_;
         const auto count = static_cast<std::uint32_t>(draws.size());
-        find_column_begins(s.plan, s.geometry.columns, draws, s.host_column_begins);
+        find_column_begins(s.host_place_begins, draws, s.host_column_begins);
         s.begin_round(count);
-        s.queue.write(s.draws, draws);
-        settling_ = false;
+        s.queue.start_write(s.draws, draws);
         subtracting_ = false;
 
         const std::uint32_t chunk = s.queue.chunk_of(count);
-        for (std::size_t i = 0; i < s.slabs.size(); ++i) {
+        if (s.has_boxes())
+            s.queue.launch_in_slices(s.kernels.locate_in_boxes, items_of(count, chunk), count,
+                                     s.geometry, count, chunk, s.boxes.x, s.boxes.begin, s.draws,
+                                     s.located);
+        for (std::size_t i = 0; i < s.slabs.size() && !s.has_boxes(); ++i) {
             const device::Range range = device::draws_of(s.slabs[i], draws);
-            s.queue.launch(s.kernels.locate, items(range.end - range.begin, chunk), s.geometry,
-                           s.slabs[i].first_line, range.begin, range.end, chunk, s.spans[i],
-                           s.draws, s.located);
+            s.queue.launch_in_slices(s.kernels.locate, items_of(range.end - range.begin, chunk),
+                                     range.end - range.begin, s.geometry, s.slabs[i].first_line,
+                                     range.begin, range.end, chunk, s.spans[i], s.draws, s.located,
+                                     s.failure);
         }
-        s.queue.launch(s.kernels.sort_columns, items(count, chunk), s.geometry, count, chunk,
-                       s.column_begins, s.located, s.candidates, s.fates);
+        const std::uint32_t columns = s.geometry.columns;
+        s.queue.launch_in_slices(s.kernels.sort_columns, columns, count, s.geometry,
+                                 s.column_begins, s.located, s.buckets, s.candidates, s.fates,
+                                 s.pending, s.failure);
+    }
+
+    void queue_screen() {
+        State& s = state_;
+        const std::uint32_t chunk = s.queue.chunk_of(s.draw_count);
+        s.queue.launch_in_slices(s.kernels.screen, items_of(s.draw_count, chunk), s.draw_count,
+                                 s.geometry, s.draw_count, chunk, s.candidates, s.cell_x, s.cell_y,
+                                 s.fates, s.pending, s.samples);
     }
 
     // Passes from 1 on take up what earlier ones left undecided.
     void queue_passes(std::uint32_t first_pass) {
         State& s = state_;
-        const std::array<std::uint32_t, kPasses> unsettled = {1};
-        if (first_pass == 1) s.queue.write<std::uint32_t>(s.undecided, unsettled);
-        settling_ = true;
+        static constexpr std::array<std::uint32_t, kPasses> kUnsettled = {1};
+        if (first_pass == 1)
+            s.queue.start_write<std::uint32_t>(s.undecided, kUnsettled);
+        else
+            s.zero(s.undecided, kPasses);
 
         const std::uint32_t chunk = s.queue.chunk_of(s.draw_count);
         for (std::uint32_t pass = first_pass; pass < kPasses; ++pass)
-            s.queue.launch(s.kernels.admit, items(s.draw_count, chunk), s.geometry, pass,
-                           s.draw_count, chunk, s.column_begins, s.candidates, s.fates, s.undecided,
-                           s.samples);
+            s.queue.launch_in_slices(s.kernels.admit, items_of(s.draw_count, chunk), s.draw_count,
+                                     s.geometry, pass, s.draw_count, chunk, s.column_begins,
+                                     s.candidates, s.fates, s.pending, s.undecided, s.samples,
+                                     s.failure);
+    }
+
+    void queue_insert() {
+        State& s = state_;
+        const std::uint32_t chunk = s.queue.chunk_of(s.draw_count);
+        s.queue.launch_in_slices(s.kernels.insert, items_of(s.draw_count, chunk), s.draw_count,
+                                 s.geometry, kPasses - 1, s.draw_count, chunk, s.undecided,
+                                 s.candidates, s.fates, s.cell_x, s.cell_y);
     }
 
     void queue_subtract() {
         State& s = state_;
-        subtracting_ = true;
-        s.queue.zero(s.overflow, 1);
-        s.queue.launch(s.kernels.gather, s.geometry.columns, s.geometry, kPasses - 1, s.undecided,
-                       s.column_begins, s.near_begins, s.candidates, s.fates, s.near_counts,
-                       s.near);
+        if (s.plan.exact) queue_insert();
+        s.zero(s.overflow, 1);
+        const std::uint32_t columns = s.geometry.columns;
+        const std::uint64_t near = std::uint64_t{s.draw_count} * 3 / columns;  // a column, about
+        s.queue.launch_in_slices(s.kernels.gather, columns, s.draw_count, s.geometry, kPasses - 1,
+                                 s.undecided, s.column_begins, s.near_begins, s.candidates, s.fates,
+                                 s.near_counts, s.near, s.failure);
         for (std::size_t i = 0; i < s.slabs.size(); ++i)
-            s.queue.launch(s.kernels.subtract, s.slabs[i].lines(), s.geometry,
-                           s.slabs[i].first_line, s.slabs[i].end_line, kPasses - 1, s.undecided,
-                           s.near_begins, s.near_counts, s.near, s.spans[i], s.span_counts,
-                           s.free_lengths, s.overflow);
+            s.queue.launch_in_slices(s.kernels.subtract, s.slabs[i].lines(),
+                                     s.slabs[i].lines() * near / kChordsPerDraw, s.geometry,
+                                     s.slabs[i].first_line, s.slabs[i].end_line, kPasses - 1,
+                                     s.undecided, s.near_begins, s.near_counts, s.near, s.spans[i],
+                                     s.span_counts, s.free_lengths, s.overflow, s.failure);
+    }
+
+    // Waits until admission is settled.
+    void settle() {
+        read_flags();
+        while (undecided_.back() != 0) {
+            queue_passes(1);
+            read_flags();
+        }
+    }
+
+    // Waits for what is queued, and looks whether it came out well.
+    void read_flags() {
+        State& s = state_;
+        s.queue.start_read<std::uint32_t>(s.undecided, undecided_);
+        s.queue.start_read<std::uint32_t>(s.overflow, overflow_);
+        s.queue.start_read<std::uint32_t>(s.failure, failure_);
+        s.queue.finish();
+        if (failure_.front() != 0)
+            throw DeviceError("backend opencl, device " + name_ + ": " + text_of(failure_.front()));
+    }
+
+    // Sums the counts, so that each becomes the place of what is counted; returns how many.
+    std::uint32_t scan(std::uint32_t count, std::uint32_t block) {
+        State& s = state_;
+        const std::uint32_t blocks = items_of(count, block);
+        s.queue.launch(s.kernels.scan, blocks, count, block, s.counts, s.sums, s.failure);
+        s.queue.launch(s.kernels.scan, 1, blocks, blocks, s.sums, s.total, s.failure);
+        s.queue.start_read<std::uint32_t>(s.total, total_);
+        read_flags();
+        return total_.front();
+    }
+
+    // Makes boxes of the free spans.
+    void unfold() {
+        State& s = state_;
+        const std::uint32_t block = s.queue.block_of(s.plan.lines + 1);
+        s.make_room_for_strips(s.plan.lines);
+        s.make_room(s.boxes, 0);
+        queue_unfold(false, block);
+        s.place_count = scan(s.plan.lines + 1, block);
+        s.make_room(s.boxes, s.place_count);
+        queue_unfold(true, block);
+        s.box_width = s.plan.strip_width;
+        s.slabs.clear();
+        s.spans.clear();
+    }
+
+    void queue_unfold(bool writes, std::uint32_t block) {
+        State& s = state_;
+        for (std::size_t i = 0; i < s.slabs.size(); ++i)
+            s.queue.launch(s.kernels.unfold, s.slabs[i].lines(), s.geometry, s.slabs[i].first_line,
+                           s.slabs[i].end_line, cl_uint{writes}, block, s.spans[i], s.span_counts,
+                           s.counts, s.sums, s.boxes.x, s.boxes.begin, s.boxes.end, s.failure);
+    }
+
+    // Cuts the boxes by all samples, or by halves.
+    void cut(bool halve) {
+        State& s = state_;
+        const std::uint32_t parts = halve ? 2 : 1;
+        const std::uint32_t width = s.box_width / parts;
+        const std::uint32_t strips = s.place_count * parts;
+        const std::uint32_t chunk = s.queue.chunk_of(s.place_count);
+        const std::uint32_t items = items_of(s.place_count, chunk);
+        const std::uint32_t block = s.queue.block_of(strips + 1);
+        s.make_room_for_strips(strips);
+        s.queue.launch_in_slices(s.kernels.cut, items, s.place_count, s.geometry, s.place_count,
+                                 chunk, width, parts, s.boxes.x, s.boxes.begin, s.boxes.end,
+                                 s.cell_x, s.cell_y, s.counts, s.piece_begin, s.piece_end,
+                                 s.failure);
+        const std::uint32_t pieces = s.place_count == 0 ? 0 : scan(strips + 1, block);
+        s.make_room(s.new_boxes, pieces);
+        s.make_room_for_lengths(pieces);
+        s.queue.launch_in_slices(s.kernels.keep, items, s.place_count, s.geometry, s.place_count,
+                                 chunk, width, parts, block, s.boxes.x, s.boxes.begin, s.boxes.end,
+                                 s.cell_x, s.cell_y, s.counts, s.sums, s.piece_begin, s.piece_end,
+                                 s.new_boxes.x, s.new_boxes.begin, s.new_boxes.end, s.free_lengths,
+                                 s.failure);
+        std::swap(s.boxes, s.new_boxes);
+        s.place_count = pieces;
+        s.box_width = width;
+        s.queue.launch(s.kernels.find_place_begins, s.geometry.columns + 1, s.geometry, pieces,
+                       s.boxes.x, s.place_begins);
+        s.queue.start_read<std::uint32_t>(s.place_begins, s.host_place_begins);
     }
 
     // Waits until the round is done, with what more it takes: passes, or room.
     Round wait() {
         State& s = state_;
         by_order_.resize(s.draw_count);
-        free_lengths_.resize(s.plan.lines);
+        free_lengths_.resize(s.place_count);
         while (true) {
-            s.queue.start_read<std::uint32_t>(s.undecided, undecided_);
-            s.queue.start_read<std::uint32_t>(s.overflow, overflow_);
             s.queue.start_read<std::uint32_t>(s.free_lengths, free_lengths_);
             s.queue.start_read<Sample>(s.samples, by_order_);
-            s.queue.finish();
+            read_flags();
             if (undecided_.back() != 0)
                 queue_passes(1);
             else if (overflow_.front() != 0)
@@ -138,12 +282,8 @@ private:
                 break;
             if (subtracting_) queue_subtract();
         }
-        device::drop_rejected(by_order_, samples_);
-        return {samples_, free_lengths_};
-    }
-
-    static std::uint32_t items(std::uint32_t draws, std::uint32_t chunk) {
-        return static_cast<std::uint32_t>((std::uint64_t{draws} + chunk - 1) / chunk);
+        const std::uint64_t survivors = device::take_admitted(by_order_, samples_);
+        return {samples_, survivors, free_lengths_, s.place_width()};
     }
 
     std::string name_;
@@ -151,11 +291,10 @@ private:
     std::vector<Sample> by_order_;
     std::vector<std::uint32_t> free_lengths_;
     std::array<std::uint32_t, kPasses> undecided_{};
-    std::array<std::uint32_t, 1> overflow_{};
-    std::vector<Sample> samples_;
+    std::array<std::uint32_t, 1> overflow_{}, failure_{}, total_{};
     State state_;
-    bool settling_ = false;     // fates are there to be taken up
-    bool subtracting_ = false;  // the round's subtraction has been asked for
+    std::vector<Sample> samples_;
+    bool subtracting_ = false;
 };
 
 }  // namespace

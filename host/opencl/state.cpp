@@ -1,4 +1,4 @@
-// The opencl backend's memory and queue.
+// The opencl backend's memory.
 #include "opencl/state.h"
 
 #include <algorithm>
@@ -7,54 +7,32 @@
 #include <utility>
 
 #include "columns.h"
+#include "portable/column.h"
+#include "portable/fate.h"
 
 namespace lacuna::opencl {
 namespace {
 
-constexpr std::uint32_t kProcessorChunks = 32;  // a core: short ones, to share out evenly
-constexpr std::uint32_t kGraphicsGroup = 64;
+// Of boxes, and of strips; small sets do without more.
+constexpr std::uint32_t kLeastRoom = 4096;
 
 }  // namespace
 
 Kernels::Kernels(const cl::Program& program)
     : locate(program, "locate"),
+      locate_in_boxes(program, "locate_in_boxes"),
       sort_columns(program, "sort_columns"),
+      screen(program, "screen"),
       admit(program, "admit"),
       gather(program, "gather"),
       subtract(program, "subtract"),
-      grow(program, "grow") {}
-
-// ------------------------------------------------------------------------------------- the queue
-
-Queue::Queue(const Program& program, std::uint64_t* launches)
-    : queue_(program.context, program.device), launches_(launches) {
-    const bool processor = program.entry.kind == "cpu";
-    const auto largest = program.device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
-    const auto units = program.device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
-    // One size for all launches: PoCL compiles a kernel anew for each.
-    group_size_ =
-        processor ? 1 : static_cast<std::uint32_t>(std::min<std::size_t>(kGraphicsGroup, largest));
-    chunks_ = processor ? units * kProcessorChunks : 0;
-}
-
-std::uint32_t Queue::chunk_of(std::uint32_t draws) const {
-    return chunks_ == 0 ? 1 : std::max(1u, draws / chunks_);
-}
-
-void Queue::launch_all(const cl::Kernel& kernel, std::uint32_t items) {
-    const std::uint64_t groups = (std::uint64_t{items} + group_size_ - 1) / group_size_;
-    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(groups * group_size_),
-                                cl::NDRange(group_size_));
-    if (launches_ != nullptr) ++*launches_;
-}
-
-void Queue::zero(const cl::Buffer& buffer, std::size_t words) {
-    // Not clEnqueueFillBuffer: Oclgrind takes what it fills for uninitialized.
-    static constexpr std::array<cl_uint, kPasses> kZeros{};
-    queue_.enqueueWriteBuffer(buffer, CL_FALSE, 0, words * sizeof(cl_uint), kZeros.data());
-}
-
-// ------------------------------------------------------------------------------------ the memory
+      grow(program, "grow"),
+      insert(program, "insert"),
+      unfold(program, "unfold"),
+      cut(program, "cut"),
+      scan(program, "scan"),
+      keep(program, "keep"),
+      find_place_begins(program, "find_place_begins") {}
 
 State::State(std::shared_ptr<Program> the_program, const Plan& the_plan,
              const device::Tuning& tuning, std::uint64_t* launches)
@@ -64,15 +42,28 @@ State::State(std::shared_ptr<Program> the_program, const Plan& the_plan,
       plan(the_plan),
       geometry(device::geometry_of(plan, count_columns(plan), 0)),
       largest_slab_bytes(tuning.largest_slab_bytes != 0 ? tuning.largest_slab_bytes
-                                                        : program->entry.largest_buffer_bytes) {
-    const std::uint64_t word = sizeof(cl_uint);
-    span_counts = buffer(plan.lines * word);
-    free_lengths = buffer(plan.lines * word);
-    column_begins = buffer((geometry.columns + word) * word);
-    near_begins = buffer((geometry.columns + word) * word);
-    near_counts = buffer(geometry.columns * word);
-    undecided = buffer(kPasses * word);
-    overflow = buffer(word);
+                                                        : program->entry.largest_buffer_bytes),
+      place_count(plan.lines),
+      length_room(std::max(plan.lines, kLeastRoom)),
+      host_place_begins(first_lines(plan, geometry.columns)) {
+    const std::uint64_t columns = geometry.columns;
+    span_counts = words(plan.lines);
+    free_lengths = words(length_room);
+    place_begins = words(columns + 1);
+    column_begins = words(columns + 1);
+    near_begins = words(columns + 1);
+    near_counts = words(columns);
+    undecided = words(kPasses);
+    overflow = words(1);
+    failure = words(1);
+    total = words(1);
+    if (plan.exact) {
+        const std::uint64_t cells = std::uint64_t{plan.cell_columns} * plan.cell_rows;
+        cell_x = words(cells);
+        cell_y = words(cells);
+        queue.fill(cell_x, cells, NO_SAMPLE);
+        queue.fill(cell_y, cells, NO_SAMPLE);
+    }
 
     // One span a line, written in a row, then spread out.
     allocate_slabs(1);
@@ -81,10 +72,20 @@ State::State(std::shared_ptr<Program> the_program, const Plan& the_plan,
     queue.write<std::uint32_t>(span_counts, std::vector<std::uint32_t>(plan.lines, 1));
     queue.write<std::uint32_t>(free_lengths, std::vector<std::uint32_t>(plan.lines, plan.height));
     grow(first_capacity(plan));
+    queue.drain();
 }
 
 cl::Buffer State::buffer(std::uint64_t bytes) const {
     return {program->context, CL_MEM_READ_WRITE, std::max<std::size_t>(bytes, sizeof(cl_uint4))};
+}
+
+cl::Buffer State::words(std::uint64_t count) const {
+    return buffer(count * sizeof(cl_uint));
+}
+
+void State::zero(const cl::Buffer& of, std::uint32_t count) {
+    static constexpr std::array<std::uint32_t, kPasses> kZeros{};
+    queue.start_write(of, std::span(kZeros).first(count));
 }
 
 void State::allocate_slabs(std::uint32_t capacity) {
@@ -119,54 +120,152 @@ void State::begin_round(std::uint32_t count) {
         draw_room = count;
         draws = buffer(std::uint64_t{count} * sizeof(Draw));
         located = buffer(std::uint64_t{count} * sizeof(Candidate));
+        buckets = words(count);
         candidates = buffer(std::uint64_t{count} * sizeof(Candidate));
-        fates = buffer(std::uint64_t{count} * sizeof(cl_uint));
+        fates = words(count);
+        pending = words(count);
         samples = buffer(std::uint64_t{count} * sizeof(Sample));
         // Each lies near its own column and those on either side.
         near = buffer(std::uint64_t{count} * 3 * sizeof(Sample));
     }
-    queue.write<std::uint32_t>(column_begins, host_column_begins);
-    queue.write<std::uint32_t>(near_begins, host_near_begins);
-    queue.zero(undecided, kPasses);
-    queue.zero(overflow, 1);
+    queue.start_write<std::uint32_t>(column_begins, host_column_begins);
+    queue.start_write<std::uint32_t>(near_begins, host_near_begins);
+    zero(undecided, kPasses);
+    zero(overflow, 1);
+    zero(failure, 1);
+}
+
+void State::make_room(Boxes& of, std::uint32_t count) const {
+    if (of.room >= count && of.room != 0) return;
+    const std::uint32_t room = std::max(count, kLeastRoom);
+    of = {};  // first let go of what was there
+    of = {words(room), words(room), words(room), room};
+}
+
+void State::make_room_for_strips(std::uint32_t count) {
+    if (strip_room >= count && strip_room != 0) return;
+    counts = piece_begin = piece_end = sums = {};
+    strip_room = std::max(count, kLeastRoom);
+    counts = words(std::uint64_t{strip_room} + 1);
+    piece_begin = words(strip_room);
+    piece_end = words(strip_room);
+    sums = words(std::uint64_t{strip_room} / queue.block_of(0) + 1);
+}
+
+void State::make_room_for_lengths(std::uint32_t count) {
+    if (length_room >= count) return;
+    free_lengths = {};
+    length_room = count;
+    free_lengths = words(count);
 }
 
 Snapshot State::snapshot() {
-    Snapshot snapshot{geometry.capacity, {}, {}, {}};
+    Snapshot snapshot;
+    snapshot.capacity = geometry.capacity;
     snapshot.candidates.resize(draw_count);
     snapshot.fates.resize(draw_count);
-    std::vector<std::uint32_t> counts(plan.lines);
+    snapshot.box_width = box_width;
+    const std::size_t cells =
+        plan.exact ? std::size_t{plan.cell_columns} * plan.cell_rows : std::size_t{0};
+    std::vector<std::uint32_t> span_count(plan.lines), x(cells), y(cells);
+    std::vector<std::uint32_t> box_x(has_boxes() ? place_count : 0);
+    std::vector<std::uint32_t> box_begin(box_x.size()), box_end(box_x.size());
     queue.start_read(candidates, std::span(snapshot.candidates));
     queue.start_read(fates, std::span(snapshot.fates));
-    queue.start_read(span_counts, std::span(counts));
-    queue.finish();
-    for (std::size_t i = 0; i < slabs.size(); ++i) {
+    queue.start_read(span_counts, std::span(span_count));
+    queue.start_read(cell_x, std::span(x));
+    queue.start_read(cell_y, std::span(y));
+    queue.start_read(boxes.x, std::span(box_x));
+    queue.start_read(boxes.begin, std::span(box_begin));
+    queue.start_read(boxes.end, std::span(box_end));
+    queue.drain();
+    for (std::size_t i = 0; i < cells; ++i) snapshot.cells.push_back({x[i], y[i]});
+    for (std::size_t i = 0; i < box_x.size(); ++i)
+        snapshot.boxes.push_back({box_x[i], box_begin[i], box_end[i]});
+    for (std::size_t i = 0; i < slabs.size() && !has_boxes(); ++i) {
         std::vector<Span> slots(std::size_t{slabs[i].lines()} * geometry.capacity);
         queue.start_read(spans[i], std::span(slots));
-        queue.finish();
-        device::unpack(slabs[i], slots, counts, snapshot);
+        queue.drain();
+        device::unpack(slabs[i], slots, span_count, snapshot);
     }
     return snapshot;
 }
 
-void State::restore(const Snapshot& snapshot) {
-    allocate_slabs(snapshot.capacity);
-    for (std::size_t i = 0; i < slabs.size(); ++i)
-        queue.write<Span>(spans[i], device::pack(slabs[i], snapshot));
-    std::vector<std::uint32_t> counts, lengths;
-    for (const std::vector<Span>& of_line : snapshot.spans) {
-        counts.push_back(static_cast<std::uint32_t>(of_line.size()));
-        lengths.push_back(0);
-        for (const Span span : of_line) lengths.back() += span.end - span.begin;
+// What of each chunk of draws admit has yet to decide.
+std::vector<std::uint32_t> State::pending_of(std::span<const std::uint32_t> of_draws) const {
+    const auto count = static_cast<std::uint32_t>(of_draws.size());
+    const std::uint32_t chunk = queue.chunk_of(count);
+    std::vector<std::uint32_t> all(count, NO_SAMPLE);
+    std::uint32_t left = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (i % chunk == 0) left = i;
+        if (of_draws[i] == FATE_UNDECIDED) all[left++] = i;
     }
-    queue.write<std::uint32_t>(span_counts, counts);
-    queue.write<std::uint32_t>(free_lengths, lengths);
+    return all;
+}
+
+void State::restore(const Snapshot& snapshot) {
+    geometry.capacity = snapshot.capacity;
+    box_width = snapshot.box_width;
+    if (has_boxes())
+        restore_boxes(snapshot);
+    else
+        restore_spans(snapshot);
+    if (plan.exact) {
+        std::vector<std::uint32_t> x, y;
+        for (const Sample sample : snapshot.cells) {
+            x.push_back(sample.x);
+            y.push_back(sample.y);
+        }
+        queue.write<std::uint32_t>(cell_x, x);
+        queue.write<std::uint32_t>(cell_y, y);
+    }
 
     find_column_begins(plan, geometry.columns, std::span(snapshot.candidates), host_column_begins);
     begin_round(static_cast<std::uint32_t>(snapshot.candidates.size()));
     queue.write<Candidate>(candidates, snapshot.candidates);
     queue.write<std::uint32_t>(fates, snapshot.fates);
+    queue.write<std::uint32_t>(pending, pending_of(snapshot.fates));
     queue.write<Sample>(samples, device::samples_by_order(snapshot));
+}
+
+void State::restore_spans(const Snapshot& snapshot) {
+    allocate_slabs(snapshot.capacity);
+    for (std::size_t i = 0; i < slabs.size(); ++i)
+        queue.write<Span>(spans[i], device::pack(slabs[i], snapshot));
+    std::vector<std::uint32_t> span_count, lengths;
+    for (const std::vector<Span>& of_line : snapshot.spans) {
+        span_count.push_back(static_cast<std::uint32_t>(of_line.size()));
+        lengths.push_back(0);
+        for (const Span span : of_line) lengths.back() += span.end - span.begin;
+    }
+    queue.write<std::uint32_t>(span_counts, span_count);
+    queue.write<std::uint32_t>(free_lengths, lengths);
+    place_count = plan.lines;
+    host_place_begins = first_lines(plan, geometry.columns);
+}
+
+void State::restore_boxes(const Snapshot& snapshot) {
+    place_count = static_cast<std::uint32_t>(snapshot.boxes.size());
+    host_place_begins.assign(geometry.columns + std::size_t{1}, 0);
+    std::vector<std::uint32_t> x, begin, end, lengths;
+    for (const Box& box : snapshot.boxes) {
+        x.push_back(box.x);
+        begin.push_back(box.begin);
+        end.push_back(box.end);
+        lengths.push_back(box.end - box.begin);
+        ++host_place_begins[portable::column_of_line(box.x / plan.strip_width, plan.lines,
+                                                     geometry.columns) +
+                            1];
+    }
+    for (std::uint32_t column = 0; column < geometry.columns; ++column)
+        host_place_begins[column + 1] += host_place_begins[column];
+    make_room(boxes, place_count);
+    make_room_for_lengths(place_count);
+    queue.write<std::uint32_t>(boxes.x, x);
+    queue.write<std::uint32_t>(boxes.begin, begin);
+    queue.write<std::uint32_t>(boxes.end, end);
+    queue.write<std::uint32_t>(free_lengths, lengths);
 }
 
 }  // namespace lacuna::opencl

@@ -1,4 +1,4 @@
-// What the opencl backend keeps on the device, and the queue that all work goes through.
+// What the opencl backend keeps on the device.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include "device/layout.h"
 #include "opencl/cl.h"
 #include "opencl/program.h"
+#include "opencl/queue.h"
 
 namespace lacuna::opencl {
 
@@ -18,47 +19,8 @@ inline constexpr std::uint32_t kPasses = 8;
 
 struct Kernels {
     explicit Kernels(const cl::Program& program);
-    cl::Kernel locate, sort_columns, admit, gather, subtract, grow;
-};
-
-// An in-order queue: each command sees what those before it have done.
-class Queue {
-public:
-    Queue(const Program& program, std::uint64_t* launches);
-
-    // Runs the kernel for at least so many work items, more to fill the last group.
-    template <typename... Arguments>
-    void launch(cl::Kernel& kernel, std::uint32_t items, const Arguments&... arguments) {
-        if (items == 0) return;
-        cl_uint index = 0;
-        (kernel.setArg(index++, arguments), ...);
-        launch_all(kernel, items);
-    }
-
-    // How many draws a work item serves: a few long chunks a core on a processor, 1 elsewhere.
-    std::uint32_t chunk_of(std::uint32_t draws) const;
-
-    template <typename T>
-    void write(const cl::Buffer& to, std::span<const T> from) {
-        if (!from.empty())
-            queue_.enqueueWriteBuffer(to, CL_TRUE, 0, from.size_bytes(), from.data());
-    }
-    // `to` is filled when finish() returns.
-    template <typename T>
-    void start_read(const cl::Buffer& from, std::span<T> to) {
-        if (!to.empty()) queue_.enqueueReadBuffer(from, CL_FALSE, 0, to.size_bytes(), to.data());
-    }
-    // Zeroes one word a pass, or the first.
-    void zero(const cl::Buffer& buffer, std::size_t words);
-    void finish() { queue_.finish(); }
-
-private:
-    void launch_all(const cl::Kernel& kernel, std::uint32_t items);
-
-    cl::CommandQueue queue_;
-    std::uint64_t* launches_;
-    std::uint32_t group_size_;
-    std::uint32_t chunks_;  // 0: as many as there are draws
+    cl::Kernel locate, locate_in_boxes, sort_columns, screen, admit, gather, subtract, grow;
+    cl::Kernel insert, unfold, cut, scan, keep, find_place_begins;
 };
 
 // See kernels/ for what each buffer holds.
@@ -73,17 +35,40 @@ struct State {
     portable::Geometry geometry;
     std::uint64_t largest_slab_bytes;
 
+    // The lines' spans; let go of at the first refinement.
     std::vector<device::Slab> slabs;
     std::vector<cl::Buffer> spans;  // of each slab
-    cl::Buffer span_counts, free_lengths;
+    cl::Buffer span_counts;
+
+    // In exact: the samples so far and, from the first refinement on, boxes.
+    cl::Buffer cell_x, cell_y;
+    struct Boxes {
+        cl::Buffer x, begin, end;
+        std::uint32_t room = 0;
+    };
+    Boxes boxes, new_boxes;
+    std::uint32_t box_width = 0;  // 0 before
+    // Of each strip that boxes are cut in, or line.
+    cl::Buffer counts, piece_begin, piece_end;
+    std::uint32_t strip_room = 0;
+    cl::Buffer sums, total;  // of blocks of counts, and of all
+
+    // The places that draws fall on: lines, then boxes.
+    std::uint32_t place_count;
+    cl::Buffer free_lengths;
+    std::uint32_t length_room;
+    cl::Buffer place_begins;                       // of each column, where places are boxes
+    std::vector<std::uint32_t> host_place_begins;  // columns + 1
 
     std::uint32_t draw_count = 0;  // of the round
     std::uint32_t draw_room = 0;   // of the buffers, which grow with the largest round
-    cl::Buffer draws, located, candidates, fates, samples, near;
+    cl::Buffer draws, located, buckets, candidates, fates, pending, samples, near;
     cl::Buffer column_begins, near_begins, near_counts;
-    cl::Buffer undecided, overflow;
-
+    cl::Buffer undecided, overflow, failure;
     std::vector<std::uint32_t> host_column_begins, host_near_begins;
+
+    bool has_boxes() const { return box_width != 0; }
+    std::uint32_t place_width() const { return has_boxes() ? box_width : plan.strip_width; }
 
     // Shares the lines out over new slabs with room for so many spans a line; nothing in them yet.
     void allocate_slabs(std::uint32_t capacity);
@@ -91,12 +76,22 @@ struct State {
     void grow(std::uint32_t larger);
     // Takes the round's tables from host_column_begins, and makes room for its draws.
     void begin_round(std::uint32_t draws);
+    // Sets the first words to 0.
+    void zero(const cl::Buffer& of, std::uint32_t count);
+    // Room for so many boxes, or strips or lines to be counted; what was there is lost.
+    void make_room(Boxes& boxes, std::uint32_t count) const;
+    void make_room_for_strips(std::uint32_t count);
+    void make_room_for_lengths(std::uint32_t count);
 
     Snapshot snapshot();
     void restore(const Snapshot& snapshot);
 
 private:
     cl::Buffer buffer(std::uint64_t bytes) const;
+    cl::Buffer words(std::uint64_t count) const;
+    std::vector<std::uint32_t> pending_of(std::span<const std::uint32_t> fates) const;
+    void restore_spans(const Snapshot& snapshot);
+    void restore_boxes(const Snapshot& snapshot);
 };
 
 }  // namespace lacuna::opencl

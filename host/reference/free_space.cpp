@@ -47,7 +47,8 @@ void FreeSpace::subtract_disk(Sample sample) {
         const auto line = static_cast<std::uint32_t>((i + line_count) % line_count);
         const std::uint32_t dx =
             portable::axis_distance(sample.x, plan_.centre_of_line(line), plan_.period_x);
-        const std::int64_t half = portable::chord_reach(dx, plan_.radius_squared);
+        const std::int64_t half =
+            portable::chord_reach(dx + plan_.chord_margin(), plan_.radius_squared);
         if (half == 0) continue;
         const std::int64_t y = sample.y;
         const std::int64_t period = plan_.period_y;

@@ -1,4 +1,5 @@
-// The paper's section 4.1, written to be read beside it, in rounds (DESIGN section 3).
+// Mode lines: the paper's section 4.1, written to be read beside it, in rounds (DESIGN section 3).
+// Mode exact is in exact.cpp.
 //
 // The loop of the paper: build the cdf, invert it for x, pick y on that line, subtract the disk.
 // A round does the first three several times from one cdf and keeps, in the order of the draws,
@@ -8,6 +9,7 @@
 #include <algorithm>
 
 #include "random.h"
+#include "reference/exact.h"
 #include "reference/free_space.h"
 #include "rounds.h"
 
@@ -73,16 +75,17 @@ std::uint64_t admit(const std::vector<Candidate>& candidates, FreeSpace& free_sp
 }  // namespace
 
 Outcome sample(const Plan& plan, Observer& observer) {
+    if (plan.exact) return sample_exact(plan, observer);
     Outcome outcome;
     FreeSpace free_space(plan);
-    std::uint64_t round_size = first_round_size(plan);
+    RoundPolicy policy(plan);
 
     while (outcome.samples.size() < plan.limit) {
         const std::vector<std::uint64_t> cdf = marginal_cdf(plan, free_space);
         if (cdf.back() == 0) break;  // no free span left: the set is maximal on the lines
 
         std::vector<Candidate> candidates;
-        for (std::uint64_t i = 0; i < round_size; ++i)
+        for (std::uint64_t i = 0; i < policy.size(); ++i)
             candidates.push_back(draw_candidate(plan, free_space, cdf, outcome.draws++));
 
         const std::uint64_t admitted = admit(candidates, free_space, outcome);
@@ -90,7 +93,7 @@ Outcome sample(const Plan& plan, Observer& observer) {
         const std::uint64_t points = outcome.samples.size();
         if (!observer.keep_going({points, std::max(points, plan.expected_samples), outcome.rounds}))
             throw Cancelled();
-        round_size = next_round_size(plan, round_size, admitted);
+        policy.note(policy.size(), admitted, plan.lines, plan.strip_width);
     }
     if (outcome.samples.size() > plan.limit) outcome.samples.resize(plan.limit);
     return outcome;

@@ -1,4 +1,4 @@
-// The paper's uniform sampler, one sample at a time: the yardstick of every backend.
+// The uniform samplers, one sample at a time: the yardstick of every backend.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -8,8 +8,8 @@
 
 namespace lacuna::reference {
 
-// Kalantari & Sen 2011, section 4.1, in rounds of any size; rounds of one are the paper's
-// algorithm. Throws Cancelled.
+// Mode lines: Kalantari & Sen 2011, section 4.1, in rounds of any size; rounds of one are the
+// paper's algorithm. Mode exact: DESIGN section 4. Throws Cancelled.
 Outcome sample(const Plan& plan, Observer& observer);
 
 }  // namespace lacuna::reference

@@ -50,7 +50,7 @@ void check_domain(double width, double height) {
 }
 
 double default_tolerance(double width, double height) {
-    return std::max(width, height) * 0x1p-29;
+    return std::max(width, height) * 0x1p-28;
 }
 
 Verdict check(std::span<const Point> points, double width, double height, bool torus, double radius,

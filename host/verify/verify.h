@@ -30,8 +30,9 @@ struct Verdict {
 // over 1000 times the other.
 void check_domain(double width, double height);
 
-// What samplers on a grid may lose by rounding the radius up to whole units: 2^-29 of the longer
-// side, which is at least two units.
+// More than samplers on a grid may lose: 2^-28 of the longer side. That is at least four units of a
+// grid with 2^30 or more of them along that side; rounding the radius up to whole units takes up to
+// two, and a spot between the grid's is up to sqrt(2) from one of them.
 double default_tolerance(double width, double height);
 
 // Distances wrap around the edges of a torus, and are what a user would compute: in double,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -18,10 +19,12 @@ namespace {
 
 // Lavapipe runs a group on one thread; graphics cards want a few subgroups in one.
 constexpr std::uint32_t kGroupSize = 64;
-// A desktop driver gives up on a dispatch after some two seconds: so many items stay far below.
-constexpr std::uint32_t kItemsPerDispatch = 1u << 18;
+// A desktop driver gives up on a dispatch after some two seconds: so much work stays far below.
+constexpr std::uint64_t kWorkPerDispatch = std::uint64_t{1} << 18;
+// Between submissions a run can be cancelled.
+constexpr std::uint64_t kWorkPerSubmission = std::uint64_t{1} << 20;
 constexpr std::uint32_t kSetsPerPool = 64;
-constexpr std::uint32_t kBuffersPerSet = 8;
+constexpr std::uint32_t kBuffersPerSet = 16;
 constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
 
 constexpr auto kStages =
@@ -129,7 +132,9 @@ struct Engine::Impl {
         commands->pipelineBarrier(kStages, stages, {}, vk::MemoryBarrier(kWrites, to), {}, {});
     }
 
-    vk::DescriptorSet make_set(const Kernel::Handles& kernel);
+    vk::DescriptorSet make_set(const Kernel::Handles& kernel,
+                               std::initializer_list<Buffer> buffers);
+    void submit();
 
     Instance instance;
     vk::raii::PhysicalDevice physical;
@@ -144,13 +149,16 @@ struct Engine::Impl {
     std::optional<vk::raii::CommandPool> command_pool;
     std::optional<vk::raii::CommandBuffer> commands;
     bool is_recording = false;
+    std::uint64_t work_recorded = 0;
+    std::function<bool()> may_go_on;
 
     std::vector<vk::raii::DescriptorPool> set_pools;
     std::uint32_t sets_used = 0;
     std::vector<Buffer> in_use;  // by commands that have not run yet
 };
 
-vk::DescriptorSet Engine::Impl::make_set(const Kernel::Handles& kernel) {
+vk::DescriptorSet Engine::Impl::make_set(const Kernel::Handles& kernel,
+                                         std::initializer_list<Buffer> buffers) {
     if (sets_used == set_pools.size() * kSetsPerPool) {
         const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer,
                                           kSetsPerPool * kBuffersPerSet);
@@ -159,7 +167,32 @@ vk::DescriptorSet Engine::Impl::make_set(const Kernel::Handles& kernel) {
     const vk::DescriptorSetAllocateInfo info(*set_pools[sets_used / kSetsPerPool],
                                              *kernel.set_layout);
     ++sets_used;
-    return (**device).allocateDescriptorSets(info, *device->getDispatcher()).front();
+    const vk::DescriptorSet set =
+        (**device).allocateDescriptorSets(info, *device->getDispatcher()).front();
+    std::vector<vk::DescriptorBufferInfo> infos;
+    for (const Buffer& buffer : buffers)
+        infos.emplace_back(*buffer.handles_->buffer, 0, VK_WHOLE_SIZE);
+    device->updateDescriptorSets(
+        vk::WriteDescriptorSet(set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, infos), {});
+    return set;
+}
+
+// Runs what is recorded, and waits for it.
+void Engine::Impl::submit() {
+    vk::raii::CommandBuffer& all = recording();
+    record_barrier(vk::PipelineStageFlagBits::eHost, vk::AccessFlagBits::eHostRead);
+    all.end();
+    is_recording = false;
+    work_recorded = 0;
+    if (may_go_on && !may_go_on()) {
+        command_pool->reset();
+        throw Cancelled();
+    }
+    queue->submit(vk::SubmitInfo({}, {}, *all), **fence);
+    while (device->waitForFences(**fence, true, kForever) == vk::Result::eTimeout) {
+    }
+    device->resetFences(**fence);
+    command_pool->reset();
 }
 
 Engine::Engine(std::string_view wanted_device, const Validation* validation)
@@ -172,6 +205,10 @@ const DeviceEntry& Engine::device() const {
 
 std::uint64_t Engine::dispatches() const {
     return impl_->dispatches;
+}
+
+void Engine::watch(std::function<bool()> may_go_on) {
+    impl_->may_go_on = std::move(may_go_on);
 }
 
 Buffer Engine::allocate(Memory where, std::uint64_t bytes) {
@@ -250,46 +287,36 @@ void Engine::barrier() {
 }
 
 void Engine::dispatch_bytes(const Kernel& kernel, std::initializer_list<Buffer> buffers,
-                            std::span<const std::byte> arguments, std::uint32_t items) {
+                            std::span<const std::byte> arguments, std::uint32_t items,
+                            std::uint32_t work) {
     if (items == 0) return;
+    impl_->in_use.insert(impl_->in_use.end(), buffers.begin(), buffers.end());
     impl_->guarded([&] {
-        vk::raii::CommandBuffer& commands = impl_->recording();
-        const vk::DescriptorSet set = impl_->make_set(*kernel.handles_);
-        std::vector<vk::DescriptorBufferInfo> infos;
-        for (const Buffer& buffer : buffers)
-            infos.emplace_back(*buffer.handles_->buffer, 0, VK_WHOLE_SIZE);
-        impl_->device->updateDescriptorSets(
-            vk::WriteDescriptorSet(set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, infos), {});
         constexpr auto kCompute = vk::PipelineBindPoint::eCompute;
+        const vk::DescriptorSet set = impl_->make_set(*kernel.handles_, buffers);
         const vk::PipelineLayout layout = *kernel.handles_->layout;
-        commands.bindPipeline(kCompute, *kernel.handles_->pipeline);
-        commands.bindDescriptorSets(kCompute, layout, 0, set, {});
         std::vector<std::byte> pushed(arguments.begin(), arguments.end());
-        const std::uint32_t most =
-            std::min(kItemsPerDispatch / kGroupSize, impl_->most_groups) * kGroupSize;
+        const std::uint64_t most_groups = std::clamp<std::uint64_t>(
+            kWorkPerDispatch / kGroupSize / std::max(work, 1u), 1, impl_->most_groups);
+        const auto most = static_cast<std::uint32_t>(most_groups) * kGroupSize;
         for (std::uint32_t first = 0; first < items; first += most) {
+            if (impl_->work_recorded >= kWorkPerSubmission) impl_->submit();
+            vk::raii::CommandBuffer& commands = impl_->recording();
+            commands.bindPipeline(kCompute, *kernel.handles_->pipeline);
+            commands.bindDescriptorSets(kCompute, layout, 0, set, {});
             std::memcpy(pushed.data(), &first, sizeof(first));
             commands.pushConstants<std::byte>(layout, vk::ShaderStageFlagBits::eCompute, 0, pushed);
             const std::uint32_t served = std::min(most, items - first);
             commands.dispatch((served + kGroupSize - 1) / kGroupSize, 1, 1);
+            impl_->work_recorded += std::uint64_t{served} * work;
             ++impl_->dispatches;
         }
     });
-    impl_->in_use.insert(impl_->in_use.end(), buffers.begin(), buffers.end());
 }
 
 void Engine::wait() {
     impl_->guarded([&] {
-        vk::raii::CommandBuffer& commands = impl_->recording();
-        impl_->record_barrier(vk::PipelineStageFlagBits::eHost, vk::AccessFlagBits::eHostRead);
-        commands.end();
-        impl_->is_recording = false;
-        impl_->queue->submit(vk::SubmitInfo({}, {}, *commands), **impl_->fence);
-        while (impl_->device->waitForFences(**impl_->fence, true, kForever) ==
-               vk::Result::eTimeout) {
-        }
-        impl_->device->resetFences(**impl_->fence);
-        impl_->command_pool->reset();
+        impl_->submit();
         for (const auto& pool : impl_->set_pools) pool.reset();
         impl_->sets_used = 0;
     });

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <span>
@@ -67,19 +68,24 @@ public:
     Buffer allocate(Memory memory, std::uint64_t bytes);
     Kernel make_kernel(const Program& program);
 
-    // Commands. They run at wait(), in order, but for what a barrier() keeps apart side by side.
+    // Asked before each submission; false discards what is recorded and throws Cancelled.
+    void watch(std::function<bool()> may_go_on);
+
+    // Commands. They run at wait(), or earlier where dispatches add up to much work, in order, but
+    // for what a barrier() keeps apart side by side.
     void copy(const Buffer& from, const Buffer& to, std::uint64_t bytes,
               std::uint64_t from_offset = 0);
     void fill(const Buffer& buffer, std::uint32_t value, std::uint64_t bytes,
               std::uint64_t offset = 0);
     void barrier();
-    // Serves items [0, items), in several dispatches if they are many.
+    // Serves items [0, items), in several dispatches if they are many. `work` is about how many
+    // steps of a tenth of a microsecond an item takes.
     template <typename Arguments>
     void dispatch(const Kernel& kernel, std::initializer_list<Buffer> buffers,
-                  const Arguments& arguments, std::uint32_t items) {
+                  const Arguments& arguments, std::uint32_t items, std::uint32_t work = 1) {
         static_assert(std::is_trivially_copyable_v<Arguments>);
         static_assert(offsetof(Arguments, first_item) == 0);
-        dispatch_bytes(kernel, buffers, std::as_bytes(std::span(&arguments, 1)), items);
+        dispatch_bytes(kernel, buffers, std::as_bytes(std::span(&arguments, 1)), items, work);
     }
     void wait();
 
@@ -89,7 +95,8 @@ public:
 private:
     struct Impl;
     void dispatch_bytes(const Kernel& kernel, std::initializer_list<Buffer> buffers,
-                        std::span<const std::byte> arguments, std::uint32_t items);
+                        std::span<const std::byte> arguments, std::uint32_t items,
+                        std::uint32_t work);
 
     std::unique_ptr<Impl> impl_;
 };

@@ -1,27 +1,41 @@
-// The vulkan backend: records the three verbs, and submits and waits once a round.
+// The vulkan backend: records the verbs, and submits and waits once a round.
 #include "vulkan/make_backend.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
 #include <utility>
 
+#include "columns.h"
+#include "portable/failure.h"
+#include "vulkan/boxes.h"
+#include "vulkan/kernels.h"
 #include "vulkan/memory.h"
+#include "vulkan/transfer.h"
 
 namespace lacuna::vulkan {
 namespace {
 
-// Lavapipe, like graphics cards, runs neighbouring invocations in lockstep: one draw each.
+// A processor walks a line's spans once for so many draws; a graphics card wants an invocation a
+// draw. Elsewhere lavapipe, too, runs neighbouring invocations in lockstep: one draw each.
+constexpr std::uint32_t kServedTogether = 32;
 constexpr std::uint32_t kChunk = 1;
 
-struct Kernels {
-    Kernels(Engine& engine, const Programs& programs)
-        : locate(engine.make_kernel(programs.locate)),
-          sort_columns(engine.make_kernel(programs.sort_columns)),
-          admit(engine.make_kernel(programs.admit)),
-          gather(engine.make_kernel(programs.gather)),
-          subtract(engine.make_kernel(programs.subtract)),
-          grow(engine.make_kernel(programs.grow)) {}
+// See Engine::dispatch.
+constexpr std::uint32_t kLocateWork = 4;
+constexpr std::uint32_t kSortWork = 4;  // a draw
+constexpr std::uint32_t kAdmitWork = 6;
+constexpr std::uint32_t kCutWork = 1;  // a line and sample near it
 
-    Kernel locate, sort_columns, admit, gather, subtract, grow;
+struct Failure {
+    std::uint32_t bit;
+    const char* verb;
+};
+constexpr std::array kFailures{
+    Failure{FAILED_LOCATE, "locate"},     Failure{FAILED_SORT_COLUMNS, "locate"},
+    Failure{FAILED_ADMIT, "admit"},       Failure{FAILED_GATHER, "subtract"},
+    Failure{FAILED_SUBTRACT, "subtract"}, Failure{FAILED_REFINE, "refine"},
 };
 
 class VulkanBackend : public Backend {
@@ -29,83 +43,137 @@ public:
     VulkanBackend(std::unique_ptr<Engine> engine, const Plan& plan, const device::Tuning& tuning,
                   const Trial& trial)
         : engine_(std::move(engine)),
-          kernels_(*engine_, trial.programs.value_or(embedded_programs())),
+          kernels_(*engine_, trial.programs.value_or(embedded_programs()), plan.exact),
           memory_(plan, *engine_, kernels_.grow, largest_slab(tuning)),
-          dispatches_(trial.dispatches) {}
+          first_lines_(first_lines(plan, memory_.geometry.columns)),
+          served_together_(engine_->device().kind == "cpu" ? kServedTogether : 1),
+          dispatches_(trial.dispatches) {
+        if (plan.exact) boxes_.emplace(plan, *engine_, kernels_);
+    }
 
     std::string device() const override { return engine_->device().name; }
+
+    void watch(std::function<bool()> may_go_on) override { engine_->watch(std::move(may_go_on)); }
 
     void locate(std::span<const Draw> draws) override {
         Memory& m = memory_;
         finish();  // the buffers on the way up may still be in use
-        m.upload(draws);
-        has_fates_ = is_subtracting_ = false;
+        m.upload(draws, has_boxes() ? boxes_->place_begins() : first_lines_);
+        has_fates_ = false;
+        ends_with_ = End::none;
         is_recorded_ = true;
-
-        for (std::size_t i = 0; i < m.slabs.size(); ++i) {
-            const device::Range range = device::draws_of(m.slabs[i], draws);
-            const LocateArguments arguments{0,           m.geometry, m.slabs[i].first_line,
-                                            range.begin, range.end,  kChunk};
-            engine_->dispatch(kernels_.locate, {m.spans[i], m.draws, m.located}, arguments,
-                              range.end - range.begin);
-        }
+        if (has_boxes())
+            boxes_->locate(m, kChunk);
+        else
+            record_walk(draws);
         engine_->barrier();
-        engine_->dispatch(kernels_.sort_columns,
-                          {m.column_begins, m.located, m.candidates, m.fates},
-                          SortColumnsArguments{0, m.geometry, m.draw_count, kChunk}, m.draw_count);
-        engine_->barrier();
+        record_sort();
     }
 
     void admit() override {
+        if (boxes_) boxes_->screen(memory_, kChunk);
         record_passes(has_fates_ ? 1 : 0);
         is_recorded_ = true;
     }
 
     void subtract() override {
-        record_subtract();
-        is_subtracting_ = is_recorded_ = true;
+        ends_with_ = End::subtract;
+        record_end();
+    }
+
+    void refine(bool halve) override {
+        if (!has_boxes()) unfold();
+        ends_with_ = End::refine;
+        halves_ = halve;
+        record_end();
     }
 
     Round finish_round() override {
         is_recorded_ = true;
         finish();
-        device::drop_rejected(memory_.samples_down.as<Sample>().first(memory_.draw_count),
-                              samples_);
-        return {samples_, memory_.free_lengths_down.as<std::uint32_t>().first(memory_.plan.lines)};
+        const std::uint64_t survivors = device::take_admitted(
+            memory_.samples_down.as<Sample>().first(memory_.draw_count), samples_);
+        if (has_boxes()) return {samples_, survivors, boxes_->lengths(), boxes_->width()};
+        const Plan& plan = memory_.plan;
+        return {samples_, survivors,
+                memory_.free_lengths_down.as<std::uint32_t>().first(plan.lines), plan.strip_width};
     }
 
     Snapshot snapshot() override {
         finish();
-        return memory_.snapshot();
+        Snapshot snapshot;
+        memory_.snapshot_round(snapshot);
+        if (!has_boxes()) memory_.snapshot_spans(snapshot);
+        if (boxes_) boxes_->snapshot(snapshot);
+        return snapshot;
     }
 
     void restore(const Snapshot& snapshot) override {
         finish();
-        memory_.restore(snapshot);
+        if (boxes_) boxes_->restore(snapshot);
+        if (has_boxes())
+            memory_.drop_spans();
+        else
+            memory_.restore_spans(snapshot);
+        memory_.begin_restored_round(snapshot);
+        record_sort();  // for the buckets' sake
+        memory_.restore_fates(snapshot);
         has_fates_ = true;
-        is_subtracting_ = false;
+        ends_with_ = End::none;
     }
 
 private:
+    enum class End { none, subtract, refine };  // of the round
+
+    bool has_boxes() const { return boxes_ && boxes_->are_places(); }
+
     std::uint64_t largest_slab(const device::Tuning& tuning) const {
         return tuning.largest_slab_bytes != 0 ? tuning.largest_slab_bytes
                                               : engine_->device().largest_buffer_bytes;
+    }
+
+    // How many invocations serve so many draws.
+    std::uint32_t items_of(std::uint32_t draws) const {
+        return (draws + served_together_ - 1) / served_together_;
+    }
+
+    void record_sort() {
+        Memory& m = memory_;
+        engine_->dispatch(kernels_.sort_columns,
+                          {m.column_begins, m.located, m.buckets, m.candidates, m.fates, m.failure},
+                          SortColumnsArguments{0, m.geometry}, m.geometry.columns,
+                          kSortWork * m.draws_per_column());
+        engine_->barrier();
+    }
+
+    void record_walk(std::span<const Draw> draws) {
+        Memory& m = memory_;
+        const std::uint32_t chunk = served_together_;
+        for (std::size_t i = 0; i < m.slabs.size(); ++i) {
+            const device::Range range = device::draws_of(m.slabs[i], draws);
+            const LocateArguments arguments{0,           m.geometry, m.slabs[i].first_line,
+                                            range.begin, range.end,  chunk};
+            engine_->dispatch(kernels_.locate, {m.spans[i], m.draws, m.located, m.failure},
+                              arguments, items_of(range.end - range.begin), kLocateWork * chunk);
+        }
     }
 
     // Passes from 1 on take up what earlier ones left undecided; the upload zeroed the counts of
     // all.
     void record_passes(std::uint32_t first_pass) {
         Memory& m = memory_;
-        constexpr std::uint64_t kWord = sizeof(std::uint32_t);
         if (first_pass > 0) {
             engine_->fill(m.undecided, 1, kWord);
             engine_->fill(m.undecided, 0, kWord * (kPasses - 1), kWord);
             engine_->barrier();
         }
         for (std::uint32_t pass = first_pass; pass < kPasses; ++pass) {
-            engine_->dispatch(
-                kernels_.admit, {m.column_begins, m.candidates, m.fates, m.undecided, m.samples},
-                AdmitArguments{0, m.geometry, pass, m.draw_count, kChunk}, m.draw_count);
+            engine_->dispatch(kernels_.admit,
+                              {m.column_begins, m.buckets, m.candidates, m.fates, m.undecided,
+                               m.samples, m.failure},
+                              AdmitArguments{0, m.geometry, pass, m.draw_count, served_together_},
+                              items_of(m.draw_count),
+                              (pass == 0 ? kAdmitWork : 1) * served_together_);
             engine_->barrier();
         }
         has_fates_ = true;
@@ -113,49 +181,94 @@ private:
 
     void record_subtract() {
         Memory& m = memory_;
-        engine_->fill(m.overflow, 0, sizeof(std::uint32_t));
+        if (boxes_) boxes_->insert(m);
+        const std::uint32_t near = 3 * m.draws_per_column();
+        engine_->fill(m.overflow, 0, kWord);
         engine_->dispatch(kernels_.gather,
                           {m.undecided, m.column_begins, m.near_begins, m.candidates, m.fates,
-                           m.near_counts, m.near},
-                          GatherArguments{0, m.geometry, kPasses - 1}, m.geometry.columns);
+                           m.near_counts, m.near, m.failure},
+                          GatherArguments{0, m.geometry, kPasses - 1}, m.geometry.columns, near);
         engine_->barrier();
         for (std::size_t i = 0; i < m.slabs.size(); ++i) {
             const device::Slab& slab = m.slabs[i];
             engine_->dispatch(
                 kernels_.subtract,
                 {m.undecided, m.near_begins, m.near_counts, m.near, m.spans[i], m.span_counts,
-                 m.free_lengths, m.overflow},
+                 m.free_lengths, m.overflow, m.failure},
                 SubtractArguments{0, m.geometry, slab.first_line, slab.end_line, kPasses - 1},
-                slab.lines());
+                slab.lines(), kCutWork * near);
         }
         engine_->barrier();
+    }
+
+    void unfold() {
+        boxes_->count_spans(memory_);
+        is_recorded_ = true;
+        finish();
+        boxes_->unfold(memory_);
+        memory_.drop_spans();
+    }
+
+    void record_end() {
+        is_recorded_ = true;
+        if (ends_with_ == End::subtract) record_subtract();
+        if (ends_with_ != End::refine) return;
+        boxes_->insert(memory_);
+        boxes_->refine(memory_, halves_);
+    }
+
+    void download() {
+        memory_.download();
+        if (boxes_) boxes_->download();
+        engine_->wait();
+        if (dispatches_ != nullptr) *dispatches_ = engine_->dispatches();
+        throw_if_failed(memory_.failure_down.as<std::uint32_t>().front());
+    }
+
+    void throw_if_failed(std::uint32_t failure) const {
+        const std::string name = "device " + device() + ": ";
+        if ((failure & FAILED_CHORDS) != 0)
+            throw DeviceError(name + "refine: more chords near a box than there is room for");
+        for (const Failure& each : kFailures)
+            if ((failure & each.bit) != 0)
+                throw DeviceError(name + each.verb +
+                                  ": a loop was ended early by the driver: use fewer points, or "
+                                  "another backend");
     }
 
     // Waits until the verbs are done, with what more it takes: passes, or room.
     void finish() {
         while (is_recorded_) {
-            memory_.download();
-            engine_->wait();
-            const bool unsettled = memory_.undecided_down.as<std::uint32_t>()[kPasses - 1] != 0;
-            const bool overflow = memory_.overflow_down.as<std::uint32_t>().front() != 0;
-            is_recorded_ = unsettled || overflow;
-            if (unsettled)
+            download();
+            is_recorded_ = false;
+            if (memory_.undecided_down.as<std::uint32_t>()[kPasses - 1] != 0) {
                 record_passes(1);
-            else if (overflow)
+                is_recorded_ = true;
+                record_end();
+            } else if (memory_.overflow_down.as<std::uint32_t>().front() != 0) {
                 memory_.grow();
-            if (is_recorded_ && is_subtracting_) record_subtract();
+                record_end();
+            } else if (ends_with_ == End::refine && boxes_->lacks_room()) {
+                boxes_->make_room_and_keep(memory_);
+                is_recorded_ = true;
+            }
         }
-        if (dispatches_ != nullptr) *dispatches_ = engine_->dispatches();
+        if (ends_with_ == End::refine) boxes_->accept();
+        ends_with_ = End::none;
     }
 
     std::unique_ptr<Engine> engine_;
     Kernels kernels_;
     Memory memory_;
+    std::optional<Boxes> boxes_;  // in exact
+    std::vector<std::uint32_t> first_lines_;
+    std::uint32_t served_together_;
     std::uint64_t* dispatches_;
     std::vector<Sample> samples_;
     bool is_recorded_ = false;  // something waits to be submitted
     bool has_fates_ = false;    // passes have something to take up
-    bool is_subtracting_ = false;
+    End ends_with_ = End::none;
+    bool halves_ = false;
 };
 
 }  // namespace

@@ -6,11 +6,10 @@
 #include <utility>
 
 #include "columns.h"
+#include "vulkan/transfer.h"
 
 namespace lacuna::vulkan {
 namespace {
-
-constexpr std::uint64_t kWord = sizeof(std::uint32_t);
 
 template <typename T>
 void put(const std::vector<T>& values, const Buffer& staging) {
@@ -27,18 +26,20 @@ Memory::Memory(const Plan& the_plan, Engine& the_engine, const Kernel& grow,
       largest_slab(the_largest_slab),
       geometry(device::geometry_of(plan, count_columns(plan), 0)) {
     const std::uint64_t columns = geometry.columns;
-    span_counts = on_device(plan.lines * kWord);
-    free_lengths = on_device(plan.lines * kWord);
-    column_begins = on_device((columns + 1) * kWord);
-    near_begins = on_device((columns + 1) * kWord);
-    near_counts = on_device(columns * kWord);
-    undecided = on_device(kPasses * kWord);
-    overflow = on_device(kWord);
-    column_begins_up = host_copy_of(column_begins, Engine::Memory::upload);
-    near_begins_up = host_copy_of(near_begins, Engine::Memory::upload);
-    free_lengths_down = host_copy_of(free_lengths, Engine::Memory::download);
-    undecided_down = host_copy_of(undecided, Engine::Memory::download);
-    overflow_down = host_copy_of(overflow, Engine::Memory::download);
+    span_counts = words_on_device(engine, plan.lines);
+    free_lengths = words_on_device(engine, plan.lines);
+    column_begins = words_on_device(engine, columns + 1);
+    near_begins = words_on_device(engine, columns + 1);
+    near_counts = words_on_device(engine, columns);
+    undecided = words_on_device(engine, kPasses);
+    overflow = words_on_device(engine, 1);
+    failure = words_on_device(engine, 1);
+    column_begins_up = host_copy_of(engine, column_begins, Engine::Memory::upload);
+    near_begins_up = host_copy_of(engine, near_begins, Engine::Memory::upload);
+    free_lengths_down = host_copy_of(engine, free_lengths, Engine::Memory::download);
+    undecided_down = host_copy_of(engine, undecided, Engine::Memory::download);
+    overflow_down = host_copy_of(engine, overflow, Engine::Memory::download);
+    failure_down = host_copy_of(engine, failure, Engine::Memory::download);
 
     // Every line has one free span, the whole of it: a slot of one span each, moved to where it
     // has room to grow.
@@ -49,36 +50,12 @@ Memory::Memory(const Plan& the_plan, Engine& the_engine, const Kernel& grow,
     make_slabs(first_capacity(plan));
     std::vector<Buffer> ones;
     for (const device::Slab& slab : slabs) {
-        ones.push_back(on_device(slab.lines() * sizeof(Span)));
-        write<Span>(ones.back(), std::vector<Span>(slab.lines(), Span{0, plan.height}));
+        ones.push_back(on_device(engine, slab.lines() * sizeof(Span)));
+        write<Span>(engine, ones.back(), std::vector<Span>(slab.lines(), Span{0, plan.height}));
     }
     engine.barrier();
     move_spans(whole, slabs, ones);
     engine.wait();
-}
-
-Buffer Memory::on_device(std::uint64_t bytes) {
-    return engine.allocate(Engine::Memory::device, bytes);
-}
-
-Buffer Memory::host_copy_of(const Buffer& buffer, Engine::Memory memory) {
-    return engine.allocate(memory, buffer.bytes());
-}
-
-template <typename T>
-void Memory::write(const Buffer& to, std::span<const T> values) {
-    const Buffer staging = engine.allocate(Engine::Memory::upload, values.size_bytes());
-    std::memcpy(staging.as<T>().data(), values.data(), values.size_bytes());
-    engine.copy(staging, to, values.size_bytes());
-}
-
-template <typename T>
-std::vector<T> Memory::read(const Buffer& from, std::size_t count) {
-    const Buffer staging = engine.allocate(Engine::Memory::download, count * sizeof(T));
-    engine.copy(from, staging, count * sizeof(T));
-    engine.wait();
-    const std::span<T> values = staging.as<T>().first(count);
-    return {values.begin(), values.end()};
 }
 
 void Memory::make_slabs(std::uint32_t capacity) {
@@ -86,7 +63,7 @@ void Memory::make_slabs(std::uint32_t capacity) {
     slabs = device::share_out(plan.lines, capacity, largest_slab);
     spans.clear();
     for (const device::Slab& slab : slabs)
-        spans.push_back(on_device(std::uint64_t{slab.lines()} * capacity * sizeof(Span)));
+        spans.push_back(on_device(engine, std::uint64_t{slab.lines()} * capacity * sizeof(Span)));
 }
 
 void Memory::move_spans(const Geometry& g, std::span<const device::Slab> from_slabs,
@@ -113,21 +90,27 @@ void Memory::grow() {
     engine.barrier();
 }
 
+void Memory::drop_spans() {
+    slabs.clear();
+    spans.clear();
+}
+
 // What the buffers of a round held is lost when they grow: a round writes before it reads.
 void Memory::make_room(std::uint32_t count) {
     if (draw_room_ < count || draw_room_ == 0) {
         draw_room_ = count;
-        draws = on_device(std::uint64_t{count} * sizeof(Draw));
-        located = on_device(std::uint64_t{count} * sizeof(Candidate));
-        candidates = on_device(std::uint64_t{count} * sizeof(Candidate));
-        fates = on_device(std::uint64_t{count} * kWord);
-        samples = on_device(std::uint64_t{count} * sizeof(Sample));
-        draws_up = host_copy_of(draws, Engine::Memory::upload);
-        samples_down = host_copy_of(samples, Engine::Memory::download);
+        draws = on_device(engine, std::uint64_t{count} * sizeof(Draw));
+        located = on_device(engine, std::uint64_t{count} * sizeof(Candidate));
+        buckets = words_on_device(engine, count);
+        candidates = on_device(engine, std::uint64_t{count} * sizeof(Candidate));
+        fates = words_on_device(engine, count);
+        samples = on_device(engine, std::uint64_t{count} * sizeof(Sample));
+        draws_up = host_copy_of(engine, draws, Engine::Memory::upload);
+        samples_down = host_copy_of(engine, samples, Engine::Memory::download);
     }
     if (near_room_ < near_begins_.back() || near_room_ == 0) {
         near_room_ = near_begins_.back();
-        near = on_device(std::uint64_t{near_room_} * sizeof(Sample));
+        near = on_device(engine, std::uint64_t{near_room_} * sizeof(Sample));
     }
 }
 
@@ -142,12 +125,14 @@ void Memory::begin_round(std::uint32_t count) {
     engine.copy(near_begins_up, near_begins, near_begins_.size() * kWord);
     engine.fill(undecided, 0, kPasses * kWord);
     engine.fill(overflow, 0, kWord);
+    engine.fill(failure, 0, kWord);
 }
 
-void Memory::upload(std::span<const Draw> the_draws) {
-    find_column_begins(plan, geometry.columns, the_draws, column_begins_);
+void Memory::upload(std::span<const Draw> the_draws, std::span<const std::uint32_t> place_begins) {
+    find_column_begins(place_begins, the_draws, column_begins_);
     begin_round(static_cast<std::uint32_t>(the_draws.size()));
-    std::memcpy(draws_up.as<Draw>().data(), the_draws.data(), the_draws.size_bytes());
+    if (!the_draws.empty())
+        std::memcpy(draws_up.as<Draw>().data(), the_draws.data(), the_draws.size_bytes());
     engine.copy(draws_up, draws, the_draws.size_bytes());
     engine.barrier();
 }
@@ -155,42 +140,51 @@ void Memory::upload(std::span<const Draw> the_draws) {
 void Memory::download() {
     engine.barrier();
     engine.copy(samples, samples_down, std::uint64_t{draw_count} * sizeof(Sample));
-    engine.copy(free_lengths, free_lengths_down, plan.lines * kWord);
+    if (!slabs.empty()) engine.copy(free_lengths, free_lengths_down, plan.lines * kWord);
     engine.copy(undecided, undecided_down, kPasses * kWord);
     engine.copy(overflow, overflow_down, kWord);
+    engine.copy(failure, failure_down, kWord);
 }
 
-Snapshot Memory::snapshot() {
-    Snapshot snapshot{geometry.capacity,
-                      {},
-                      read<Candidate>(candidates, draw_count),
-                      read<std::uint32_t>(fates, draw_count)};
-    const auto counts = read<std::uint32_t>(span_counts, plan.lines);
+void Memory::snapshot_spans(Snapshot& snapshot) {
+    const auto counts = read<std::uint32_t>(engine, span_counts, plan.lines);
     for (std::size_t i = 0; i < slabs.size(); ++i) {
         const std::size_t slots = std::size_t{slabs[i].lines()} * geometry.capacity;
-        device::unpack(slabs[i], read<Span>(spans[i], slots), counts, snapshot);
+        device::unpack(slabs[i], read<Span>(engine, spans[i], slots), counts, snapshot);
     }
-    return snapshot;
 }
 
-void Memory::restore(const Snapshot& snapshot) {
+void Memory::snapshot_round(Snapshot& snapshot) {
+    snapshot.capacity = geometry.capacity;
+    snapshot.candidates = read<Candidate>(engine, candidates, draw_count);
+    snapshot.fates = read<std::uint32_t>(engine, fates, draw_count);
+}
+
+void Memory::restore_spans(const Snapshot& snapshot) {
     make_slabs(snapshot.capacity);
     for (std::size_t i = 0; i < slabs.size(); ++i)
-        write<Span>(spans[i], device::pack(slabs[i], snapshot));
+        write<Span>(engine, spans[i], device::pack(slabs[i], snapshot));
     std::vector<std::uint32_t> counts;
     std::vector<std::uint32_t> lengths(plan.lines, 0);
     for (std::uint32_t line = 0; line < plan.lines; ++line) {
         counts.push_back(static_cast<std::uint32_t>(snapshot.spans[line].size()));
         for (const Span span : snapshot.spans[line]) lengths[line] += span.end - span.begin;
     }
-    write<std::uint32_t>(span_counts, counts);
-    write<std::uint32_t>(free_lengths, lengths);
+    write<std::uint32_t>(engine, span_counts, counts);
+    write<std::uint32_t>(engine, free_lengths, lengths);
+    engine.wait();
+}
 
+void Memory::begin_restored_round(const Snapshot& snapshot) {
     find_column_begins(plan, geometry.columns, snapshot.candidates, column_begins_);
     begin_round(static_cast<std::uint32_t>(snapshot.candidates.size()));
-    write<Candidate>(candidates, snapshot.candidates);
-    write<std::uint32_t>(fates, snapshot.fates);
-    write<Sample>(samples, device::samples_by_order(snapshot));
+    write<Candidate>(engine, located, snapshot.candidates);
+    engine.barrier();
+}
+
+void Memory::restore_fates(const Snapshot& snapshot) {
+    write<std::uint32_t>(engine, fates, snapshot.fates);
+    write<Sample>(engine, samples, device::samples_by_order(snapshot));
     engine.wait();
 }
 

@@ -19,14 +19,23 @@ struct Memory {
 
     // Twice the room for every line. Recorded.
     void grow();
+    // The spans are no more needed.
+    void drop_spans();
 
     // The draws and their tables on their way up, and what a round hands back on its way down: to
-    // be found in the `_down` buffers after the wait. Recorded.
-    void upload(std::span<const Draw> draws);
+    // be found in the `_down` buffers after the wait. Recorded. place_begins: see columns.h.
+    void upload(std::span<const Draw> draws, std::span<const std::uint32_t> place_begins);
     void download();
 
-    Snapshot snapshot();
-    void restore(const Snapshot& snapshot);
+    // Draws of a column, on average and rounded up.
+    std::uint32_t draws_per_column() const { return draw_count / geometry.columns + 1; }
+
+    void snapshot_spans(Snapshot& snapshot);
+    void snapshot_round(Snapshot& snapshot);
+    void restore_spans(const Snapshot& snapshot);
+    // The candidates, to be sorted; and then what became of them.
+    void begin_restored_round(const Snapshot& snapshot);
+    void restore_fates(const Snapshot& snapshot);
 
     const Plan& plan;
     Engine& engine;
@@ -43,12 +52,12 @@ struct Memory {
 
     // Of the round. `undecided` has a count for each pass.
     std::uint32_t draw_count = 0;
-    Buffer draws, located, candidates, fates, samples, near;
+    Buffer draws, located, buckets, candidates, fates, samples, near;
     Buffer column_begins, near_begins, near_counts;
-    Buffer undecided, overflow;
+    Buffer undecided, overflow, failure;
 
     Buffer draws_up, column_begins_up, near_begins_up;
-    Buffer samples_down, free_lengths_down, undecided_down, overflow_down;
+    Buffer samples_down, free_lengths_down, undecided_down, overflow_down, failure_down;
 
 private:
     void make_slabs(std::uint32_t capacity);
@@ -57,13 +66,6 @@ private:
                     std::span<const Buffer> from);
     void begin_round(std::uint32_t count);
     void make_room(std::uint32_t count);
-
-    Buffer on_device(std::uint64_t bytes);
-    Buffer host_copy_of(const Buffer& buffer, Engine::Memory memory);
-    template <typename T>
-    void write(const Buffer& to, std::span<const T> values);
-    template <typename T>
-    std::vector<T> read(const Buffer& from, std::size_t count);
 
     std::uint32_t draw_room_ = 0;
     std::uint32_t near_room_ = 0;

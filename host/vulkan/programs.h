@@ -19,17 +19,27 @@ struct LocateArguments {
     std::uint32_t end_draw;
     std::uint32_t chunk;
 };
+struct LocateInBoxesArguments {
+    std::uint32_t first_item;
+    Geometry g;
+    std::uint32_t draw_count;
+    std::uint32_t chunk;
+};
 struct SortColumnsArguments {
     std::uint32_t first_item;
     Geometry g;
-    std::uint32_t draws;
+};
+struct ScreenArguments {
+    std::uint32_t first_item;
+    Geometry g;
+    std::uint32_t draw_count;
     std::uint32_t chunk;
 };
 struct AdmitArguments {
     std::uint32_t first_item;
     Geometry g;
     std::uint32_t pass;
-    std::uint32_t draws;
+    std::uint32_t draw_count;
     std::uint32_t chunk;
 };
 struct GatherArguments {
@@ -53,16 +63,70 @@ struct GrowArguments {
     std::uint32_t end_line;
     std::uint32_t larger;
 };
-static_assert(offsetof(LocateArguments, g) == 8 && sizeof(Geometry) == 40);
+struct InsertArguments {
+    std::uint32_t first_item;
+    Geometry g;
+    std::uint32_t draw_count;
+    std::uint32_t last_pass;
+};
+struct UnfoldArguments {
+    std::uint32_t first_item;
+    Geometry g;
+    std::uint32_t first_line;
+    std::uint32_t end_line;
+    std::uint32_t block;
+    std::uint32_t is_counting;
+};
+struct CutArguments {
+    std::uint32_t first_item;
+    Geometry g;
+    std::uint32_t strip_count;
+    std::uint32_t is_halved;
+    std::uint32_t width;
+    std::uint32_t last_pass;
+};
+struct KeepArguments {
+    std::uint32_t first_item;
+    Geometry g;
+    std::uint32_t strip_count;
+    std::uint32_t is_halved;
+    std::uint32_t width;
+    std::uint32_t last_pass;
+    std::uint32_t block;
+    std::uint32_t room;
+};
+struct ScanArguments {
+    std::uint32_t first_item;
+    std::uint32_t value_count;
+    std::uint32_t block;
+};
+struct FindPlaceBeginsArguments {
+    std::uint32_t first_item;
+    Geometry g;
+    std::uint32_t room;
+};
+static_assert(offsetof(LocateArguments, g) == 8 && sizeof(Geometry) == 64);
+// What every device takes.
+static_assert(sizeof(KeepArguments) <= 128 && sizeof(GrowArguments) <= 128);
 
 struct Programs {
     Program locate;
+    Program locate_in_boxes;
     Program sort_columns;
+    Program screen;
     Program admit;
     Program gather;
     Program subtract;
     Program grow;
+    Program insert;
+    Program unfold;
+    Program cut;
+    Program keep;
+    Program scan;
+    Program find_place_begins;
 };
+// Of any of them.
+inline constexpr std::uint32_t kMostBuffers = 15;
 
 Programs embedded_programs();
 

@@ -31,6 +31,12 @@ LACUNA_FN u32 first_neighbour(u32 column, u32 columns, u32 wraps) {
     return columns < 3u ? 0u : (column + columns - 1u) % columns;
 }
 
+// Within a column, candidates are sorted by y by way of buckets, as many as there are candidates.
+LACUNA_FN u32 bucket_of(u32 y, u32 count, u32 height) {
+    u64 scaled = y;
+    return to_u32(scaled * count / height);
+}
+
 LACUNA_END
 
 #endif

@@ -4,9 +4,11 @@
 
 #define FATE_UNDECIDED 0u
 #define FATE_ADMITTED 1u
-#define FATE_REJECTED 2u
+#define FATE_REJECTED 2u  // by an earlier sample of its round
+#define FATE_COVERED 3u   // by a sample of an earlier round; in exact only
 
-// Stands for the sample of a draw that was rejected; no coordinate is as large.
+// Stands for the sample of a draw that was not admitted, and of a cell that has none; no coordinate
+// is as large.
 #define NO_SAMPLE 0xffffffffu
 
 #endif

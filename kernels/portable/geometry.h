@@ -8,6 +8,7 @@ LACUNA_BEGIN
 struct Geometry {
     u64 radius_squared;
     u32 radius;
+    u32 width;
     u32 height;
     u32 period_x;  // the domain's width where it wraps, or 0
     u32 period_y;  // its height where it wraps, or 0
@@ -15,6 +16,11 @@ struct Geometry {
     u32 strip_width;
     u32 columns;
     u32 capacity;  // spans a line has room for
+    u32 is_exact;  // 1 in mode exact, or 0
+    u32 chord_margin;
+    u32 cell_side;  // see cell.h
+    u32 cell_columns;
+    u32 cell_rows;
 };
 LACUNA_TYPEDEF(Geometry)
 

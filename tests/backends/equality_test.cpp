@@ -41,28 +41,47 @@ Outcome run(Request request, const Plan& plan, const std::string& backend) {
     return run_on_backend(request, plan, nobody).outcome;
 }
 
-TEST_P(Equality, OnEveryKindOfRequest) {
-    for (const Request& request : tests::equality_requests()) {
+void expect_equal_on_every_kind_of_request(Mode mode, const std::string& backend) {
+    for (const Request& request : tests::equality_requests(mode)) {
         const Plan plan = make_plan(request);
         ASSERT_TRUE(
-            same(request, plan, run(request, plan, "reference"), run(request, plan, GetParam())));
+            same(request, plan, run(request, plan, "reference"), run(request, plan, backend)));
     }
 }
 
-TEST_P(Equality, OnALargeSet) {
+TEST_P(Equality, OnEveryKindOfRequestInLines) {
+    expect_equal_on_every_kind_of_request(Mode::lines, GetParam());
+}
+
+TEST_P(Equality, OnEveryKindOfRequestInExact) {
+    expect_equal_on_every_kind_of_request(Mode::exact, GetParam());
+}
+
+// Returns the count.
+double expect_equal_on_a_large_set(Mode mode, const std::string& backend) {
     Request request;
+    request.mode = mode;
     request.radius = 0.001;
     request.boundary = Boundary::torus;
     const Plan plan = make_plan(request);
-    const Outcome got = run(request, plan, GetParam());
-    // DESIGN section 5: 0.3 to 0.4 % fewer than the true maximum of 696,560.
-    EXPECT_NEAR(static_cast<double>(got.samples.size()), 691'900, 1'500);
+    const Outcome got = run(request, plan, backend);
     EXPECT_LE(got.rounds, 60u);
     // The cpu backend stands in for the reference, which equals it above and takes seconds here.
-    const std::string yardstick = GetParam() == "cpu" ? "reference" : "cpu";
+    const std::string yardstick = backend == "cpu" ? "reference" : "cpu";
     Outcome expected = run(request, plan, yardstick);
     expected.numbers.resize(expected.samples.size());
     EXPECT_TRUE(same(request, plan, expected, got));
+    return static_cast<double>(got.samples.size());
+}
+
+TEST_P(Equality, OnALargeSetInLines) {
+    // DESIGN section 5: 0.3 to 0.4 % fewer than the true maximum.
+    EXPECT_NEAR(expect_equal_on_a_large_set(Mode::lines, GetParam()), 691'900, 1'500);
+}
+
+TEST_P(Equality, OnALargeSetInExact) {
+    // DESIGN section 5, and five standard deviations.
+    EXPECT_NEAR(expect_equal_on_a_large_set(Mode::exact, GetParam()), 696'560, 1'020);
 }
 
 TEST_P(Equality, IsTheOneThatRan) {

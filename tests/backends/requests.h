@@ -14,9 +14,9 @@ namespace lacuna::tests {
 
 inline std::string describe(const Request& request) {
     std::ostringstream out;
-    out << request.width << "x" << request.height
+    out << name_of(request.mode) << ", " << request.width << "x" << request.height
         << (request.boundary == Boundary::torus ? " torus" : " box") << ", radius "
-        << *request.radius << ", m " << request.lines_per_radius
+        << *request.radius << ", m " << request.lines_per_radius.value_or(0)
         << (request.snap ? ", snap" : ", interpolated")
         << (request.uniform_x ? ", uniform-x" : ", cdf") << ", round size " << request.round_size
         << ", seed " << request.seed << ", threads " << request.threads;
@@ -24,10 +24,11 @@ inline std::string describe(const Request& request) {
 }
 
 // Each is there for a reason.
-inline std::vector<Request> special_requests() {
-    const auto request = [](double width, double height, double radius, std::uint32_t m,
-                            Boundary boundary) {
+inline std::vector<Request> special_requests(Mode mode) {
+    const auto request = [mode](double width, double height, double radius, std::uint32_t m,
+                                Boundary boundary) {
         Request made;
+        made.mode = mode;
         made.width = width;
         made.height = height;
         made.radius = radius;
@@ -52,21 +53,22 @@ inline std::vector<Request> special_requests() {
     };
 }
 
-inline std::vector<Request> equality_requests() {
-    std::vector<Request> requests = special_requests();
+inline std::vector<Request> equality_requests(Mode mode) {
+    std::vector<Request> requests = special_requests(mode);
     std::mt19937_64 random(20111);
     const auto pick = [&](std::initializer_list<double> values) {
         return values.begin()[random() % values.size()];
     };
     while (requests.size() < 220) {
         Request request;
+        request.mode = mode;
         request.width = pick({1, 1, 0.5, 1.7, 3});
         request.height = pick({1, 1, 0.4, 2.1});
         request.boundary = random() % 2 == 0 ? Boundary::torus : Boundary::box;
         request.radius = pick({0.4, 0.2, 0.1, 0.05, 0.02, 0.013});
         request.lines_per_radius = static_cast<std::uint32_t>(1 + random() % 60);
-        request.snap = random() % 2 == 0;
-        request.uniform_x = random() % 5 == 0 && *request.radius > 0.015;
+        request.snap = random() % 2 == 0 && mode == Mode::lines;
+        request.uniform_x = random() % 5 == 0 && *request.radius > 0.015 && mode == Mode::lines;
         request.round_size = static_cast<std::uint64_t>(pick({0, 0, 1, 2, 7}));
         if (request.uniform_x) request.round_size = 1;
         // Rounds of a few draws are launches of a few draws: keep those sets small.

@@ -26,8 +26,9 @@ struct Scene {
 };
 
 inline Plan plan_of(double radius, std::uint32_t m, Boundary boundary, double width = 1,
-                    double height = 1) {
+                    double height = 1, Mode mode = Mode::lines) {
     Request request;
+    request.mode = mode;
     request.width = width;
     request.height = height;
     request.radius = radius;
@@ -36,9 +37,15 @@ inline Plan plan_of(double radius, std::uint32_t m, Boundary boundary, double wi
     return make_plan(request);
 }
 
-// Every line free from end to end, no candidates.
+// Every line free from end to end, no candidates, no samples.
 inline Snapshot empty_memory(const Plan& plan) {
-    return {first_capacity(plan), {plan.lines, {Span{0, plan.height}}}, {}, {}};
+    Snapshot memory;
+    memory.capacity = first_capacity(plan);
+    memory.spans.assign(plan.lines, {Span{0, plan.height}});
+    if (plan.exact)
+        memory.cells.assign(std::size_t{plan.cell_columns} * plan.cell_rows,
+                            {NO_SAMPLE, NO_SAMPLE});
+    return memory;
 }
 
 // Puts candidates where locate would have, and gives each a fate.
@@ -98,26 +105,38 @@ inline std::uint32_t length_of(const std::vector<Span>& spans) {
     return length;
 }
 
-// Draws of lines that have room, sorted by line, in a random order of precedence; some at the very
-// ends of a line's free length.
+inline std::uint32_t count_places(const Snapshot& memory) {
+    return static_cast<std::uint32_t>(memory.box_width != 0 ? memory.boxes.size()
+                                                            : memory.spans.size());
+}
+
+inline std::uint32_t free_length_of(const Snapshot& memory, std::uint32_t place) {
+    if (memory.box_width == 0) return length_of(memory.spans[place]);
+    return memory.boxes[place].end - memory.boxes[place].begin;
+}
+
+// Draws of places that have room, sorted by place and rank, in a random order of precedence; some
+// at the very ends of a place's free length.
 inline std::vector<Draw> random_draws(const Plan& plan, const Snapshot& memory, Chance& chance,
                                       std::uint32_t count) {
     std::vector<Draw> draws;
     const std::vector<std::uint32_t> orders = chance.orders(count);
     for (std::uint32_t tries = 0; draws.size() < count && tries < 100 * count; ++tries) {
-        const std::uint32_t line = chance.below(plan.lines);
-        const std::uint32_t free = length_of(memory.spans[line]);
+        if (count_places(memory) == 0) break;
+        const std::uint32_t place = chance.below(count_places(memory));
+        const std::uint32_t free = free_length_of(memory, place);
         if (free == 0) continue;
         std::uint32_t rank = chance.below(free);
         if (chance.one_in(8)) rank = chance.one_in(2) ? 0 : free - 1;
-        const std::uint32_t x = line * plan.strip_width + chance.below(plan.strip_width);
-        draws.push_back({line, rank, x, orders[draws.size()]});
+        const std::uint32_t width = memory.box_width != 0 ? memory.box_width : plan.strip_width;
+        draws.push_back({place, rank, chance.below(width), orders[draws.size()]});
     }
-    // Where no line has room there may be fewer: orders must have no gaps.
+    // Where no place has room there may be fewer: orders must have no gaps.
     if (draws.size() < count)
         for (std::uint32_t i = 0; i < draws.size(); ++i) draws[i].order = i;
-    std::stable_sort(draws.begin(), draws.end(),
-                     [](const Draw& a, const Draw& b) { return a.line < b.line; });
+    std::stable_sort(draws.begin(), draws.end(), [](const Draw& a, const Draw& b) {
+        return a.place != b.place ? a.place < b.place : a.rank < b.rank;
+    });
     return draws;
 }
 
@@ -135,45 +154,92 @@ inline std::vector<Candidate> random_candidates(const Plan& plan, Chance& chance
     return candidates;
 }
 
-// A plan, hostile spans, random candidates and draws.
+// Samples anywhere, at most one a cell; nothing keeps them a radius apart.
+inline void set_random_samples(const Plan& plan, Chance& chance, Snapshot& memory) {
+    for (std::uint32_t column = 0; column < plan.cell_columns; ++column) {
+        for (std::uint32_t row = 0; row < plan.cell_rows; ++row) {
+            if (!chance.one_in(4)) continue;
+            const std::uint32_t x = column * plan.cell_side + chance.below(plan.cell_side);
+            const std::uint32_t y = row * plan.cell_side + chance.below(plan.cell_side);
+            memory.cells[std::size_t{column} * plan.cell_rows + row] = {
+                std::min(x, plan.width - 1), std::min(y, plan.height - 1)};
+        }
+    }
+}
+
+// Boxes of a width that is the strips' or a part of it, some as thin as can be; line by line, none
+// across the border of a row of cells.
+inline void set_hostile_boxes(const Plan& plan, Chance& chance, Snapshot& memory) {
+    memory.box_width = std::max(1u, plan.strip_width >> chance.below(12));
+    for (std::uint32_t line = 0; line < plan.lines; ++line) {
+        for (const Span span : hostile_spans(chance, plan.height, 12)) {
+            const std::uint32_t row_end = span.begin - span.begin % plan.cell_side + plan.cell_side;
+            const std::uint32_t offset =
+                chance.below(plan.strip_width / memory.box_width) * memory.box_width;
+            memory.boxes.push_back(
+                {line * plan.strip_width + offset, span.begin, std::min(span.end, row_end)});
+        }
+    }
+    memory.spans.clear();
+}
+
+// A plan, hostile places, random candidates and draws. In exact random samples too, and boxes for
+// places where the seed is odd.
 inline Scene random_scene(std::string name, const Plan& plan, std::uint32_t count,
                           std::uint64_t seed) {
     Chance chance(seed);
     Scene scene{std::move(name), plan, empty_memory(plan), {}};
-    set_hostile_spans(plan, chance, scene.memory);
+    if (plan.exact) set_random_samples(plan, chance, scene.memory);
+    if (plan.exact && seed % 2 == 1)
+        set_hostile_boxes(plan, chance, scene.memory);
+    else
+        set_hostile_spans(plan, chance, scene.memory);
     set_candidates(plan, random_candidates(plan, chance, count), scene.memory);
     scene.draws = random_draws(plan, scene.memory, chance, count);
     return scene;
 }
 
 // Each is there for a reason; all of them go through each verb.
-inline std::vector<Scene> random_scenes() {
+inline std::vector<Scene> random_scenes(Mode mode) {
     const Boundary box = Boundary::box;
     const Boundary torus = Boundary::torus;
+    const auto plan = [mode](double radius, std::uint32_t m, Boundary boundary, double width = 1,
+                             double height = 1) {
+        return plan_of(radius, m, boundary, width, height, mode);
+    };
     std::vector<Scene> scenes = {
-        random_scene("one line", plan_of(1.2, 1, box), 40, 1),
-        random_scene("a radius larger than the box", plan_of(1.3, 20, box), 70, 2),
-        random_scene("chords that wrap at both ends", plan_of(1, 6, torus), 50, 3),
-        random_scene("one column of a torus", plan_of(0.6, 9, torus), 90, 4),
-        random_scene("two columns of a torus", plan_of(0.45, 9, torus), 90, 5),
-        random_scene("three columns of a torus", plan_of(0.3, 9, torus), 90, 6),
-        random_scene("two columns of a box", plan_of(0.45, 9, box), 90, 7),
-        random_scene("three columns of a box", plan_of(0.3, 9, box), 90, 8),
-        random_scene("a wide torus", plan_of(0.9, 2, torus, 1000, 1), 700, 9),
-        random_scene("a high torus", plan_of(0.9, 2, torus, 1, 1000), 700, 10),
-        random_scene("a high box", plan_of(0.9, 1, box, 1, 1000), 700, 11),
+        random_scene("one line", plan(1.2, 1, box), 40, 1),
+        random_scene("a radius larger than the box", plan(1.3, 20, box), 70, 2),
+        random_scene("chords that wrap at both ends", plan(1, 6, torus), 50, 3),
+        random_scene("one column of a torus", plan(0.6, 9, torus), 90, 4),
+        random_scene("two columns of a torus", plan(0.45, 9, torus), 90, 5),
+        random_scene("three columns of a torus", plan(0.3, 9, torus), 90, 6),
+        random_scene("two columns of a box", plan(0.45, 9, box), 90, 7),
+        random_scene("three columns of a box", plan(0.3, 9, box), 90, 8),
+        random_scene("a wide torus", plan(0.9, 2, torus, 1000, 1), 700, 9),
+        random_scene("a high torus", plan(0.9, 2, torus, 1, 1000), 700, 10),
+        random_scene("a high box", plan(0.9, 1, box, 1, 1000), 700, 11),
     };
     // Chunks and work groups: one draw, a few, and the sizes of groups, more or less one.
     for (const std::uint32_t count : {1u, 2u, 63u, 64u, 65u, 127u, 129u, 255u, 257u, 5000u})
-        scenes.push_back(random_scene("draws: " + std::to_string(count), plan_of(0.04, 5, torus),
+        scenes.push_back(random_scene("draws: " + std::to_string(count), plan(0.04, 5, torus),
                                       count, 100 + count));
     for (std::uint64_t seed = 0; seed < 24; ++seed)
         scenes.push_back(random_scene(
             "random box or torus, seed " + std::to_string(seed),
-            plan_of(0.02 + 0.03 * static_cast<double>(seed % 7),
-                    1 + static_cast<std::uint32_t>(seed) * 2, seed % 2 == 0 ? box : torus, 1, 0.7),
+            plan(0.02 + 0.03 * static_cast<double>(seed % 7),
+                 1 + static_cast<std::uint32_t>(seed) * 2, seed / 2 % 2 == 0 ? box : torus, 1, 0.7),
             300, 1000 + seed));
     return scenes;
+}
+
+inline std::vector<Scene> random_scenes() {
+    std::vector<Scene> all = random_scenes(Mode::lines);
+    for (Scene& scene : random_scenes(Mode::exact)) {
+        scene.name += ", exact";
+        all.push_back(std::move(scene));
+    }
+    return all;
 }
 
 }  // namespace lacuna::tests

@@ -2,8 +2,11 @@
 // with what the cpu backend leaves, number for number.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <ostream>
+#include <set>
+#include <utility>
 
 #include "backends/available.h"
 #include "backends/scenes.h"
@@ -15,6 +18,9 @@ std::ostream& operator<<(std::ostream& out, const Span& span) {
 }
 std::ostream& operator<<(std::ostream& out, const Sample& s) {
     return out << "(" << s.x << ", " << s.y << ")";
+}
+std::ostream& operator<<(std::ostream& out, const Box& box) {
+    return out << box.x << ": " << box.begin << ".." << box.end;
 }
 std::ostream& operator<<(std::ostream& out, const Candidate& c) {
     return out << "(" << c.x << ", " << c.y << "), line " << c.line << ", draw " << c.order;
@@ -29,14 +35,18 @@ using Verb = std::function<void(Backend&, const Scene&)>;
 struct Left {
     Snapshot memory;
     std::vector<Sample> samples;
+    std::uint64_t survivors;
     std::vector<std::uint32_t> free_lengths;
+    std::uint32_t place_width;
 };
 
 Left after(Backend& backend, const Scene& scene, const Verb& verb) {
     backend.restore(scene.memory);
     verb(backend, scene);
-    Left left{backend.snapshot(), {}, {}};
+    Left left{backend.snapshot(), {}, 0, {}, 0};
     const Round round = backend.finish_round();
+    left.survivors = round.survivors;
+    left.place_width = round.place_width;
     left.samples.assign(round.samples.begin(), round.samples.end());
     left.free_lengths.assign(round.free_lengths.begin(), round.free_lengths.end());
     return left;
@@ -61,7 +71,12 @@ void expect_same(const Left& expected, const Left& got) {
     EXPECT_TRUE(same("candidate", expected.memory.candidates, got.memory.candidates));
     EXPECT_TRUE(same("fate", expected.memory.fates, got.memory.fates));
     EXPECT_TRUE(same("line", expected.memory.spans, got.memory.spans));
+    EXPECT_TRUE(same("cell", expected.memory.cells, got.memory.cells));
+    EXPECT_TRUE(same("box", expected.memory.boxes, got.memory.boxes));
+    EXPECT_EQ(expected.memory.box_width, got.memory.box_width);
     EXPECT_TRUE(same("sample", expected.samples, got.samples));
+    EXPECT_EQ(expected.survivors, got.survivors);
+    EXPECT_EQ(expected.place_width, got.place_width);
     EXPECT_TRUE(same("free length", expected.free_lengths, got.free_lengths));
 }
 
@@ -74,10 +89,23 @@ void admit(Backend& backend, const Scene&) {
 void subtract(Backend& backend, const Scene&) {
     backend.subtract();
 }
+void refine(Backend& backend, const Scene&) {
+    backend.refine(false);
+}
+void refine_by_halves(Backend& backend, const Scene&) {
+    backend.refine(true);
+}
+bool has_boxes(const Scene& scene) {
+    return scene.memory.box_width != 0;
+}
+// With the verb that is for the scene's places.
 void whole_round(Backend& backend, const Scene& scene) {
     backend.locate(scene.draws);
     backend.admit();
-    backend.subtract();
+    if (has_boxes(scene))
+        backend.refine(scene.memory.box_width > 1);
+    else
+        backend.subtract();
 }
 
 class Verbs : public tests::OnBackend {
@@ -90,6 +118,7 @@ protected:
         SCOPED_TRACE(scene.name);
         const Left expected = after(*tests::make_backend("cpu", scene.plan), scene, verb);
         expect_same(expected, on_device(scene, verb));
+        if (has_boxes(scene)) return;
         SCOPED_TRACE("three lines a slab");
         const std::uint64_t line_bytes = scene.memory.capacity * sizeof(Span);
         expect_same(expected, on_device(scene, verb, {3 * line_bytes}));
@@ -115,13 +144,83 @@ TEST_P(Verbs, AdmitKeepsFatesThatAreDecided) {
     }
 }
 
+// Samples of one round share no cell.
+void admit_one_a_cell(Scene& scene, tests::Chance& chance) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> taken;
+    for (std::size_t i = 0; i < scene.memory.fates.size(); ++i) {
+        const Candidate& candidate = scene.memory.candidates[i];
+        const std::uint32_t side = scene.plan.cell_side;
+        const bool is_first = taken.insert({candidate.x / side, candidate.y / side}).second;
+        scene.memory.fates[i] =
+            is_first && chance.one_in(2) ? FATE_ADMITTED : FATE_REJECTED + chance.below(2);
+    }
+}
+
 TEST_P(Verbs, SubtractEqualsTheCpuInEveryScene) {
     tests::Chance chance(6);
     for (Scene& scene : random_scenes()) {
-        for (std::uint32_t& fate : scene.memory.fates)
-            fate = chance.one_in(2) ? FATE_ADMITTED : FATE_REJECTED;
+        if (has_boxes(scene)) continue;
+        admit_one_a_cell(scene, chance);
         expect_equal(scene, subtract);
     }
+}
+
+TEST_P(Verbs, RefineEqualsTheCpuInEveryScene) {
+    tests::Chance chance(60);
+    for (Scene& scene : random_scenes(Mode::exact)) {
+        admit_one_a_cell(scene, chance);
+        expect_equal(scene, refine);
+        if (!has_boxes(scene) || scene.memory.box_width > 1) expect_equal(scene, refine_by_halves);
+    }
+}
+
+TEST_P(Verbs, RefineGoesOnUntilPlacesAreOneUnitWide) {
+    tests::Chance chance(61);
+    for (Scene& scene : random_scenes(Mode::exact)) {
+        admit_one_a_cell(scene, chance);
+        // Where samples leave much room, boxes double with every refinement: start with thin ones.
+        if (has_boxes(scene)) scene.memory.box_width = std::min(scene.memory.box_width, 8u);
+        expect_equal(scene, [](Backend& backend, const Scene& start) {
+            constexpr std::size_t kMostPlaces = 20'000;
+            std::uint32_t width =
+                has_boxes(start) ? start.memory.box_width : start.plan.strip_width;
+            for (backend.refine(false);
+                 width > 1 && backend.finish_round().free_lengths.size() < kMostPlaces;
+                 width /= 2) {
+                backend.locate({});
+                backend.admit();
+                backend.refine(true);
+            }
+        });
+    }
+}
+
+TEST_P(Verbs, NoPlaceIsLeftWhereOneSampleCoversAll) {
+    Scene scene{"one sample", tests::plan_of(0.9, 4, Boundary::torus, 1, 1, Mode::exact), {}, {}};
+    scene.memory = tests::empty_memory(scene.plan);
+    tests::set_candidates(scene.plan, {{5, 5, 0, 0}}, scene.memory, FATE_ADMITTED);
+    const Left left = on_device(scene, refine_by_halves);
+    EXPECT_TRUE(left.memory.boxes.empty());
+    EXPECT_TRUE(left.free_lengths.empty());
+    EXPECT_EQ(left.memory.cells[0], (Sample{5, 5}));
+    expect_equal(scene, refine_by_halves);
+}
+
+TEST_P(Verbs, CandidatesThatEarlierSamplesCoverAreNoSurvivors) {
+    Scene scene{"covered", tests::plan_of(0.1, 4, Boundary::torus, 1, 1, Mode::exact), {}, {}};
+    scene.memory = tests::empty_memory(scene.plan);
+    scene.memory.cells[0] = {0, 0};
+    const std::uint32_t r = scene.plan.radius;
+    const std::uint32_t top = scene.plan.height;
+    // At the radius' distance a candidate is free, a unit closer it is not; around the edge too.
+    tests::set_candidates(
+        scene.plan, {{0, r, 0, 0}, {0, r - 1, 0, 1}, {0, top - r, 0, 2}, {0, top - r + 1, 0, 3}},
+        scene.memory);
+    const Left left = on_device(scene, admit);
+    EXPECT_EQ(left.survivors, 2u);
+    const std::vector<Sample> free = {{0, r}, {0, top - r}};
+    EXPECT_TRUE(same("sample", free, left.samples));
+    expect_equal(scene, admit);
 }
 
 TEST_P(Verbs, AWholeRoundEqualsTheCpuInEveryScene) {
@@ -144,7 +243,10 @@ TEST_P(Verbs, ASecondRoundStartsFromWhatTheFirstLeft) {
                 backend.admit();
                 if (count == 400) backend.finish_round();
             }
-            backend.subtract();
+            if (memory.box_width != 0)
+                backend.refine(false);
+            else
+                backend.subtract();
         });
     }
 }
@@ -166,7 +268,7 @@ TEST_P(Verbs, OfManyDrawsAtOnePlaceTheFirstIsAdmitted) {
     Scene scene{"one place", tests::plan_of(0.1, 5, Boundary::torus), {}, {}};
     scene.memory = tests::empty_memory(scene.plan);
     for (std::uint32_t order = 0; order < 1000; ++order)
-        scene.draws.push_back({7, 12345, 7 * scene.plan.strip_width, 999 - order});
+        scene.draws.push_back({7, 12345, 0, 999 - order});
     const Left left = on_device(scene, whole_round);
     const std::vector<Sample> first = {{7 * scene.plan.strip_width, 12345}};
     EXPECT_TRUE(same("sample", first, left.samples));

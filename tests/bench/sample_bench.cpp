@@ -1,57 +1,145 @@
-// Time of whole sets, from request to points, by backend, radius and threads.
+// Time of whole sets, from request to points, by mode, backend, radius and threads; and their
+// memory: the peak beyond the points themselves, in bytes a point.
 //
-// The first set of each case is not timed: it pays for what is built at first use.
+// The first set of each case is not timed: it pays for what is built at first use. Sets of 10 and
+// 100 million points run only when the filter names them, once: --benchmark_filter=large/; those of
+// large/verify are proven maximal, which is timed too.
 #include <benchmark/benchmark.h>
 #include <lacuna/lacuna.h>
+#include <malloc.h>
 
+#include <cmath>
+#include <fstream>
 #include <string>
+#include <string_view>
+#include <vector>
+
+#include "verify/verify.h"
 
 namespace {
 
 using namespace lacuna;
 
-void make_sets(benchmark::State& state, const std::string& backend, double radius,
-               std::uint32_t threads) {
+Request torus(Mode mode, const std::string& backend, double radius, std::uint32_t threads) {
     Request request;
+    request.mode = mode;
     request.radius = radius;
     request.boundary = Boundary::torus;
     request.backend = backend;
     request.threads = threads;
-    std::size_t points = 0;
-    std::uint64_t rounds = 0;
-    try {
-        sample(request);
-        for (auto _ : state) {
-            const Result result = sample(request);
-            points = result.points.size();
-            rounds = result.rounds;
-        }
-    } catch (const Unavailable& reason) {
-        state.SkipWithError(reason.what());
-        return;
-    }
-    state.counters["points"] = static_cast<double>(points);
-    state.counters["rounds"] = static_cast<double>(rounds);
-    state.counters["points/s"] = benchmark::Counter(static_cast<double>(points),
-                                                    benchmark::Counter::kIsIterationInvariantRate);
+    return request;
 }
 
-void add(const std::string& backend, double radius, std::uint32_t threads) {
-    std::string name = "lines/" + backend + "/r=" + std::to_string(radius);
-    name.erase(name.find_last_not_of('0') + 1);
-    if (threads != 0) name += "/threads=" + std::to_string(threads);
-    benchmark::RegisterBenchmark(name.c_str(), make_sets, backend, radius, threads)
+// A line of Linux's /proc/self/status, in bytes.
+double memory_bytes(const std::string& name) {
+    std::ifstream status("/proc/self/status");
+    std::string line;
+    constexpr double kBytesPerUnit = 1024;
+    while (std::getline(status, line))
+        if (line.starts_with(name)) return kBytesPerUnit * std::stod(line.substr(name.size()));
+    return std::nan("");
+}
+
+// The most that the process has held since it was made, beyond what it held then.
+class PeakMemory {
+public:
+    PeakMemory() {
+        malloc_trim(0);                                 // what an earlier case has left
+        std::ofstream("/proc/self/clear_refs") << "5";  // the peak is counted from here
+        held_ = memory_bytes("VmRSS:");
+    }
+    double bytes() const { return memory_bytes("VmHWM:") - held_; }
+
+private:
+    double held_ = 0;
+};
+
+void count(benchmark::State& state, const Result& result, double peak_bytes) {
+    const auto points = static_cast<double>(result.points.size());
+    state.counters["points"] = points;
+    state.counters["rounds"] = static_cast<double>(result.rounds);
+    state.counters["bytes/point"] = peak_bytes / points - sizeof(Point);
+    state.counters["points/s"] =
+        benchmark::Counter(points, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void make_sets(benchmark::State& state, const Request& request) {
+    try {
+        const PeakMemory peak;
+        Result result = sample(request);
+        const double peak_bytes = peak.bytes();
+        for (auto _ : state) result = sample(request);
+        count(state, result, peak_bytes);
+    } catch (const Unavailable& reason) {
+        state.SkipWithError(reason.what());
+    }
+}
+
+void make_one_set(benchmark::State& state, const Request& request) {
+    for (auto _ : state) {
+        const PeakMemory peak;
+        const Result result = sample(request);
+        count(state, result, peak.bytes());
+    }
+}
+
+void verify_one_set(benchmark::State& state, const Request& request) {
+    const std::vector<Point> points = sample(request).points;
+    bool is_proven = false;
+    for (auto _ : state)
+        is_proven =
+            verify::check(points, 1, 1, true, *request.radius, verify::default_tolerance(1, 1))
+                .is_maximal();
+    state.counters["points"] = static_cast<double>(points.size());
+    if (!is_proven) state.SkipWithError("the set is not maximal");
+}
+
+std::string name_of(const std::string& what, const std::string& radius, std::uint32_t threads) {
+    return what + "/r=" + radius + (threads == 0 ? "" : "/threads=" + std::to_string(threads));
+}
+
+void add(Mode mode, const std::string& backend, const std::string& radius, std::uint32_t threads) {
+    const std::string what = std::string(lacuna::name_of(mode)) + "/" + backend;
+    benchmark::RegisterBenchmark(name_of(what, radius, threads).c_str(), make_sets,
+                                 torus(mode, backend, std::stod(radius), threads))
         ->Unit(benchmark::kMillisecond)
         ->UseRealTime();
+}
+
+// About 10 and 100 million points.
+void add_large() {
+    const auto once = [](benchmark::internal::Benchmark* one) {
+        one->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
+    };
+    for (const std::string radius : {"0.000264", "0.0000835"}) {
+        for (const std::uint32_t threads : {1u, 2u}) {
+            once(benchmark::RegisterBenchmark(
+                name_of("large/exact/cpu", radius, threads).c_str(), make_one_set,
+                torus(Mode::exact, "cpu", std::stod(radius), threads)));
+        }
+        once(benchmark::RegisterBenchmark(name_of("large/verify", radius, 0).c_str(),
+                                          verify_one_set,
+                                          torus(Mode::exact, "cpu", std::stod(radius), 0)));
+    }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    for (const std::uint32_t threads : {1u, 2u})
-        for (const double radius : {0.05, 0.01, 0.003, 0.001, 0.0003}) add("cpu", radius, threads);
-    for (const std::string backend : {"opencl", "vulkan"})
-        for (const double radius : {0.01, 0.003, 0.001}) add(backend, radius, 0);
+    for (const Mode mode : {Mode::lines, Mode::exact}) {
+        for (const std::uint32_t threads : {1u, 2u})
+            for (const std::string radius : {"0.05", "0.01", "0.003", "0.001", "0.0003"})
+                add(mode, "cpu", radius, threads);
+        for (const std::string backend : {"opencl", "vulkan"})
+            for (const std::string radius : {"0.01", "0.003", "0.001"})
+                add(mode, backend, radius, 0);
+    }
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view argument = argv[i];
+        if (argument.starts_with("--benchmark_filter=") &&
+            argument.find("large") != std::string_view::npos)
+            add_large();
+    }
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();
     return 0;

@@ -108,13 +108,16 @@ TEST(Sample, ReportsCountsTimesMemoryAndTheHashOfThePoints) {
     EXPECT_EQ("lacuna " + json.at("version").get<std::string>() + "\n", run({"--version"}).out);
     EXPECT_EQ(json.at("request").at("radius"), 0.05);
     EXPECT_EQ(json.at("request").at("limit"), nullptr);
+    EXPECT_EQ(json.at("request").at("mode"), "exact");
+    EXPECT_EQ(json.at("request").at("lines_per_radius"), 6);
     EXPECT_EQ(json.at("count"), lines_in(outcome.out));
     EXPECT_EQ(json.at("radius"), 0.05);
     EXPECT_EQ(json.at("maximal"), true);
     EXPECT_GT(json.at("rounds"), 0);
     EXPECT_GE(json.at("draws"), json.at("count"));
     double by_verb = 0;
-    for (const char* verb : {"invert", "locate", "admit", "subtract", "transfer", "first_use"}) {
+    for (const char* verb :
+         {"invert", "locate", "admit", "subtract", "refine", "transfer", "first_use"}) {
         EXPECT_GE(json.at("seconds").at(verb).get<double>(), 0);
         by_verb += json.at("seconds").at(verb).get<double>();
     }
@@ -128,6 +131,41 @@ TEST(Sample, ReportsCountsTimesMemoryAndTheHashOfThePoints) {
     run({"sample", "--radius", "0.05", "--seed", "1", "--report", other});
     const auto other_json = nlohmann::json::parse(content_of(other));
     EXPECT_NE(other_json.at("points_sha256"), json.at("points_sha256"));
+}
+
+TEST(Sample, ReportsTheModeAndItsLinesPerRadiusAndNoRefiningInLines) {
+    const Folder folder;
+    const std::string report = folder.path("report.json");
+    const auto report_of = [&](const Names& more) {
+        Names words{"sample", "--radius", "0.05", "--report", report};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(run(words).exit_code, 0);
+        return nlohmann::json::parse(content_of(report));
+    };
+    const auto lines = report_of({"--mode", "lines"});
+    EXPECT_EQ(lines.at("request").at("mode"), "lines");
+    EXPECT_EQ(lines.at("request").at("lines_per_radius"), 30);
+    EXPECT_EQ(lines.at("seconds").at("refine"), 0.0);
+    const auto exact = report_of({"--mode", "exact", "--lines-per-radius", "3"});
+    EXPECT_EQ(exact.at("request").at("mode"), "exact");
+    EXPECT_EQ(exact.at("request").at("lines_per_radius"), 3);
+    EXPECT_NE(exact.at("points_sha256"), lines.at("points_sha256"));
+    EXPECT_EQ(exact.at("maximal"), true);
+}
+
+TEST(Sample, MakesExactSetsUnlessToldOtherwise) {
+    const Names request{"sample", "--radius", "0.05", "--torus"};
+    const auto in_mode = [&](const Names& mode) {
+        Names words = request;
+        words.insert(words.end(), mode.begin(), mode.end());
+        return run(words).out;
+    };
+    EXPECT_EQ(in_mode({}), in_mode({"--mode", "exact"}));
+    EXPECT_EQ(in_mode({}), in_mode({"--mode", "exact", "--lines-per-radius", "6"}));
+    EXPECT_NE(in_mode({}), in_mode({"--mode", "lines"}));
+    EXPECT_NE(in_mode({}), in_mode({"--mode", "lines", "--lines-per-radius", "6"}));
+    EXPECT_EQ(in_mode({"--mode", "lines"}),
+              in_mode({"--mode", "lines", "--lines-per-radius", "30"}));
 }
 
 TEST(Help, BeginsWithExamplesAndNamesEveryOption) {

@@ -25,8 +25,8 @@ void expect_one_line(const std::string& text) {
 }
 
 // So fine that it would run for minutes; rounds so small that it can be stopped soon.
-const Names kLongRun{"sample",    "--radius",     "0.0005", "--backend",
-                     "reference", "--round-size", "64"};
+const Names kLongRun{"sample",       "--radius", "0.0005", "--backend", "reference",
+                     "--round-size", "64",       "--mode", "lines"};
 
 Names long_run(const Names& more) {
     Names words = kLongRun;
@@ -108,6 +108,19 @@ TEST_P(AnInterruptedRun, ExitsWith130AndLeavesNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(ByCtrlCOrTheSystem, AnInterruptedRun, testing::Values(SIGINT, SIGTERM));
+
+TEST_P(AnInterruptedRun, OfTheCpuBackendInExactExitsWith130AndLeavesNothing) {
+    const Folder folder;
+    // Takes seconds, in a few dozen rounds: most questions whether to go on come from within one.
+    Program program({"sample", "--radius", "0.0005", "--backend", "cpu", "--threads", "1", "-o",
+                     folder.path("a.txt")});
+    ASSERT_TRUE(program.waits_for(GetParam()));
+    program.send(GetParam());
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 130);
+    expect_one_line(outcome.err);
+    EXPECT_EQ(folder.names(), Names{});
+}
 
 TEST(ASecondSignal, DoesNotWaitForTheEndOfTheRound) {
     const Folder folder;

@@ -56,7 +56,7 @@ TEST(Verify, OfAMaximalSetExitsWith0AndTellsTheNumbers) {
     EXPECT_EQ(outcome.err, "");
     expect_has(line_of(outcome.out, "points"), {" 400"});
     expect_has(line_of(outcome.out, "radius"), {" 0.04"});
-    expect_has(line_of(outcome.out, "tolerance"), {" 1.862645149230957e-09"});
+    expect_has(line_of(outcome.out, "tolerance"), {" 3.725290298461914e-09"});
     expect_has(line_of(outcome.out, "least distance"), {" 0.04999", "points ", "kept"});
     expect_has(line_of(outcome.out, "farthest spot"), {" 0.03535533", "at (", "covered"});
     expect_has(line_of(outcome.out, "verdict"), {"a maximal Poisson-disk set of radius 0.04"});
@@ -137,15 +137,16 @@ TEST(Verify, ToleratesGapsAsFarAsItIsToldAndNoFarther) {
 
 TEST(Verify, ReadsStandardInputAndEveryFormatOfSample) {
     const Folder folder;
-    const Words kind{"--radius", "0.05", "--snap", "--seed", "5"};
+    const Words kind{"--radius", "0.05", "--seed", "5"};
     std::string first;
     for (const std::string name : {"a.txt", "a.csv", "a.npy", "a.ply", "a.json"}) {
         Words words{"sample", "-o", folder.path(name)};
         words.insert(words.end(), kind.begin(), kind.end());
         ASSERT_EQ(run(words).exit_code, 0);
         const Outcome outcome = run({"verify", folder.path(name), "--radius", "0.05"});
+        EXPECT_EQ(outcome.exit_code, 0) << name << ": " << outcome.out;
         if (first.empty()) first = outcome.out;
-        expect_has(outcome.out, {"verdict"});
+        expect_has(outcome.out, {"a maximal Poisson-disk set of radius 0.05"});
         EXPECT_EQ(outcome.out, first) << name;
     }
     const int saved = dup(STDIN_FILENO);
@@ -159,11 +160,33 @@ TEST(Verify, ReadsStandardInputAndEveryFormatOfSample) {
     EXPECT_EQ(from_input.out, first);
 }
 
+TEST(Verify, ProvesWhatSampleMakesByDefaultWhateverTheDomain) {
+    const Folder folder;
+    const std::string path = folder.path("a.npy");
+    for (const Words& domain : {Words{},
+                                {"--torus"},
+                                {"--domain", "2.5x0.7"},
+                                {"--domain", "0.3x1.9", "--torus"},
+                                {"--domain", "7e9x5e9"}}) {
+        const std::string radius = domain.size() == 2 && domain[1] == "7e9x5e9" ? "1e8" : "0.02";
+        for (const std::string seed : {"0", "1"}) {
+            Words make{"sample", "--radius", radius, "--seed", seed, "--quiet", "-o", path};
+            Words verify{"verify", path, "--radius", radius};
+            make.insert(make.end(), domain.begin(), domain.end());
+            verify.insert(verify.end(), domain.begin(), domain.end());
+            ASSERT_EQ(run(make).exit_code, 0);
+            const Outcome outcome = run(verify);
+            EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
+        }
+    }
+}
+
 // Snapped to lines, distances hold, but gaps narrower than a strip remain.
 TEST(Verify, OfASnappedSetFindsItsDistancesKeptAndARealHole) {
     const Folder folder;
     const std::string path = folder.path("a.txt");
-    ASSERT_EQ(run({"sample", "--radius", "0.02", "--snap", "-o", path}).exit_code, 0);
+    ASSERT_EQ(
+        run({"sample", "--mode", "lines", "--radius", "0.02", "--snap", "-o", path}).exit_code, 0);
     const Outcome outcome = run({"verify", path, "--radius", "0.02"});
     EXPECT_EQ(outcome.exit_code, 1);
     expect_has(line_of(outcome.out, "least distance"), {"kept"});
@@ -217,7 +240,7 @@ TEST(VerifyHelp, BeginsWithExamplesAndNamesEveryOptionAndTheDefaultTolerance) {
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_LT(outcome.out.find("Examples:"), outcome.out.find("Options:"));
     expect_has(outcome.out.substr(outcome.out.find("Positionals:")),
-               {"FILE", "--radius", "--domain", "--torus", "--tolerance", "2^-29"});
+               {"FILE", "--radius", "--domain", "--torus", "--tolerance", "2^-28"});
 }
 
 }  // namespace

@@ -15,17 +15,12 @@ using namespace lacuna;
 
 constexpr std::uint64_t kSeeds = 100;
 
-struct Sets {
-    std::vector<std::vector<double>> counts;
-    std::vector<std::vector<double>> pairs;
-    std::vector<std::vector<double>> nearest;
-};
-
 // Statistics of the first `share` of the points of each set; counts are of the whole sets.
-Sets make_sets(const std::string& backend, std::uint64_t round_size, std::uint64_t first_seed,
-               double share) {
-    Sets sets;
+tests::Sets make_sets(const std::string& backend, std::uint64_t round_size,
+                      std::uint64_t first_seed, double share) {
+    tests::Sets sets;
     Request request;
+    request.mode = Mode::lines;
     request.radius = 0.01;
     request.boundary = Boundary::torus;
     request.backend = backend;
@@ -34,30 +29,11 @@ Sets make_sets(const std::string& backend, std::uint64_t round_size, std::uint64
         const Plan plan = make_plan(request);
         Observer nobody;
         std::vector<Sample> samples = run_on_backend(request, plan, nobody).outcome.samples;
-        const auto count = static_cast<double>(samples.size());
-        samples.resize(static_cast<std::size_t>(share * count));
-        sets.counts.push_back({count});
-        sets.pairs.push_back(tests::pair_histogram(plan, samples));
-        sets.nearest.push_back(tests::nearest_histogram(plan, samples));
+        const std::size_t count = samples.size();
+        samples.resize(static_cast<std::size_t>(share * static_cast<double>(count)));
+        sets.add(plan, samples, count);
     }
     return sets;
-}
-
-struct Verdict {
-    double count_z;
-    tests::Comparison pairs;
-    tests::Comparison nearest;
-    bool same() const { return count_z < 3 && pairs.agree() && nearest.agree(); }
-};
-
-Verdict compare(const Sets& a, const Sets& b) {
-    return {tests::compare(a.counts, b.counts).largest_z, tests::compare(a.pairs, b.pairs),
-            tests::compare(a.nearest, b.nearest)};
-}
-
-void print(const char* what, const Verdict& verdict) {
-    std::printf("%s\n  count |z| %.2f\n  pairs: %s\n  nearest: %s\n", what, verdict.count_z,
-                verdict.pairs.text().c_str(), verdict.nearest.text().c_str());
 }
 
 // Larger rounds than Lacuna would choose make for a sharper test: a wrong precedence shows more.
@@ -74,9 +50,9 @@ class Rounds : public testing::TestWithParam<Case> {};
 
 TEST_P(Rounds, LeaveTheDistributionAsItIs) {
     const auto [round_size, share] = GetParam();
-    const Verdict verdict =
+    const tests::Verdict verdict =
         compare(make_sets("reference", 1, 1000, share), make_sets("cpu", round_size, 2000, share));
-    print(LACUNA_VARIANT, verdict);
+    std::printf("%s: %s\n", LACUNA_VARIANT, verdict.text().c_str());
 #ifdef LACUNA_SPATIAL_ORDER
     EXPECT_FALSE(verdict.same());
 #else

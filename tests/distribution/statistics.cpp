@@ -124,4 +124,29 @@ Comparison compare(const std::vector<std::vector<double>>& a,
     return comparison;
 }
 
+void Sets::add(const Plan& plan, const std::vector<Sample>& samples, std::size_t count) {
+    counts.push_back({static_cast<double>(count)});
+    pairs.push_back(pair_histogram(plan, samples));
+    nearest.push_back(nearest_histogram(plan, samples));
+}
+
+std::string Verdict::text() const {
+    std::ostringstream out;
+    out << "count |z| " << count_z << "\n  pairs: " << pairs.text()
+        << "\n  nearest: " << nearest.text();
+    return out.str();
+}
+
+Verdict compare(const Sets& a, const Sets& b) {
+    return {compare(a.counts, b.counts).largest_z, compare(a.pairs, b.pairs),
+            compare(a.nearest, b.nearest)};
+}
+
+Mean mean_of(const std::vector<double>& values) {
+    std::vector<std::vector<double>> sets;
+    for (const double value : values) sets.push_back({value});
+    const Moments of_values = moments(sets, 0);
+    return {of_values.mean, std::sqrt(of_values.error_squared)};
+}
+
 }  // namespace lacuna::tests

@@ -30,4 +30,31 @@ struct Comparison {
 Comparison compare(const std::vector<std::vector<double>>& a,
                    const std::vector<std::vector<double>>& b);
 
+// One group of sets, by their statistics.
+struct Sets {
+    std::vector<std::vector<double>> counts;
+    std::vector<std::vector<double>> pairs;
+    std::vector<std::vector<double>> nearest;
+
+    // `samples` may be the first of a set of so many.
+    void add(const Plan& plan, const std::vector<Sample>& samples, std::size_t count);
+};
+
+struct Verdict {
+    double count_z;
+    Comparison pairs;
+    Comparison nearest;
+
+    bool same() const { return count_z < 3 && pairs.agree() && nearest.agree(); }
+    std::string text() const;
+};
+
+Verdict compare(const Sets& a, const Sets& b);
+
+struct Mean {
+    double value = 0;
+    double error = 0;  // standard error
+};
+Mean mean_of(const std::vector<double>& values);
+
 }  // namespace lacuna::tests

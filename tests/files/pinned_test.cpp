@@ -14,6 +14,7 @@ std::string hash_of(const Request& request) {
 
 Request request_of(double radius, Boundary boundary) {
     Request request;
+    request.mode = Mode::lines;
     request.radius = radius;
     request.boundary = boundary;
     request.backend = "reference";
@@ -49,6 +50,7 @@ TEST(Pinned, OneDrawARound) {
 
 TEST(Pinned, Count) {
     Request request;
+    request.mode = Mode::lines;
     request.count = 1000;
     request.backend = "reference";
     EXPECT_EQ(hash_of(request), "ff23fa2a80379ce0e4659fbd8a059b2ce7acafdb4094cf28244c992909f8069f");

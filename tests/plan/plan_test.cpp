@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <rapidcheck/gtest.h>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -17,17 +18,33 @@ Request with_radius(double radius) {
     return request;
 }
 
+Request in_mode(Mode mode, double radius) {
+    Request request = with_radius(radius);
+    request.mode = mode;
+    return request;
+}
+
 TEST(Plan, HasTheNumberOfLinesOfThePaper) {
-    EXPECT_EQ(make_plan(with_radius(0.01)).lines, 3000u);
-    EXPECT_EQ(make_plan(with_radius(0.001)).lines, 30000u);
-    Request wide = with_radius(0.3);
+    EXPECT_EQ(make_plan(in_mode(Mode::lines, 0.01)).lines, 3000u);
+    EXPECT_EQ(make_plan(in_mode(Mode::lines, 0.001)).lines, 30000u);
+    Request wide = in_mode(Mode::lines, 0.3);
     wide.width = 2;
     wide.lines_per_radius = 1;
     EXPECT_EQ(make_plan(wide).lines, 7u);
 }
 
+TEST(Plan, HasFewerLinesInExactUnlessToldHowMany) {
+    EXPECT_EQ(make_plan(in_mode(Mode::exact, 0.01)).lines, 600u);
+    EXPECT_EQ(make_plan(in_mode(Mode::exact, 0.01)).lines_per_radius, 6u);
+    EXPECT_EQ(make_plan(in_mode(Mode::lines, 0.01)).lines_per_radius, 30u);
+    Request told = in_mode(Mode::exact, 0.01);
+    told.lines_per_radius = 30;
+    EXPECT_EQ(make_plan(told).lines, 3000u);
+}
+
 RC_GTEST_PROP(Plan, KeepsEveryPromiseOfItsFields, ()) {
     Request request;
+    request.mode = *rc::gen::element(Mode::exact, Mode::lines);
     request.width = *rc::gen::inRange(1, 1000) / 100.0;
     request.height = *rc::gen::inRange(1, 1000) / 100.0;
     request.boundary = *rc::gen::element(Boundary::box, Boundary::torus);
@@ -44,11 +61,14 @@ RC_GTEST_PROP(Plan, KeepsEveryPromiseOfItsFields, ()) {
     RC_ASSERT(plan.strip_width >= 2u && plan.strip_width % 2 == 0);
     RC_ASSERT(plan.width <= 0x80000000u && plan.height <= 0x80000000u);
     RC_ASSERT(plan.width > 0u && plan.height > 0u);
+    if (plan.exact) RC_ASSERT(std::has_single_bit(plan.strip_width));
+    // In exact, whose strips are cut down to a power of two, at least half of 2^31 units are left.
+    if (plan.exact) RC_ASSERT(std::max(plan.width, plan.height) >= (1u << 30));
     RC_ASSERT(plan.radius * std::min(plan.unit_x, plan.unit_y) >= *request.radius);
     RC_ASSERT((plan.radius - 2) * std::min(plan.unit_x, plan.unit_y) <= *request.radius);
     RC_ASSERT(std::abs(plan.unit_y / plan.unit_x - 1) < std::ldexp(1, -20));
     // m strips to a radius, or a few thousandths more.
-    RC_ASSERT(plan.strip_width * std::uint64_t{request.lines_per_radius} <= plan.radius);
+    RC_ASSERT(plan.strip_width * std::uint64_t{*request.lines_per_radius} <= plan.radius);
     const Point last = plan.to_user({plan.width - 1, plan.height - 1});
     RC_ASSERT(last.x < request.width && last.y < request.height);
 }
@@ -56,6 +76,7 @@ RC_GTEST_PROP(Plan, KeepsEveryPromiseOfItsFields, ()) {
 // A user's check in double never finds less than the radius, for samples exactly plan.radius apart.
 RC_GTEST_PROP(Plan, RoundsDistancesInTheUsersFavour, ()) {
     Request request;
+    request.mode = *rc::gen::element(Mode::exact, Mode::lines);
     request.width = *rc::gen::inRange(1, 100000) / 7919.0;
     request.height = request.width * *rc::gen::inRange(1, 1000) / 997.0;
     if (request.height * 1000 < request.width) return;
@@ -147,10 +168,28 @@ TEST(Plan, RefusesCountsThatAreNone) {
 }
 
 TEST(Plan, RefusesMOutsideItsRange) {
-    Request request = with_radius(0.1);
-    for (const std::uint32_t m : {0u, 1001u}) {
-        request.lines_per_radius = m;
-        EXPECT_THROW(make_plan(request), BadRequest);
+    for (const Mode mode : {Mode::exact, Mode::lines}) {
+        Request request = in_mode(mode, 0.1);
+        for (const std::uint32_t m : {0u, 1001u}) {
+            request.lines_per_radius = m;
+            EXPECT_EQ(refusal(request),
+                      "lines-per-radius " + std::to_string(m) + ": must be between 1 and 1000");
+        }
+        request.lines_per_radius.reset();
+        EXPECT_EQ(refusal(request), "accepted");
+    }
+}
+
+TEST(Plan, RefusesInExactWhatIsForLinesOnly) {
+    Request snap = in_mode(Mode::exact, 0.1);
+    snap.snap = true;
+    EXPECT_EQ(refusal(snap), "snap with mode exact: is for mode lines only");
+    Request uniform_x = in_mode(Mode::exact, 0.1);
+    uniform_x.uniform_x = true;
+    EXPECT_EQ(refusal(uniform_x), "uniform-x with mode exact: is for mode lines only");
+    for (Request request : {snap, uniform_x}) {
+        request.mode = Mode::lines;
+        EXPECT_EQ(refusal(request), "accepted");
     }
 }
 

@@ -36,6 +36,7 @@ protected:
     static double mean(bool snap) {
         const Row row = GetParam();
         Request request;
+        request.mode = Mode::lines;
         request.radius = row.radius;
         request.boundary = row.boundary;
         request.uniform_x = row.uniform_x;

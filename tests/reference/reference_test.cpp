@@ -1,4 +1,5 @@
-// The reference sampler: distances, maximality on the lines, determinism, limits.
+// The reference sampler: in lines, distances and maximality on the lines; in both modes,
+// determinism and limits. That exact sets are maximal is shown in tests/verify.
 #include "reference/reference.h"
 
 #include <gtest/gtest.h>
@@ -47,6 +48,7 @@ bool every_line_is_covered(const Plan& plan, const std::vector<Sample>& samples)
 
 Request small_request() {
     Request request;
+    request.mode = Mode::lines;
     request.width = *rc::gen::inRange(50, 201) / 100.0;
     request.height = *rc::gen::inRange(50, 201) / 100.0;
     request.boundary = *rc::gen::element(Boundary::box, Boundary::torus);
@@ -67,7 +69,7 @@ RC_GTEST_PROP(Reference, KeepsItsDistancesAndCoversEveryLine, ()) {
     RC_ASSERT(!samples.empty());
     RC_ASSERT(every_line_is_covered(plan, samples));
 
-    const double kept = request.snap ? 1 : 1 - 0.5 / request.lines_per_radius;
+    const double kept = request.snap ? 1 : 1 - 0.5 / *request.lines_per_radius;
     const double least = tests::least_distance(sample(request).points, request.width,
                                                request.height, plan.period_x != 0);
     RC_ASSERT(least >= *request.radius * kept);
@@ -80,6 +82,7 @@ RC_GTEST_PROP(Reference, KeepsItsDistancesAndCoversEveryLine, ()) {
 
 TEST(Reference, CoverageCheckSeesOneMissingSample) {
     Request request;
+    request.mode = Mode::lines;
     request.radius = 0.1;
     const Plan plan = make_plan(request);
     std::vector<Sample> samples = run(request).samples;
@@ -95,6 +98,7 @@ TEST(Reference, KeepsItsDistancesInALargeSet) {
     for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
         for (const bool snap : {false, true}) {
             Request request;
+            request.mode = Mode::lines;
             request.radius = 0.005;
             request.boundary = boundary;
             request.snap = snap;
@@ -111,25 +115,32 @@ TEST(Reference, InterpolatedDistancesDoFallBelowTheRadius) {
     // The paper's approximation, and the reason for --snap: were this to fail, x is not
     // interpolated.
     Request request;
+    request.mode = Mode::lines;
     request.radius = 0.01;
     request.backend = "reference";
     EXPECT_LT(tests::least_distance(sample(request).points, 1, 1, false), 0.00995);
 }
 
-TEST(Reference, SameSeedSamePointsAnotherSeedOthers) {
+Request request_of(Mode mode, double radius) {
     Request request;
-    request.radius = 0.03;
+    request.mode = mode;
+    request.radius = radius;
     request.backend = "reference";
+    return request;
+}
+
+class ReferenceInMode : public testing::TestWithParam<Mode> {};
+
+TEST_P(ReferenceInMode, SameSeedSamePointsAnotherSeedOthers) {
+    Request request = request_of(GetParam(), 0.03);
     const std::vector<Point> first = sample(request).points;
     EXPECT_EQ(first, sample(request).points);
     request.seed = 1;
     EXPECT_NE(first, sample(request).points);
 }
 
-TEST(Reference, ALimitGivesAPrefix) {
-    Request request;
-    request.radius = 0.03;
-    request.backend = "reference";
+TEST_P(ReferenceInMode, ALimitGivesAPrefix) {
+    Request request = request_of(GetParam(), 0.03);
     const std::vector<Point> all = sample(request).points;
     for (const std::uint64_t limit : {1u, 2u, 100u, 1'000'000u}) {
         request.limit = limit;
@@ -140,15 +151,16 @@ TEST(Reference, ALimitGivesAPrefix) {
     }
 }
 
-TEST(Reference, ACountIsMetExactly) {
+TEST_P(ReferenceInMode, ACountIsMetExactly) {
     for (const std::uint64_t count : {1u, 2u, 3u, 10u, 278u, 5000u}) {
         for (const std::uint32_t m : {1u, 30u}) {
             for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
                 Request request;
+                request.mode = GetParam();
                 request.count = count;
                 request.boundary = boundary;
                 request.lines_per_radius = m;
-                request.snap = true;
+                request.snap = request.mode == Mode::lines;
                 request.backend = "reference";
                 const Result result = sample(request);
                 EXPECT_EQ(result.points.size(), count);
@@ -156,7 +168,7 @@ TEST(Reference, ACountIsMetExactly) {
                     tests::least_distance(result.points, 1, 1, boundary == Boundary::torus);
                 EXPECT_GE(least, result.radius);
                 // No smaller than it need be: within a tenth of the maximal set's density.
-                if (count > 1000 && m == 30) {
+                if (count > 1000 && (m == 30 || request.mode == Mode::exact)) {
                     EXPECT_LT(expected_count(1, 1, boundary, result.radius),
                               1.1 * static_cast<double>(count));
                 }
@@ -165,17 +177,15 @@ TEST(Reference, ACountIsMetExactly) {
     }
 }
 
-TEST(Reference, ARadiusOfTheWholeDomainGivesOneSample) {
-    Request request;
-    request.radius = 1.41421;
-    request.backend = "reference";
+TEST_P(ReferenceInMode, ARadiusOfTheWholeDomainGivesOneSample) {
+    Request request = request_of(GetParam(), 1.41421);
     EXPECT_EQ(sample(request).points.size(), 1u);
     request.boundary = Boundary::torus;
     request.radius = 1;
     EXPECT_EQ(sample(request).points.size(), 1u);
 }
 
-TEST(Reference, CancelsWhenToldTo) {
+TEST_P(ReferenceInMode, CancelsWhenToldTo) {
     class StopAtOnce : public Observer {
         bool keep_going(const Progress& progress) override {
             EXPECT_EQ(progress.rounds, 1u);
@@ -183,10 +193,10 @@ TEST(Reference, CancelsWhenToldTo) {
             return false;
         }
     } observer;
-    Request request;
-    request.radius = 0.01;
-    request.backend = "reference";
-    EXPECT_THROW(sample(request, observer), Cancelled);
+    EXPECT_THROW(sample(request_of(GetParam(), 0.01), observer), Cancelled);
 }
+
+INSTANTIATE_TEST_SUITE_P(Each, ReferenceInMode, testing::Values(Mode::exact, Mode::lines),
+                         [](const auto& test) { return std::string(name_of(test.param)); });
 
 }  // namespace

@@ -108,6 +108,7 @@ TEST(AQuestion, ThatMakesNoSenseIsABadRequestThatNamesTheOption) {
 TEST(ASnappedSet, KeepsItsDistancesAndWhereItHasAHoleTheHoleIsReal) {
     for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
         Request request;
+        request.mode = Mode::lines;
         request.radius = 0.02;
         request.snap = true;
         request.boundary = boundary;

@@ -7,15 +7,16 @@
 
 layout(local_size_x_id = 0) in;
 
-layout(push_constant) uniform Arguments { u32 first_item; Geometry g; u32 pass; u32 draws;
-                                          u32 chunk; };
-layout(binding = 1) readonly restrict buffer Candidates { uvec4 candidates[]; };
-layout(binding = 2) restrict buffer Fates { u32 fates[]; };
-layout(binding = 4) writeonly restrict buffer Samples { uvec2 samples[]; };
+layout(push_constant) uniform Arguments { u32 first_item; Geometry g; u32 pass;
+                                          u32 draw_count; u32 chunk; };
+layout(binding = 2) readonly restrict buffer Candidates { uvec4 candidates[]; };
+layout(binding = 3) restrict buffer Fates { u32 fates[]; };
+layout(binding = 5) writeonly restrict buffer Samples { uvec2 samples[]; };
 
 void main() {
-    const u32 i = first_item + gl_GlobalInvocationID.x;
-    if (i >= draws) return;
-    fates[i] = FATE_ADMITTED;
-    samples[candidates[i].w] = candidates[i].xy;
+    const u32 begin = (first_item + gl_GlobalInvocationID.x) * chunk;
+    for (u32 i = begin; i < min(begin + chunk, draw_count); ++i) {
+        fates[i] = FATE_ADMITTED;
+        samples[candidates[i].w] = candidates[i].xy;
+    }
 }

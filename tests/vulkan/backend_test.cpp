@@ -21,6 +21,7 @@ using vulkan::Engine;
 
 Request torus(double radius) {
     Request request;
+    request.mode = Mode::lines;
     request.radius = radius;
     request.boundary = Boundary::torus;
     return request;

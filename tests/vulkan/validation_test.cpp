@@ -56,10 +56,11 @@ INSTANTIATE_TEST_SUITE_P(Vulkan, ValidatedAnyhow,
                          name_of_checks);
 
 TEST_P(ValidatedAnyhow, MakesSetsWithoutAMessage) {
-    for (const Boundary boundary : {Boundary::torus, Boundary::box}) {
+    for (const int kind : {0, 1, 2, 3}) {
         Request request;
+        request.mode = kind < 2 ? Mode::lines : Mode::exact;
         request.radius = 0.07;
-        request.boundary = boundary;
+        request.boundary = kind % 2 == 0 ? Boundary::torus : Boundary::box;
         const Plan plan = make_plan(request);
         vulkan::Trial trial;
         trial.validation = &validation_;
@@ -75,11 +76,13 @@ TEST_P(ValidatedAnyhow, GrowsAndTakesMorePassesWithoutAMessage) {
     // Each candidate is covered by the next one only, which is earlier: one is settled after the
     // other, in more passes than a round has. And there is room for one span a line.
     Request request;
+    request.mode = Mode::lines;
     request.radius = 0.02;
     const Plan plan = make_plan(request);
     vulkan::Trial trial;
     trial.validation = &validation_;
-    Snapshot scene{1, {}, {}, {}};
+    Snapshot scene;
+    scene.capacity = 1;
     for (std::uint32_t line = 0; line < plan.lines; ++line)
         scene.spans.push_back({{0, plan.height}});
     const std::uint32_t line = plan.lines / 2;

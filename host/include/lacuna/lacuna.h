@@ -6,9 +6,13 @@
 //   - Points come in the order in which they were admitted; any prefix of a set is itself an
 //     unbiased Poisson-disk set.
 //   - Every point lies in [0, width) x [0, height).
-//   - Request::snap: no two points are closer than the radius, computed in double from the
-//     coordinates returned. Without it (Kalantari & Sen 2011, section 4.1, x interpolated in its
-//     strip) no two points are closer than radius * (1 - 1 / (2 * lines_per_radius)).
+//   - Mode::exact: no two points are closer than the radius, computed in double from the points
+//     returned, and no place of the domain is farther than the radius, plus 2^-28 of the longer
+//     side, from a point. Sets are distributed as dart throwing's, carried on until no room is
+//     left.
+//   - Mode::lines with Request::snap: no two points are closer than the radius. Without snap
+//     (Kalantari & Sen 2011, section 4.1, x interpolated in its strip) no two points are closer
+//     than radius * (1 - 1 / (2 * lines_per_radius)). Gaps narrower than a strip remain.
 //   - The library never prints, never exits and never reads the clock.
 //
 // What can go wrong is thrown: see the classes derived from Error at the end of this file.
@@ -41,6 +45,12 @@ struct Field {
                                      // row by row, row 0 is the top of the picture (largest y)
 };
 
+// How the free space is cut up.
+//   exact  strips, then boxes, refined until none has room: sets that are truly maximal
+//   lines  the paper's section 4.1: one line stands for its whole strip
+enum class Mode { exact, lines };
+std::string_view name_of(Mode mode);
+
 // What is wanted. Exactly one of radius and count must be set.
 struct Request {
     double width = 1.0;   // of the domain, > 0
@@ -50,7 +60,11 @@ struct Request {
     std::optional<double> radius;        // least distance between two points
     std::optional<std::uint64_t> count;  // exactly this many points, at a radius chosen to fit
 
-    std::uint32_t lines_per_radius = 30;  // the paper's m, 1 to 1000
+    Mode mode = Mode::exact;
+    // The paper's m, 1 to 1000. Unset: 6 in exact, where it decides nothing but the speed, and the
+    // paper's 30 in lines.
+    std::optional<std::uint32_t> lines_per_radius;
+    // In mode lines only.
     bool snap = false;       // points on the lines themselves: keeps every distance >= radius
     bool uniform_x = false;  // end of section 4.1: lines with room are equally likely
 
@@ -67,9 +81,10 @@ struct Request {
 
 // What was made, and how.
 struct Result {
-    std::vector<Point> points;  // in order of admission
-    double radius = 0;          // the radius asked for, or chosen for Request::count
-    bool maximal = false;       // false when a limit or a count stopped it before the room ran out
+    std::vector<Point> points;           // in order of admission
+    double radius = 0;                   // the radius asked for, or chosen for Request::count
+    std::uint32_t lines_per_radius = 0;  // the m asked for, or the mode's own
+    bool maximal = false;  // false when a limit or a count stopped it before the room ran out
     std::uint64_t rounds = 0;
     std::uint64_t draws = 0;
     std::string backend;  // the name of the backend that did the work
@@ -77,7 +92,7 @@ struct Result {
 };
 
 // The parts of a round, for those who time them.
-enum class Verb { invert, locate, admit, subtract, transfer, first_use };
+enum class Verb { invert, locate, admit, subtract, refine, transfer, first_use };
 std::string_view name_of(Verb verb);
 
 struct Progress {
@@ -91,7 +106,8 @@ struct Progress {
 class Observer {
 public:
     virtual ~Observer() = default;
-    // Called after each round. Return false to cancel: sample() then throws Cancelled.
+    // Called after each round, and now and then within long ones. Return false to cancel: sample()
+    // then asks no more and throws Cancelled.
     virtual bool keep_going(const Progress&) { return true; }
     virtual void begin(Verb) {}
     virtual void end(Verb) {}

@@ -1,0 +1,117 @@
+// The grid of cells: the samples of all earlier rounds, at most one a cell, by where they lie.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "plan.h"
+#include "portable/cell.h"
+#include "portable/distance.h"
+#include "portable/fate.h"
+
+namespace lacuna::cpu {
+
+class Cells {
+public:
+    // Room for the plan's samples; clear() all columns of cells before anything else.
+    explicit Cells(const Plan& plan)
+        : plan_(plan),
+          stride_(plan.cell_rows + kMargin),
+          cells_(std::make_unique_for_overwrite<Sample[]>((plan.cell_columns + kMargin) *
+                                                          std::size_t{stride_})) {}
+
+    std::uint32_t columns() const { return plan_.cell_columns + kMargin; }
+    // Empties the columns of cells [begin, end).
+    void clear(std::uint32_t begin, std::uint32_t end) {
+        std::fill(column(begin), column(end), Sample{NO_SAMPLE, NO_SAMPLE});
+    }
+    // The cells of one column of them, row by row.
+    Sample* column(std::uint32_t index) { return &cells_[std::size_t{index} * stride_]; }
+    const Sample* column(std::uint32_t index) const {
+        return &cells_[std::size_t{index} * stride_];
+    }
+
+    // Cells may be filled in parallel: no two samples share one.
+    void insert(Sample sample) {
+        column(sample.x / plan_.cell_side)[sample.y / plan_.cell_side] = sample;
+    }
+
+    // Whether some sample is closer than the radius.
+    bool is_covered(std::uint32_t x, std::uint32_t y) const {
+        const std::uint32_t r = plan_.radius;
+        if (x >= r && y >= r && x < plan_.width - r && y < plan_.height - r && r < plan_.width &&
+            r < plan_.height)
+            return is_covered_inside(x, y);
+        bool covered = false;
+        for_each_near(x, x + 1, y, y + 1, [&](Sample sample) {
+            covered |= portable::conflicts(sample.x, sample.y, x, y, plan_.period_x, plan_.period_y,
+                                           plan_.radius_squared);
+        });
+        return covered;
+    }
+
+    // Visits the samples in all cells within the radius of [x_begin, x_end) x [y_begin, y_end),
+    // around the torus too. On a torus of few cells some more than once.
+    template <typename Visit>
+    void for_each_near(std::uint32_t x_begin, std::uint32_t x_end, std::uint32_t y_begin,
+                       std::uint32_t y_end, Visit visit) const {
+        const std::uint32_t x_windows = plan_.period_x != 0 ? 3 : 1;
+        const std::uint32_t y_windows = plan_.period_y != 0 ? 3 : 1;
+        for (std::uint32_t i = 0; i < x_windows; ++i) {
+            const auto [x_low, x_high] = near(i, x_begin, x_end, plan_.width);
+            for (std::uint32_t cell_x = x_low; cell_x <= x_high; ++cell_x) {
+                for (std::uint32_t j = 0; j < y_windows; ++j) {
+                    const auto [y_low, y_high] = near(j, y_begin, y_end, plan_.height);
+                    for (std::uint32_t cell_y = y_low; cell_y <= y_high; ++cell_y) {
+                        const Sample sample = column(cell_x)[cell_y];
+                        if (sample.x != NO_SAMPLE) visit(sample);
+                    }
+                }
+            }
+        }
+    }
+
+private:
+    // Empty rows and columns past the last, so that a block of cells needs no bounds.
+    static constexpr std::uint32_t kMargin = 3;
+
+    struct Stretch {
+        std::uint32_t low;
+        std::uint32_t high;
+    };
+    Stretch near(std::uint32_t window, std::uint32_t begin, std::uint32_t end,
+                 std::uint32_t length) const {
+        const std::uint32_t r = plan_.radius;
+        const std::uint32_t side = plan_.cell_side;
+        return {portable::near_low(window, begin, end, r, length, side),
+                portable::near_high(window, begin, end, r, length, side)};
+    }
+
+    // A disk that touches no edge lies within 4 x 4 cells, 2 sqrt(2) being less than 3. No branch:
+    // where a sample lies cannot be foretold. As signed numbers the coordinates of NO_SAMPLE are
+    // -1, farther away than the radius.
+    bool is_covered_inside(std::uint32_t x, std::uint32_t y) const {
+        const std::uint32_t cell_x = (x - plan_.radius) / plan_.cell_side;
+        const std::uint32_t cell_y = (y - plan_.radius) / plan_.cell_side;
+        const auto radius_squared = static_cast<std::int64_t>(plan_.radius_squared);
+        const auto square = [](std::uint32_t a, std::uint32_t b) {
+            const std::int64_t difference = static_cast<std::int32_t>(a - b);
+            return difference * difference;
+        };
+        bool covered = false;
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const Sample* const cells = column(cell_x + i) + cell_y;
+            for (std::uint32_t j = 0; j < 4; ++j)
+                covered |= square(x, cells[j].x) + square(y, cells[j].y) < radius_squared;
+        }
+        return covered;
+    }
+
+    const Plan& plan_;
+    std::uint32_t stride_;
+    std::unique_ptr<Sample[]> cells_;
+};
+
+}  // namespace lacuna::cpu

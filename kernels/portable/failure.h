@@ -1,0 +1,27 @@
+// What a kernel tells of when it could not finish its work.
+#ifndef LACUNA_PORTABLE_FAILURE_H
+#define LACUNA_PORTABLE_FAILURE_H
+#include "prelude.h"
+
+#define FAILED_LOCATE 1u
+#define FAILED_SORT_COLUMNS 2u
+#define FAILED_ADMIT 4u
+#define FAILED_GATHER 8u
+#define FAILED_SUBTRACT 16u
+#define FAILED_REFINE 32u
+#define FAILED_CHORDS 64u  // more chords near a box than there is room for
+
+LACUNA_BEGIN
+
+// Lavapipe grants an invocation 65,535 turns in all its loops together, and then leaves each loop
+// after one turn without a word. This loop takes two, whatever `number` is: at the end of a kernel
+// it tells whether all loops before it came to their natural end.
+LACUNA_FN bool has_turns_left(u32 number) {
+    u32 rest = number | 0x80000000u;
+    while (rest != 0u) rest = rest >> 16;
+    return rest == 0u;
+}
+
+LACUNA_END
+
+#endif

@@ -1,0 +1,154 @@
+// What lacuna.h promises of mode exact, seen from outside: distances in double, the m of the
+// result, and refusals in one line.
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <random>
+#include <string>
+
+#include "distances.h"
+
+namespace {
+
+using namespace lacuna;
+
+Request request_of(double radius, Mode mode = Mode::exact) {
+    Request request;
+    request.mode = mode;
+    request.radius = radius;
+    request.backend = "cpu";
+    return request;
+}
+
+TEST(ADefaultRequest, IsExactAndMaximal) {
+    Request request;
+    request.radius = 0.05;
+    EXPECT_EQ(request.mode, Mode::exact);
+    const Result result = sample(request);
+    EXPECT_TRUE(result.maximal);
+    EXPECT_EQ(result.points, sample(request_of(0.05)).points);
+    EXPECT_NE(result.points, sample(request_of(0.05, Mode::lines)).points);
+}
+
+TEST(AResult, TellsTheLinesPerRadiusAskedForOrTheModesOwn) {
+    for (const Mode mode : {Mode::exact, Mode::lines}) {
+        for (const std::uint32_t m : {1u, 6u, 17u, 30u, 1000u}) {
+            Request request = request_of(0.1, mode);
+            request.lines_per_radius = m;
+            EXPECT_EQ(sample(request).lines_per_radius, m);
+        }
+    }
+    EXPECT_EQ(sample(request_of(0.1, Mode::exact)).lines_per_radius, 6u);
+    EXPECT_EQ(sample(request_of(0.1, Mode::lines)).lines_per_radius, 30u);
+
+    Request told = request_of(0.1, Mode::exact);
+    told.lines_per_radius = 6;
+    EXPECT_EQ(sample(told).points, sample(request_of(0.1, Mode::exact)).points);
+}
+
+TEST(ALargeExactSet, KeepsTheRadiusInDoubleAndComesCloseToIt) {
+    for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
+        for (const std::uint32_t m : {1u, 3u, 6u, 30u}) {
+            Request request = request_of(0.005);
+            request.boundary = boundary;
+            request.lines_per_radius = m;
+            const double least =
+                tests::least_distance(sample(request).points, 1, 1, boundary == Boundary::torus);
+            EXPECT_GE(least, 0.005);
+            EXPECT_LT(least, 0.005 * 1.0001);
+        }
+    }
+}
+
+// Sides, radii and units of which none is a round number.
+TEST(AnyExactSet, KeepsTheRadiusInDoubleAndItsPointsInTheDomain) {
+    constexpr std::uint64_t kSeed = 6;
+    constexpr int kSets = 300;
+    std::printf("seed %lu\n", kSeed);
+    std::mt19937_64 random(kSeed);
+    std::uniform_real_distribution<double> side(0.1, 3);
+    std::uniform_real_distribution<double> share(0.1, 1);
+    double closest = 10;  // least distance over radius
+    for (int i = 0; i < kSets; ++i) {
+        Request request;
+        request.backend = "cpu";
+        request.width = side(random) / 7919;
+        request.height = side(random) / 7919;
+        request.radius = std::min(request.width, request.height) * share(random) * share(random);
+        request.boundary = random() % 2 == 0 ? Boundary::box : Boundary::torus;
+        request.lines_per_radius = static_cast<std::uint32_t>(1 + random() % 60);
+        request.seed = random();
+        const bool torus = request.boundary == Boundary::torus;
+        const Result result = sample(request);
+        const double least =
+            tests::least_distance(result.points, request.width, request.height, torus);
+        ASSERT_GE(least, *request.radius) << "set " << i;
+        closest = std::min(closest, least / *request.radius);
+        for (const Point point : result.points) {
+            ASSERT_TRUE(point.x >= 0 && point.x < request.width) << "set " << i;
+            ASSERT_TRUE(point.y >= 0 && point.y < request.height) << "set " << i;
+        }
+    }
+    EXPECT_LT(closest, 1.0001);
+}
+
+// At m = 1 one strip is the whole domain, and the radius, rounded up, a unit more.
+TEST(ATorus, AsWideAsTheRadiusHoldsOnePointAtAnyM) {
+    for (const Mode mode : {Mode::exact, Mode::lines}) {
+        for (const std::uint32_t m : {1u, 2u, 3u, 60u}) {
+            Request request = request_of(1, mode);
+            request.boundary = Boundary::torus;
+            request.lines_per_radius = m;
+            EXPECT_EQ(sample(request).points.size(), 1u) << name_of(mode) << ", m " << m;
+        }
+    }
+}
+
+TEST(APrefix, OfAnExactSetIsWhatALimitGives) {
+    const std::vector<Point> all = sample(request_of(0.02)).points;
+    for (const std::uint64_t limit : {std::uint64_t{1}, std::uint64_t{700}, all.size() - 1}) {
+        Request request = request_of(0.02);
+        request.limit = limit;
+        const Result result = sample(request);
+        ASSERT_EQ(result.points.size(), limit);
+        EXPECT_TRUE(std::equal(result.points.begin(), result.points.end(), all.begin()));
+        EXPECT_FALSE(result.maximal);
+    }
+}
+
+std::string refusal(const Request& request) {
+    try {
+        sample(request);
+    } catch (const BadRequest& error) {
+        return error.option() + ": " + error.what();
+    }
+    return "accepted";
+}
+
+TEST(ABadRequest, IsRefusedInOneLineThatNamesTheOption) {
+    Request snap = request_of(0.1);
+    snap.snap = true;
+    EXPECT_EQ(refusal(snap), "snap: snap with mode exact: is for mode lines only");
+    Request uniform_x = request_of(0.1);
+    uniform_x.uniform_x = true;
+    EXPECT_EQ(refusal(uniform_x), "uniform-x: uniform-x with mode exact: is for mode lines only");
+    for (const std::uint32_t m : {0u, 1001u}) {
+        Request request = request_of(0.1);
+        request.lines_per_radius = m;
+        EXPECT_EQ(refusal(request), "lines-per-radius: lines-per-radius " + std::to_string(m) +
+                                        ": must be between 1 and 1000");
+    }
+    for (Request request : {snap, uniform_x}) {
+        request.mode = Mode::lines;
+        EXPECT_EQ(refusal(request), "accepted");
+    }
+}
+
+TEST(TheModes, AreNamedAsTheCommandNamesThem) {
+    EXPECT_EQ(name_of(Mode::exact), "exact");
+    EXPECT_EQ(name_of(Mode::lines), "lines");
+}
+
+}  // namespace
