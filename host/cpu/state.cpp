@@ -60,8 +60,8 @@ void State::restore(const Snapshot& snapshot) {
     else
         restore_spans(snapshot);
     for (std::uint32_t i = 0; i < plan.cell_columns && cells; ++i)
-        std::copy_n(snapshot.cells.begin() + static_cast<std::ptrdiff_t>(i * plan.cell_rows),
-                    plan.cell_rows, cells->column(i));
+        std::copy_n(snapshot.cells.data() + std::size_t{i} * plan.cell_rows, plan.cell_rows,
+                    cells->column(i));
     candidates = snapshot.candidates;
     fates = snapshot.fates;
     find_column_begins(plan, columns, candidates, column_begins);
