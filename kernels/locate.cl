@@ -59,8 +59,8 @@ bool comes_before(const uint4 a, const uint4 b) {
 }
 
 // Sorts the candidates of each column by y, and by order where y is equal. A column of n draws has
-// n buckets, equally high, in its part of `buckets`: most of the work is to find the bucket. All are
-// then pending for admit.
+// n buckets, equally high, in its part of `buckets`: most of the work is to find the bucket. All
+// candidates are then pending for admit.
 kernel void sort_columns(const Geometry g, global const u32* restrict column_begins,
                          global const uint4* restrict located, global u32* restrict buckets,
                          global uint4* restrict candidates, global u32* restrict fates,

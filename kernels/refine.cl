@@ -35,32 +35,23 @@ kernel void unfold(const Geometry g, const u32 first_line, const u32 end_line, c
                    volatile global u32* failure) {
     const u32 line = first_line + (u32)get_global_id(0);
     if (line >= end_line) return;
+    if (line + 1u == g.lines && writes == 0u) counts[g.lines] = 0u;
     const u64 slot = (u64)(line - first_line) * g.capacity;
-    const u32 span_count = span_counts[line];
-    if (writes == 0u) {
-        u32 count = 0u;
-        for (u32 i = 0u; i < span_count; ++i) {
-            const uint2 span = spans[slot + i];
-            count += (span.y - 1u) / g.cell_side - span.x / g.cell_side + 1u;
-        }
-        counts[line] = count;
-        if (!has_turns_left(g.height)) atomic_or(failure, FAILED_REFINE);
-        if (line + 1u == g.lines) counts[g.lines] = 0u;
-        return;
-    }
-    u32 place = counts[line] + sums[line / block];
-    for (u32 i = 0u; i < span_count; ++i) {
+    u32 place = writes != 0u ? counts[line] + sums[line / block] : 0u;
+    for (u32 i = 0u; i < span_counts[line]; ++i) {
         const uint2 span = spans[slot + i];
-        u32 begin = span.x;
-        while (begin < span.y) {
-            const u32 row_end = begin + min(span.y - begin, g.cell_side - begin % g.cell_side);
+        if (writes == 0u) {
+            place += (span.y - 1u) / g.cell_side - span.x / g.cell_side + 1u;
+            continue;
+        }
+        for (u32 begin = span.x; begin < span.y; begin = box_end[place - 1u]) {
             box_x[place] = line * g.strip_width;
             box_begin[place] = begin;
-            box_end[place] = row_end;
+            box_end[place] = begin + min(span.y - begin, g.cell_side - begin % g.cell_side);
             ++place;
-            begin = row_end;
         }
     }
+    if (writes == 0u) counts[line] = place;
     if (!has_turns_left(g.height)) atomic_or(failure, FAILED_REFINE);
 }
 
@@ -92,10 +83,9 @@ void find_near(const Geometry g, const u32 x, const u32 x_end, const u32 begin, 
                 // Every cell is written, and kept or not: no branch.
                 for (u32 row = row_low; row <= row_high; ++row) {
                     const u32 cell = column * g.cell_rows + row;
-                    const u32 sample_x = cell_x[cell];
-                    near->x[count] = sample_x;
+                    near->x[count] = cell_x[cell];
                     near->y[count] = cell_y[cell];
-                    count = min(count + (sample_x != NO_SAMPLE ? 1u : 0u), MOST_NEAR);
+                    count = min(count + (cell_x[cell] != NO_SAMPLE ? 1u : 0u), MOST_NEAR);
                 }
             }
         }
@@ -159,17 +149,36 @@ bool find_chords(const Geometry g, const u32 centre, const u32 margin, const u32
 
     chords->count = 0u;
     for (u32 i = 0u; i < count; ++i) {
-        const u32 k = touching[i];
-        const u32 dx = axis_distance(near->x[k], centre, g.period_x) + margin;
+        const u32 y = near->y[touching[i]];
+        const u32 dx = axis_distance(near->x[touching[i]], centre, g.period_x) + margin;
         const u32 reach = chord_reach(dx, g.radius_squared);
-        add_chord(chord_begin(near->y[k], reach), chord_end(near->y[k], reach, g.height), chords);
+        add_chord(chord_begin(y, reach), chord_end(y, reach, g.height), chords);
     }
     if (g.period_y != 0u && (begin < g.radius || end + g.radius > g.height))
         add_wrapped_chords(g, centre, margin, begin, end, near, chords);
-    chords->begin[chords->count] = end;
-    chords->end[chords->count] = end;
-    ++chords->count;
+    add_chord(end, end, chords);
     return true;
+}
+
+// A piece [begin, end) that the chords leave of a strip, and where to look for the next.
+typedef struct Piece {
+    u32 begin;
+    u32 end;
+    u32 chord;
+    u32 free_from;
+} Piece;
+
+// Finds the next piece, at first with begin, end and chord 0 and free_from at the strip's begin.
+bool find_piece(const Chords* chords, Piece* piece) {
+    while (piece->chord < chords->count) {
+        const u32 i = piece->chord;
+        piece->begin = piece->free_from;
+        piece->end = chords->begin[i];
+        piece->free_from = max(piece->free_from, chords->end[i]);
+        ++piece->chord;
+        if (piece->begin < piece->end) return true;
+    }
+    return false;
 }
 
 // Cuts each box, `parts` times as wide as what becomes of it, in its strips: counts[strip] is the
@@ -193,22 +202,16 @@ kernel void cut(const Geometry g, const u32 boxes, const u32 chunk, const u32 wi
         for (u32 part = 0u; part < parts; ++part) {
             const u32 strip = box * parts + part;
             const u32 centre = x + part * width + width / 2u;
-            u32 pieces = 0u;
+            u32 count = 0u;
             if (find_chords(g, centre, width / 2u, begin, end, &near, &chords)) {
-                u32 free_from = begin;
-                for (u32 i = 0u; i < chords.count; ++i) {
-                    const u32 free_to = min(chords.begin[i], end);
-                    if (free_from < free_to) {
-                        if (pieces == 0u) {
-                            piece_begin[strip] = free_from;
-                            piece_end[strip] = free_to;
-                        }
-                        ++pieces;
-                    }
-                    free_from = max(free_from, chords.end[i]);
+                Piece piece = {0u, 0u, 0u, begin};
+                for (; find_piece(&chords, &piece); ++count) {
+                    if (count > 0u) continue;
+                    piece_begin[strip] = piece.begin;
+                    piece_end[strip] = piece.end;
                 }
             }
-            counts[strip] = pieces;
+            counts[strip] = count;
         }
         if (box + 1u == boxes) counts[boxes * parts] = 0u;
     }
@@ -244,40 +247,31 @@ kernel void keep(const Geometry g, const u32 boxes, const u32 chunk, const u32 w
                  global u32* restrict new_x, global u32* restrict new_begin,
                  global u32* restrict new_end, global u32* restrict free_lengths,
                  volatile global u32* failure) {
-    const u32 first_box = (u32)get_global_id(0) * chunk;
-    const u32 end_box = min(first_box + chunk, boxes);
+    const u32 first_strip = (u32)get_global_id(0) * chunk;
+    const u32 end_strip = min(first_strip + chunk, boxes * parts);
     Near near;
     Chords chords;
-    for (u32 box = first_box; box < end_box; ++box) {
-        for (u32 part = 0u; part < parts; ++part) {
-            const u32 strip = box * parts + part;
-            const u32 x = box_x[box] + part * width;
-            u32 place = counts[strip] + sums[strip / block];
-            const u32 end_place = counts[strip + 1u] + sums[(strip + 1u) / block];
-            if (place == end_place) continue;
-            if (place + 1u == end_place) {
-                new_x[place] = x;
-                new_begin[place] = piece_begin[strip];
-                new_end[place] = piece_end[strip];
-                free_lengths[place] = piece_end[strip] - piece_begin[strip];
-                continue;
-            }
-            const u32 begin = box_begin[box];
-            const u32 end = box_end[box];
-            find_near(g, x, x + width, begin, end, cell_x, cell_y, &near);
-            if (!find_chords(g, x + width / 2u, width / 2u, begin, end, &near, &chords)) continue;
-            u32 free_from = begin;
-            for (u32 i = 0u; i < chords.count; ++i) {
-                const u32 free_to = min(chords.begin[i], end);
-                if (free_from < free_to) {
-                    new_x[place] = x;
-                    new_begin[place] = free_from;
-                    new_end[place] = free_to;
-                    free_lengths[place] = free_to - free_from;
-                    ++place;
-                }
-                free_from = max(free_from, chords.end[i]);
-            }
+    for (u32 strip = first_strip; strip < end_strip; ++strip) {
+        u32 place = counts[strip] + sums[strip / block];
+        const u32 end_place = counts[strip + 1u] + sums[(strip + 1u) / block];
+        if (place == end_place) continue;
+        const u32 box = strip / parts;
+        const u32 x = box_x[box] + strip % parts * width;
+        Piece piece = {piece_begin[strip], piece_end[strip], 0u, box_begin[box]};
+        if (place + 1u < end_place) {
+            find_near(g, x, x + width, box_begin[box], box_end[box], cell_x, cell_y, &near);
+            find_chords(g, x + width / 2u, width / 2u, box_begin[box], box_end[box], &near,
+                        &chords);
+            find_piece(&chords, &piece);
+        }
+        while (true) {
+            new_x[place] = x;
+            new_begin[place] = piece.begin;
+            new_end[place] = piece.end;
+            free_lengths[place] = piece.end - piece.begin;
+            ++place;
+            if (place == end_place) break;
+            find_piece(&chords, &piece);
         }
     }
     if (!has_turns_left(g.height)) atomic_or(failure, FAILED_REFINE);
@@ -290,14 +284,14 @@ kernel void find_place_begins(const Geometry g, const u32 boxes, global const u3
     const u32 column = (u32)get_global_id(0);
     if (column > g.columns) return;
     const u32 line = first_line_of_column(column, g.lines, g.columns);
-    u32 low = 0u;
-    u32 high = boxes;
-    while (low < high) {
-        const u32 middle = low + (high - low) / 2u;
+    u32 begin = 0u;
+    u32 end = boxes;
+    while (begin < end) {
+        const u32 middle = begin + (end - begin) / 2u;
         if (box_x[middle] / g.strip_width < line)
-            low = middle + 1u;
+            begin = middle + 1u;
         else
-            high = middle;
+            end = middle;
     }
-    place_begins[column] = low;
+    place_begins[column] = begin;
 }

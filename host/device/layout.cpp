@@ -117,8 +117,9 @@ std::string gigabytes(std::uint64_t bytes) {
     return out.str();
 }
 
-// Of draws, located, candidates, fates and samples, and three samples near for each draw.
-constexpr std::uint64_t kBytesPerDraw = 48 + 4 + 8 + 24;
+// Of draws, located, candidates; buckets, fates, pending; samples; and three samples near for each
+// draw.
+constexpr std::uint64_t kBytesPerDraw = 48 + 12 + 8 + 24;
 constexpr std::uint64_t kLargestPerDraw = 24;  // of one buffer: the samples near
 
 // Of a cell, and of a box and the two that it may become; in exact.

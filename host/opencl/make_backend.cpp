@@ -3,33 +3,19 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <functional>
-#include <iterator>
 #include <type_traits>
 #include <utility>
 
 #include "columns.h"
+#include "opencl/refine.h"
 #include "opencl/state.h"
-#include "portable/failure.h"
 
 namespace lacuna::opencl {
 namespace {
 
 // Chords cut from a line in the time that a draw takes.
 constexpr std::uint64_t kChordsPerDraw = 8;
-
-// The lowest of the kernels that failed, and what to do.
-std::string text_of(std::uint32_t failure) {
-    constexpr const char* kJobs[] = {"locate",   "sort_columns", "admit", "gather",
-                                     "subtract", "refine",       "refine"};
-    const auto job = static_cast<std::size_t>(std::countr_zero(failure)) % std::size(kJobs);
-    const bool ended_early = (failure & FAILED_CHORDS) == 0;
-    return std::string(kJobs[job]) +
-           (ended_early ? ": a loop was ended early by the driver"
-                        : ": more samples near a box than there is room for") +
-           ": use fewer points, or another backend";
-}
 
 class OpenClBackend : public Backend {
 public:
@@ -76,9 +62,7 @@ public:
     void refine(bool halve) override {
         guard([&] {
             settle();
-            queue_insert();
-            if (!state_.has_boxes()) unfold();
-            cut(halve);
+            opencl::refine(state_, halve);
             state_.queue.finish();
         });
     }
@@ -110,7 +94,7 @@ private:
         const auto count = static_cast<std::uint32_t>(draws.size());
         find_column_begins(s.host_place_begins, draws, s.host_column_begins);
         s.begin_round(count);
-        s.queue.start_write(s.draws, draws);
+        s.queue.write(s.draws, draws);
         subtracting_ = false;
 
         const std::uint32_t chunk = s.queue.chunk_of(count);
@@ -156,17 +140,9 @@ private:
                                      s.failure);
     }
 
-    void queue_insert() {
-        State& s = state_;
-        const std::uint32_t chunk = s.queue.chunk_of(s.draw_count);
-        s.queue.launch_in_slices(s.kernels.insert, items_of(s.draw_count, chunk), s.draw_count,
-                                 s.geometry, kPasses - 1, s.draw_count, chunk, s.undecided,
-                                 s.candidates, s.fates, s.cell_x, s.cell_y);
-    }
-
     void queue_subtract() {
         State& s = state_;
-        if (s.plan.exact) queue_insert();
+        if (s.plan.exact) queue_insert(s);
         s.zero(s.overflow, 1);
         const std::uint32_t columns = s.geometry.columns;
         const std::uint64_t near = std::uint64_t{s.draw_count} * 3 / columns;  // a column, about
@@ -183,86 +159,11 @@ private:
 
     // Waits until admission is settled.
     void settle() {
-        read_flags();
-        while (undecided_.back() != 0) {
+        state_.read_flags();
+        while (state_.is_unsettled()) {
             queue_passes(1);
-            read_flags();
+            state_.read_flags();
         }
-    }
-
-    // Waits for what is queued, and looks whether it came out well.
-    void read_flags() {
-        State& s = state_;
-        s.queue.start_read<std::uint32_t>(s.undecided, undecided_);
-        s.queue.start_read<std::uint32_t>(s.overflow, overflow_);
-        s.queue.start_read<std::uint32_t>(s.failure, failure_);
-        s.queue.finish();
-        if (failure_.front() != 0)
-            throw DeviceError("backend opencl, device " + name_ + ": " + text_of(failure_.front()));
-    }
-
-    // Sums the counts, so that each becomes the place of what is counted; returns how many.
-    std::uint32_t scan(std::uint32_t count, std::uint32_t block) {
-        State& s = state_;
-        const std::uint32_t blocks = items_of(count, block);
-        s.queue.launch(s.kernels.scan, blocks, count, block, s.counts, s.sums, s.failure);
-        s.queue.launch(s.kernels.scan, 1, blocks, blocks, s.sums, s.total, s.failure);
-        s.queue.start_read<std::uint32_t>(s.total, total_);
-        read_flags();
-        return total_.front();
-    }
-
-    // Makes boxes of the free spans.
-    void unfold() {
-        State& s = state_;
-        const std::uint32_t block = s.queue.block_of(s.plan.lines + 1);
-        s.make_room_for_strips(s.plan.lines);
-        s.make_room(s.boxes, 0);
-        queue_unfold(false, block);
-        s.place_count = scan(s.plan.lines + 1, block);
-        s.make_room(s.boxes, s.place_count);
-        queue_unfold(true, block);
-        s.box_width = s.plan.strip_width;
-        s.slabs.clear();
-        s.spans.clear();
-    }
-
-    void queue_unfold(bool writes, std::uint32_t block) {
-        State& s = state_;
-        for (std::size_t i = 0; i < s.slabs.size(); ++i)
-            s.queue.launch(s.kernels.unfold, s.slabs[i].lines(), s.geometry, s.slabs[i].first_line,
-                           s.slabs[i].end_line, cl_uint{writes}, block, s.spans[i], s.span_counts,
-                           s.counts, s.sums, s.boxes.x, s.boxes.begin, s.boxes.end, s.failure);
-    }
-
-    // Cuts the boxes by all samples, or by halves.
-    void cut(bool halve) {
-        State& s = state_;
-        const std::uint32_t parts = halve ? 2 : 1;
-        const std::uint32_t width = s.box_width / parts;
-        const std::uint32_t strips = s.place_count * parts;
-        const std::uint32_t chunk = s.queue.chunk_of(s.place_count);
-        const std::uint32_t items = items_of(s.place_count, chunk);
-        const std::uint32_t block = s.queue.block_of(strips + 1);
-        s.make_room_for_strips(strips);
-        s.queue.launch_in_slices(s.kernels.cut, items, s.place_count, s.geometry, s.place_count,
-                                 chunk, width, parts, s.boxes.x, s.boxes.begin, s.boxes.end,
-                                 s.cell_x, s.cell_y, s.counts, s.piece_begin, s.piece_end,
-                                 s.failure);
-        const std::uint32_t pieces = s.place_count == 0 ? 0 : scan(strips + 1, block);
-        s.make_room(s.new_boxes, pieces);
-        s.make_room_for_lengths(pieces);
-        s.queue.launch_in_slices(s.kernels.keep, items, s.place_count, s.geometry, s.place_count,
-                                 chunk, width, parts, block, s.boxes.x, s.boxes.begin, s.boxes.end,
-                                 s.cell_x, s.cell_y, s.counts, s.sums, s.piece_begin, s.piece_end,
-                                 s.new_boxes.x, s.new_boxes.begin, s.new_boxes.end, s.free_lengths,
-                                 s.failure);
-        std::swap(s.boxes, s.new_boxes);
-        s.place_count = pieces;
-        s.box_width = width;
-        s.queue.launch(s.kernels.find_place_begins, s.geometry.columns + 1, s.geometry, pieces,
-                       s.boxes.x, s.place_begins);
-        s.queue.start_read<std::uint32_t>(s.place_begins, s.host_place_begins);
     }
 
     // Waits until the round is done, with what more it takes: passes, or room.
@@ -273,10 +174,10 @@ private:
         while (true) {
             s.queue.start_read<std::uint32_t>(s.free_lengths, free_lengths_);
             s.queue.start_read<Sample>(s.samples, by_order_);
-            read_flags();
-            if (undecided_.back() != 0)
+            s.read_flags();
+            if (s.is_unsettled())
                 queue_passes(1);
-            else if (overflow_.front() != 0)
+            else if (s.host_overflow.front() != 0)
                 s.grow(2 * s.geometry.capacity);
             else
                 break;
@@ -290,11 +191,9 @@ private:
     // Reads end here: before the state, whose queue writes to it.
     std::vector<Sample> by_order_;
     std::vector<std::uint32_t> free_lengths_;
-    std::array<std::uint32_t, kPasses> undecided_{};
-    std::array<std::uint32_t, 1> overflow_{}, failure_{}, total_{};
     State state_;
     std::vector<Sample> samples_;
-    bool subtracting_ = false;
+    bool subtracting_ = false;  // the round's subtraction has been asked for
 };
 
 }  // namespace

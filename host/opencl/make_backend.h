@@ -1,4 +1,4 @@
-// The opencl backend: the three verbs as kernels of OpenCL C 1.2 (kernels/*.cl).
+// The opencl backend: the verbs as kernels of OpenCL C 1.2 (kernels/*.cl).
 #pragma once
 
 #include <cstdint>

@@ -57,22 +57,30 @@ State::State(std::shared_ptr<Program> the_program, const Plan& the_plan,
     overflow = words(1);
     failure = words(1);
     total = words(1);
-    if (plan.exact) {
-        const std::uint64_t cells = std::uint64_t{plan.cell_columns} * plan.cell_rows;
-        cell_x = words(cells);
-        cell_y = words(cells);
-        queue.fill(cell_x, cells, NO_SAMPLE);
-        queue.fill(cell_y, cells, NO_SAMPLE);
-    }
+    zero(undecided, kPasses);
+    zero(overflow, 1);
+    zero(failure, 1);
+    if (plan.exact) make_cells();
+    make_lines();
+}
 
-    // One span a line, written in a row, then spread out.
+void State::make_cells() {
+    const std::uint64_t cells = std::uint64_t{plan.cell_columns} * plan.cell_rows;
+    cell_x = words(cells);
+    cell_y = words(cells);
+    queue.fill(cell_x, cells, NO_SAMPLE);
+    queue.fill(cell_y, cells, NO_SAMPLE);
+}
+
+// Of one span each, written in a row, then spread out.
+void State::make_lines() {
     allocate_slabs(1);
     for (std::size_t i = 0; i < slabs.size(); ++i)
         queue.write<Span>(spans[i], std::vector<Span>(slabs[i].lines(), Span{0, plan.height}));
     queue.write<std::uint32_t>(span_counts, std::vector<std::uint32_t>(plan.lines, 1));
     queue.write<std::uint32_t>(free_lengths, std::vector<std::uint32_t>(plan.lines, plan.height));
     grow(first_capacity(plan));
-    queue.drain();
+    queue.drain();  // lets go of the rows before other buffers are made
 }
 
 cl::Buffer State::buffer(std::uint64_t bytes) const {
@@ -157,6 +165,14 @@ void State::make_room_for_lengths(std::uint32_t count) {
     free_lengths = {};
     length_room = count;
     free_lengths = words(count);
+}
+
+void State::read_flags() {
+    queue.start_read<std::uint32_t>(undecided, host_undecided);
+    queue.start_read<std::uint32_t>(overflow, host_overflow);
+    queue.start_read<std::uint32_t>(failure, host_failure);
+    queue.finish();
+    if (host_failure.front() != 0) throw kernel_error(host_failure.front(), program->entry.name);
 }
 
 Snapshot State::snapshot() {

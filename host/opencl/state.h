@@ -1,6 +1,7 @@
 // What the opencl backend keeps on the device.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -66,9 +67,13 @@ struct State {
     cl::Buffer column_begins, near_begins, near_counts;
     cl::Buffer undecided, overflow, failure;
     std::vector<std::uint32_t> host_column_begins, host_near_begins;
+    // What read_flags found.
+    std::array<std::uint32_t, kPasses> host_undecided{};
+    std::array<std::uint32_t, 1> host_overflow{}, host_failure{}, host_total{};
 
     bool has_boxes() const { return box_width != 0; }
     std::uint32_t place_width() const { return has_boxes() ? box_width : plan.strip_width; }
+    bool is_unsettled() const { return host_undecided.back() != 0; }
 
     // Shares the lines out over new slabs with room for so many spans a line; nothing in them yet.
     void allocate_slabs(std::uint32_t capacity);
@@ -83,12 +88,17 @@ struct State {
     void make_room_for_strips(std::uint32_t count);
     void make_room_for_lengths(std::uint32_t count);
 
+    // Waits for what is queued. Throws DeviceError when a kernel could not finish its work.
+    void read_flags();
+
     Snapshot snapshot();
     void restore(const Snapshot& snapshot);
 
 private:
     cl::Buffer buffer(std::uint64_t bytes) const;
     cl::Buffer words(std::uint64_t count) const;
+    void make_cells();
+    void make_lines();
     std::vector<std::uint32_t> pending_of(std::span<const std::uint32_t> fates) const;
     void restore_spans(const Snapshot& snapshot);
     void restore_boxes(const Snapshot& snapshot);

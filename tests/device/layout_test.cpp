@@ -59,7 +59,7 @@ TEST(Requests, ThatDoNotFitAreRefusedWithWhatTheyNeed) {
     };
     // 30,000 lines with room for 508 spans of 8 bytes, and the draws.
     EXPECT_EQ(refusal(100'000'000, much),
-              "device Toy: the request needs 0.143 GB of memory, and it has 0.1 GB");
+              "device Toy: the request needs 0.145 GB of memory, and it has 0.1 GB");
     EXPECT_EQ(refusal(much, 1'000'000),
               "device Toy: the request needs a buffer of 0.006 GB, and its largest has 0.001 GB");
 }

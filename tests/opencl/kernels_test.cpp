@@ -112,7 +112,7 @@ TEST_F(Kernels, ThatAreWrongInExactAreNoticed) {
         {"if (bottom > begin) add_chord", "if (false) add_chord"},
         {"if (top < end) add_chord", "if (false) add_chord"},
         {"last > y ? last - y : 0u", "0u"},
-        {"= piece_end[strip] - piece_begin[strip];", "= 1u;"},
+        {"= piece.end - piece.begin;", "= 1u;"},
         {"box_x[middle] / g.strip_width < line", "box_x[middle] / g.strip_width < line / 2u"},
     };
     for (const auto& [from, to] : faults)

@@ -1,7 +1,9 @@
 // The portable arithmetic, for a test that compares it with C++: one work item an input.
+#include "portable/cell.h"
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
+#include "portable/failure.h"
 #include "portable/isqrt.h"
 #include "portable/window.h"
 
@@ -12,7 +14,7 @@ typedef struct Input {
     u32 column, line, lines, columns;
 } Input;
 
-#define OUTPUTS 20u
+#define OUTPUTS 26u
 
 kernel void portable(global const Input* inputs, global u64* outputs) {
     const u32 i = (u32)get_global_id(0);
@@ -39,4 +41,14 @@ kernel void portable(global const Input* inputs, global u64* outputs) {
     out[17] = neighbour_count(in.column, in.columns, 1u);
     out[18] = first_neighbour(in.column, in.columns, 0u);
     out[19] = first_neighbour(in.column, in.columns, 1u);
+    out[20] = cell_side(in.radius_squared);
+    out[21] = count_cells(in.height, in.radius);
+    const u32 begin = min(in.ay, in.by);
+    const u32 end = max(in.ay, in.by) + 1u;
+    for (u32 window = 0u; window < 3u; ++window) {
+        const u64 low = near_low(window, begin, end, in.reach, in.height, in.radius);
+        out[22u + window] =
+            low << 32 | near_high(window, begin, end, in.reach, in.height, in.radius);
+    }
+    out[25] = has_turns_left(in.ay);
 }

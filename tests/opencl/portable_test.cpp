@@ -1,6 +1,7 @@
 // The portable arithmetic on the device equals C++'s, over 2^20 random and extreme inputs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <random>
@@ -10,9 +11,11 @@
 #include "backends/available.h"
 #include "opencl/devices.h"
 #include "opencl/program.h"
+#include "portable/cell.h"
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
+#include "portable/failure.h"
 #include "portable/isqrt.h"
 #include "portable/window.h"
 
@@ -30,7 +33,7 @@ struct Input {
     u32 column, line, lines, columns;
 };
 
-constexpr std::size_t kOutputs = 20;
+constexpr std::size_t kOutputs = 26;
 using Output = std::array<u64, kOutputs>;
 
 Output on_host(const Input& in) {
@@ -54,6 +57,14 @@ Output on_host(const Input& in) {
     out[17] = neighbour_count(in.column, in.columns, 1);
     out[18] = first_neighbour(in.column, in.columns, 0);
     out[19] = first_neighbour(in.column, in.columns, 1);
+    out[20] = cell_side(in.radius_squared);
+    out[21] = count_cells(in.height, in.radius);
+    const u32 begin = std::min(in.ay, in.by);
+    const u32 end = std::max(in.ay, in.by) + 1;
+    for (u32 window = 0; window < 3; ++window)
+        out[22 + window] = u64{near_low(window, begin, end, in.reach, in.height, in.radius)} << 32 |
+                           near_high(window, begin, end, in.reach, in.height, in.radius);
+    out[25] = has_turns_left(in.ay) ? 1 : 0;
     return out;
 }
 
