@@ -1,4 +1,5 @@
-// refine: what all samples leave of the places, in boxes (DESIGN section 4, "exact").
+// refine: what all samples leave of the places, in boxes (DESIGN section 4, "exact"). Longer than
+// other files because cut and keep share most of their text.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
@@ -173,25 +174,41 @@ void take(const i64 begin, const i64 end, inout Rest rest) {
     }
 }
 
-Rest cut_strip(const Strip strip) {
-    const NearCells columns = near_cells(strip.x, strip.x + width, g.radius, g.width, g.period_x,
-                                         g.cell_side, g.cell_columns);
-    const NearCells rows = near_cells(strip.begin, strip.end, g.radius, g.height, g.period_y,
-                                      g.cell_side, g.cell_rows);
-    if (columns.count > kMostNear || rows.count > kMostNear) atomicOr(failure, FAILED_CHORDS);
-    const i64 first = first_image(strip);
+// The cells near a strip, and the first image of the samples in them that counts.
+struct Near {
+    NearCells columns;
+    NearCells rows;
+    i64 first_image;
+};
 
-    // Most strips are covered by one sample, and most samples near leave a strip alone: both show
-    // in squared distances, and only what is left takes a square root. No branch, as in screen.
+Near near_to(const Strip strip) {
+    Near near;
+    near.columns = near_cells(strip.x, strip.x + width, g.radius, g.width, g.period_x, g.cell_side,
+                              g.cell_columns);
+    near.rows = near_cells(strip.begin, strip.end, g.radius, g.height, g.period_y, g.cell_side,
+                           g.cell_rows);
+    near.first_image = first_image(strip);
+    if (max(near.columns.count, near.rows.count) > kMostNear) atomicOr(failure, FAILED_CHORDS);
+    return near;
+}
+
+u32 cell_at(const Near near, const u32 i, const u32 j) {
+    return nth_cell(near.columns, i, g.cell_columns) * g.cell_rows +
+           nth_cell(near.rows, j, g.cell_rows);
+}
+
+// The cells whose samples touch the strip, a bit each; none if one sample covers it. Most strips
+// are covered by one, and most samples near leave a strip alone: both show in squared distances.
+// No branch, as in screen.
+uvec2 find_touching(const Strip strip, const Near near, out bool is_covered) {
     uvec2 touching = uvec2(0u, 0u);
-    bool is_covered = false;
-    for (i64 image = first; image <= -first; ++image) {
+    is_covered = false;
+    for (i64 image = near.first_image; image <= -near.first_image; ++image) {
         const i64 begin = strip.begin - image * g.height;
         const i64 last = begin + (strip.end - strip.begin) - 1;
-        for (u32 i = 0u; i < columns.count; ++i) {
-            const u32 cell_column = nth_cell(columns, i, g.cell_columns) * g.cell_rows;
-            for (u32 j = 0u; j < rows.count; ++j) {
-                const u32 cell = cell_column + nth_cell(rows, j, g.cell_rows);
+        for (u32 i = 0u; i < near.columns.count; ++i) {
+            for (u32 j = 0u; j < near.rows.count; ++j) {
+                const u32 cell = cell_at(near, i, j);
                 const u32 x = cell_x[cell];
                 const i64 y = cell_y[cell];
                 const u32 dx = far_distance(x, strip);
@@ -208,21 +225,27 @@ Rest cut_strip(const Strip strip) {
             }
         }
     }
+    return is_covered ? uvec2(0u, 0u) : touching;
+}
 
+// Only here roots are taken.
+Rest cut_strip(const Strip strip) {
+    const Near near = near_to(strip);
+    bool is_covered;
+    uvec2 touching = find_touching(strip, near, is_covered);
     Rest rest = Rest(strip.begin, is_covered ? strip.begin : strip.end, 0u);
-    if (is_covered) touching = uvec2(0u, 0u);
     while ((touching.x | touching.y) != 0u) {
+        // Take the lowest bit.
         const bool is_first = touching.x != 0u;
         const u32 bit = u32(findLSB(is_first ? touching.x : touching.y));
-        const u32 i = bit / kMostNear + (is_first ? 0u : 4u);
         if (is_first)
             touching.x &= touching.x - 1u;
         else
             touching.y &= touching.y - 1u;
-        const u32 cell = nth_cell(columns, i, g.cell_columns) * g.cell_rows +
-                         nth_cell(rows, bit % kMostNear, g.cell_rows);
+
+        const u32 cell = cell_at(near, bit / kMostNear + (is_first ? 0u : 4u), bit % kMostNear);
         const i64 reach = chord_reach(far_distance(cell_x[cell], strip), g.radius_squared);
-        for (i64 image = first; image <= -first; ++image) {
+        for (i64 image = near.first_image; image <= -near.first_image; ++image) {
             const i64 y = cell_y[cell] + image * g.height;
             take(y - reach + 1, y + reach, rest);
         }
@@ -274,6 +297,30 @@ void main() {
 }
 #endif
 
+#ifdef ENTRY_scan
+// Prefix sums within blocks: each of the values becomes the sum of those before it in its block,
+// and sums[block] that of all of them.
+layout(push_constant) uniform Arguments { u32 first_item; u32 value_count; u32 block; };
+layout(binding = 0) restrict buffer Values { u32 values[]; };
+layout(binding = 1) writeonly restrict buffer Sums { u32 sums[]; };
+layout(binding = 2) coherent restrict buffer Failure { u32 failure; };
+
+void main() {
+    const u32 index = first_item + gl_GlobalInvocationID.x;
+    const u32 begin = index * block;
+    if (begin >= value_count) return;
+    const u32 end = begin + min(block, value_count - begin);
+    u32 sum = 0u;
+    for (u32 i = begin; i < end; ++i) {
+        const u32 value = values[i];
+        values[i] = sum;
+        sum += value;
+    }
+    sums[index] = sum;
+    if (!has_turns_left(value_count)) atomicOr(failure, FAILED_REFINE);
+}
+#endif
+
 #ifdef ENTRY_keep
 void keep_piece(const u32 x, const uvec2 piece, const u32 place) {
     if (place >= room) return;
@@ -302,30 +349,6 @@ void main() {
         ++place;
     }
     if (!has_turns_left(g.height)) atomicOr(failure, FAILED_REFINE);
-}
-#endif
-
-#ifdef ENTRY_scan
-// Prefix sums within blocks: each of the values becomes the sum of those before it in its block,
-// and sums[block] that of all of them.
-layout(push_constant) uniform Arguments { u32 first_item; u32 value_count; u32 block; };
-layout(binding = 0) restrict buffer Values { u32 values[]; };
-layout(binding = 1) writeonly restrict buffer Sums { u32 sums[]; };
-layout(binding = 2) coherent restrict buffer Failure { u32 failure; };
-
-void main() {
-    const u32 index = first_item + gl_GlobalInvocationID.x;
-    const u32 begin = index * block;
-    if (begin >= value_count) return;
-    const u32 end = begin + min(block, value_count - begin);
-    u32 sum = 0u;
-    for (u32 i = begin; i < end; ++i) {
-        const u32 value = values[i];
-        values[i] = sum;
-        sum += value;
-    }
-    sums[index] = sum;
-    if (!has_turns_left(value_count)) atomicOr(failure, FAILED_REFINE);
 }
 #endif
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstring>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -24,8 +23,6 @@ constexpr std::uint64_t kWorkPerDispatch = std::uint64_t{1} << 18;
 // Between submissions a run can be cancelled.
 constexpr std::uint64_t kWorkPerSubmission = std::uint64_t{1} << 20;
 constexpr std::uint32_t kSetsPerPool = 64;
-constexpr std::uint32_t kBuffersPerSet = 16;
-constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
 
 constexpr auto kStages =
     vk::PipelineStageFlagBits::eComputeShader | vk::PipelineStageFlagBits::eTransfer;
@@ -56,27 +53,6 @@ std::optional<std::uint32_t> find_memory_type(const vk::PhysicalDeviceMemoryProp
     return std::nullopt;
 }
 
-vk::raii::Device make_device(const vk::raii::PhysicalDevice& physical, std::uint32_t family,
-                             const Validation* validation) {
-    vk::PhysicalDeviceFeatures features;
-    features.shaderInt64 = true;
-    if (validation != nullptr && validation->checks == Checks::gpu_assisted) {
-        // The layer's own shader code writes what it finds to a buffer.
-        const vk::PhysicalDeviceFeatures all = physical.getFeatures();
-        features.fragmentStoresAndAtomics = all.fragmentStoresAndAtomics;
-        features.vertexPipelineStoresAndAtomics = all.vertexPipelineStoresAndAtomics;
-    }
-    const float priority = 1.0f;
-    const vk::DeviceQueueCreateInfo queue({}, family, 1, &priority);
-    return {physical, vk::DeviceCreateInfo({}, queue, {}, {}, &features)};
-}
-
-std::size_t choose_device(const Instance& instance, std::string_view wanted) {
-    std::vector<DeviceEntry> entries;
-    for (const auto& device : instance.devices()) entries.push_back(describe(device));
-    return device::choose("vulkan", entries, wanted);
-}
-
 }  // namespace
 
 struct Buffer::Handles {
@@ -101,7 +77,6 @@ struct Engine::Impl {
             most_groups = physical.getProperties().limits.maxComputeWorkGroupCount[0];
             device.emplace(make_device(physical, family, validation));
             queue.emplace(device->getQueue(family, 0));
-            fence.emplace(*device, vk::FenceCreateInfo());
             command_pool.emplace(*device, vk::CommandPoolCreateInfo({}, family));
             commands.emplace(std::move(
                 device
@@ -145,7 +120,6 @@ struct Engine::Impl {
 
     std::optional<vk::raii::Device> device;
     std::optional<vk::raii::Queue> queue;
-    std::optional<vk::raii::Fence> fence;
     std::optional<vk::raii::CommandPool> command_pool;
     std::optional<vk::raii::CommandBuffer> commands;
     bool is_recording = false;
@@ -161,7 +135,7 @@ vk::DescriptorSet Engine::Impl::make_set(const Kernel::Handles& kernel,
                                          std::initializer_list<Buffer> buffers) {
     if (sets_used == set_pools.size() * kSetsPerPool) {
         const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer,
-                                          kSetsPerPool * kBuffersPerSet);
+                                          kSetsPerPool * kMostBuffers);
         set_pools.emplace_back(*device, vk::DescriptorPoolCreateInfo({}, kSetsPerPool, size));
     }
     const vk::DescriptorSetAllocateInfo info(*set_pools[sets_used / kSetsPerPool],
@@ -169,6 +143,7 @@ vk::DescriptorSet Engine::Impl::make_set(const Kernel::Handles& kernel,
     ++sets_used;
     const vk::DescriptorSet set =
         (**device).allocateDescriptorSets(info, *device->getDispatcher()).front();
+
     std::vector<vk::DescriptorBufferInfo> infos;
     for (const Buffer& buffer : buffers)
         infos.emplace_back(*buffer.handles_->buffer, 0, VK_WHOLE_SIZE);
@@ -188,10 +163,8 @@ void Engine::Impl::submit() {
         command_pool->reset();
         throw Cancelled();
     }
-    queue->submit(vk::SubmitInfo({}, {}, *all), **fence);
-    while (device->waitForFences(**fence, true, kForever) == vk::Result::eTimeout) {
-    }
-    device->resetFences(**fence);
+    queue->submit(vk::SubmitInfo({}, {}, *all));
+    queue->waitIdle();
     command_pool->reset();
 }
 

@@ -18,6 +18,9 @@
 
 namespace lacuna::vulkan {
 
+// What a kernel may have.
+inline constexpr std::uint32_t kMostBuffers = 16;
+
 // Memory on the device, or memory of the host that the device copies from and to. Copies of a
 // Buffer mean the same memory; the queue holds on to what its commands still need.
 class Buffer {
@@ -39,7 +42,8 @@ private:
 };
 
 // A compute shader. Its first specialisation constant is the size of a work group; its buffers
-// are bindings 0, 1, ...; its push constants begin with the number of the first item to serve.
+// are bindings 0, 1, ..., at most kMostBuffers; its push constants begin with the number of the
+// first item to serve.
 struct Program {
     std::string_view name;
     std::span<const std::uint32_t> spirv;

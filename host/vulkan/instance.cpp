@@ -7,6 +7,7 @@
 #include <array>
 #include <string_view>
 
+#include "vulkan/engine.h"
 #include "vulkan/make_backend.h"
 
 namespace lacuna::vulkan {
@@ -131,6 +132,27 @@ std::optional<std::uint32_t> compute_family(const vk::raii::PhysicalDevice& devi
     return std::nullopt;
 }
 
+vk::raii::Device make_device(const vk::raii::PhysicalDevice& physical, std::uint32_t family,
+                             const Validation* validation) {
+    vk::PhysicalDeviceFeatures features;
+    features.shaderInt64 = true;
+    if (validation != nullptr && validation->checks == Checks::gpu_assisted) {
+        // The layer's own shader code writes what it finds to a buffer.
+        const vk::PhysicalDeviceFeatures all = physical.getFeatures();
+        features.fragmentStoresAndAtomics = all.fragmentStoresAndAtomics;
+        features.vertexPipelineStoresAndAtomics = all.vertexPipelineStoresAndAtomics;
+    }
+    const float priority = 1.0f;
+    const vk::DeviceQueueCreateInfo queue({}, family, 1, &priority);
+    return {physical, vk::DeviceCreateInfo({}, queue, {}, {}, &features)};
+}
+
+std::size_t choose_device(const Instance& instance, std::string_view wanted) {
+    std::vector<DeviceEntry> entries;
+    for (const auto& device : instance.devices()) entries.push_back(describe(device));
+    return device::choose("vulkan", entries, wanted);
+}
+
 DeviceEntry describe(const vk::raii::PhysicalDevice& device) {
     const auto properties = device.getProperties();
     const auto features = device.getFeatures();
@@ -146,6 +168,10 @@ DeviceEntry describe(const vk::raii::PhysicalDevice& device) {
         entry.unusable = "has Vulkan " + version(properties.apiVersion) + ", 1.2 is needed";
     else if (!entry.has_int64)
         entry.unusable = "has no 64-bit integers in shaders (shaderInt64)";
+    else if (properties.limits.maxPerStageDescriptorStorageBuffers < kMostBuffers)
+        entry.unusable = "allows a shader " +
+                         std::to_string(properties.limits.maxPerStageDescriptorStorageBuffers) +
+                         " buffers, " + std::to_string(kMostBuffers) + " are needed";
     else if (!compute_family(device))
         entry.unusable = "has no queue for compute";
     return entry;

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
@@ -32,5 +33,12 @@ DeviceEntry describe(const vk::raii::PhysicalDevice& device);
 
 // The first queue family that computes, if any does.
 std::optional<std::uint32_t> compute_family(const vk::raii::PhysicalDevice& device);
+
+// The number of the device that is wanted. Throws Unavailable.
+std::size_t choose_device(const Instance& instance, std::string_view wanted);
+
+// With one queue of the family.
+vk::raii::Device make_device(const vk::raii::PhysicalDevice& physical, std::uint32_t family,
+                             const Validation* validation);
 
 }  // namespace lacuna::vulkan

@@ -1,4 +1,4 @@
-// The vulkan backend: the three verbs as compute shaders (shaders/*.comp). Needs Vulkan 1.2 and
+// The vulkan backend: the verbs as compute shaders (shaders/*.comp). Needs Vulkan 1.2 and
 // 64-bit integers in shaders, nothing else.
 #pragma once
 

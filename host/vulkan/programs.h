@@ -125,9 +125,6 @@ struct Programs {
     Program scan;
     Program find_place_begins;
 };
-// Of any of them.
-inline constexpr std::uint32_t kMostBuffers = 15;
-
 Programs embedded_programs();
 
 }  // namespace lacuna::vulkan

@@ -15,7 +15,8 @@ layout(binding = 5) writeonly restrict buffer Samples { uvec2 samples[]; };
 
 void main() {
     const u32 begin = (first_item + gl_GlobalInvocationID.x) * chunk;
-    for (u32 i = begin; i < min(begin + chunk, draw_count); ++i) {
+    const u32 end = min(begin + chunk, draw_count);
+    for (u32 i = begin; i < end; ++i) {
         fates[i] = FATE_ADMITTED;
         samples[candidates[i].w] = candidates[i].xy;
     }

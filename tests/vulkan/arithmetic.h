@@ -1,9 +1,11 @@
 // All of the portable arithmetic on one set of numbers: the same text for C++ and for GLSL.
 #ifndef LACUNA_TESTS_VULKAN_ARITHMETIC_H
 #define LACUNA_TESTS_VULKAN_ARITHMETIC_H
+#include "portable/cell.h"
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
+#include "portable/failure.h"
 #include "portable/isqrt.h"
 #include "portable/window.h"
 
@@ -24,6 +26,8 @@ struct Numbers {
     u32 lines;
     u32 columns;
     u32 wraps;
+    u32 side;
+    u32 unused;
 };
 
 struct Answers {
@@ -45,7 +49,13 @@ struct Answers {
     u32 first_line;
     u32 neighbours;
     u32 first;
-    u32 unused;
+    u32 bucket;
+    u32 cells;
+    u32 near_first;
+    u32 near_count;
+    u32 near_low_1;
+    u32 near_high_2;
+    u32 turns_left;
 };
 
 LACUNA_FN Answers answer(Numbers q) {
@@ -69,7 +79,14 @@ LACUNA_FN Answers answer(Numbers q) {
     a.first_line = first_line_of_column(a.column, q.lines, q.columns);
     a.neighbours = neighbour_count(a.column, q.columns, q.wraps);
     a.first = first_neighbour(a.column, q.columns, q.wraps);
-    a.unused = 0u;
+    a.bucket = bucket_of(q.ay, q.columns, q.height);
+    a.cells = count_cells(q.height, q.side);
+    NearCells near = near_cells(q.by, q.by + 1u, q.radius, q.height, q.period_y, q.side, a.cells);
+    a.near_first = near.first;
+    a.near_count = near.count;
+    a.near_low_1 = near_low(1u, q.by, q.by + 1u, q.radius, q.height, q.side);
+    a.near_high_2 = near_high(2u, q.by, q.by + 1u, q.radius, q.height, q.side);
+    a.turns_left = has_turns_left(q.ax) ? 1u : 0u;
     return a;
 }
 

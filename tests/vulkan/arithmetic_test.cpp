@@ -79,6 +79,7 @@ Numbers any_numbers(std::mt19937_64& random) {
     q.lines = q.columns + any_size(random, 1u << 24);
     q.line = any_size(random, q.lines - 1);
     q.wraps = q.period_x;
+    q.side = 1 + any_size(random, kLongestSide - 1);
     return q;
 }
 

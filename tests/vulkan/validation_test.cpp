@@ -9,6 +9,7 @@
 #include "backends/available.h"
 #include "columns.h"
 #include "generate.h"
+#include "portable/fate.h"
 #include "vulkan/engine.h"
 #include "vulkan/make_backend.h"
 
@@ -56,19 +57,41 @@ INSTANTIATE_TEST_SUITE_P(Vulkan, ValidatedAnyhow,
                          name_of_checks);
 
 TEST_P(ValidatedAnyhow, MakesSetsWithoutAMessage) {
-    for (const int kind : {0, 1, 2, 3}) {
-        Request request;
-        request.mode = kind < 2 ? Mode::lines : Mode::exact;
-        request.radius = 0.07;
-        request.boundary = kind % 2 == 0 ? Boundary::torus : Boundary::box;
-        const Plan plan = make_plan(request);
-        vulkan::Trial trial;
-        trial.validation = &validation_;
-        const device::Tuning tuning{100 * first_capacity(plan) * sizeof(Span)};
-        Observer nobody;
-        EXPECT_FALSE(
-            generate(plan, *vulkan::make_backend(plan, {}, tuning, trial), nobody).samples.empty());
+    for (const Mode mode : {Mode::lines, Mode::exact}) {
+        for (const Boundary boundary : {Boundary::torus, Boundary::box}) {
+            Request request;
+            request.mode = mode;
+            request.radius = 0.07;
+            request.boundary = boundary;
+            const Plan plan = make_plan(request);
+            vulkan::Trial trial;
+            trial.validation = &validation_;
+            const device::Tuning tuning{std::uint64_t{100} * first_capacity(plan) * sizeof(Span)};
+            Observer nobody;
+            EXPECT_FALSE(generate(plan, *vulkan::make_backend(plan, {}, tuning, trial), nobody)
+                             .samples.empty());
+        }
     }
+    EXPECT_EQ(messages(), "");
+}
+
+TEST_P(ValidatedAnyhow, MakesRoomForBoxesWithoutAMessage) {
+    Request request;
+    request.radius = 0.02;
+    const Plan plan = make_plan(request);
+    vulkan::Trial trial;
+    trial.validation = &validation_;
+    Snapshot scene;
+    scene.capacity = 1;
+    scene.cells.assign(std::size_t{plan.cell_columns} * plan.cell_rows, {NO_SAMPLE, NO_SAMPLE});
+    scene.box_width = plan.strip_width;
+    for (std::uint32_t y = 0; y < 2000; ++y) scene.boxes.push_back({0, 2 * y, 2 * y + 1});
+    const auto backend = vulkan::make_backend(plan, {}, {}, trial);
+
+    backend->restore(scene);
+    backend->refine(true);
+
+    EXPECT_EQ(backend->finish_round().free_lengths.size(), 4000u);
     EXPECT_EQ(messages(), "");
 }
 
@@ -76,8 +99,8 @@ TEST_P(ValidatedAnyhow, GrowsAndTakesMorePassesWithoutAMessage) {
     // Each candidate is covered by the next one only, which is earlier: one is settled after the
     // other, in more passes than a round has. And there is room for one span a line.
     Request request;
-    request.mode = Mode::lines;
     request.radius = 0.02;
+    request.mode = Mode::lines;
     const Plan plan = make_plan(request);
     vulkan::Trial trial;
     trial.validation = &validation_;
