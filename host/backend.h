@@ -20,6 +20,7 @@ struct Draw {
     std::uint32_t rank;    // along the place's free length
     std::uint32_t offset;  // from the place's low x
     std::uint32_t order;
+    friend bool operator==(const Draw&, const Draw&) = default;
 };
 
 // A stretch of y on a line where a sample may still be placed, [begin, end).

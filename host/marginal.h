@@ -1,5 +1,5 @@
 // The marginal F_X (section 3, Eq. 1) as running sums of the places' free lengths, and its
-// inversion (Eq. 2), in constant time a draw by a guide table (Chen & Asau 1974). Sequential.
+// inversion (Eq. 2): draws are sorted first, so that one walk along the sums inverts them all.
 #pragma once
 
 #include <cstdint>
@@ -31,21 +31,23 @@ public:
     std::span<const Draw> invert(std::uint64_t first_number, std::uint32_t count);
 
 private:
-    std::size_t block_at(std::uint64_t bits, std::uint64_t c) const;
-    Draw draw(const RandomBits& random) const;
-    Draw draw_uniform_x(std::uint64_t number, const RandomBits& random) const;
-    void sort_parts();
+    class Walk;
+
+    void draw_bits(std::uint64_t first_number, std::uint32_t count);
+    void sort_part(std::span<const Draw> part);
 
     const Plan& plan_;
     std::function<void()> poll_;
     std::span<const std::uint32_t> lengths_;
     std::uint32_t place_width_ = 0;
     std::vector<std::uint64_t> sums_ = {0};  // sums_[block]: all blocks of places below it
-    std::vector<std::uint32_t> guide_;       // guide_[j]: the block at the start of the j-th part
-    unsigned guide_bits_ = 0;                // 0: rounds too small to pay for a guide
-    std::vector<RandomBits> random_;         // of each draw, by number
-    std::vector<std::uint32_t> starts_;      // of each part of the random bits in draws_
-    std::vector<Draw> draws_;
+    // A draw's place and rank hold its random bits until it is inverted.
+    std::vector<Draw> drawn_;               // by number
+    std::vector<Draw> draws_;               // by part: by the highest bits
+    unsigned part_bits_ = 0;                // how many those are
+    std::vector<std::uint32_t> part_ends_;  // in draws_
+    std::vector<Draw> part_;                // one part, sorted by all bits
+    std::vector<std::uint32_t> starts_;     // in part_, by the next highest bits
 };
 
 }  // namespace lacuna

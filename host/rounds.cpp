@@ -16,10 +16,14 @@ constexpr std::uint64_t kLostInExact = 4;
 
 }  // namespace
 
+std::uint64_t largest_round_size(const Plan& plan) {
+    return plan.exact ? kLargestRoundInExact : kLargestRoundInLines;
+}
+
 std::uint64_t first_round_size(const Plan& plan) {
     if (plan.round_size != 0) return plan.round_size;
     const std::uint64_t area = std::uint64_t{plan.width} * plan.height;
-    return std::clamp(area / plan.radius_squared / 8, kSmallestRound, kLargestRound);
+    return std::clamp(area / plan.radius_squared / 8, kSmallestRound, largest_round_size(plan));
 }
 
 void RoundPolicy::judge_places(std::uint64_t survivors, std::uint32_t width) {
@@ -47,7 +51,7 @@ void RoundPolicy::note(std::uint64_t survivors, std::uint64_t admitted, std::uin
     const std::uint64_t wanted = lost == 0 ? 2 * size_ : size_ * size_ / (share * lost);
     // Halved places will lose fewer draws to earlier rounds, and a box has room for one sample or
     // two: no need for more draws than that.
-    std::uint64_t most = std::min(halves_ ? size_ : 2 * size_, kLargestRound);
+    std::uint64_t most = std::min(halves_ ? size_ : 2 * size_, largest_round_size(plan_));
     if (are_boxes) most = std::min(most, places + kJudgedDraws);
     // No round needs more memory than the first, whose size is a share of the set's.
     if (plan_.exact) most = std::min(most, std::max(first_round_size(plan_), kJudgedDraws));

@@ -9,12 +9,17 @@
 namespace lacuna {
 
 inline constexpr std::uint64_t kSmallestRound = 16;
-// A round's arrays stay within the 128 MiB that every Vulkan driver can bind.
-inline constexpr std::uint64_t kLargestRound = std::uint64_t{1} << 22;
+// In lines a round's arrays stay within the 128 MiB that every Vulkan driver can bind, as its slabs
+// of spans do; in exact boxes outgrow that at fewer points than rounds this large have.
+inline constexpr std::uint64_t kLargestRoundInLines = std::uint64_t{1} << 22;
+inline constexpr std::uint64_t kLargestRoundInExact = std::uint64_t{1} << 25;
 
 // On an empty domain A / (8 r^2) draws: about a sixth of the maximal count, of which some four in
 // five are admitted.
 std::uint64_t first_round_size(const Plan& plan);
+
+// What rounds of automatic size do not exceed.
+std::uint64_t largest_round_size(const Plan& plan);
 
 class RoundPolicy {
 public:

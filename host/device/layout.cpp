@@ -132,9 +132,10 @@ constexpr double kBoxesPerSample = 0.75;
 
 void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint64_t memory_bytes,
                          std::uint64_t largest_buffer_bytes) {
-    // Rounds have been seen to double once after the first; kLargestRound bounds them.
+    // Rounds have been seen to double once after the first; largest_round_size bounds them.
     const std::uint64_t first = first_round_size(plan);
-    const std::uint64_t round = plan.round_size != 0 ? first : std::min(2 * first, kLargestRound);
+    const std::uint64_t round =
+        plan.round_size != 0 ? first : std::min(2 * first, largest_round_size(plan));
     const std::uint64_t line_bytes = std::uint64_t{first_capacity(plan)} * sizeof(Span);
     const std::uint64_t lines_bytes = plan.lines * (line_bytes + 8);
 

@@ -61,17 +61,16 @@ TEST(MaximalSets, HaveTheKnownNumbers) {
     EXPECT_NEAR(analysis.horizontal_line->ratio, 1, 0.13);
 }
 
-// In whatever mode is the default. The paper's lines, which interpolate x and are not quite
-// maximal, lie 6 % over the known power at 0.5; an exact mode is to be within 5 % everywhere.
+// Of exact sets. The paper's lines, which interpolate x and are not quite maximal, lie 6 % over the
+// known power at 0.5.
 TEST(SampledSets, HaveTheKnownSpectrum) {
-    constexpr double kTolerance = 0.08;
     Sets sets;
     Request request;
     request.radius = kRadius;
     request.boundary = Boundary::torus;
     for (request.seed = 0; request.seed < kSets; ++request.seed)
         sets.push_back(sample(request).points);
-    expect_known_spectrum(analysis_of(sets), kTolerance);
+    expect_known_spectrum(analysis_of(sets), 0.05);
 }
 
 TEST(Analyse, OfOnePointKnowsWhatOnePointHas) {

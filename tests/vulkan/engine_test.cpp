@@ -26,6 +26,9 @@ protected:
         values_ = engine_->allocate(Engine::Memory::device, kItems * sizeof(std::uint32_t));
         sums_ = engine_->allocate(Engine::Memory::download, kItems * sizeof(std::uint32_t));
         failure_ = engine_->allocate(Engine::Memory::device, sizeof(std::uint32_t));
+        engine_->fill(sums_, 0, sums_.bytes());
+        engine_->fill(failure_, 0, failure_.bytes());
+        engine_->wait();
     }
 
     static constexpr std::uint32_t kItems = 1u << 14;
