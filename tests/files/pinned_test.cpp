@@ -1,4 +1,4 @@
-// The bytes of five small requests, pinned by hash: they may change with a major version only.
+// The bytes of some small requests, pinned by hash: they may change with a major version only.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
@@ -12,9 +12,9 @@ std::string hash_of(const Request& request) {
     return files::sha256_of(sample(request).points);
 }
 
-Request request_of(double radius, Boundary boundary) {
+Request request_of(double radius, Boundary boundary, Mode mode = Mode::lines) {
     Request request;
-    request.mode = Mode::lines;
+    request.mode = mode;
     request.radius = radius;
     request.boundary = boundary;
     request.backend = "reference";
@@ -46,6 +46,25 @@ TEST(Pinned, OneDrawARound) {
     request.round_size = 1;
     request.seed = 18446744073709551615u;
     EXPECT_EQ(hash_of(request), "e295d3c6a8c47c012624a83f3fa1c678e339d76ed1d3768aed31736932f4ab98");
+}
+
+TEST(Pinned, ExactTorus) {
+    EXPECT_EQ(hash_of(request_of(0.05, Boundary::torus, Mode::exact)),
+              "5e6e955e4e8eeb9ffeb93a289334f16ddaf21d9ac8fb82123b7cc888645affc7");
+}
+
+TEST(Pinned, ExactRectangularBox) {
+    Request request = request_of(0.07, Boundary::box, Mode::exact);
+    request.width = 2.5;
+    request.seed = 1;
+    EXPECT_EQ(hash_of(request), "94881e5f8418912158604aec6dba0a099e3e8fa0e58ec6c42b7b2864e7046086");
+}
+
+TEST(Pinned, ExactInSmallRounds) {
+    Request request = request_of(0.05, Boundary::torus, Mode::exact);
+    request.round_size = 1;
+    request.lines_per_radius = 1;
+    EXPECT_EQ(hash_of(request), "535d0fd8551c4b744c33c19bb1f1d6eb46b335a7bf082fb0482ecf4c9e6596d3");
 }
 
 TEST(Pinned, Count) {
