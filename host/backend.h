@@ -58,6 +58,9 @@ struct Snapshot {
     std::vector<Sample> cells;    // the sample of each cell, NO_SAMPLE where there is none
     std::uint32_t box_width = 0;  // 0: lines are drawn from, not boxes
     std::vector<Box> boxes;       // line by line
+    // In cells only: a bit for each lattice point, set while it is free. Line by line, each in an
+    // even number of words, the lowest y in the lowest bit of the first.
+    std::vector<std::uint32_t> bits;
     friend bool operator==(const Snapshot&, const Snapshot&) = default;
 };
 

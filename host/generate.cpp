@@ -46,7 +46,7 @@ Outcome generate(const Plan& plan, Backend& backend, Observer& observer) {
         if (!may_go_on()) throw Cancelled();
     };
     backend.watch(may_go_on);
-    const std::vector<std::uint32_t> all_free(plan.lines, plan.height);
+    const std::vector<std::uint32_t> all_free = first_free_lengths(plan);
     Marginal marginal(plan, poll);
     marginal.rebuild(all_free, plan.strip_width);
     RoundPolicy policy(plan);

@@ -31,15 +31,15 @@ constexpr double kBoxEdge = 0.666;
 constexpr double kCountDeviation = 0.244;  // standard deviation of a maximal count over sqrt(N)
 
 std::uint32_t lines_per_radius(const Request& request) {
-    return request.lines_per_radius.value_or(request.mode == Mode::exact ? kExactLinesPerRadius
-                                                                         : kPaperLinesPerRadius);
-}
-
-// The shortest decimal that reads back as the same double.
-std::string text(double value) {
-    char digits[32];
-    const auto end = std::to_chars(std::begin(digits), std::end(digits), value).ptr;
-    return {digits, end};
+    if (request.lines_per_radius) return *request.lines_per_radius;
+    switch (request.mode) {
+        case Mode::exact:
+            return kExactLinesPerRadius;
+        case Mode::lines:
+            return kPaperLinesPerRadius;
+        default:
+            return kCellsPerRadius;
+    }
 }
 
 std::string gigabytes(double bytes) {
@@ -65,12 +65,7 @@ double memory_needed(const Request& request, double radius, double points) {
 
 void refuse_if_too_large(const Request& request, const std::string& option,
                          const std::string& value, double radius, double points) {
-    const double needed = memory_needed(request, radius, points);
-    const double limit = memory_limit(request);
-    if (needed <= limit) return;
-    throw BadRequest(option, value,
-                     "needs about " + gigabytes(needed) + " of memory, more than the " +
-                         gigabytes(limit) + " there is");
+    refuse_more_memory(request, option, value, memory_needed(request, radius, points));
 }
 
 double largest_radius(const Request& request) {
@@ -82,20 +77,51 @@ void check_radius(const Request& request) {
     const double radius = *request.radius;
     const double longer = std::max(request.width, request.height);
     if (!std::isfinite(radius) || radius <= 0)
-        throw BadRequest("radius", text(radius), "must be a finite number greater than 0");
+        throw BadRequest("radius", shortest(radius), "must be a finite number greater than 0");
     if (radius > largest_radius(request))
         throw BadRequest(
-            "radius", text(radius),
-            "must be at most " + text(largest_radius(request)) +
+            "radius", shortest(radius),
+            "must be at most " + shortest(largest_radius(request)) +
                 (request.boundary == Boundary::torus ? ", the shorter side of the torus"
                                                      : ", the diagonal of the domain"));
     double points = expected_count(request.width, request.height, request.boundary, radius);
     if (request.limit) points = std::min(points, static_cast<double>(*request.limit));
-    refuse_if_too_large(request, "radius", text(radius), radius, points);
+    refuse_if_too_large(request, "radius", shortest(radius), radius, points);
     if (radius < longer * kSmallestRadius)
-        throw BadRequest("radius", text(radius),
-                         "must be at least " + text(longer * kSmallestRadius) +
+        throw BadRequest("radius", shortest(radius),
+                         "must be at least " + shortest(longer * kSmallestRadius) +
                              ", the longer side / 2^20, or the grid's units run out");
+}
+
+// What mode cells asks for beside a scale or a count, and no other mode knows.
+void check_field(const Request& request) {
+    const bool cells = request.mode == Mode::cells;
+    if (!cells && request.field != nullptr)
+        throw BadRequest("field", "with mode " + std::string(name_of(request.mode)),
+                         "is for mode cells only");
+    if (!cells && request.scale)
+        throw BadRequest("scale", shortest(*request.scale), "is for mode cells only");
+    if (!cells) return;
+    if (request.radius)
+        throw BadRequest("radius", shortest(*request.radius),
+                         "is not for mode cells: give a scale or a count");
+    if (request.field == nullptr) throw BadRequest("field", "missing", "mode cells needs one");
+    const Field& field = *request.field;
+    if (field.importance.size() != std::size_t{field.columns} * field.rows ||
+        field.importance.empty())
+        throw BadRequest("field",
+                         std::to_string(field.columns) + "x" + std::to_string(field.rows) +
+                             " with " + std::to_string(field.importance.size()) + " values",
+                         "needs columns * rows values, at least one");
+    for (std::size_t i = 0; i < field.importance.size(); ++i)
+        if (!std::isfinite(field.importance[i]) || field.importance[i] < 0)
+            throw BadRequest("field",
+                             shortest(field.importance[i]) + " at row " +
+                                 std::to_string(i / field.columns) + ", column " +
+                                 std::to_string(i % field.columns),
+                             "importance must be a finite number of at least 0");
+    if (*std::max_element(field.importance.begin(), field.importance.end()) <= 0)
+        throw BadRequest("field", "of zeros", "some importance must be greater than 0");
 }
 
 // The larger root q = 1 / r of density * (W q + edge) (H q + edge) = count.
@@ -111,6 +137,21 @@ double radius_expecting(const Request& request, double count) {
 
 }  // namespace
 
+std::string shortest(double value) {
+    char digits[32];
+    const auto end = std::to_chars(std::begin(digits), std::end(digits), value).ptr;
+    return {digits, end};
+}
+
+void refuse_more_memory(const Request& request, const std::string& option, const std::string& value,
+                        double bytes) {
+    const double limit = memory_limit(request);
+    if (bytes <= limit) return;
+    throw BadRequest(option, value,
+                     "needs about " + gigabytes(bytes) + " of memory, more than the " +
+                         gigabytes(limit) + " there is");
+}
+
 std::uint64_t machine_memory_bytes() {
     return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
            static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
@@ -124,31 +165,41 @@ double expected_count(double width, double height, Boundary boundary, double rad
 void check_request(const Request& request) {
     const double shorter = std::min(request.width, request.height);
     const double longer = std::max(request.width, request.height);
-    const std::string domain = text(request.width) + "x" + text(request.height);
+    const std::string domain = shortest(request.width) + "x" + shortest(request.height);
     if (!std::isfinite(request.width) || !std::isfinite(request.height) || !(shorter > 0))
         throw BadRequest("domain", domain, "both sides must be finite numbers greater than 0");
     if (longer > kLargestAspect * shorter)
         throw BadRequest(
             "domain", domain,
-            "the longer side may be at most " + text(kLargestAspect) + " times the shorter");
+            "the longer side may be at most " + shortest(kLargestAspect) + " times the shorter");
     if (shorter < 1e-100 || longer > 1e100)
         throw BadRequest("domain", domain, "the sides must lie between 1e-100 and 1e100");
     const std::uint32_t lines = lines_per_radius(request);
     if (lines < 1 || lines > kMostLinesPerRadius)
         throw BadRequest("lines-per-radius", std::to_string(lines),
                          "must be between 1 and " + std::to_string(kMostLinesPerRadius));
-    if (request.mode == Mode::exact && (request.snap || request.uniform_x))
-        throw BadRequest(request.snap ? "snap" : "uniform-x", "with mode exact",
+    if (request.mode != Mode::lines && (request.snap || request.uniform_x))
+        throw BadRequest(request.snap ? "snap" : "uniform-x",
+                         "with mode " + std::string(name_of(request.mode)),
                          "is for mode lines only");
+    check_field(request);
     if (request.limit && *request.limit == 0) throw BadRequest("limit", "0", "must be at least 1");
-    if (request.radius && request.count)
-        throw BadRequest("radius", text(*request.radius), "give either a radius or a count");
-    if (!request.radius && !request.count)
-        throw BadRequest("radius", "missing", "give either a radius or a count");
+    const bool cells = request.mode == Mode::cells;
+    const std::string size = cells ? "scale" : "radius";
+    const std::optional<double>& given = cells ? request.scale : request.radius;
+    if (given && request.count)
+        throw BadRequest(size, shortest(*given), "give either a " + size + " or a count");
+    if (!given && !request.count)
+        throw BadRequest(size, "missing", "give either a " + size + " or a count");
     if (request.count && *request.count == 0) throw BadRequest("count", "0", "must be at least 1");
     if (request.uniform_x && request.round_size > 1)
         throw BadRequest("round-size", std::to_string(request.round_size),
                          "must be 1 with uniform-x, whose draws cannot be thinned");
+}
+
+std::vector<std::uint32_t> first_free_lengths(const Plan& plan) {
+    if (plan.radii) return plan.radii->free_lengths();
+    return std::vector<std::uint32_t>(plan.lines, plan.height);
 }
 
 double radius_for_count(const Request& request, int attempt) {
@@ -168,6 +219,7 @@ double radius_for_count(const Request& request, int attempt) {
 
 Plan make_plan(const Request& request) {
     check_request(request);
+    if (request.mode == Mode::cells) return make_cells_plan(request);
     check_radius(request);
     const double radius = *request.radius;
     const double longer = std::max(request.width, request.height);
@@ -205,7 +257,8 @@ Plan make_plan(const Request& request) {
     const std::uint64_t most = request.count.value_or(std::numeric_limits<std::uint64_t>::max());
     plan.limit = std::min(most, request.limit.value_or(most));
     const double expected = expected_count(request.width, request.height, request.boundary, radius);
-    plan.expected_samples = std::min(plan.limit, static_cast<std::uint64_t>(expected) + 1);
+    plan.maximal_samples = static_cast<std::uint64_t>(expected) + 1;
+    plan.expected_samples = std::min(plan.limit, plan.maximal_samples);
     return plan;
 }
 

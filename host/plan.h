@@ -3,7 +3,11 @@
 
 #include <lacuna/lacuna.h>
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <vector>
+
+#include "radius_map.h"
 
 namespace lacuna {
 
@@ -14,7 +18,9 @@ struct Sample {
     friend bool operator==(const Sample&, const Sample&) = default;
 };
 
-// Everything that decides where samples go. Equal plans give equal samples on every backend.
+// Everything that decides where samples go. In mode cells the grid is the lattice: a line is one of
+// its columns, a strip is one unit wide, and `radius` is the least of all, rounded up. Equal plans
+// give equal samples on every backend.
 struct Plan {
     // Domain: [0, width) x [0, height), 2^31 units along its longer side, less where needed to make
     // the strips equally wide: a little in lines, down to 2^30 in exact.
@@ -33,6 +39,9 @@ struct Plan {
     std::uint32_t cell_rows;
 
     bool exact;  // Mode::exact
+    // Mode::cells: the radius of every place; null otherwise.
+    std::shared_ptr<const RadiusMap> radii;
+    Metric metric;
     bool snap;
     bool uniform_x;
     std::uint64_t limit;       // stop after so many samples
@@ -43,8 +52,10 @@ struct Plan {
     double unit_x;
     double unit_y;
     double user_radius;
+    double user_scale;
     std::uint32_t lines_per_radius;
-    std::uint64_t expected_samples;  // of the maximal set, or the limit if that is less
+    std::uint64_t maximal_samples;   // to be expected of the maximal set
+    std::uint64_t expected_samples;  // the same, or the limit if that is less
 
     std::uint32_t centre_of_line(std::uint32_t line) const {
         return line * strip_width + strip_width / 2;
@@ -54,11 +65,20 @@ struct Plan {
     // the whole width of the strip, so that the free spans hold all of the free space.
     std::uint32_t chord_margin() const { return exact ? strip_width / 2 : 0; }
     // Rounds so that no two samples at least `radius` units apart come closer than user_radius.
-    Point to_user(Sample sample) const { return {sample.x * unit_x, sample.y * unit_y}; }
+    // In cells samples lie in the middle of their cells.
+    Point to_user(Sample sample) const {
+        const double middle = radii ? 0.5 : 0;
+        return {(sample.x + middle) * unit_x, (sample.y + middle) * unit_y};
+    }
 };
 
-// Throws BadRequest. request.radius must be set.
+// Throws BadRequest. request.radius must be set, or request.scale in mode cells.
 Plan make_plan(const Request& request);
+// The same for mode cells, which make_plan calls (plan_cells.cpp).
+Plan make_cells_plan(const Request& request);
+
+// The free length of every line before the first sample.
+std::vector<std::uint32_t> first_free_lengths(const Plan& plan);
 
 // Checks all that does not depend on the radius. Throws BadRequest.
 void check_request(const Request& request);
@@ -69,5 +89,20 @@ std::uint64_t machine_memory_bytes();
 // The radius at which a maximal set holds request.count points and some to spare; more to spare
 // with every attempt. Throws BadRequest.
 double radius_for_count(const Request& request, int attempt);
+// The same for mode cells: the scale g at which DESIGN's formula expects a maximal set of so many.
+double scale_for_count(const Request& request, std::uint64_t count);
+// And corrected by a pilot, a maximal set of the same field: where a field is rough, min lets in
+// more samples than its integral tells. With some to spare; more with every attempt.
+double scale_for_count(const Request& request, std::uint64_t count, const Request& pilot,
+                       std::uint64_t pilot_count, int attempt);
+
+// Throws BadRequest for `option` when so many bytes are more than the request or the machine
+// allows.
+void refuse_more_memory(const Request& request, const std::string& option, const std::string& value,
+                        double bytes);
+// The m of mode cells unless the request has one: quality is reasonable from there on (figure 4).
+inline constexpr std::uint32_t kCellsPerRadius = 10;
+// The shortest decimal that reads back as the same double.
+std::string shortest(double value);
 
 }  // namespace lacuna

@@ -9,8 +9,8 @@
 namespace lacuna {
 
 inline constexpr std::uint64_t kSmallestRound = 16;
-// In lines a round's arrays stay within the 128 MiB that every Vulkan driver can bind, as its slabs
-// of spans do; in exact boxes outgrow that at fewer points than rounds this large have.
+// In lines and cells a round's arrays stay within the 128 MiB that every Vulkan driver can bind, as
+// slabs do; in exact, boxes outgrow that at fewer points than rounds this large have.
 inline constexpr std::uint64_t kLargestRoundInLines = std::uint64_t{1} << 22;
 inline constexpr std::uint64_t kLargestRoundInExact = std::uint64_t{1} << 25;
 

@@ -1,5 +1,6 @@
 // lacuna::sample: from the request to the points, by way of the plan and a backend's rounds.
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -17,6 +18,7 @@ Result run(const Request& request, Observer& observer) {
     result.points.reserve(run.outcome.samples.size());
     for (const Sample& sample : run.outcome.samples) result.points.push_back(plan.to_user(sample));
     result.radius = plan.user_radius;
+    result.scale = plan.user_scale;
     result.lines_per_radius = plan.lines_per_radius;
     result.maximal = run.outcome.samples.size() < plan.limit;
     result.rounds = run.outcome.rounds;
@@ -26,10 +28,81 @@ Result run(const Request& request, Observer& observer) {
     return result;
 }
 
+// Cancels when the observer says so, and shows it nothing.
+class Silent : public Observer {
+public:
+    explicit Silent(Observer& observer) : observer_(observer) {}
+    bool keep_going(const Progress& progress) override {
+        return observer_.keep_going({0, progress.expected_points, 0});
+    }
+
+private:
+    Observer& observer_;
+};
+
+// A maximal set of the field of a request for a count.
+struct Pilot {
+    Request request;
+    std::uint64_t points;
+};
+
+Pilot run_pilot(const Request& request, double scale, std::uint32_t cells_per_radius,
+                Observer& observer) {
+    Pilot pilot{request, 0};
+    pilot.request.scale = scale;
+    pilot.request.count.reset();
+    pilot.request.limit.reset();
+    pilot.request.round_size = 0;
+    pilot.request.lines_per_radius = cells_per_radius;
+    pilot.request.backend = "cpu";
+    pilot.request.device.clear();
+    Silent silent(observer);
+    pilot.points = run(pilot.request, silent).points.size();
+    return pilot;
+}
+
+// From DESIGN's formula, on a coarse lattice. Where a field is so rough that this misses the count
+// by far, again at the scale that it tells, on the request's own lattice.
+Pilot find_pilot(const Request& request, Observer& observer) {
+    constexpr std::uint32_t kCoarse = 4;  // cells a radius; a sixth of the work of 10
+    constexpr int kCorrections = 3;
+    const std::uint32_t own = request.lines_per_radius.value_or(kCellsPerRadius);
+    double scale = scale_for_count(request, *request.count);
+    Pilot pilot = run_pilot(request, scale, std::min(own, kCoarse), observer);
+    for (int i = 0; i < kCorrections; ++i) {
+        const double next =
+            scale_for_count(request, *request.count, pilot.request, pilot.points, 0);
+        if (next > 0.92 * scale && next < 1.08 * scale) break;
+        scale = next;
+        pilot = run_pilot(request, scale, own, observer);
+    }
+    return pilot;
+}
+
 }  // namespace
 
 std::string_view name_of(Mode mode) {
-    return mode == Mode::exact ? "exact" : "lines";
+    switch (mode) {
+        case Mode::exact:
+            return "exact";
+        case Mode::lines:
+            return "lines";
+        case Mode::cells:
+            return "cells";
+    }
+    return "";
+}
+
+std::string_view name_of(Metric metric) {
+    switch (metric) {
+        case Metric::min:
+            return "min";
+        case Metric::mean:
+            return "mean";
+        case Metric::max:
+            return "max";
+    }
+    return "";
 }
 
 std::string_view name_of(Verb verb) {
@@ -54,15 +127,20 @@ std::string_view name_of(Verb verb) {
 
 Result sample(const Request& request, Observer& observer) {
     check_request(request);
-    if (request.radius) return run(request, observer);
+    if (!request.count) return run(request, observer);
 
     // A count: at a radius with room to spare it is met at the first attempt but for a few in a
     // hundred thousand seeds, and a short set is drawn again with more to spare.
+    const std::uint64_t count = *request.count;
+    std::optional<Pilot> pilot;
+    if (request.mode == Mode::cells) pilot = find_pilot(request, observer);
     for (int attempt = 0;; ++attempt) {
         Request sized = request;
-        sized.radius = radius_for_count(request, attempt);
+        if (pilot)
+            sized.scale = scale_for_count(request, count, pilot->request, pilot->points, attempt);
+        else
+            sized.radius = radius_for_count(request, attempt);
         sized.count.reset();
-        const std::uint64_t count = *request.count;
         sized.limit = std::min(count, request.limit.value_or(count));
         Result result = run(sized, observer);
         if (result.points.size() == *sized.limit) return result;

@@ -1,48 +1,27 @@
 // The cpu backend: shares the columns out over threads (oneTBB).
 #include "cpu/make_backend.h"
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
-#include <atomic>
 #include <functional>
-#include <thread>
 #include <utility>
 
 #include "columns.h"
+#include "cpu/cells_backend.h"
 #include "cpu/state.h"
+#include "cpu/workers.h"
 #include "portable/column.h"
 #include "portable/fate.h"
-
-// For a task's closure, which oneTBB copies and hands over unseen.
-#define LACUNA_UNSEEN_BY_TSAN __attribute__((no_sanitize("thread"), noinline))
 
 namespace lacuna::cpu {
 namespace {
 
-// So few draws, or places, are served faster by one thread than by waking another.
-constexpr std::size_t kParallelAmount = 128;
-
-// A column of the largest sets takes some milliseconds; asking takes a tenth of a microsecond.
-constexpr std::uint32_t kColumnsPerPoll = 4;
-
 class CpuBackend : public Backend {
 public:
-    CpuBackend(const Plan& plan, std::uint32_t threads)
-        : state_(plan),
-          threads_(threads != 0 ? static_cast<int>(threads) : tbb::info::default_concurrency()),
-          allowed_(tbb::global_control::max_allowed_parallelism,
-                   static_cast<std::size_t>(std::max(threads_, tbb::info::default_concurrency()))),
-          arena_(threads_) {}
+    CpuBackend(const Plan& plan, std::uint32_t threads) : state_(plan), workers_(threads) {}
 
-    std::string device() const override {
-        return std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads");
-    }
+    std::string device() const override { return workers_.name(); }
 
-    void watch(std::function<bool()> may_go_on) override { may_go_on_ = std::move(may_go_on); }
+    void watch(std::function<bool()> may_go_on) override { workers_.watch(std::move(may_go_on)); }
 
     void locate(std::span<const Draw> draws) override {
         if (state_.cells && !has_cells_) clear_cells();
@@ -132,61 +111,17 @@ private:
         });
     }
 
-    // Does all columns' work, in parallel where there is enough of it. The calling thread asks now
-    // and then whether to go on; if not, what is left is not done.
     template <typename Work>
     void for_columns(std::size_t amount, Work work) {
-        cancelled_.store(false, std::memory_order_relaxed);
-        const std::thread::id caller = std::this_thread::get_id();
-        if (threads_ == 1 || amount < kParallelAmount) {
-            for (std::uint32_t column = 0; column < state_.columns; ++column)
-                serve(column, caller, work);
-        } else {
-            handover_.fetch_add(1, std::memory_order_release);
-            arena_.execute([&] {
-                tbb::parallel_for(std::uint32_t{0}, state_.columns,
-                                  [&](std::uint32_t column)
-                                      LACUNA_UNSEEN_BY_TSAN { hand_over(column, caller, work); });
-            });
-            handover_.load(std::memory_order_acquire);
-        }
-        if (cancelled_.load(std::memory_order_relaxed)) throw Cancelled();
+        workers_.for_columns(state_.columns, amount, work);
     }
-
-    template <typename Work>
-    void serve(std::uint32_t column, std::thread::id caller, Work& work) {
-        if (cancelled_.load(std::memory_order_relaxed)) return;
-        if (column % kColumnsPerPoll == 0 && may_go_on_ && std::this_thread::get_id() == caller &&
-            !may_go_on_())
-            cancelled_.store(true, std::memory_order_relaxed);
-        work(column);
-    }
-
-    // oneTBB hands memory over between threads by itself. It is said once more here because a
-    // ThreadSanitizer that does not see into the library cannot know.
-    template <typename Work>
-    void hand_over(std::uint32_t column, std::thread::id caller, Work& work) {
-        handover_.load(std::memory_order_acquire);
-        serve(column, caller, work);
-        handover_.fetch_add(1, std::memory_order_release);
-    }
-
     template <typename Work>
     bool all_columns(std::size_t amount, Work work) {
-        std::atomic<bool> all{true};
-        for_columns(amount, [&](std::uint32_t column) {
-            if (!work(column)) all.store(false, std::memory_order_relaxed);
-        });
-        return all;
+        return workers_.all_columns(state_.columns, amount, work);
     }
 
     State state_;
-    int threads_;
-    tbb::global_control allowed_;  // more threads than cores, if that is what was asked for
-    tbb::task_arena arena_;
-    std::atomic<std::uint64_t> handover_{0};
-    std::function<bool()> may_go_on_;
-    std::atomic<bool> cancelled_{false};
+    Workers workers_;
     bool has_cells_ = false;               // they are cleared at the first round
     std::vector<std::uint32_t> by_order_;  // the sample of each draw, or kNone
     std::vector<Sample> samples_;
@@ -195,6 +130,7 @@ private:
 }  // namespace
 
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement) {
+    if (plan.radii) return make_cells_backend(plan, placement.threads);
     return std::make_unique<CpuBackend>(plan, placement.threads);
 }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "columns.h"
+#include "device/cells_layout.h"
 #include "portable/column.h"
 #include "portable/fate.h"
 #include "rounds.h"
@@ -89,6 +90,17 @@ std::vector<Sample> samples_by_order(const Snapshot& snapshot) {
     return samples;
 }
 
+std::vector<std::uint32_t> pending_of(std::span<const std::uint32_t> fates, std::uint32_t chunk) {
+    const auto count = static_cast<std::uint32_t>(fates.size());
+    std::vector<std::uint32_t> all(count, NO_SAMPLE);
+    std::uint32_t left = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (i % chunk == 0) left = i;
+        if (fates[i] == FATE_UNDECIDED) all[left++] = i;
+    }
+    return all;
+}
+
 std::vector<Span> pack(const Slab& slab, const Snapshot& snapshot) {
     std::vector<Span> slots(std::size_t{slab.lines()} * snapshot.capacity);
     for (std::uint32_t i = 0; i < slab.lines(); ++i) {
@@ -117,6 +129,12 @@ std::string gigabytes(std::uint64_t bytes) {
     return out.str();
 }
 
+// What a plan takes of a device: in all, and of one buffer at most.
+struct Needs {
+    std::uint64_t bytes;
+    std::uint64_t largest;
+};
+
 // Of draws, located, candidates; buckets, fates, pending; samples; and three samples near for each
 // draw.
 constexpr std::uint64_t kBytesPerDraw = 48 + 12 + 8 + 24;
@@ -128,17 +146,37 @@ constexpr std::uint64_t kBytesPerBox = 12 + 4 + 2 * (12 + 12);
 // Boxes for a sample of the maximal set, at most: 0.45 to 0.5 have been seen.
 constexpr double kBoxesPerSample = 0.75;
 
+Needs needs_of_lines(const Plan& plan, std::uint64_t round) {
+    const std::uint64_t line_bytes = std::uint64_t{first_capacity(plan)} * sizeof(Span);
+    // Cells and boxes have a buffer for each coordinate.
+    const std::uint64_t cells = plan.exact ? std::uint64_t{plan.cell_columns} * plan.cell_rows : 0;
+    const auto boxes = static_cast<std::uint64_t>(
+        plan.exact ? kBoxesPerSample * static_cast<double>(plan.expected_samples) : 0);
+    return {plan.lines * (line_bytes + 8) + round * kBytesPerDraw + cells * kBytesPerCell +
+                boxes * kBytesPerBox,
+            std::max({line_bytes, plan.lines * std::uint64_t{4}, round * kLargestPerDraw,
+                      cells * kBytesPerCell / 2, boxes * 2 * std::uint64_t{4}})};
+}
+
+// Mode cells. Of draws, located, candidates; buckets, fates, pending, radii; samples.
+constexpr std::uint64_t kCellsBytesPerDraw = 48 + 16 + 8;
+constexpr std::uint64_t kCellsLargestPerDraw = 16;
+
+Needs needs_of_cells(const Plan& plan, std::uint64_t round) {
+    constexpr std::uint64_t kWord = 4;
+    const std::uint64_t bits = std::uint64_t{plan.lines} * words_per_line(plan) * kWord;
+    // Radii and reaches; column_of and free_lengths; row_of and row_begins.
+    const std::uint64_t pixels = plan.radii->radii.size() * kWord;
+    const std::uint64_t lines = plan.lines * kWord;
+    const std::uint64_t rows = std::uint64_t{std::max(plan.height, plan.radii->rows + 1)} * kWord;
+    return {bits + 2 * (pixels + lines + rows) + round * kCellsBytesPerDraw,
+            std::max({bits, pixels, lines, rows, round * kCellsLargestPerDraw})};
+}
+
 }  // namespace
 
 void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint64_t memory_bytes,
                          std::uint64_t largest_buffer_bytes) {
-    // Rounds have been seen to double once after the first; largest_round_size bounds them.
-    const std::uint64_t first = first_round_size(plan);
-    const std::uint64_t round =
-        plan.round_size != 0 ? first : std::min(2 * first, largest_round_size(plan));
-    const std::uint64_t line_bytes = std::uint64_t{first_capacity(plan)} * sizeof(Span);
-    const std::uint64_t lines_bytes = plan.lines * (line_bytes + 8);
-
     // A table's indices have 32 bits.
     const std::uint64_t most_draws = std::min<std::uint64_t>(
         largest_buffer_bytes / kLargestPerDraw, std::numeric_limits<std::uint32_t>::max() / 3);
@@ -146,21 +184,17 @@ void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint6
         throw BadRequest("round-size", std::to_string(plan.round_size),
                          "must be at most " + std::to_string(most_draws) + " on " + device +
                              ", whose largest buffer has " + gigabytes(largest_buffer_bytes));
-    // Cells and boxes have a buffer for each coordinate.
-    const std::uint64_t cells = plan.exact ? std::uint64_t{plan.cell_columns} * plan.cell_rows : 0;
-    const auto boxes = static_cast<std::uint64_t>(
-        plan.exact ? kBoxesPerSample * static_cast<double>(plan.expected_samples) : 0);
-    const std::uint64_t largest =
-        std::max({line_bytes, plan.lines * std::uint64_t{4}, round * kLargestPerDraw,
-                  cells * kBytesPerCell / 2, boxes * 2 * std::uint64_t{4}});
-    if (largest > largest_buffer_bytes)
+    // Rounds have been seen to double once after the first; largest_round_size bounds them.
+    const std::uint64_t first = first_round_size(plan);
+    const std::uint64_t round =
+        plan.round_size != 0 ? first : std::min(2 * first, largest_round_size(plan));
+    const Needs needs = plan.radii ? needs_of_cells(plan, round) : needs_of_lines(plan, round);
+    if (needs.largest > largest_buffer_bytes)
         throw Unavailable("device " + device + ": the request needs a buffer of " +
-                          gigabytes(largest) + ", and its largest has " +
+                          gigabytes(needs.largest) + ", and its largest has " +
                           gigabytes(largest_buffer_bytes));
-    const std::uint64_t needed =
-        lines_bytes + round * kBytesPerDraw + cells * kBytesPerCell + boxes * kBytesPerBox;
-    if (needed > memory_bytes)
-        throw Unavailable("device " + device + ": the request needs " + gigabytes(needed) +
+    if (needs.bytes > memory_bytes)
+        throw Unavailable("device " + device + ": the request needs " + gigabytes(needs.bytes) +
                           " of memory, and it has " + gigabytes(memory_bytes));
 }
 

@@ -30,6 +30,8 @@ struct Range {
 // For tests.
 struct Tuning {
     std::uint64_t largest_slab_bytes = 0;  // 0: what the device allows; lower values, more slabs
+    // In cells: work items that share the lines near a sample; 0: as many as the device needs.
+    std::uint32_t slices_of_sample = 0;
 };
 
 // All lines, as many a slab as fit into largest_bytes, at least one.
@@ -53,6 +55,10 @@ std::uint64_t take_admitted(std::span<const Sample> by_order, std::vector<Sample
 
 // The same the other way round: what a snapshot's fates make of its candidates, by order.
 std::vector<Sample> samples_by_order(const Snapshot& snapshot);
+
+// What admit has yet to decide of each chunk of draws: their indices from its begin on, then
+// NO_SAMPLE.
+std::vector<std::uint32_t> pending_of(std::span<const std::uint32_t> fates, std::uint32_t chunk);
 
 // A slab's spans as the device holds them, `capacity` a line, from a snapshot and back into one.
 std::vector<Span> pack(const Slab& slab, const Snapshot& snapshot);

@@ -11,6 +11,10 @@
 
 namespace lacuna::opencl {
 
+// Admission passes queued at a time; one that finds nothing undecided returns at once. Most rounds
+// settle in five or six.
+inline constexpr std::uint32_t kPasses = 8;
+
 // An in-order queue: each command sees what those before it have done.
 class Queue {
 public:
@@ -35,6 +39,8 @@ public:
         launch_all(kernel, items, work);
     }
 
+    // Whether a work item serves many draws: on a processor.
+    bool serves_chunks() const { return chunks_ != 0; }
     // How many draws, or boxes, a work item serves: long chunks on a processor, 1 elsewhere.
     std::uint32_t chunk_of(std::uint32_t amount) const;
     // How many values a work item sums: as many as there are items, or long chunks.
@@ -44,6 +50,12 @@ public:
     void write(const cl::Buffer& to, std::span<const T> from) {
         if (!from.empty())
             queue_.enqueueWriteBuffer(to, CL_TRUE, 0, from.size_bytes(), from.data());
+    }
+    // The same from word `first` of the buffer on.
+    void write_words(const cl::Buffer& to, std::uint64_t first,
+                     std::span<const std::uint32_t> from) {
+        queue_.enqueueWriteBuffer(to, CL_TRUE, first * sizeof(cl_uint), from.size_bytes(),
+                                  from.data());
     }
     // As write, without waiting: `from` must stay as it is until finish() returns.
     template <typename T>

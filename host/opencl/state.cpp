@@ -207,19 +207,6 @@ Snapshot State::snapshot() {
     return snapshot;
 }
 
-// What of each chunk of draws admit has yet to decide.
-std::vector<std::uint32_t> State::pending_of(std::span<const std::uint32_t> of_draws) const {
-    const auto count = static_cast<std::uint32_t>(of_draws.size());
-    const std::uint32_t chunk = queue.chunk_of(count);
-    std::vector<std::uint32_t> all(count, NO_SAMPLE);
-    std::uint32_t left = 0;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        if (i % chunk == 0) left = i;
-        if (of_draws[i] == FATE_UNDECIDED) all[left++] = i;
-    }
-    return all;
-}
-
 void State::restore(const Snapshot& snapshot) {
     geometry.capacity = snapshot.capacity;
     box_width = snapshot.box_width;
@@ -241,7 +228,8 @@ void State::restore(const Snapshot& snapshot) {
     begin_round(static_cast<std::uint32_t>(snapshot.candidates.size()));
     queue.write<Candidate>(candidates, snapshot.candidates);
     queue.write<std::uint32_t>(fates, snapshot.fates);
-    queue.write<std::uint32_t>(pending, pending_of(snapshot.fates));
+    queue.write<std::uint32_t>(pending,
+                               device::pending_of(snapshot.fates, queue.chunk_of(draw_count)));
     queue.write<Sample>(samples, device::samples_by_order(snapshot));
 }
 

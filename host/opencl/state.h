@@ -14,10 +14,6 @@
 
 namespace lacuna::opencl {
 
-// Admission passes queued at a time; one that finds nothing undecided returns at once. Most rounds
-// settle in five or six.
-inline constexpr std::uint32_t kPasses = 8;
-
 struct Kernels {
     explicit Kernels(const cl::Program& program);
     cl::Kernel locate, locate_in_boxes, sort_columns, screen, admit, gather, subtract, grow;
@@ -99,7 +95,6 @@ private:
     cl::Buffer words(std::uint64_t count) const;
     void make_cells();
     void make_lines();
-    std::vector<std::uint32_t> pending_of(std::span<const std::uint32_t> fates) const;
     void restore_spans(const Snapshot& snapshot);
     void restore_boxes(const Snapshot& snapshot);
 };

@@ -1,5 +1,5 @@
 // Mode lines: the paper's section 4.1, written to be read beside it, in rounds (DESIGN section 3).
-// Mode exact is in exact.cpp.
+// Modes exact and cells are in exact.cpp and cells.cpp.
 //
 // The loop of the paper: build the cdf, invert it for x, pick y on that line, subtract the disk.
 // A round does the first three several times from one cdf and keeps, in the order of the draws,
@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "random.h"
+#include "reference/cells.h"
 #include "reference/exact.h"
 #include "reference/free_space.h"
 #include "rounds.h"
@@ -76,6 +77,7 @@ std::uint64_t admit(const std::vector<Candidate>& candidates, FreeSpace& free_sp
 
 Outcome sample(const Plan& plan, Observer& observer) {
     if (plan.exact) return sample_exact(plan, observer);
+    if (plan.radii) return sample_cells(plan, observer);
     Outcome outcome;
     FreeSpace free_space(plan);
     RoundPolicy policy(plan);

@@ -236,11 +236,11 @@ Kernel Engine::make_kernel(const Program& program) {
 }
 
 void Engine::copy(const Buffer& from, const Buffer& to, std::uint64_t bytes,
-                  std::uint64_t from_offset) {
+                  std::uint64_t from_offset, std::uint64_t to_offset) {
     if (bytes == 0) return;
     impl_->guarded([&] {
         impl_->recording().copyBuffer(*from.handles_->buffer, *to.handles_->buffer,
-                                      vk::BufferCopy(from_offset, 0, bytes));
+                                      vk::BufferCopy(from_offset, to_offset, bytes));
     });
     impl_->in_use.insert(impl_->in_use.end(), {from, to});
 }

@@ -78,7 +78,7 @@ public:
     // Commands. They run at wait(), or earlier where dispatches add up to much work, in order, but
     // for what a barrier() keeps apart side by side.
     void copy(const Buffer& from, const Buffer& to, std::uint64_t bytes,
-              std::uint64_t from_offset = 0);
+              std::uint64_t from_offset = 0, std::uint64_t to_offset = 0);
     void fill(const Buffer& buffer, std::uint32_t value, std::uint64_t bytes,
               std::uint64_t offset = 0);
     void barrier();

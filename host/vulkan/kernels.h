@@ -30,4 +30,16 @@ struct Kernels {
     Kernel locate_in_boxes, screen, insert, unfold, cut, keep, scan, find_place_begins;
 };
 
+// Those of mode cells.
+struct CellsKernels {
+    CellsKernels(Engine& engine, const Programs& programs)
+        : locate(engine.make_kernel(programs.locate_in_cells)),
+          sort_columns(engine.make_kernel(programs.sort_columns)),
+          look_up_radii(engine.make_kernel(programs.look_up_radii)),
+          admit(engine.make_kernel(programs.admit_in_cells)),
+          subtract(engine.make_kernel(programs.subtract_in_cells)) {}
+
+    Kernel locate, sort_columns, look_up_radii, admit, subtract;
+};
+
 }  // namespace lacuna::vulkan

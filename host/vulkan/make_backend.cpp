@@ -2,14 +2,13 @@
 #include "vulkan/make_backend.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <optional>
 #include <utility>
 
 #include "columns.h"
-#include "portable/failure.h"
 #include "vulkan/boxes.h"
+#include "vulkan/cells_backend.h"
 #include "vulkan/kernels.h"
 #include "vulkan/memory.h"
 #include "vulkan/transfer.h"
@@ -17,26 +16,13 @@
 namespace lacuna::vulkan {
 namespace {
 
-// A processor walks a line's spans once for so many draws; a graphics card wants an invocation a
-// draw. Elsewhere lavapipe, too, runs neighbouring invocations in lockstep: one draw each.
-constexpr std::uint32_t kServedTogether = 32;
+// Of draws. But for served_together lavapipe, too, runs neighbouring invocations in lockstep.
 constexpr std::uint32_t kChunk = 1;
 
 // See Engine::dispatch.
 constexpr std::uint32_t kLocateWork = 4;
-constexpr std::uint32_t kSortWork = 4;  // a draw
 constexpr std::uint32_t kAdmitWork = 6;
 constexpr std::uint32_t kCutWork = 1;  // a line and sample near it
-
-struct Failure {
-    std::uint32_t bit;
-    const char* verb;
-};
-constexpr std::array kFailures{
-    Failure{FAILED_LOCATE, "locate"},     Failure{FAILED_SORT_COLUMNS, "locate"},
-    Failure{FAILED_ADMIT, "admit"},       Failure{FAILED_GATHER, "subtract"},
-    Failure{FAILED_SUBTRACT, "subtract"}, Failure{FAILED_REFINE, "refine"},
-};
 
 class VulkanBackend : public Backend {
 public:
@@ -46,7 +32,7 @@ public:
           kernels_(*engine_, trial.programs.value_or(embedded_programs()), plan.exact),
           memory_(plan, *engine_, kernels_.grow, largest_slab(tuning)),
           first_lines_(first_lines(plan, memory_.geometry.columns)),
-          served_together_(engine_->device().kind == "cpu" ? kServedTogether : 1),
+          served_together_(served_together(*engine_)),
           dispatches_(trial.dispatches) {
         if (plan.exact) boxes_.emplace(plan, *engine_, kernels_);
     }
@@ -67,7 +53,7 @@ public:
         else
             record_walk(draws);
         engine_->barrier();
-        record_sort();
+        m.sort(kernels_.sort_columns);
     }
 
     void admit() override {
@@ -116,7 +102,7 @@ public:
         else
             memory_.restore_spans(snapshot);
         memory_.begin_restored_round(snapshot);
-        record_sort();  // for the buckets' sake
+        memory_.sort(kernels_.sort_columns);  // for the buckets' sake
         memory_.restore_fates(snapshot);
         has_fates_ = true;
         ends_with_ = End::none;
@@ -137,15 +123,6 @@ private:
         return (draws + served_together_ - 1) / served_together_;
     }
 
-    void record_sort() {
-        Memory& m = memory_;
-        engine_->dispatch(kernels_.sort_columns,
-                          {m.column_begins, m.located, m.buckets, m.candidates, m.fates, m.failure},
-                          SortColumnsArguments{0, m.geometry}, m.geometry.columns,
-                          kSortWork * m.draws_per_column());
-        engine_->barrier();
-    }
-
     void record_walk(std::span<const Draw> draws) {
         Memory& m = memory_;
         const std::uint32_t chunk = served_together_;
@@ -162,11 +139,7 @@ private:
     // all.
     void record_passes(std::uint32_t first_pass) {
         Memory& m = memory_;
-        if (first_pass > 0) {
-            engine_->fill(m.undecided, 1, kWord);
-            engine_->fill(m.undecided, 0, kWord * (kPasses - 1), kWord);
-            engine_->barrier();
-        }
+        if (first_pass > 0) m.begin_more_passes();
         for (std::uint32_t pass = first_pass; pass < kPasses; ++pass) {
             engine_->dispatch(kernels_.admit,
                               {m.column_begins, m.buckets, m.candidates, m.fates, m.undecided,
@@ -222,18 +195,7 @@ private:
         if (boxes_) boxes_->download();
         engine_->wait();
         if (dispatches_ != nullptr) *dispatches_ = engine_->dispatches();
-        throw_if_failed(memory_.failure_down.as<std::uint32_t>().front());
-    }
-
-    void throw_if_failed(std::uint32_t failure) const {
-        const std::string name = "device " + device() + ": ";
-        if ((failure & FAILED_CHORDS) != 0)
-            throw DeviceError(name + "refine: more chords near a box than there is room for");
-        for (const Failure& each : kFailures)
-            if ((failure & each.bit) != 0)
-                throw DeviceError(name + each.verb +
-                                  ": a loop was ended early by the driver: use fewer points, or "
-                                  "another backend");
+        memory_.throw_if_failed();
     }
 
     // Waits until the verbs are done, with what more it takes: passes, or room.
@@ -241,7 +203,7 @@ private:
         while (is_recorded_) {
             download();
             is_recorded_ = false;
-            if (memory_.undecided_down.as<std::uint32_t>()[kPasses - 1] != 0) {
+            if (memory_.is_unsettled()) {
                 record_passes(1);
                 is_recorded_ = true;
                 record_end();
@@ -283,6 +245,7 @@ std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placeme
     const DeviceEntry& device = engine->device();
     device::refuse_if_too_large(device.name, plan, device.memory_bytes,
                                 device.largest_buffer_bytes);
+    if (plan.radii) return make_cells_backend(std::move(engine), plan, trial);
     return std::make_unique<VulkanBackend>(std::move(engine), plan, tuning, trial);
 }
 

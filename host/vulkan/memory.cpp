@@ -1,45 +1,26 @@
-// The vulkan backend's memory, and what moves between it and the host.
+// The vulkan backend's memory in lines and exact, and what moves between it and the host.
 #include "vulkan/memory.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include "columns.h"
 #include "vulkan/transfer.h"
 
 namespace lacuna::vulkan {
-namespace {
-
-template <typename T>
-void put(const std::vector<T>& values, const Buffer& staging) {
-    std::memcpy(staging.as<T>().data(), values.data(), values.size() * sizeof(T));
-}
-
-}  // namespace
 
 Memory::Memory(const Plan& the_plan, Engine& the_engine, const Kernel& grow,
                std::uint64_t the_largest_slab)
-    : plan(the_plan),
-      engine(the_engine),
-      grow_kernel(grow),
-      largest_slab(the_largest_slab),
-      geometry(device::geometry_of(plan, count_columns(plan), 0)) {
+    : RoundMemory(the_plan, the_engine), grow_kernel(grow), largest_slab(the_largest_slab) {
     const std::uint64_t columns = geometry.columns;
     span_counts = words_on_device(engine, plan.lines);
     free_lengths = words_on_device(engine, plan.lines);
-    column_begins = words_on_device(engine, columns + 1);
     near_begins = words_on_device(engine, columns + 1);
     near_counts = words_on_device(engine, columns);
-    undecided = words_on_device(engine, kPasses);
     overflow = words_on_device(engine, 1);
-    failure = words_on_device(engine, 1);
-    column_begins_up = host_copy_of(engine, column_begins, Engine::Memory::upload);
     near_begins_up = host_copy_of(engine, near_begins, Engine::Memory::upload);
     free_lengths_down = host_copy_of(engine, free_lengths, Engine::Memory::download);
-    undecided_down = host_copy_of(engine, undecided, Engine::Memory::download);
     overflow_down = host_copy_of(engine, overflow, Engine::Memory::download);
-    failure_down = host_copy_of(engine, failure, Engine::Memory::download);
 
     // Every line has one free span, the whole of it: a slot of one span each, moved to where it
     // has room to grow.
@@ -95,55 +76,28 @@ void Memory::drop_spans() {
     spans.clear();
 }
 
-// What the buffers of a round held is lost when they grow: a round writes before it reads.
-void Memory::make_room(std::uint32_t count) {
-    if (draw_room_ < count || draw_room_ == 0) {
-        draw_room_ = count;
-        draws = on_device(engine, std::uint64_t{count} * sizeof(Draw));
-        located = on_device(engine, std::uint64_t{count} * sizeof(Candidate));
-        buckets = words_on_device(engine, count);
-        candidates = on_device(engine, std::uint64_t{count} * sizeof(Candidate));
-        fates = words_on_device(engine, count);
-        samples = on_device(engine, std::uint64_t{count} * sizeof(Sample));
-        draws_up = host_copy_of(engine, draws, Engine::Memory::upload);
-        samples_down = host_copy_of(engine, samples, Engine::Memory::download);
-    }
+// Expects column_begins_. What `near` held is lost when it grows: a round writes before it reads.
+void Memory::begin_near() {
+    device::find_near_begins(plan, geometry.columns, column_begins_, near_begins_);
     if (near_room_ < near_begins_.back() || near_room_ == 0) {
         near_room_ = near_begins_.back();
         near = on_device(engine, std::uint64_t{near_room_} * sizeof(Sample));
     }
-}
-
-// Expects column_begins_. The barrier that ends the uploads is the caller's.
-void Memory::begin_round(std::uint32_t count) {
-    device::find_near_begins(plan, geometry.columns, column_begins_, near_begins_);
-    draw_count = count;
-    make_room(count);
-    put(column_begins_, column_begins_up);
     put(near_begins_, near_begins_up);
-    engine.copy(column_begins_up, column_begins, column_begins_.size() * kWord);
     engine.copy(near_begins_up, near_begins, near_begins_.size() * kWord);
-    engine.fill(undecided, 0, kPasses * kWord);
     engine.fill(overflow, 0, kWord);
-    engine.fill(failure, 0, kWord);
+    engine.barrier();
 }
 
 void Memory::upload(std::span<const Draw> the_draws, std::span<const std::uint32_t> place_begins) {
-    find_column_begins(place_begins, the_draws, column_begins_);
-    begin_round(static_cast<std::uint32_t>(the_draws.size()));
-    if (!the_draws.empty())
-        std::memcpy(draws_up.as<Draw>().data(), the_draws.data(), the_draws.size_bytes());
-    engine.copy(draws_up, draws, the_draws.size_bytes());
-    engine.barrier();
+    RoundMemory::upload(the_draws, place_begins);
+    begin_near();
 }
 
 void Memory::download() {
-    engine.barrier();
-    engine.copy(samples, samples_down, std::uint64_t{draw_count} * sizeof(Sample));
+    RoundMemory::download();
     if (!slabs.empty()) engine.copy(free_lengths, free_lengths_down, plan.lines * kWord);
-    engine.copy(undecided, undecided_down, kPasses * kWord);
     engine.copy(overflow, overflow_down, kWord);
-    engine.copy(failure, failure_down, kWord);
 }
 
 void Memory::snapshot_spans(Snapshot& snapshot) {
@@ -152,12 +106,6 @@ void Memory::snapshot_spans(Snapshot& snapshot) {
         const std::size_t slots = std::size_t{slabs[i].lines()} * geometry.capacity;
         device::unpack(slabs[i], read<Span>(engine, spans[i], slots), counts, snapshot);
     }
-}
-
-void Memory::snapshot_round(Snapshot& snapshot) {
-    snapshot.capacity = geometry.capacity;
-    snapshot.candidates = read<Candidate>(engine, candidates, draw_count);
-    snapshot.fates = read<std::uint32_t>(engine, fates, draw_count);
 }
 
 void Memory::restore_spans(const Snapshot& snapshot) {
@@ -176,16 +124,8 @@ void Memory::restore_spans(const Snapshot& snapshot) {
 }
 
 void Memory::begin_restored_round(const Snapshot& snapshot) {
-    find_column_begins(plan, geometry.columns, snapshot.candidates, column_begins_);
-    begin_round(static_cast<std::uint32_t>(snapshot.candidates.size()));
-    write<Candidate>(engine, located, snapshot.candidates);
-    engine.barrier();
-}
-
-void Memory::restore_fates(const Snapshot& snapshot) {
-    write<std::uint32_t>(engine, fates, snapshot.fates);
-    write<Sample>(engine, samples, device::samples_by_order(snapshot));
-    engine.wait();
+    RoundMemory::begin_restored_round(snapshot);
+    begin_near();
 }
 
 }  // namespace lacuna::vulkan

@@ -7,6 +7,7 @@ namespace lacuna::vulkan {
 namespace {
 
 #include "admit.spv.h"
+#include "admit_in_cells.spv.h"
 #include "cut.spv.h"
 #include "find_place_begins.spv.h"
 #include "gather.spv.h"
@@ -15,10 +16,13 @@ namespace {
 #include "keep.spv.h"
 #include "locate.spv.h"
 #include "locate_in_boxes.spv.h"
+#include "locate_in_cells.spv.h"
+#include "look_up_radii.spv.h"
 #include "scan.spv.h"
 #include "screen.spv.h"
 #include "sort_columns.spv.h"
 #include "subtract.spv.h"
+#include "subtract_in_cells.spv.h"
 #include "unfold.spv.h"
 
 }  // namespace
@@ -39,6 +43,10 @@ Programs embedded_programs() {
         {"keep", keep_spirv, 15, sizeof(KeepArguments)},
         {"scan", scan_spirv, 3, sizeof(ScanArguments)},
         {"find_place_begins", find_place_begins_spirv, 3, sizeof(FindPlaceBeginsArguments)},
+        {"locate_in_cells", locate_in_cells_spirv, 4, sizeof(LocateInCellsArguments)},
+        {"look_up_radii", look_up_radii_spirv, 5, sizeof(LookUpRadiiArguments)},
+        {"admit_in_cells", admit_in_cells_spirv, 11, sizeof(AdmitInCellsArguments)},
+        {"subtract_in_cells", subtract_in_cells_spirv, 15, sizeof(SubtractInCellsArguments)},
     };
 }
 

@@ -105,9 +105,44 @@ struct FindPlaceBeginsArguments {
     Geometry g;
     std::uint32_t room;
 };
+// Those of mode cells: of a line so many words, of a column of pixels so many rows.
+struct LocateInCellsArguments {
+    std::uint32_t first_item;
+    Geometry g;
+    std::uint32_t words;
+    std::uint32_t draw_count;
+    std::uint32_t chunk;
+};
+struct LookUpRadiiArguments {
+    std::uint32_t first_item;
+    std::uint32_t rows;
+    std::uint32_t draw_count;
+};
+struct AdmitInCellsArguments {
+    std::uint32_t first_item;
+    Geometry g;
+    std::uint32_t rows;
+    std::uint32_t metric;
+    std::uint32_t pass;
+    std::uint32_t draw_count;
+    std::uint32_t chunk;
+};
+struct SubtractInCellsArguments {
+    std::uint32_t first_item;
+    Geometry g;
+    std::uint32_t words;
+    std::uint32_t rows;
+    std::uint32_t metric;
+    std::uint32_t last_pass;
+    std::uint32_t count;
+    std::uint32_t slices;
+    std::uint32_t most_reach;
+    std::uint32_t is_listed;
+};
 static_assert(offsetof(LocateArguments, g) == 8 && sizeof(Geometry) == 64);
 // What every device takes.
-static_assert(sizeof(KeepArguments) <= 128 && sizeof(GrowArguments) <= 128);
+static_assert(sizeof(KeepArguments) <= 128 && sizeof(GrowArguments) <= 128 &&
+              sizeof(SubtractInCellsArguments) <= 128);
 
 struct Programs {
     Program locate;
@@ -124,6 +159,10 @@ struct Programs {
     Program keep;
     Program scan;
     Program find_place_begins;
+    Program locate_in_cells;
+    Program look_up_radii;
+    Program admit_in_cells;
+    Program subtract_in_cells;
 };
 Programs embedded_programs();
 

@@ -25,6 +25,11 @@ inline Buffer host_copy_of(Engine& engine, const Buffer& buffer, Engine::Memory 
     return engine.allocate(memory, buffer.bytes());
 }
 
+template <typename T>
+void put(const std::vector<T>& values, const Buffer& staging) {
+    std::memcpy(staging.as<T>().data(), values.data(), values.size() * sizeof(T));
+}
+
 // Recorded, through memory of its own: for what happens seldom.
 template <typename T>
 void write(Engine& engine, const Buffer& to, std::span<const T> values) {

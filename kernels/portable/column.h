@@ -31,6 +31,39 @@ LACUNA_FN u32 first_neighbour(u32 column, u32 columns, u32 wraps) {
     return columns < 3u ? 0u : (column + columns - 1u) % columns;
 }
 
+// A stretch of lines, or of columns: first + 0, 1, ... modulo their number, each once.
+struct Stretch {
+    u32 first;
+    u32 count;
+};
+LACUNA_TYPEDEF(Stretch)
+
+// The lines at most `reach` lines away. `wraps` is 0 on a box.
+LACUNA_FN Stretch near_lines(u32 line, u32 reach, u32 lines, u32 wraps) {
+    u64 around = reach;
+    bool is_all = wraps != 0u && around * 2u + 1u >= lines;
+    bool is_below = line < reach;
+    bool is_above = around + line >= lines;
+    u32 low = is_below ? (wraps != 0u ? line + (lines - reach) : 0u) : line - reach;
+    u32 high = is_above ? lines - 1u : line + reach;
+    Stretch near;
+    near.first = is_all ? 0u : low;
+    near.count = is_all ? lines : wraps != 0u ? 2u * reach + 1u : high - low + 1u;
+    return near;
+}
+
+// The columns that a stretch of lines touches.
+LACUNA_FN Stretch near_columns(Stretch near, u32 lines, u32 columns) {
+    u32 last = near.first + (near.count - 1u);
+    bool is_wrapped = last >= lines;
+    Stretch touched;
+    touched.first = column_of_line(near.first, lines, columns);
+    u32 end = column_of_line(is_wrapped ? last - lines : last, lines, columns) + 1u;
+    u32 count = end + (is_wrapped ? columns : 0u) - touched.first;
+    touched.count = count < columns ? count : columns;
+    return touched;
+}
+
 // Within a column, candidates are sorted by y by way of buckets, as many as there are candidates.
 LACUNA_FN u32 bucket_of(u32 y, u32 count, u32 height) {
     u64 scaled = y;

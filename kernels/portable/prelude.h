@@ -6,6 +6,7 @@
 #define LACUNA_PORTABLE_PRELUDE_H
 
 #if defined(__cplusplus)
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #define LACUNA_BEGIN namespace lacuna::portable {
@@ -17,6 +18,9 @@ using u32 = std::uint32_t;
 using u64 = std::uint64_t;
 inline u32 to_u32(u64 a) {
     return static_cast<u32>(a);
+}
+inline u32 count_bits(u32 a) {
+    return static_cast<u32>(std::popcount(a));
 }
 inline u64 sqrt_estimate(u64 n) {  // through signed numbers, which convert in one instruction
     const double wide = static_cast<double>(static_cast<std::int64_t>(n));
@@ -32,6 +36,7 @@ LACUNA_END
 typedef uint u32;
 typedef ulong u64;
 #define to_u32(a) ((u32)(a))
+#define count_bits(a) popcount(a)
 #ifdef cl_khr_fp64
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #define sqrt_estimate(n) ((u64)sqrt((double)(n)))
@@ -49,6 +54,7 @@ typedef ulong u64;
 #define u32 uint
 #define u64 uint64_t
 #define to_u32(a) uint(a)
+#define count_bits(a) uint(bitCount(a))
 #define LACUNA_FLOAT_ROOT
 // By halves: processors that convert 32 bits at a time are many times faster so.
 #define float_of(n) (float(uint((n) >> 32)) * 4294967296.0f + float(uint(n)))

@@ -15,10 +15,14 @@ namespace lacuna::tests {
 inline std::string describe(const Request& request) {
     std::ostringstream out;
     out << name_of(request.mode) << ", " << request.width << "x" << request.height
-        << (request.boundary == Boundary::torus ? " torus" : " box") << ", radius "
-        << *request.radius << ", m " << request.lines_per_radius.value_or(0)
-        << (request.snap ? ", snap" : ", interpolated")
-        << (request.uniform_x ? ", uniform-x" : ", cdf") << ", round size " << request.round_size
+        << (request.boundary == Boundary::torus ? " torus" : " box");
+    if (request.mode == Mode::cells)
+        out << ", scale " << *request.scale << ", metric " << name_of(request.metric) << ", limit "
+            << request.limit.value_or(0);
+    else
+        out << ", radius " << *request.radius << (request.snap ? ", snap" : ", interpolated")
+            << (request.uniform_x ? ", uniform-x" : ", cdf");
+    out << ", m " << request.lines_per_radius.value_or(0) << ", round size " << request.round_size
         << ", seed " << request.seed << ", threads " << request.threads;
     return out.str();
 }

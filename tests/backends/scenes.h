@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <numeric>
 #include <random>
@@ -37,9 +38,26 @@ inline Plan plan_of(double radius, std::uint32_t m, Boundary boundary, double wi
     return make_plan(request);
 }
 
-// Every line free from end to end, no candidates, no samples.
+// Mode cells: the words of a line in Snapshot::bits, and whether a lattice point has importance.
+inline std::uint32_t words_of_line(const Plan& plan) {
+    return 2 * ((plan.height + 63) / 64);
+}
+inline bool has_importance(const Plan& plan, std::uint32_t x, std::uint32_t y) {
+    return plan.radii->radii[plan.radii->pixel_at(x, y)] != 0;
+}
+
+// Every line free from end to end, no candidates, no samples. In cells: all that has importance.
 inline Snapshot empty_memory(const Plan& plan) {
     Snapshot memory;
+    if (plan.radii) {
+        const std::uint32_t words = words_of_line(plan);
+        memory.bits.resize(std::size_t{plan.lines} * words);
+        for (std::uint32_t x = 0; x < plan.lines; ++x)
+            for (std::uint32_t y = 0; y < plan.height; ++y)
+                if (has_importance(plan, x, y))
+                    memory.bits[std::size_t{x} * words + y / 32] |= 1u << y % 32;
+        return memory;
+    }
     memory.capacity = first_capacity(plan);
     memory.spans.assign(plan.lines, {Span{0, plan.height}});
     if (plan.exact)
@@ -105,12 +123,19 @@ inline std::uint32_t length_of(const std::vector<Span>& spans) {
     return length;
 }
 
-inline std::uint32_t count_places(const Snapshot& memory) {
-    return static_cast<std::uint32_t>(memory.box_width != 0 ? memory.boxes.size()
-                                                            : memory.spans.size());
+inline std::uint32_t count_places(const Plan& plan, const Snapshot& memory) {
+    return memory.box_width != 0 ? static_cast<std::uint32_t>(memory.boxes.size()) : plan.lines;
 }
 
-inline std::uint32_t free_length_of(const Snapshot& memory, std::uint32_t place) {
+inline std::uint32_t free_length_of(const Plan& plan, const Snapshot& memory, std::uint32_t place) {
+    if (plan.radii) {
+        const std::uint32_t words = words_of_line(plan);
+        return std::accumulate(&memory.bits[std::size_t{place} * words],
+                               &memory.bits[std::size_t{place} * words] + words, 0u,
+                               [](std::uint32_t sum, std::uint32_t word) {
+                                   return sum + static_cast<std::uint32_t>(std::popcount(word));
+                               });
+    }
     if (memory.box_width == 0) return length_of(memory.spans[place]);
     return memory.boxes[place].end - memory.boxes[place].begin;
 }
@@ -122,9 +147,9 @@ inline std::vector<Draw> random_draws(const Plan& plan, const Snapshot& memory, 
     std::vector<Draw> draws;
     const std::vector<std::uint32_t> orders = chance.orders(count);
     for (std::uint32_t tries = 0; draws.size() < count && tries < 100 * count; ++tries) {
-        if (count_places(memory) == 0) break;
-        const std::uint32_t place = chance.below(count_places(memory));
-        const std::uint32_t free = free_length_of(memory, place);
+        if (count_places(plan, memory) == 0) break;
+        const std::uint32_t place = chance.below(count_places(plan, memory));
+        const std::uint32_t free = free_length_of(plan, memory, place);
         if (free == 0) continue;
         std::uint32_t rank = chance.below(free);
         if (chance.one_in(8)) rank = chance.one_in(2) ? 0 : free - 1;
@@ -140,15 +165,19 @@ inline std::vector<Draw> random_draws(const Plan& plan, const Snapshot& memory, 
     return draws;
 }
 
-// Candidates anywhere, the corners of the domain among them.
+// Candidates anywhere, the corners of the domain among them. In cells: where there is importance.
 inline std::vector<Candidate> random_candidates(const Plan& plan, Chance& chance,
                                                 std::uint32_t count) {
     std::vector<Candidate> candidates;
     for (const std::uint32_t order : chance.orders(count)) {
-        std::uint32_t x = chance.below(plan.width);
-        std::uint32_t y = chance.below(plan.height);
-        if (chance.one_in(16)) x = chance.one_in(2) ? 0 : plan.width - 1;
-        if (chance.one_in(16)) y = chance.one_in(2) ? 0 : plan.height - 1;
+        std::uint32_t x = 0;
+        std::uint32_t y = 0;
+        do {
+            x = chance.below(plan.width);
+            y = chance.below(plan.height);
+            if (chance.one_in(16)) x = chance.one_in(2) ? 0 : plan.width - 1;
+            if (chance.one_in(16)) y = chance.one_in(2) ? 0 : plan.height - 1;
+        } while (plan.radii && !has_importance(plan, x, y));
         candidates.push_back({x, y, x / plan.strip_width, order});
     }
     return candidates;
@@ -231,15 +260,6 @@ inline std::vector<Scene> random_scenes(Mode mode) {
                  1 + static_cast<std::uint32_t>(seed) * 2, seed / 2 % 2 == 0 ? box : torus, 1, 0.7),
             300, 1000 + seed));
     return scenes;
-}
-
-inline std::vector<Scene> random_scenes() {
-    std::vector<Scene> all = random_scenes(Mode::lines);
-    for (Scene& scene : random_scenes(Mode::exact)) {
-        scene.name += ", exact";
-        all.push_back(std::move(scene));
-    }
-    return all;
 }
 
 }  // namespace lacuna::tests

@@ -4,28 +4,15 @@
 
 #include <algorithm>
 #include <functional>
-#include <ostream>
 #include <set>
 #include <utility>
 
 #include "backends/available.h"
+#include "backends/cells_scenes.h"
+#include "backends/printing.h"
 #include "backends/scenes.h"
 
 namespace lacuna {
-
-std::ostream& operator<<(std::ostream& out, const Span& span) {
-    return out << span.begin << ".." << span.end;
-}
-std::ostream& operator<<(std::ostream& out, const Sample& s) {
-    return out << "(" << s.x << ", " << s.y << ")";
-}
-std::ostream& operator<<(std::ostream& out, const Box& box) {
-    return out << box.x << ": " << box.begin << ".." << box.end;
-}
-std::ostream& operator<<(std::ostream& out, const Candidate& c) {
-    return out << "(" << c.x << ", " << c.y << "), line " << c.line << ", draw " << c.order;
-}
-
 namespace {
 
 using tests::Scene;
@@ -73,6 +60,7 @@ void expect_same(const Left& expected, const Left& got) {
     EXPECT_TRUE(same("line", expected.memory.spans, got.memory.spans));
     EXPECT_TRUE(same("cell", expected.memory.cells, got.memory.cells));
     EXPECT_TRUE(same("box", expected.memory.boxes, got.memory.boxes));
+    EXPECT_TRUE(same("word of bits", expected.memory.bits, got.memory.bits));
     EXPECT_EQ(expected.memory.box_width, got.memory.box_width);
     EXPECT_TRUE(same("sample", expected.samples, got.samples));
     EXPECT_EQ(expected.survivors, got.survivors);
@@ -113,31 +101,44 @@ protected:
     Left on_device(const Scene& scene, const Verb& verb, device::Tuning tuning = {}) {
         return after(*tests::make_backend(GetParam(), scene.plan, tuning), scene, verb);
     }
-    // The verb leaves what the cpu backend leaves, in one slab and in many.
+    // The verb leaves what the cpu backend leaves, in one slab and in many; in cells, whatever
+    // number of work items shares the lines near a sample.
     void expect_equal(const Scene& scene, const Verb& verb) {
         SCOPED_TRACE(scene.name);
         const Left expected = after(*tests::make_backend("cpu", scene.plan), scene, verb);
         expect_same(expected, on_device(scene, verb));
         if (has_boxes(scene)) return;
-        SCOPED_TRACE("three lines a slab");
-        const std::uint64_t line_bytes = scene.memory.capacity * sizeof(Span);
-        expect_same(expected, on_device(scene, verb, {3 * line_bytes}));
+        SCOPED_TRACE("three lines a slab, three slices");
+        const std::uint64_t line_bytes = scene.plan.radii ? 4 * tests::words_of_line(scene.plan)
+                                                          : scene.memory.capacity * sizeof(Span);
+        expect_same(expected, on_device(scene, verb, {3 * line_bytes, 3}));
     }
 };
 
 using tests::random_scenes;
 
+// In every mode.
+std::vector<Scene> all_scenes() {
+    std::vector<Scene> all = random_scenes(Mode::lines);
+    for (Scene& scene : random_scenes(Mode::exact)) {
+        scene.name += ", exact";
+        all.push_back(std::move(scene));
+    }
+    for (Scene& scene : tests::random_cells_scenes()) all.push_back(std::move(scene));
+    return all;
+}
+
 TEST_P(Verbs, LocateEqualsTheCpuInEveryScene) {
-    for (const Scene& scene : random_scenes()) expect_equal(scene, locate);
+    for (const Scene& scene : all_scenes()) expect_equal(scene, locate);
 }
 
 TEST_P(Verbs, AdmitEqualsTheCpuInEveryScene) {
-    for (const Scene& scene : random_scenes()) expect_equal(scene, admit);
+    for (const Scene& scene : all_scenes()) expect_equal(scene, admit);
 }
 
 TEST_P(Verbs, AdmitKeepsFatesThatAreDecided) {
     tests::Chance chance(5);
-    for (Scene& scene : random_scenes()) {
+    for (Scene& scene : all_scenes()) {
         for (std::uint32_t& fate : scene.memory.fates)
             if (chance.one_in(2)) fate = chance.one_in(3) ? FATE_ADMITTED : FATE_REJECTED;
         expect_equal(scene, admit);
@@ -149,7 +150,7 @@ void admit_one_a_cell(Scene& scene, tests::Chance& chance) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> taken;
     for (std::size_t i = 0; i < scene.memory.fates.size(); ++i) {
         const Candidate& candidate = scene.memory.candidates[i];
-        const std::uint32_t side = scene.plan.cell_side;
+        const std::uint32_t side = std::max(1u, scene.plan.cell_side);  // none in mode cells
         const bool is_first = taken.insert({candidate.x / side, candidate.y / side}).second;
         scene.memory.fates[i] =
             is_first && chance.one_in(2) ? FATE_ADMITTED : FATE_REJECTED + chance.below(2);
@@ -158,7 +159,7 @@ void admit_one_a_cell(Scene& scene, tests::Chance& chance) {
 
 TEST_P(Verbs, SubtractEqualsTheCpuInEveryScene) {
     tests::Chance chance(6);
-    for (Scene& scene : random_scenes()) {
+    for (Scene& scene : all_scenes()) {
         if (has_boxes(scene)) continue;
         admit_one_a_cell(scene, chance);
         expect_equal(scene, subtract);
@@ -224,11 +225,11 @@ TEST_P(Verbs, CandidatesThatEarlierSamplesCoverAreNoSurvivors) {
 }
 
 TEST_P(Verbs, AWholeRoundEqualsTheCpuInEveryScene) {
-    for (const Scene& scene : random_scenes()) expect_equal(scene, whole_round);
+    for (const Scene& scene : all_scenes()) expect_equal(scene, whole_round);
 }
 
 TEST_P(Verbs, ASecondRoundStartsFromWhatTheFirstLeft) {
-    for (const Scene& scene : random_scenes()) {
+    for (const Scene& scene : all_scenes()) {
         if (scene.draws.empty()) continue;
         expect_equal(scene, [](Backend& backend, const Scene& scene_of_first) {
             whole_round(backend, scene_of_first);

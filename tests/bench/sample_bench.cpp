@@ -16,6 +16,8 @@
 
 #include "verify/verify.h"
 
+#include "cells_cases.h"
+
 namespace {
 
 using namespace lacuna;
@@ -140,6 +142,7 @@ int main(int argc, char** argv) {
             argument.find("large") != std::string_view::npos)
             add_large();
     }
+    bench::add_cells_cases();
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();
     return 0;

@@ -8,49 +8,15 @@
 
 #include "backends/available.h"
 #include "backends/scenes.h"
-#include "generate.h"
 #include "opencl/make_backend.h"
+#include "opencl/trials.h"
 
 namespace lacuna::opencl {
 namespace {
 
+// The same of modes lines and exact.
 std::string altered(const std::string& from, const std::string& to) {
-    std::string source = kernel_source();
-    const std::size_t at = source.find(from);
-    EXPECT_NE(at, std::string::npos) << "the kernels no longer have: " << from;
-    if (at != std::string::npos) source.replace(at, from.size(), to);
-    return source;
-}
-
-// What DeviceError says of a backend made from the source; empty when nothing was thrown.
-std::string error_of(const Plan& plan, const std::string& source) {
-    try {
-        make_backend(plan, {}, {}, {source, nullptr});
-    } catch (const DeviceError& error) {
-        return error.what();
-    }
-    return "";
-}
-
-// Wrong kernels need not come to an end.
-struct ThirtyRounds : Observer {
-    bool keep_going(const Progress& progress) override { return progress.rounds <= 30; }
-};
-
-// Nothing where a set is not done after thirty rounds.
-Outcome run(const Plan& plan, const std::string& source, std::uint64_t* launches = nullptr) {
-    const auto backend = make_backend(plan, {}, {}, {source, launches});
-    ThirtyRounds observer;
-    try {
-        return generate(plan, *backend, observer);
-    } catch (const Cancelled&) {
-        return {};
-    }
-}
-
-std::vector<Sample> on_cpu(const Plan& plan) {
-    Observer nobody;
-    return generate(plan, *cpu::make_backend(plan, {}), nobody).samples;
+    return opencl::altered(kernel_source(), from, to);
 }
 
 class Kernels : public testing::Test {

@@ -1,4 +1,4 @@
-# Script: PROGRAM makes small sets under Oclgrind, which must find no race, no use of uninitialized
+# Script: PROGRAM, and the test program TESTS, make small sets under Oclgrind, which must find no race, no use of uninitialized
 # memory, no access out of bounds. It tells by its log alone. SCRATCH is a folder to write to.
 find_program(OCLGRIND oclgrind)
 if(NOT OCLGRIND)
@@ -11,20 +11,16 @@ endif()
 file(MAKE_DIRECTORY ${SCRATCH})
 set(log ${SCRATCH}/oclgrind.log)
 
-function(check)
+# Runs the command under Oclgrind, and sets `printed` to what it prints.
+function(run_under_oclgrind)
     file(REMOVE ${log})
     # Unoptimised: it does not know all that its compiler makes of whole-number arithmetic.
     execute_process(
         COMMAND ${OCLGRIND} --build-options -cl-opt-disable --data-races --uninitialized
-            --log ${log} ${PROGRAM} sample --backend opencl --quiet ${ARGN}
-        RESULT_VARIABLE code OUTPUT_VARIABLE points ERROR_VARIABLE errors)
+            --log ${log} ${ARGN}
+        RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE errors)
     if(NOT code EQUAL 0)
-        message(FATAL_ERROR "${ARGN}: exit code ${code}: ${errors}")
-    endif()
-    execute_process(COMMAND ${PROGRAM} sample --backend cpu --quiet ${ARGN}
-        OUTPUT_VARIABLE expected COMMAND_ERROR_IS_FATAL ANY)
-    if(NOT points STREQUAL expected)
-        message(FATAL_ERROR "${ARGN}: not the points of the cpu backend")
+        message(FATAL_ERROR "${ARGN}: exit code ${code}: ${errors}${output}")
     endif()
     if(NOT EXISTS ${log})
         message(FATAL_ERROR "${ARGN}: oclgrind has left no log")
@@ -32,6 +28,16 @@ function(check)
     file(READ ${log} found)
     if(NOT found STREQUAL "")
         message(FATAL_ERROR "${ARGN}: oclgrind says: ${found}")
+    endif()
+    set(printed "${output}" PARENT_SCOPE)
+endfunction()
+
+function(check)
+    run_under_oclgrind(${PROGRAM} sample --backend opencl --quiet ${ARGN})
+    execute_process(COMMAND ${PROGRAM} sample --backend cpu --quiet ${ARGN}
+        OUTPUT_VARIABLE expected COMMAND_ERROR_IS_FATAL ANY)
+    if(NOT printed STREQUAL expected)
+        message(FATAL_ERROR "${ARGN}: not the points of the cpu backend")
     endif()
 endfunction()
 
@@ -45,3 +51,12 @@ check(--mode exact --radius 0.2 --lines-per-radius 2 --torus --round-size 16)
 check(--mode exact --radius 0.2 --lines-per-radius 2 --round-size 16)
 check(--mode exact --radius 0.08 --lines-per-radius 3 --torus --round-size 64)
 check(--mode exact --radius 0.08 --lines-per-radius 3 --round-size 64)
+
+# Mode cells: the test compares the sets with the cpu backend's.
+foreach(metric min mean max)
+    run_under_oclgrind(${CMAKE_COMMAND} -E env LACUNA_REQUIRE=opencl
+        ${TESTS} --gtest_filter=*CellsSmallSet*/${metric})
+    if(NOT printed MATCHES "PASSED.* 1 test")
+        message(FATAL_ERROR "no test made a set of metric ${metric}: ${printed}")
+    endif()
+endforeach()

@@ -1,10 +1,12 @@
 // The portable arithmetic, for a test that compares it with C++: one work item an input.
+#include "portable/bits.h"
 #include "portable/cell.h"
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
 #include "portable/failure.h"
 #include "portable/isqrt.h"
+#include "portable/metric.h"
 #include "portable/window.h"
 
 // The same layout as Input in portable_test.cpp.
@@ -14,7 +16,7 @@ typedef struct Input {
     u32 column, line, lines, columns;
 } Input;
 
-#define OUTPUTS 26u
+#define OUTPUTS 32u
 
 kernel void portable(global const Input* inputs, global u64* outputs) {
     const u32 i = (u32)get_global_id(0);
@@ -51,4 +53,14 @@ kernel void portable(global const Input* inputs, global u64* outputs) {
             low << 32 | near_high(window, begin, end, in.reach, in.height, in.radius);
     }
     out[25] = has_turns_left(in.ay);
+    out[26] = word_mask((end - 1u) / 32u, begin, end);
+    out[27] = bit_of_rank(in.radius, (in.ax | in.ay) % count_bits(in.radius));
+    const Stretch near = near_lines(in.line, in.reach, in.lines, in.ax);
+    out[28] = (u64)near.first << 32 | near.count;
+    const Stretch columns = near_columns(near, in.lines, in.columns);
+    out[29] = (u64)columns.first << 32 | columns.count;
+    const u32 twice = twice_metric_radius(in.column % 3u, in.radius % 0x20000000u + 1u,
+                                          in.reach % 0x20000000u + 1u);
+    out[30] = twice;
+    out[31] = metric_squared(twice);
 }

@@ -11,12 +11,14 @@
 #include "backends/available.h"
 #include "opencl/devices.h"
 #include "opencl/program.h"
+#include "portable/bits.h"
 #include "portable/cell.h"
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
 #include "portable/failure.h"
 #include "portable/isqrt.h"
+#include "portable/metric.h"
 #include "portable/window.h"
 
 namespace lacuna::opencl {
@@ -33,7 +35,7 @@ struct Input {
     u32 column, line, lines, columns;
 };
 
-constexpr std::size_t kOutputs = 26;
+constexpr std::size_t kOutputs = 32;
 using Output = std::array<u64, kOutputs>;
 
 Output on_host(const Input& in) {
@@ -65,6 +67,16 @@ Output on_host(const Input& in) {
         out[22 + window] = u64{near_low(window, begin, end, in.reach, in.height, in.radius)} << 32 |
                            near_high(window, begin, end, in.reach, in.height, in.radius);
     out[25] = has_turns_left(in.ay) ? 1 : 0;
+    out[26] = word_mask((end - 1) / 32, begin, end);
+    out[27] = bit_of_rank(in.radius, (in.ax | in.ay) % count_bits(in.radius));
+    const Stretch near = near_lines(in.line, in.reach, in.lines, in.ax);
+    out[28] = u64{near.first} << 32 | near.count;
+    const Stretch columns = near_columns(near, in.lines, in.columns);
+    out[29] = u64{columns.first} << 32 | columns.count;
+    const u32 twice =
+        twice_metric_radius(in.column % 3, in.radius % 0x20000000u + 1, in.reach % 0x20000000u + 1);
+    out[30] = twice;
+    out[31] = metric_squared(twice);
     return out;
 }
 

@@ -8,7 +8,8 @@ lacuna_embed_kernels(opencl_test portable_test_source ${CMAKE_CURRENT_LIST_DIR}/
 
 function(lacuna_opencl_script name)
     add_test(NAME opencl.${name} COMMAND ${CMAKE_COMMAND}
-        -D PROGRAM=$<TARGET_FILE:lacuna_command> -D SCRATCH=${PROJECT_BINARY_DIR}/opencl-test
+        -D PROGRAM=$<TARGET_FILE:lacuna_command> -D TESTS=$<TARGET_FILE:opencl_test>
+        -D SCRATCH=${PROJECT_BINARY_DIR}/opencl-test
         -P ${PROJECT_SOURCE_DIR}/tests/opencl/${name}.cmake)
     set_tests_properties(opencl.${name} PROPERTIES
         TIMEOUT 300 SKIP_REGULAR_EXPRESSION "SKIPPED: ")

@@ -55,6 +55,54 @@ TEST(Column, HasEachNeighbourOnce) {
     }
 }
 
+TEST(Near, HoldsAllLinesWithinReachOnce) {
+    for (u32 lines = 1; lines <= 20; ++lines) {
+        for (u32 reach = 0; reach <= 2 * lines + 1; ++reach) {
+            for (const u32 wraps : {0u, lines}) {
+                for (u32 line = 0; line < lines; ++line) {
+                    const Stretch run = near_lines(line, reach, lines, wraps);
+                    std::multiset<u32> got, expected;
+                    for (u32 i = 0; i < run.count; ++i) got.insert((run.first + i) % lines);
+                    for (u32 other = 0; other < lines; ++other)
+                        if (axis_distance(line, other, wraps) <= reach) expected.insert(other);
+                    ASSERT_EQ(got, expected) << line << " of " << lines << ", reach " << reach
+                                             << (wraps != 0 ? ", torus" : ", box");
+                }
+            }
+        }
+    }
+}
+
+TEST(Near, HoldsTheirColumnsOnce) {
+    for (u32 lines = 1; lines <= 20; ++lines) {
+        for (u32 columns = 1; columns <= lines; ++columns) {
+            for (u32 first = 0; first < lines; ++first) {
+                for (u32 count = 1; count <= lines; ++count) {
+                    const Stretch run = near_columns({first, count}, lines, columns);
+                    std::multiset<u32> got;
+                    std::set<u32> expected;
+                    for (u32 i = 0; i < run.count; ++i) got.insert((run.first + i) % columns);
+                    for (u32 i = 0; i < count; ++i)
+                        expected.insert(column_of_line((first + i) % lines, lines, columns));
+                    ASSERT_EQ(got, std::multiset<u32>(expected.begin(), expected.end()))
+                        << columns << " columns, " << count << " of " << lines << " lines from "
+                        << first;
+                }
+            }
+        }
+    }
+}
+
+TEST(Near, HoldsForTheLargestUnits) {
+    const u32 lines = 1u << 31;
+    EXPECT_EQ(near_lines(0, 5, lines, lines).first, lines - 5);
+    EXPECT_EQ(near_lines(lines - 1, ~0u, lines, lines).count, lines);
+    EXPECT_EQ(near_lines(lines - 1, ~0u, lines, 0).count, lines);
+    const Stretch columns = near_columns({lines - 5, 11}, lines, lines / 3);
+    EXPECT_EQ(columns.first, lines / 3 - 2);
+    EXPECT_EQ(columns.count, 4u);
+}
+
 TEST(Window, HoldsAllWithinReachAndNothingElse) {
     for (const u32 height : {1u, 2u, 7u, 20u}) {
         for (u32 radius = 1; radius <= height + 2; ++radius) {

@@ -1,12 +1,14 @@
 // All of the portable arithmetic on one set of numbers: the same text for C++ and for GLSL.
 #ifndef LACUNA_TESTS_VULKAN_ARITHMETIC_H
 #define LACUNA_TESTS_VULKAN_ARITHMETIC_H
+#include "portable/bits.h"
 #include "portable/cell.h"
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
 #include "portable/failure.h"
 #include "portable/isqrt.h"
+#include "portable/metric.h"
 #include "portable/window.h"
 
 LACUNA_BEGIN
@@ -56,6 +58,15 @@ struct Answers {
     u32 near_low_1;
     u32 near_high_2;
     u32 turns_left;
+    u32 twice;
+    u32 mask;
+    u32 bit;
+    u32 lines_first;
+    u32 lines_count;
+    u32 columns_first;
+    u32 columns_count;
+    u32 unused;
+    u64 metric_squared;
 };
 
 LACUNA_FN Answers answer(Numbers q) {
@@ -87,6 +98,18 @@ LACUNA_FN Answers answer(Numbers q) {
     a.near_low_1 = near_low(1u, q.by, q.by + 1u, q.radius, q.height, q.side);
     a.near_high_2 = near_high(2u, q.by, q.by + 1u, q.radius, q.height, q.side);
     a.turns_left = has_turns_left(q.ax) ? 1u : 0u;
+    a.twice = twice_metric_radius(q.line % 3u, q.ax + 1u, q.bx + 1u);
+    a.metric_squared = metric_squared(a.twice);
+    u32 end = q.ay / 2u + q.by / 2u + 1u;
+    a.mask = word_mask((end - 1u) / 32u, q.ay / 2u, end);
+    a.bit = bit_of_rank(q.radius, q.by % count_bits(q.radius));
+    Stretch lines = near_lines(q.line, q.radius % 0x40000000u, q.lines, q.period_x);
+    Stretch columns = near_columns(lines, q.lines, q.columns);
+    a.lines_first = lines.first;
+    a.lines_count = lines.count;
+    a.columns_first = columns.first;
+    a.columns_count = columns.count;
+    a.unused = 0u;
     return a;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "backends/available.h"
+#include "backends/cells_requests.h"
 #include "columns.h"
 #include "generate.h"
 #include "portable/fate.h"
@@ -19,6 +20,7 @@ using namespace lacuna;
 using vulkan::Engine;
 
 #include "admit_all.spv.h"
+#include "admit_all_in_cells.spv.h"
 
 Request torus(double radius, Mode mode = Mode::exact) {
     Request request;
@@ -26,6 +28,13 @@ Request torus(double radius, Mode mode = Mode::exact) {
     request.radius = radius;
     request.boundary = Boundary::torus;
     return request;
+}
+
+// About 300 samples, whose radii differ by 3 times.
+Plan cells_plan() {
+    const tests::CellsRequest made = tests::cells_request("a ramp", tests::ramp_field(20, 20), 300,
+                                                          10, Metric::min, Boundary::torus);
+    return make_plan(made.request);
 }
 
 std::vector<Sample> samples_of(const Plan& plan, Backend& backend) {
@@ -53,8 +62,8 @@ protected:
 };
 
 TEST_F(VulkanBackend, DoesItsWorkInFewDispatchesARound) {
-    for (const Mode mode : {Mode::lines, Mode::exact}) {
-        const Plan plan = make_plan(torus(0.05, mode));
+    for (const Plan& plan :
+         {make_plan(torus(0.05, Mode::lines)), make_plan(torus(0.05)), cells_plan()}) {
         std::uint64_t dispatches = 0;
         vulkan::Trial trial;
         trial.dispatches = &dispatches;
@@ -80,6 +89,16 @@ TEST_F(VulkanBackend, MakesAnotherSetWithAnotherShader) {
         EXPECT_NE(samples_of(plan, *vulkan::make_backend(plan, {}, {}, trial)),
                   samples_of_cpu(plan));
     }
+}
+
+TEST_F(VulkanBackend, MakesAnotherSetInCellsWithAnotherShader) {
+    const Plan plan = cells_plan();
+    vulkan::Trial trial;
+    trial.programs = vulkan::embedded_programs();
+    EXPECT_EQ(samples_of(plan, *vulkan::make_backend(plan, {}, {}, trial)), samples_of_cpu(plan));
+    trial.programs->admit_in_cells.spirv = admit_all_in_cells_spirv;
+
+    EXPECT_NE(samples_of(plan, *vulkan::make_backend(plan, {}, {}, trial)), samples_of_cpu(plan));
 }
 
 TEST_F(VulkanBackend, MakesTheSameSetFromManySlabs) {
@@ -175,6 +194,22 @@ TEST_F(VulkanBackend, NamesTheCallAndTheResultWhenTheDeviceFails) {
     EXPECT_NE(message.find(engine.device().name), std::string::npos) << message;
     EXPECT_NE(message.find("vk"), std::string::npos) << message;
     EXPECT_NE(message.find("Error"), std::string::npos) << message;
+}
+
+TEST_F(VulkanBackend, RefusesLatticesBeyondTheLargestBuffer) {
+    const std::uint64_t largest = Engine("", nullptr).device().largest_buffer_bytes;
+    const Field field = tests::constant_field(1, 1);
+    Request request;
+    request.mode = Mode::cells;
+    request.field = &field;
+    request.scale = 20.0 / (1 << 17);
+    request.lines_per_radius = 20;
+    const Plan plan = make_plan(request);
+    if (largest >= std::uint64_t{1} << 31) GTEST_SKIP() << "the largest lattice has 2 GiB";
+    const std::string message = message_of<Unavailable>([&] { vulkan::make_backend(plan, {}); });
+    EXPECT_NE(message.find("the request needs a buffer of 2.15 GB, and its largest has"),
+              std::string::npos)
+        << message;
 }
 
 TEST_F(VulkanBackend, RefusesRoundsBeyondTheLargestBuffer) {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "backends/available.h"
+#include "backends/cells_requests.h"
+#include "backends/cells_scenes.h"
 #include "columns.h"
 #include "generate.h"
 #include "portable/fate.h"
@@ -123,6 +125,45 @@ TEST_P(ValidatedAnyhow, GrowsAndTakesMorePassesWithoutAMessage) {
 
     EXPECT_EQ(admitted, kChain / 2);
     EXPECT_GT(backend->snapshot().capacity, 1u);
+    EXPECT_EQ(messages(), "");
+}
+
+TEST_P(ValidatedAnyhow, MakesSetsInCellsWithoutAMessage) {
+    for (const Metric metric : {Metric::min, Metric::max}) {
+        for (const Boundary boundary : {Boundary::torus, Boundary::box}) {
+            const tests::CellsRequest made = tests::cells_request(
+                "noise", tests::noise_field(30, 40, 3), 150, 8, metric, boundary, 1, 0.7);
+            const Plan plan = make_plan(made.request);
+            vulkan::Trial trial;
+            trial.validation = &validation_;
+            Observer nobody;
+            EXPECT_FALSE(
+                generate(plan, *vulkan::make_backend(plan, {}, {}, trial), nobody).samples.empty());
+        }
+    }
+    EXPECT_EQ(messages(), "");
+}
+
+TEST_P(ValidatedAnyhow, TakesMorePassesInCellsWithoutAMessage) {
+    // Each candidate is blocked by the next one only, which is earlier.
+    const Field field = tests::constant_field(1, 1);
+    const Plan plan = tests::cells_plan(field, 1, 5, Metric::min, Boundary::box, 1, 40);
+    vulkan::Trial trial;
+    trial.validation = &validation_;
+    Snapshot scene = tests::empty_memory(plan);
+    constexpr std::uint32_t kChain = 40;
+    std::vector<Candidate> candidates;
+    for (std::uint32_t i = 0; i < kChain; ++i) candidates.push_back({2, 4 * i, 2, kChain - 1 - i});
+    tests::set_candidates(plan, candidates, scene);
+    const auto backend = vulkan::make_backend(plan, {}, {}, trial);
+
+    backend->restore(scene);
+    backend->admit();
+    backend->subtract();
+    const std::size_t admitted = backend->finish_round().samples.size();
+
+    EXPECT_EQ(admitted, kChain / 2);
+    EXPECT_NE(backend->snapshot().bits, scene.bits);
     EXPECT_EQ(messages(), "");
 }
 

@@ -13,6 +13,10 @@
 //   - Mode::lines with Request::snap: no two points are closer than the radius. Without snap
 //     (Kalantari & Sen 2011, section 4.1, x interpolated in its strip) no two points are closer
 //     than radius * (1 - 1 / (2 * lines_per_radius)). Gaps narrower than a strip remain.
+//   - Mode::cells: points lie on a lattice. Every two keep the distance that the metric asks of
+//     their radii, computed in double from the coordinates returned, and every lattice point with
+//     importance is closer to some point than the metric allows, in lattice steps and with radii
+//     rounded up to 1/256 of one. Where importance is 0, no point is.
 //   - The library never prints, never exits and never reads the clock.
 //
 // What can go wrong is thrown: see the classes derived from Error at the end of this file.
@@ -48,21 +52,31 @@ struct Field {
 // How the free space is cut up.
 //   exact  strips, then boxes, refined until none has room: sets that are truly maximal
 //   lines  the paper's section 4.1: one line stands for its whole strip
-enum class Mode { exact, lines };
+//   cells  the paper's section 4.2, for Request::field: a lattice, fine enough for the least radius
+enum class Mode { exact, lines, cells };
 std::string_view name_of(Mode mode);
 
-// What is wanted. Exactly one of radius and count must be set.
+// Which distance two points of different radii must keep (section 4.2.1): the smaller radius (the
+// paper's), their mean, or the larger.
+enum class Metric { min, mean, max };
+std::string_view name_of(Metric metric);
+
+// What is wanted. Exactly one of radius, scale and count must be set.
 struct Request {
     double width = 1.0;   // of the domain, > 0
     double height = 1.0;  // of the domain, > 0; neither side over 1000 times the other
     Boundary boundary = Boundary::box;
 
-    std::optional<double> radius;        // least distance between two points
+    std::optional<double> radius;        // least distance between two points; not in cells
     std::optional<std::uint64_t> count;  // exactly this many points, at a radius chosen to fit
 
     Mode mode = Mode::exact;
-    // The paper's m, 1 to 1000. Unset: 6 in exact, where it decides nothing but the speed, and the
-    // paper's 30 in lines.
+    // In mode cells only. The field is stretched over the domain; it must outlive the call.
+    const Field* field = nullptr;
+    std::optional<double> scale;  // the paper's g: the radius is g / sqrt(importance)
+    Metric metric = Metric::min;
+    // The paper's m, 1 to 1000. Unset: 6 in exact, where it decides nothing but the speed, the
+    // paper's 30 in lines, and 10 to the least radius in cells.
     std::optional<std::uint32_t> lines_per_radius;
     // In mode lines only.
     bool snap = false;       // points on the lines themselves: keeps every distance >= radius
@@ -81,8 +95,10 @@ struct Request {
 
 // What was made, and how.
 struct Result {
-    std::vector<Point> points;           // in order of admission
-    double radius = 0;                   // the radius asked for, or chosen for Request::count
+    std::vector<Point> points;  // in order of admission
+    // The radius asked for, or chosen for Request::count; in cells the least of all radii.
+    double radius = 0;
+    double scale = 0;                    // in cells: the g asked for, or chosen for Request::count
     std::uint32_t lines_per_radius = 0;  // the m asked for, or the mode's own
     bool maximal = false;  // false when a limit or a count stopped it before the room ran out
     std::uint64_t rounds = 0;

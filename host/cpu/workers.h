@@ -1,0 +1,101 @@
+// Threads that share out the columns (oneTBB).
+#pragma once
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <lacuna/lacuna.h>
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <thread>
+#include <utility>
+
+// For a task's closure, which oneTBB copies and hands over unseen.
+#define LACUNA_UNSEEN_BY_TSAN __attribute__((no_sanitize("thread"), noinline))
+
+namespace lacuna::cpu {
+
+class Workers {
+public:
+    // 0: as many threads as the machine has.
+    explicit Workers(std::uint32_t threads)
+        : threads_(threads != 0 ? static_cast<int>(threads) : tbb::info::default_concurrency()),
+          allowed_(tbb::global_control::max_allowed_parallelism,
+                   static_cast<std::size_t>(std::max(threads_, tbb::info::default_concurrency()))),
+          arena_(threads_) {}
+
+    std::string name() const {
+        return std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads");
+    }
+    void watch(std::function<bool()> may_go_on) { may_go_on_ = std::move(may_go_on); }
+
+    // Calls work(column) for all columns, in parallel where the amount of work is worth it. The
+    // calling thread asks now and then whether to go on; if not, what is left is not done, and
+    // Cancelled is thrown.
+    template <typename Work>
+    void for_columns(std::uint32_t columns, std::size_t amount, Work work) {
+        cancelled_.store(false, std::memory_order_relaxed);
+        const std::thread::id caller = std::this_thread::get_id();
+        if (threads_ == 1 || amount < kParallelAmount) {
+            for (std::uint32_t column = 0; column < columns; ++column) serve(column, caller, work);
+        } else {
+            handover_.fetch_add(1, std::memory_order_release);
+            arena_.execute([&] {
+                tbb::parallel_for(std::uint32_t{0}, columns,
+                                  [&](std::uint32_t column)
+                                      LACUNA_UNSEEN_BY_TSAN { hand_over(column, caller, work); });
+            });
+            handover_.load(std::memory_order_acquire);
+        }
+        if (cancelled_.load(std::memory_order_relaxed)) throw Cancelled();
+    }
+
+    // The same; true when work is true for all.
+    template <typename Work>
+    bool all_columns(std::uint32_t columns, std::size_t amount, Work work) {
+        std::atomic<bool> all{true};
+        for_columns(columns, amount, [&](std::uint32_t column) {
+            if (!work(column)) all.store(false, std::memory_order_relaxed);
+        });
+        return all;
+    }
+
+private:
+    // So few draws, or places, are served faster by one thread than by waking another.
+    static constexpr std::size_t kParallelAmount = 128;
+    // A column of the largest sets takes some milliseconds; asking takes a tenth of a microsecond.
+    static constexpr std::uint32_t kColumnsPerPoll = 4;
+
+    template <typename Work>
+    void serve(std::uint32_t column, std::thread::id caller, Work& work) {
+        if (cancelled_.load(std::memory_order_relaxed)) return;
+        if (column % kColumnsPerPoll == 0 && may_go_on_ && std::this_thread::get_id() == caller &&
+            !may_go_on_())
+            cancelled_.store(true, std::memory_order_relaxed);
+        work(column);
+    }
+
+    // oneTBB hands memory over between threads by itself. It is said once more here because a
+    // ThreadSanitizer that does not see into the library cannot know.
+    template <typename Work>
+    void hand_over(std::uint32_t column, std::thread::id caller, Work& work) {
+        handover_.load(std::memory_order_acquire);
+        serve(column, caller, work);
+        handover_.fetch_add(1, std::memory_order_release);
+    }
+
+    int threads_;
+    tbb::global_control allowed_;  // more threads than cores, if that is what was asked for
+    tbb::task_arena arena_;
+    std::atomic<std::uint64_t> handover_{0};
+    std::function<bool()> may_go_on_;
+    std::atomic<bool> cancelled_{false};
+};
+
+}  // namespace lacuna::cpu

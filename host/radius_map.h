@@ -1,0 +1,37 @@
+// The radius map of mode cells (section 4.2): a radius for every pixel, in whole numbers, and where
+// the pixels lie on the lattice.
+#pragma once
+
+#include <lacuna/lacuna.h>
+#include <cstdint>
+#include <vector>
+
+namespace lacuna {
+
+struct RadiusMap {
+    // The map of `field` at scale g, for a lattice of lines x height points with the given steps in
+    // the user's units. Radii are rounded up. Pixels of no importance have radius 0.
+    RadiusMap(const Field& field, double scale, Metric metric, std::uint32_t lines,
+              std::uint32_t height, double step, bool wraps);
+
+    std::uint32_t columns;  // pixels
+    std::uint32_t rows;     // pixels
+    // Column by column, from the bottom up: of pixel (c, r) at c * rows + r.
+    std::vector<std::uint32_t> radii;    // in 1/256 of a lattice step: portable/metric.h
+    std::vector<std::uint32_t> reaches;  // in lattice steps: no conflict is as far, with any sample
+
+    std::vector<std::uint32_t> column_of;   // the pixel column of each line
+    std::vector<std::uint32_t> row_of;      // the pixel row of each lattice row
+    std::vector<std::uint32_t> row_begins;  // the first lattice row of each pixel row; rows + 1
+
+    std::uint32_t pixel_at(std::uint32_t x, std::uint32_t y) const {
+        return column_of[x] * rows + row_of[y];
+    }
+    // Lattice points with importance, of every line.
+    std::vector<std::uint32_t> free_lengths() const;
+
+private:
+    void find_reaches(Metric metric, bool wraps);
+};
+
+}  // namespace lacuna

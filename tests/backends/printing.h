@@ -1,0 +1,23 @@
+// How a failing test names what differs.
+#pragma once
+
+#include <ostream>
+
+#include "backend.h"
+
+namespace lacuna {
+
+inline std::ostream& operator<<(std::ostream& out, const Span& span) {
+    return out << span.begin << ".." << span.end;
+}
+inline std::ostream& operator<<(std::ostream& out, const Sample& s) {
+    return out << "(" << s.x << ", " << s.y << ")";
+}
+inline std::ostream& operator<<(std::ostream& out, const Box& box) {
+    return out << box.x << ": " << box.begin << ".." << box.end;
+}
+inline std::ostream& operator<<(std::ostream& out, const Candidate& c) {
+    return out << "(" << c.x << ", " << c.y << "), line " << c.line << ", draw " << c.order;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,128 @@
+// A count is met exactly; and how far the scale by DESIGN's formula alone would miss it.
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cells/check.h"
+#include "fields.h"
+#include "plan.h"
+
+namespace {
+
+using namespace lacuna;
+
+std::vector<std::pair<std::string, Field>> fields() {
+    std::vector<std::pair<std::string, Field>> all = {
+        {"constant", tests::constant_field(8, 6)},
+        {"ramp", tests::ramp_field(256, 192)},
+        {"step 10:1", tests::step_field(64, 48)},
+        {"white holes", tests::white_holes_field(256, 192)},
+        {"one dark pixel", tests::one_dark_pixel_field(16, 12)},
+        {"1 x 200", tests::ramp_field(1, 200)},
+        {"noise 64 x 48", tests::noise_field(64, 48, 1)},
+        {"noise 512 x 384", tests::noise_field(512, 384, 1)},
+    };
+#ifdef LACUNA_RACCOON
+    all.emplace_back("raccoon 256 x 192", tests::raccoon_field(256));
+    all.emplace_back("raccoon 1024 x 768", tests::raccoon_field(1024));
+#endif
+    return all;
+}
+
+Request count_request(const Field& field, std::uint64_t count) {
+    Request request;
+    request.mode = Mode::cells;
+    request.field = &field;
+    request.width = 4;
+    request.height = 3;
+    request.count = count;
+    return request;
+}
+
+TEST(CellsCounts, AreMetExactlyOnEveryField) {
+    for (const auto& [name, field] : fields()) {
+        for (const std::uint64_t count : {1u, 2u, 17u, 1000u, 20'000u}) {
+            for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {
+                if (metric != Metric::min && count > 17) continue;
+                SCOPED_TRACE(name + ", " + std::to_string(count));
+                Request request = count_request(field, count);
+                request.metric = metric;
+                const Result result = sample(request);
+                EXPECT_EQ(result.points.size(), count);
+                EXPECT_EQ(result.lines_per_radius, 10u);
+                request.scale = result.scale;
+                request.count.reset();
+                request.lines_per_radius = 10;
+                const tests::CellsCheck check(request, result.points);
+                EXPECT_TRUE(check.is_on_the_lattice());
+                EXPECT_TRUE(check.keeps_its_distances(tests::By::grid));
+            }
+        }
+    }
+}
+
+// One dark column of a thousand: coarse lattices fall between.
+TEST(CellsCounts, AreMetWherePixelsAreFinerThanTheLattice) {
+    Field field = tests::constant_field(1000, 3, 0);
+    for (std::size_t row = 0; row < 3; ++row) field.importance[row * 1000 + 617] = 1;
+    for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {
+        for (const std::uint64_t count : {1u, 2u, 3u, 17u, 100u}) {
+            Request request = count_request(field, count);
+            request.metric = metric;
+            const std::vector<Point> points = sample(request).points;
+            EXPECT_EQ(points.size(), count);
+            for (const Point point : points) {
+                EXPECT_GE(point.x, 617 / 250.0);
+                EXPECT_LE(point.x, 618 / 250.0);
+            }
+        }
+    }
+}
+
+TEST(CellsCounts, ALimitStopsThemEarlier) {
+    const Field field = tests::ramp_field(32, 24);
+    Request request = count_request(field, 1000);
+    const std::vector<Point> all = sample(request).points;
+    request.limit = 300;
+    const std::vector<Point> some = sample(request).points;
+    ASSERT_EQ(some.size(), 300u);
+    EXPECT_TRUE(std::equal(some.begin(), some.end(), all.begin()));
+    request.limit = 5000;
+    EXPECT_EQ(sample(request).points, all);
+}
+
+// What share of the count a maximal set at that scale holds.
+
+double over_at(double scale, const Field& field, std::uint64_t count) {
+    Request request = count_request(field, count);
+    request.scale = scale;
+    request.count.reset();
+    return static_cast<double>(sample(request).points.size()) / static_cast<double>(count);
+}
+
+// A maximal set at the scale chosen has few more than asked for: what is left out thins it little.
+TEST(CellsCounts, AreNearTheMaximalSetsAtTheScaleChosen) {
+    std::printf("| field | N | DESIGN's formula | less the lattice's loss | as chosen |\n");
+    for (const auto& [name, field] : fields()) {
+        for (const std::uint64_t count : {1000u, 20'000u}) {
+            const Request request = count_request(field, count);
+            const double by_area = tests::scale_of(field, 12, static_cast<double>(count));
+            const double formula = over_at(by_area, field, count);
+            const double less_loss = over_at(scale_for_count(request, count), field, count);
+            const double chosen = over_at(sample(request).scale, field, count);
+            std::printf("| %s | %u | %+.1f %% | %+.1f %% | %+.1f %% |\n", name.c_str(),
+                        static_cast<unsigned>(count), 100 * (formula - 1), 100 * (less_loss - 1),
+                        100 * (chosen - 1));
+            EXPECT_GE(chosen, 1) << name;
+            EXPECT_LE(chosen, count == 1000 ? 1.15 : 1.08) << name;
+        }
+    }
+}
+
+}  // namespace

@@ -1,0 +1,244 @@
+// Whole sets of mode cells keep their promises: distances by the metric, no lattice point left,
+// none where importance is 0.
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+
+#include <rapidcheck/gtest.h>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cells/check.h"
+#include "fields.h"
+
+namespace {
+
+using namespace lacuna;
+using tests::By;
+using tests::CellsCheck;
+
+Request cells_request(const Field& field, double scale, Metric metric, Boundary boundary) {
+    Request request;
+    request.mode = Mode::cells;
+    request.field = &field;
+    request.scale = scale;
+    request.metric = metric;
+    request.boundary = boundary;
+    request.lines_per_radius = 10;
+    return request;
+}
+
+void expect_all_promises(const Request& request, By by) {
+    const Result result = sample(request);
+    EXPECT_TRUE(result.maximal);
+    const CellsCheck check(request, result.points);
+    EXPECT_TRUE(check.is_on_the_lattice());
+    EXPECT_TRUE(check.keeps_its_distances(by));
+    EXPECT_TRUE(check.is_maximal(by));
+}
+
+// Of up to 12 x 12 pixels, importance over three decades, white pixels among them.
+Field random_field() {
+    Field field;
+    field.columns = *rc::gen::inRange(1u, 13u);
+    field.rows = *rc::gen::inRange(1u, 13u);
+    const std::uint32_t white_in = *rc::gen::inRange(1u, 9u);
+    for (std::uint32_t i = 0; i < field.columns * field.rows; ++i) {
+        const bool is_white = *rc::gen::inRange(0u, white_in) == 1;
+        field.importance.push_back(is_white ? 0 : std::pow(10, -*rc::gen::inRange(0, 31) / 10.0));
+    }
+    if (std::all_of(field.importance.begin(), field.importance.end(),
+                    [](double value) { return value == 0; }))
+        field.importance[0] = 1;
+    return field;
+}
+
+RC_GTEST_PROP(CellsSets, KeepEveryPromiseByBruteForce, ()) {
+    const Field field = random_field();
+    Request request =
+        cells_request(field, 0, *rc::gen::element(Metric::min, Metric::mean, Metric::max),
+                      *rc::gen::element(Boundary::box, Boundary::torus));
+    request.width = *rc::gen::inRange(50, 301) / 100.0;
+    request.height = *rc::gen::inRange(50, 301) / 100.0;
+    request.lines_per_radius = *rc::gen::inRange(1u, 21u);
+    request.scale = tests::scale_of(field, request.width * request.height,
+                                    *rc::gen::element(0.5, 5.0, 30.0, 120.0));
+    request.round_size = *rc::gen::element(0u, 1u, 7u);
+    request.seed = *rc::gen::arbitrary<std::uint64_t>();
+    request.backend = *rc::gen::element<std::string>("cpu", "reference");
+
+    const std::vector<Point> points = sample(request).points;
+    const CellsCheck check(request, points);
+    for (const testing::AssertionResult& result :
+         {check.is_on_the_lattice(), check.keeps_its_distances(By::brute_force),
+          check.is_maximal(By::brute_force), check.keeps_its_distances(By::grid),
+          check.is_maximal(By::grid)})
+        if (!result) RC_FAIL(result.message());
+}
+
+// Without this the tests around it would prove nothing.
+TEST(CellsSets, TheChecksSeeOnePointMissingOrMoved) {
+    const Field field = tests::noise_field(12, 9, 3);
+    for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {
+        for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
+            const Request request =
+                cells_request(field, tests::scale_of(field, 1, 25), metric, boundary);
+            const std::vector<Point> points = sample(request).points;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                std::vector<Point> others = points;
+                others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+                EXPECT_FALSE(CellsCheck(request, others).is_maximal(By::brute_force)) << i;
+                EXPECT_FALSE(CellsCheck(request, others).is_maximal(By::grid)) << i;
+                others = points;
+                others.push_back(points[i]);
+                EXPECT_FALSE(CellsCheck(request, others).keeps_its_distances(By::brute_force));
+                EXPECT_FALSE(CellsCheck(request, others).keeps_its_distances(By::grid));
+                others = points;
+                others[i].x += 1e-6;
+                EXPECT_FALSE(CellsCheck(request, others).is_on_the_lattice());
+            }
+        }
+    }
+}
+
+TEST(CellsSets, KeepEveryPromiseInLargeSets) {
+    const Field noise = tests::noise_field(300, 200, 5);
+    const Field holes = tests::white_holes_field(200, 200);
+    const Field dark = tests::one_dark_pixel_field(64, 64);
+    for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {
+        for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
+            SCOPED_TRACE(std::string(name_of(metric)));
+            for (const auto& [field, count] :
+                 {std::pair(&noise, 2000), {&holes, 4000}, {&dark, 100}})
+                expect_all_promises(
+                    cells_request(*field, tests::scale_of(*field, 1, count), metric, boundary),
+                    By::grid);
+        }
+    }
+}
+
+#ifdef LACUNA_RACCOON
+TEST(CellsSets, KeepEveryPromiseOnThePhotograph) {
+    const Field field = tests::raccoon_field(512);
+    for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {
+        SCOPED_TRACE(std::string(name_of(metric)));
+        Request request =
+            cells_request(field, tests::scale_of(field, 12, 20'000), metric, Boundary::box);
+        request.width = 4;
+        request.height = 3;
+        expect_all_promises(request, By::grid);
+    }
+}
+#endif
+
+TEST(CellsSets, FieldsOfOnePixelInAnAxisAndFinerThanTheLattice) {
+    for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {
+        for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
+            for (const Field& field : {tests::ramp_field(1, 80), tests::noise_field(1, 80, 1),
+                                       tests::noise_field(80, 1, 2), tests::constant_field(1, 1),
+                                       tests::noise_field(400, 300, 3)}) {
+                SCOPED_TRACE(std::to_string(field.columns) + "x" + std::to_string(field.rows));
+                expect_all_promises(
+                    cells_request(field, tests::scale_of(field, 1, 50), metric, boundary),
+                    By::brute_force);
+            }
+        }
+    }
+}
+
+// The mean of a radius far larger than the domain and a small one is still larger than the domain.
+TEST(CellsSets, RadiiFarLargerThanTheDomainCountInFull) {
+    const Field field =
+        tests::made_field(10, 10, [](double x, double) { return x < 0.5 ? 1 : 1e-8; });
+    for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {
+        for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
+            SCOPED_TRACE(std::string(name_of(metric)));
+            Request request = cells_request(field, 0.1, metric, boundary);
+            for (request.seed = 0; request.seed < 20; ++request.seed)
+                expect_all_promises(request, By::brute_force);
+        }
+    }
+}
+
+TEST(CellsSets, NoPointLiesWhereImportanceIsZero) {
+    // One dark pixel among white ones: all points lie on it, however many there are.
+    Field field = tests::constant_field(5, 4, 0);
+    field.importance[1 * 5 + 3] = 0.2;  // row 1 from the top, column 3
+    for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {
+        Request request =
+            cells_request(field, tests::scale_of(field, 20, 300), metric, Boundary::torus);
+        request.width = 5;
+        request.height = 4;
+        const std::vector<Point> points = sample(request).points;
+        EXPECT_GT(points.size(), 250u);
+        for (const Point point : points) {
+            EXPECT_TRUE(point.x > 3 && point.x < 4) << point.x;
+            EXPECT_TRUE(point.y > 2 && point.y < 3) << point.y;
+        }
+        expect_all_promises(request, By::brute_force);
+    }
+}
+
+TEST(CellsSets, RowZeroIsTheTop) {
+    const Field field =
+        tests::made_field(6, 6, [](double, double y) { return y > 0.7 ? 1 : 0.01; });
+    EXPECT_EQ(field.importance.front(), 1);
+    EXPECT_EQ(field.importance.back(), 0.01);
+    const Request request = cells_request(field, 0.03, Metric::min, Boundary::box);
+    const std::vector<Point> points = sample(request).points;
+    const auto high =
+        std::count_if(points.begin(), points.end(), [](Point point) { return point.y > 4.0 / 6; });
+    EXPECT_GT(high, 20 * (static_cast<std::ptrdiff_t>(points.size()) - high));
+}
+
+TEST(CellsSets, TheLatticeHasCeilMOverTheLeastRadiusColumns) {
+    const Field field = tests::constant_field(1, 1, 4);
+    Request request = cells_request(field, 0.0666, Metric::min, Boundary::torus);
+    request.width = 2;
+    request.lines_per_radius = 7;
+    const Result result = sample(request);
+    EXPECT_EQ(result.radius, 0.0333);
+    EXPECT_EQ(result.scale, 0.0666);
+    const CellsCheck check(request, result.points);
+    EXPECT_EQ(check.columns(), 421);  // 7 * 2 / 0.0333 = 420.4
+    EXPECT_EQ(check.rows(), 211);     // 210.5
+    EXPECT_TRUE(check.is_on_the_lattice());
+}
+
+TEST(CellsSets, ALimitGivesAPrefix) {
+    const Field field = tests::noise_field(20, 20, 9);
+    Request request =
+        cells_request(field, tests::scale_of(field, 1, 400), Metric::min, Boundary::torus);
+    const std::vector<Point> all = sample(request).points;
+    for (const std::uint64_t limit : {1u, 2u, 100u, 1'000'000u}) {
+        request.limit = limit;
+        const Result result = sample(request);
+        ASSERT_EQ(result.points.size(), std::min<std::size_t>(limit, all.size()));
+        EXPECT_TRUE(std::equal(result.points.begin(), result.points.end(), all.begin()));
+        EXPECT_EQ(result.maximal, limit > all.size());
+    }
+}
+
+TEST(CellsSets, SameSeedSamePointsAnotherSeedOthers) {
+    const Field field = tests::ramp_field(20, 20);
+    Request request = cells_request(field, 0.02, Metric::min, Boundary::box);
+    const std::vector<Point> first = sample(request).points;
+    EXPECT_EQ(first, sample(request).points);
+    request.seed = 1;
+    EXPECT_NE(first, sample(request).points);
+}
+
+TEST(CellsSets, ScalingAllImportanceAndTheSquareOfGChangesNothing) {
+    const Field field = tests::noise_field(20, 15, 4);
+    Field sixteenth = field;
+    for (double& value : sixteenth.importance) value /= 16;
+    const Request request = cells_request(field, 0.04, Metric::mean, Boundary::torus);
+    Request other = request;
+    other.field = &sixteenth;
+    other.scale = *request.scale / 4;
+    EXPECT_EQ(sample(request).points, sample(other).points);
+}
+
+}  // namespace
