@@ -90,6 +90,7 @@ std::uint64_t machine_memory_bytes();
 // with every attempt. Throws BadRequest.
 double radius_for_count(const Request& request, int attempt);
 // The same for mode cells: the scale g at which DESIGN's formula expects a maximal set of so many.
+// Throws BadRequest where its lattice would be too large.
 double scale_for_count(const Request& request, std::uint64_t count);
 // And corrected by a pilot, a maximal set of the same field: where a field is rough, min lets in
 // more samples than its integral tells. With some to spare; more with every attempt.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <string>
 
 #include "plan.h"
 
@@ -41,6 +43,12 @@ double samples_at_radius_one(const Request& request, std::uint32_t lines_per_rad
            request.height;
 }
 
+std::string short_text(double value) {
+    std::ostringstream out;
+    out << value;  // six digits
+    return out.str();
+}
+
 // What a run holds at its peak: a bit for each lattice point, the map, and points.
 double memory_needed(const Request& request, double lattice_points, double points) {
     constexpr double kBytesPerPixel = 8, kBytesPerPoint = 64;
@@ -65,12 +73,13 @@ Lattice lattice_of(const Request& request, double scale) {
 
 void check_lattice(const Request& request, const std::string& option, const std::string& value,
                    const Lattice& lattice, double samples) {
-    if (!(lattice.lines <= kMostLatticeSteps && lattice.height <= kMostLatticeSteps))
+    const double longer = std::max(lattice.lines, lattice.height);
+    if (!(longer <= kMostLatticeSteps))
         throw BadRequest(option, value,
-                         "makes the least radius " + shortest(lattice.least_radius) +
-                             " and the lattice more than " + shortest(kMostLatticeSteps) +
-                             " steps wide: ask for " +
-                             (option == "count" ? "fewer points" : "larger radii") +
+                         "makes the least radius " + short_text(lattice.least_radius) +
+                             " and the lattice " + short_text(longer) + " steps long, of at most " +
+                             shortest(kMostLatticeSteps) + ": ask for " +
+                             (option == "count" ? "fewer points" : "a larger scale") +
                              " or fewer lines per radius");
     refuse_more_memory(request, option, value,
                        memory_needed(request, lattice.lines * lattice.height, samples));

@@ -19,6 +19,7 @@
 #include "cli/interruption.h"
 #include "cli/options.h"
 #include "cli/sample.h"
+#include "cli/stipple.h"
 #include "cli/verify.h"
 #include "files/point_files.h"
 
@@ -37,6 +38,7 @@ constexpr const char* kDescription = R"(Makes blue-noise point sets.
 Examples:
   lacuna sample --radius 0.01 -o points.svg
   lacuna sample --count 10000 --torus > points.txt
+  lacuna stipple photo.jpg --count 20000 -o dots.svg
   lacuna sample --help
   lacuna verify points.txt --radius 0.01
   lacuna analyze points.txt -o sheet.pdf
@@ -57,6 +59,7 @@ public:
 
 void add_commands(CLI::App& app) {
     cli::add_sample(app);
+    cli::add_stipple(app);
     cli::add_verify(app);
     cli::add_analyze(app);
     cli::add_devices(app);

@@ -93,6 +93,10 @@ bool ProgressBar::is_due() {
     return true;
 }
 
+void ProgressBar::note(const std::string& what) {
+    if (visible_) draw(what.substr(0, line_columns()));
+}
+
 void ProgressBar::draw(const std::string& line) {
     drawn_ = true;
     print(std::string(kClearLine) + line);

@@ -28,6 +28,8 @@ public:
 
     // For work other than sampling.
     void show(double share, const std::string& words);
+    // For work whose share is not known: words in place of the bar.
+    void note(const std::string& what);
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -12,29 +12,29 @@
 namespace lacuna::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 template <class Value>
 Json or_null(const std::optional<Value>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
 Json json_of(const Request& request, const Result& result) {
-    return {{"width", request.width},
-            {"height", request.height},
-            {"boundary", request.boundary == Boundary::torus ? "torus" : "box"},
-            {"mode", name_of(request.mode)},
-            {"radius", or_null(request.radius)},
-            {"count", or_null(request.count)},
-            {"lines_per_radius", result.lines_per_radius},
-            {"snap", request.snap},
-            {"uniform_x", request.uniform_x},
-            {"limit", or_null(request.limit)},
-            {"round_size", request.round_size},
-            {"seed", request.seed},
-            {"backend", request.backend},
-            {"device", request.device},
-            {"threads", request.threads}};
+    Json json{{"width", request.width},
+              {"height", request.height},
+              {"boundary", request.boundary == Boundary::torus ? "torus" : "box"},
+              {"mode", name_of(request.mode)}};
+    const bool cells = request.mode == Mode::cells;
+    if (cells) json["metric"] = name_of(request.metric);
+    json[cells ? "scale" : "radius"] = or_null(cells ? request.scale : request.radius);
+    json["count"] = or_null(request.count);
+    json["lines_per_radius"] = result.lines_per_radius;
+    if (!cells) json.update({{"snap", request.snap}, {"uniform_x", request.uniform_x}});
+    json.update({{"limit", or_null(request.limit)},
+                 {"round_size", request.round_size},
+                 {"seed", request.seed},
+                 {"backend", request.backend},
+                 {"device", request.device},
+                 {"threads", request.threads}});
+    return json;
 }
 
 Json json_of(const Stopwatch& stopwatch, double total_seconds) {
@@ -53,21 +53,23 @@ std::int64_t peak_memory_bytes() {
 
 }  // namespace
 
-std::string report_of(const Request& request, const Result& result, const Stopwatch& stopwatch,
-                      double total_seconds) {
-    const Json report = {{"program", "lacuna"},
-                         {"version", LACUNA_VERSION},
-                         {"request", json_of(request, result)},
-                         {"count", result.points.size()},
-                         {"radius", result.radius},
-                         {"maximal", result.maximal},
-                         {"rounds", result.rounds},
-                         {"draws", result.draws},
-                         {"seconds", json_of(stopwatch, total_seconds)},
-                         {"backend", result.backend},
-                         {"device", result.device},
-                         {"peak_memory_bytes", peak_memory_bytes()},
-                         {"points_sha256", files::sha256_of(result.points)}};
+std::string report_of(const Request& request, const Made& made, const Json& more) {
+    const Result& result = made.result;
+    Json report{{"program", "lacuna"},
+                {"version", LACUNA_VERSION},
+                {"request", json_of(request, result)},
+                {"count", result.points.size()},
+                {"radius", result.radius}};
+    if (request.mode == Mode::cells) report["scale"] = result.scale;
+    report.update({{"maximal", result.maximal},
+                   {"rounds", result.rounds},
+                   {"draws", result.draws},
+                   {"seconds", json_of(made.stopwatch, made.seconds)},
+                   {"backend", result.backend},
+                   {"device", result.device},
+                   {"peak_memory_bytes", peak_memory_bytes()},
+                   {"points_sha256", files::sha256_of(result.points)}});
+    report.update(more, true);
     // Device names come from drivers, and need not be UTF-8.
     return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -2,14 +2,18 @@
 #pragma once
 
 #include <lacuna/lacuna.h>
+
+#include <nlohmann/json.hpp>
 #include <string>
 
-#include "cli/stopwatch.h"
+#include "cli/common_options.h"
 
 namespace lacuna::cli {
 
-// `total_seconds` are those of the sampling, without the writing of files.
-std::string report_of(const Request& request, const Result& result, const Stopwatch& stopwatch,
-                      double total_seconds);
+using Json = nlohmann::ordered_json;
+
+// Seconds are those of the sampling, without the writing of files. `more` is merged into what there
+// is to say of every set.
+std::string report_of(const Request& request, const Made& made, const Json& more = Json::object());
 
 }  // namespace lacuna::cli

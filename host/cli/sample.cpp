@@ -1,20 +1,15 @@
 // The options of `lacuna sample`, and its run.
 #include "cli/sample.h"
 
-#include <fmt/format.h>
-
 #include <lacuna/lacuna.h>
-#include <cstdio>
+
 #include <memory>
 #include <string>
 
+#include "cli/common_options.h"
 #include "cli/interruption.h"
-#include "cli/observers.h"
 #include "cli/options.h"
-#include "cli/output.h"
-#include "cli/progress_bar.h"
 #include "cli/report.h"
-#include "cli/stopwatch.h"
 #include "files/point_files.h"
 
 namespace lacuna::cli {
@@ -31,15 +26,7 @@ Examples:
   lacuna sample --radius 0.005 --seed 7 -o a.csv --report a.json   and what it cost
 )";
 
-struct Options {
-    Request request;
-    std::string output = "-";
-    std::string report;
-    bool quiet = false;
-};
-
-void add_what_to_make(CLI::App& command, Options& options) {
-    Request& request = options.request;
+void add_size(CLI::App& command, Request& request) {
     add_number(command, "radius", "R", request.radius,
                "Least distance between two points; this or --count");
     add_number(command, "count", "N", request.count,
@@ -52,16 +39,11 @@ void add_what_to_make(CLI::App& command, Options& options) {
             },
             "Width and height of the domain (default 1x1)")
         ->type_name("WxH");
-    command
-        .add_flag_callback(
-            "--torus", [&request] { request.boundary = Boundary::torus; }, "The edges wrap")
-        ->disable_flag_override();
-    add_number(command, "limit", "K", request.limit, "Stop after so many points");
-    add_number(command, "seed", "S", request.seed,
-               "Same seed, same points, whatever the backend (default 0)");
 }
 
 void read_mode(const std::string& text, Mode& mode) {
+    if (text == name_of(Mode::cells))
+        throw BadRequest("mode", text, "is what lacuna stipple does; here: exact or lines");
     for (const Mode known : {Mode::exact, Mode::lines}) {
         if (text != name_of(known)) continue;
         mode = known;
@@ -70,8 +52,7 @@ void read_mode(const std::string& text, Mode& mode) {
     throw BadRequest("mode", shown(text), "must be exact or lines");
 }
 
-void add_how_to_make_it(CLI::App& command, Options& options) {
-    Request& request = options.request;
+void add_mode(CLI::App& command, Request& request) {
     command
         .add_option_function<std::string>(
             "--mode", [&request](const std::string& mode) { read_mode(mode, request.mode); },
@@ -89,67 +70,30 @@ void add_how_to_make_it(CLI::App& command, Options& options) {
                   "In lines: points lie on them, and no distance is less than the radius; without, "
                   "1/(2M) of it less")
         ->disable_flag_override();
-    add_number(command, "round-size", "K", request.round_size,
-               "Draws in a round; 0 chooses (default), 1 is the paper's algorithm");
-    command
-        .add_option("--backend", request.backend,
-                    "auto (default), cpu, opencl, vulkan or reference")
-        ->type_name("NAME");
-    command.add_option("--device", request.device, "A number or a part of the device's name")
-        ->type_name("NAME");
-    add_number(command, "threads", "T", request.threads, "Threads; 0 is one a core (default)");
 }
 
-void add_what_to_write(CLI::App& command, Options& options) {
-    command
-        .add_option("-o,--output", options.output,
-                    "By extension: .txt .csv .npy .ply .json .svg .pdf .png; "
-                    "- is standard output, as .txt (default)")
-        ->type_name("FILE");
-    command
-        .add_option("--report", options.report,
-                    "Request, counts, seconds by verb, memory and SHA-256 of the points")
-        ->type_name("FILE.json");
-    command.add_flag("--quiet", options.quiet, "No progress bar and no last line")
-        ->disable_flag_override();
-}
-
-void write(const Options& options, const Result& result, const Stopwatch& stopwatch,
-           double seconds) {
-    const Request& request = options.request;
-    const files::PointSet set{result.points, request.width, request.height, result.radius};
-    files::write_whole(options.output, files::encode(set, files::format_of(options.output)));
-    if (!options.report.empty())
-        files::write_whole(options.report, report_of(request, result, stopwatch, seconds));
-    if (options.quiet || options.output == "-") return;
-    const std::string summary =
-        fmt::format("{} points, {} rounds, {:.3f} s, {} -> {}\n", result.points.size(),
-                    result.rounds, seconds, result.backend, options.output);
-    std::fputs(summary.c_str(), stderr);
-}
-
-void run(const Options& options) {
-    check_output(options.output);
-    if (!options.report.empty()) check_report(options.report, options.output);
-
+void run(const CommonOptions& options) {
+    check_paths(options);
     Interruption interruption;
-    Stopwatch stopwatch;
-    const Result result = [&] {
-        ProgressBar bar(options.quiet);
-        Observers observers({interruption, stopwatch, bar});
-        return sample(options.request, observers);
-    }();
-    const double seconds = stopwatch.seconds_so_far();
+    const Made made = make(options, interruption);
     interruption.start_writing(options.output != "-");
-    write(options, result, stopwatch, seconds);
+
+    const Request& request = options.request;
+    const files::PointSet set{made.result.points, request.width, request.height,
+                              made.result.radius};
+    files::write_whole(options.output, files::encode(set, files::format_of(options.output)));
+    if (!options.report.empty()) files::write_whole(options.report, report_of(request, made));
+    sum_up(options, made, "points");
 }
 
 }  // namespace
 
 void add_sample(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("sample", kDescription);
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CommonOptions>();
+    add_size(command, options->request);
     add_what_to_make(command, *options);
+    add_mode(command, options->request);
     add_how_to_make_it(command, *options);
     add_what_to_write(command, *options);
     command.callback([options] { run(*options); });

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "files/picture.h"
 #include "files/point_files.h"
 #include "files/sets.h"
 
@@ -171,6 +172,79 @@ TEST(Pdf, GivenADateOfCreationThenItIsNotTheTimeOfDay) {
 TEST(Pdf, GivenManyPointsThenTheFileStaysSmall) {
     const std::string pdf = picture(spread_points(10000), Format::pdf, 0.008);
     EXPECT_LT(pdf.size(), 10000U * 16);
+}
+
+// On a sheet of 100 mm x 80 mm with margins of 10 mm a domain of 2 x 1 is 80 mm x 40 mm large, and
+// begins 10 mm from the left and 20 mm from the top.
+std::string on_a_sheet(const std::vector<Point>& points, Format format,
+                       const std::vector<double>& diameters = {}) {
+    Style style;
+    style.sheet = Sheet{100, 80, 10};
+    style.pixels_per_inch = 254;
+    style.diameters = diameters;
+    return draw({points, 2, 1, 0.3}, format, style);
+}
+
+TEST(ASheet, GivenSvgThenLengthsAreMillimetresAndTheDomainIsInTheMiddle) {
+    const std::string svg = on_a_sheet({{0, 0}, {2, 1}, {0.5, 0.25}}, Format::svg);
+    EXPECT_TRUE(contains(svg, "width=\"100mm\" height=\"80mm\" viewBox=\"0 0 100 80\"")) << svg;
+    EXPECT_TRUE(contains(svg, "M10.0000 60.0000h0")) << svg;
+    EXPECT_TRUE(contains(svg, "M90.0000 20.0000h0")) << svg;
+    EXPECT_TRUE(contains(svg, "M30.0000 50.0000h0")) << svg;
+    EXPECT_TRUE(contains(svg, "stroke-width=\"8\"")) << svg;
+    EXPECT_FALSE(contains(svg, "<rect")) << "a plotter would draw it";
+}
+
+TEST(ASheet, GivenPdfThenThePageIsAsLargeInPoints) {
+    const std::string pdf = on_a_sheet({{0, 0}}, Format::pdf);
+    EXPECT_TRUE(contains(pdf, "/MediaBox [ 0 0 283.46")) << pdf;
+    EXPECT_TRUE(contains(pdf, " 226.77")) << pdf;
+}
+
+TEST(ASheet, GivenPngThenItHasAsManyPixelsAsTheResolutionSays) {
+    const Image image(on_a_sheet({{0.5, 0.25}}, Format::png));
+    ASSERT_EQ(image.width(), 1000);
+    ASSERT_EQ(image.height(), 800);
+    EXPECT_EQ(image.grey(300, 500), 0);
+    EXPECT_EQ(image.grey(300 + 38, 500), 0);
+    EXPECT_EQ(image.grey(300 + 42, 500), 255);
+    EXPECT_NEAR(dark_pixels(image), 3.14159 * 40 * 40, 100);
+}
+
+TEST(ASheet, GivenATallDomainThenTheHeightDecidesItsSize) {
+    Style style;
+    style.sheet = Sheet{100, 80, 10};
+    EXPECT_DOUBLE_EQ(millimetres_per_unit({{}, 2, 1}, style), 40);
+    EXPECT_DOUBLE_EQ(millimetres_per_unit({{}, 1, 4}, style), 15);
+}
+
+TEST(Diameters, GivenPngThenEachDotHasItsOwn) {
+    const Image image(on_a_sheet({{0.5, 0.5}, {1.5, 0.5}}, Format::png, {0.1, 0.3}));
+    EXPECT_EQ(image.grey(300 + 18, 400), 0);
+    EXPECT_EQ(image.grey(300 + 22, 400), 255);
+    EXPECT_EQ(image.grey(700 + 58, 400), 0);
+    EXPECT_EQ(image.grey(700 + 62, 400), 255);
+    EXPECT_NEAR(dark_pixels(image), 3.14159 * (20 * 20 + 60 * 60), 150);
+}
+
+TEST(Diameters, GivenSvgThenDotsOfASizeAreOnePathUnlessTheirOrderIsKept) {
+    const std::vector<Point> points{{0, 0}, {1, 0}, {2, 0}, {0, 1}};
+    const std::vector<double> diameters{0.2, 0.1, 0.2, 0.1};
+    Style style;
+    style.sheet = Sheet{20, 10};
+    style.diameters = diameters;
+    const std::string sizes = draw({points, 2, 1}, Format::svg, style);
+    EXPECT_TRUE(contains(sizes,
+                         "<path stroke-width=\"1\" d=\"M10.0000 10.0000h0\nM0.0000 0.0000h0\n"
+                         "\"/>\n<path stroke-width=\"2\" d=\"M0.0000 10.0000h0\n"
+                         "M20.0000 10.0000h0\n\"/>"))
+        << sizes;
+    style.keeps_order = true;
+    const std::string ordered = draw({points, 2, 1}, Format::svg, style);
+    EXPECT_EQ(occurrences(ordered, "<path"), 4U);
+    EXPECT_LT(ordered.find("M0.0000 10.0000"), ordered.find("M10.0000 10.0000"));
+    EXPECT_LT(ordered.find("M10.0000 10.0000"), ordered.find("M20.0000 10.0000"));
+    EXPECT_LT(ordered.find("M20.0000 10.0000"), ordered.find("M0.0000 0.0000"));
 }
 
 class Picture : public testing::TestWithParam<Format> {};

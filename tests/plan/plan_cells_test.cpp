@@ -126,21 +126,22 @@ TEST(CellsPlan, RefusesALatticeOfTooManyStepsByTheNameOfTheOptionGiven) {
     Request request = cells_request(field);
     request.scale = 1e-5;
     EXPECT_EQ(refusal(request),
-              "scale 1e-05: makes the least radius 5e-06 and the lattice more than 131072 steps "
-              "wide: ask for larger radii or fewer lines per radius");
+              "scale 1e-05: makes the least radius 5e-06 and the lattice 2e+06 steps long, of "
+              "at most 131072: ask for a larger scale or fewer lines per radius");
     request.scale.reset();
     request.count = 1'000'000'000'000;
     const std::string message = refusal(request);
     EXPECT_EQ(message.find("count 1000000000000: makes the least radius "), 0u) << message;
-    EXPECT_NE(message.find(" and the lattice more than 131072 steps wide: ask for fewer points or "
-                           "fewer lines per radius"),
-              std::string::npos)
+    EXPECT_NE(
+        message.find(" steps long, of at most 131072: ask for fewer points or fewer lines per "
+                     "radius"),
+        std::string::npos)
         << message;
     // The height counts too.
     request = cells_request(field);
     request.height = 1000;
     request.scale = 0.1;
-    EXPECT_NE(refusal(request).find("lattice more than 131072 steps"), std::string::npos);
+    EXPECT_NE(refusal(request).find(" steps long, of at most 131072"), std::string::npos);
 }
 
 TEST(CellsPlan, SaysHowMuchMemoryASetNeeds) {

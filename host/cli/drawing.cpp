@@ -1,0 +1,115 @@
+// How pictures are drawn: options, checks and sizes.
+#include "cli/drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/options.h"
+#include "stipple/dot_size.h"
+
+namespace lacuna::cli {
+namespace {
+
+constexpr double kMostPixels = 32767;  // along a side of cairo's images
+constexpr double kLeastDot = 0.001;    // mm
+
+// An option whose text `read` takes.
+template <class Read>
+void add_option(CLI::App& command, DrawingOptions& options, const std::string& name,
+                const std::string& symbol, const std::string& help, const Read& read) {
+    command
+        .add_option_function<std::string>(
+            "--" + name,
+            [&options, name, read](const std::string& text) {
+                options.given.push_back(name);
+                read(name, text);
+            },
+            help)
+        ->type_name(symbol);
+}
+
+}  // namespace
+
+void add_how_to_draw(CLI::App& command, DrawingOptions& options) {
+    using Text = const std::string&;
+    add_option(command, options, "dot-size", "D",
+               "Diameter of dots, such as 0.5mm; or radius (default): as much ink as the picture "
+               "is dark",
+               [&options](Text name, Text text) {
+                   options.dot_size_mm.reset();
+                   if (text != "radius") options.dot_size_mm = read_length(name, text, kLeastDot);
+               });
+    add_option(command, options, "paper-size", "WxH",
+               "Such as 210x297mm (or cm, in, pt); or A2 to A6, letter, legal, tabloid, turned to "
+               "suit",
+               [&options](Text name, Text text) { options.paper = read_paper(name, text); });
+    add_option(
+        command, options, "margin", "D",
+        "Left free around the dots, with --paper-size (default 0mm)",
+        [&options](Text name, Text text) { options.margin_mm = read_length(name, text, 0); });
+    add_option(command, options, "dpi", "X", "Pixels an inch, of .png (default 144: 1024 on 512pt)",
+               [&options](Text name, Text text) { read(name, text, options.pixels_per_inch); });
+}
+
+bool is_picture(const std::string& path) {
+    const files::Format format = files::format_of(path);
+    return format == files::Format::svg || format == files::Format::pdf ||
+           format == files::Format::png;
+}
+
+void check_drawing(const DrawingOptions& options, const std::string& output) {
+    if (!options.given.empty() && !is_picture(output))
+        throw BadRequest(options.given.front(), "with --output " + shown(output),
+                         "is for pictures: .svg, .pdf or .png");
+    const auto is_given = [&](const char* name) {
+        return std::find(options.given.begin(), options.given.end(), name) != options.given.end();
+    };
+    if (is_given("dpi") && files::format_of(output) != files::Format::png)
+        throw BadRequest("dpi", "with --output " + shown(output), "is for .png");
+    if (options.margin_mm == 0) return;
+    const std::string margin = fmt::format("{}mm", options.margin_mm);
+    if (!options.paper) throw BadRequest("margin", margin, "needs a --paper-size");
+    const double shorter = std::min(options.paper->width_mm, options.paper->height_mm);
+    if (2 * options.margin_mm >= shorter)
+        throw BadRequest("margin", margin,
+                         fmt::format("must be less than half of the paper's {}mm", shorter));
+}
+
+files::Style style_of(const DrawingOptions& options, double width, double height) {
+    files::Style style;
+    if (options.paper) {
+        const Paper paper = options.paper->suiting(width, height);
+        style.sheet = files::Sheet{paper.width_mm, paper.height_mm, options.margin_mm};
+    }
+    style.pixels_per_inch = options.pixels_per_inch;
+
+    const double longer = std::max(width, height);
+    const double longer_mm = style.sheet
+                                 ? std::max(style.sheet->width_mm, style.sheet->height_mm)
+                                 : longer * files::millimetres_per_unit({{}, width, height}, style);
+    const double most = std::floor(kMostPixels / (longer_mm / files::kMillimetresPerInch));
+    if (!(style.pixels_per_inch > 0 && style.pixels_per_inch <= most))
+        throw BadRequest("dpi", fmt::format("{}", style.pixels_per_inch),
+                         fmt::format("must be over 0 and, for this paper, at most {}: {} pixels "
+                                     "along its longer side",
+                                     most, kMostPixels));
+    return style;
+}
+
+std::string encoded(const DrawingOptions& options, const std::string& output,
+                    const files::PointSet& set, const Field& field, files::Style style) {
+    const files::Format format = files::format_of(output);
+    if (!is_picture(output)) return files::encode(set, format);
+    std::vector<double> diameters;
+    if (options.dot_size_mm)
+        diameters.assign(set.points.size(),
+                         *options.dot_size_mm / files::millimetres_per_unit(set, style));
+    else
+        diameters = stipple::dot_diameters(set.points, field, set.width, set.height);
+    style.diameters = diameters;
+    return files::draw(set, format, style);
+}
+
+}  // namespace lacuna::cli

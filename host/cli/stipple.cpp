@@ -1,0 +1,231 @@
+// The options of `lacuna stipple`, and its run.
+#include "cli/stipple.h"
+
+#include <fmt/format.h>
+
+#include <lacuna/lacuna.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/common_options.h"
+#include "cli/drawing.h"
+#include "cli/interruption.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/progress_bar.h"
+#include "cli/report.h"
+#include "cli/stopwatch.h"
+#include "field/image.h"
+#include "field/importance.h"
+#include "files/picture.h"
+#include "files/point_files.h"
+#include "stipple/pen_path.h"
+
+namespace lacuna::cli {
+namespace {
+
+constexpr const char* kDescription =
+    R"(Stipples a picture: random dots, evenly spread, dense where it is dark.
+
+Examples:
+  lacuna stipple photo.jpg --count 20000 -o dots.svg         exactly so many dots
+  lacuna stipple photo.jpg --scale 0.003 -o dots.png         as many as there is room for
+  lacuna stipple photo.jpg --count 20000 --metric max -o dots.pdf     see --metric
+  lacuna stipple photo.jpg --count 5000 --paper-size A4 --margin 15mm --dot-size 0.5mm --pen-path
+    -o plot.svg                                              for a plotter with a pen of 0.5 mm
+  lacuna stipple density.npy --invert --count 5000 > points.txt       high numbers are dense
+
+Points lie in the picture's shape, its longer side 1, y upwards. The radius, the least distance to
+another dot, is G / sqrt(importance); importance is 1 where the picture is black and 0, no dots at
+all, where it is white. Points come in the order in which they were admitted, and any prefix is
+itself a set of its kind; with --pen-path they do not.
+
+Where radii differ, two dots keep the smaller one apart with --metric min: dots of light places take
+no room from dark ones. With mean and max they do, and leave gaps along edges of the picture.
+
+On --paper-size the picture lies in the middle, as large as --margin lets it, and .svg is in mm.
+Without, the picture is the page, 512pt long.
+
+Read are PNG, JPEG, PGM, PPM, PFM, Radiance HDR and NumPy's .npy.
+)";
+
+struct Options {
+    CommonOptions common;
+    std::string image;
+    field::Importance importance;
+    DrawingOptions drawing;
+    bool pen_path = false;
+};
+
+void read_metric(const std::string& text, Metric& metric) {
+    for (const Metric known : {Metric::min, Metric::mean, Metric::max}) {
+        if (text != name_of(known)) continue;
+        metric = known;
+        return;
+    }
+    throw BadRequest("metric", shown(text), "must be min, mean or max");
+}
+
+void add_what_to_stipple(CLI::App& command, Options& options) {
+    command.add_option("IMAGE", options.image, "The picture; - is standard input")
+        ->type_name("")
+        ->required();
+    Request& request = options.common.request;
+    add_number(command, "count", "N", request.count,
+               "Exactly so many dots, at a scale that fits; this or --scale");
+    add_number(command, "scale", "G", request.scale,
+               "The radius where the picture is black, its longer side being 1; this or --count");
+    command
+        .add_option_function<std::string>(
+            "--metric", [&request](const std::string& text) { read_metric(text, request.metric); },
+            "What two dots of different radii keep apart: min of the two (default), mean or max")
+        ->type_name("METRIC");
+    add_number(command, "lines-per-radius", "M", request.lines_per_radius,
+               "Steps of the lattice in the least radius (default 10)");
+    command.add_flag("--invert", options.importance.invert, "Bright is dense")
+        ->disable_flag_override();
+    add_number(command, "gamma", "X", options.importance.gamma,
+               "Importance is raised to this power: over 1 lightens middle tones (default 1)");
+    add_number(command, "min-importance", "I", options.importance.min_importance,
+               "Importance is nowhere less, so that white has dots too (default 0)");
+}
+
+void add_pen_path(CLI::App& command, Options& options) {
+    command
+        .add_flag("--pen-path", options.pen_path,
+                  "Dots in the order of a short way for a pen, in every format")
+        ->disable_flag_override();
+}
+
+// All that can be checked before the picture is read.
+void check_options(const Options& options) {
+    const std::string& output = options.common.output;
+    check_paths(options.common);
+    if (options.image != "-" && is_same_file(options.image, output))
+        throw BadRequest("output", shown(output), "is the picture: must be another file");
+    field::check(options.importance);
+    check_drawing(options.drawing, output);
+}
+
+// Turns the picture into the request's field and domain.
+Field read_field(const Options& options, Request& request) {
+    field::Image image = field::read_image(options.image);
+    const double longer = std::max(image.columns, image.rows);
+    request.width = image.columns / longer;
+    request.height = image.rows / longer;
+    constexpr double kLargestAspect = 1000;  // lacuna.h: Request::height
+    if (longer > kLargestAspect * std::min(image.columns, image.rows))
+        throw files::FileError(
+            fmt::format("{}: {} x {} pixels: the longer side may be at most {} times the shorter",
+                        image.name, image.columns, image.rows, kLargestAspect));
+    return field::importance_of(std::move(image), options.importance);
+}
+
+// What `lacuna stipple` has done beside sampling.
+struct Work {
+    double read_seconds = 0;
+    double path_seconds = 0;
+    double admitted_length = 0;  // of a pen's way, in the domain's units
+    double path_length = 0;
+};
+
+void order_for_a_pen(const Options& options, Interruption& interruption, Made& made, Work& work) {
+    std::vector<Point>& points = made.result.points;
+    ProgressBar bar(options.common.quiet);
+    bar.note(fmt::format("a pen path through {} dots", points.size()));
+    const Stopwatch stopwatch;
+    const std::vector<std::uint32_t> order = stipple::pen_path(points, [&] {
+        return interruption.keep_going({points.size(), points.size(), made.result.rounds});
+    });
+    work.path_seconds = stopwatch.seconds_so_far();
+    work.admitted_length = stipple::path_length(points);
+    std::vector<Point> ordered;
+    ordered.reserve(points.size());
+    for (const std::uint32_t index : order) ordered.push_back(points[index]);
+    points = std::move(ordered);
+    work.path_length = stipple::path_length(points);
+}
+
+Json json_of(const DrawingOptions& options, const files::Style& style) {
+    return {{"dot_size_mm", options.dot_size_mm ? Json(*options.dot_size_mm) : Json("radius")},
+            {"paper_mm",
+             style.sheet ? Json({style.sheet->width_mm, style.sheet->height_mm}) : Json(nullptr)},
+            {"margin_mm", options.margin_mm},
+            {"dpi", style.pixels_per_inch}};
+}
+
+Json report_of_the_rest(const Options& options, const Field& field, const files::Style& style,
+                        const Work& work) {
+    Json more{{"request",
+               {{"image", options.image},
+                {"invert", options.importance.invert},
+                {"gamma", options.importance.gamma},
+                {"min_importance", options.importance.min_importance},
+                {"pen_path", options.pen_path}}},
+              {"image", {{"columns", field.columns}, {"rows", field.rows}}},
+              {"seconds", {{"read", work.read_seconds}}}};
+    if (is_picture(options.common.output)) more["request"].update(json_of(options.drawing, style));
+    if (!options.pen_path) return more;
+    more["seconds"]["pen_path"] = work.path_seconds;
+    more["pen_path"] = {{"length", work.path_length}, {"length_as_admitted", work.admitted_length}};
+    return more;
+}
+
+// What a pen travels, in the last line.
+std::string path_text(const Options& options, const files::PointSet& set, const files::Style& style,
+                      const Work& work) {
+    if (!options.pen_path) return "";
+    if (!is_picture(options.common.output))
+        return fmt::format(", pen path {:.4g} longer sides", work.path_length);
+    return fmt::format(", pen path {:.2f} m",
+                       work.path_length * files::millimetres_per_unit(set, style) / 1000);
+}
+
+void run(const Options& options) {
+    check_options(options);
+    Work work;
+    const Stopwatch stopwatch;
+    CommonOptions common = options.common;
+    Request& request = common.request;
+    request.mode = Mode::cells;
+    const Field field = read_field(options, request);
+    request.field = &field;
+    files::Style style = style_of(options.drawing, request.width, request.height);
+    style.keeps_order = options.pen_path;
+    work.read_seconds = stopwatch.seconds_so_far();
+
+    Interruption interruption;
+    Made made = make(common, interruption);
+    if (options.pen_path) order_for_a_pen(options, interruption, made, work);
+    interruption.start_writing(common.output != "-");
+
+    const files::PointSet set{made.result.points, request.width, request.height,
+                              made.result.radius};
+    files::write_whole(common.output, encoded(options.drawing, common.output, set, field, style));
+    if (!common.report.empty())
+        files::write_whole(
+            common.report,
+            report_of(request, made, report_of_the_rest(options, field, style, work)));
+    sum_up(common, made, "dots", path_text(options, set, style, work));
+}
+
+}  // namespace
+
+void add_stipple(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("stipple", kDescription);
+    const auto options = std::make_shared<Options>();
+    add_what_to_stipple(command, *options);
+    add_what_to_make(command, options->common);
+    add_how_to_draw(command, options->drawing);
+    add_pen_path(command, *options);
+    add_how_to_make_it(command, options->common);
+    add_what_to_write(command, options->common);
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,12 @@
+// `lacuna stipple`: a picture in, as many dots as it is dark out.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace lacuna::cli {
+
+// Adds the command to `app`, which runs it after parsing. Throws what lacuna::sample, the readers
+// of pictures and the files throw.
+void add_stipple(CLI::App& app);
+
+}  // namespace lacuna::cli
