@@ -12,8 +12,7 @@
 
 namespace lacuna::cli {
 
-void add_what_to_make(CLI::App& command, CommonOptions& options) {
-    Request& request = options.request;
+void add_what_to_make(CLI::App& command, Request& request) {
     command
         .add_flag_callback(
             "--torus", [&request] { request.boundary = Boundary::torus; }, "The edges wrap")
@@ -23,17 +22,19 @@ void add_what_to_make(CLI::App& command, CommonOptions& options) {
                "Same seed, same points, whatever the backend (default 0)");
 }
 
-void add_how_to_make_it(CLI::App& command, CommonOptions& options) {
-    Request& request = options.request;
+void add_effort(CLI::App& command, Request& request) {
     add_number(command, "round-size", "K", request.round_size,
                "Draws in a round; 0 chooses (default), 1 is the paper's algorithm");
+    add_number(command, "threads", "T", request.threads, "Threads; 0 is one a core (default)");
+}
+
+void add_place(CLI::App& command, Request& request) {
     command
         .add_option("--backend", request.backend,
                     "auto (default), cpu, opencl, vulkan or reference")
         ->type_name("NAME");
     command.add_option("--device", request.device, "A number or a part of the device's name")
         ->type_name("NAME");
-    add_number(command, "threads", "T", request.threads, "Threads; 0 is one a core (default)");
 }
 
 void add_what_to_write(CLI::App& command, CommonOptions& options) {
@@ -52,7 +53,7 @@ void add_what_to_write(CLI::App& command, CommonOptions& options) {
 
 void check_paths(const CommonOptions& options) {
     check_output(options.output);
-    if (!options.report.empty()) check_report(options.report, options.output);
+    if (!options.report.empty()) check_json("report", options.report, options.output);
 }
 
 Made make(const CommonOptions& options, Interruption& interruption) {

@@ -18,11 +18,13 @@ struct CommonOptions {
     bool quiet = false;
 };
 
-// Adds the options to `command`; `options` must outlive it.
+// Adds the options to `command`; what they are written to must outlive it.
 // --torus, --limit, --seed
-void add_what_to_make(CLI::App& command, CommonOptions& options);
-// --round-size, --backend, --device, --threads
-void add_how_to_make_it(CLI::App& command, CommonOptions& options);
+void add_what_to_make(CLI::App& command, Request& request);
+// --round-size, --threads
+void add_effort(CLI::App& command, Request& request);
+// --backend, --device
+void add_place(CLI::App& command, Request& request);
 // --output, --report, --quiet
 void add_what_to_write(CLI::App& command, CommonOptions& options);
 

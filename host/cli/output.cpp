@@ -59,12 +59,12 @@ bool is_same_file(const std::string& a, const std::string& b) {
            fs::equivalent(folder_of(a), folder_of(b), error) && !error;
 }
 
-void check_report(const std::string& path, const std::string& output) {
+void check_json(const std::string& option, const std::string& path, const std::string& output) {
     if (fs::path(path).extension() != ".json")
-        throw BadRequest("report", shown(path), "must be a file whose name ends in .json");
+        throw BadRequest(option, shown(path), "must be a file whose name ends in .json");
     check_writable(path);
-    if (is_same_file(path, output))
-        throw BadRequest("report", shown(path), "must be another file than --output " + output);
+    if (!output.empty() && is_same_file(path, output))
+        throw BadRequest(option, shown(path), "must be another file than --output " + output);
 }
 
 }  // namespace lacuna::cli

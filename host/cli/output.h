@@ -12,7 +12,8 @@ void check_output(const std::string& path);
 // Whether both paths lead to one file, there already or to be made.
 bool is_same_file(const std::string& a, const std::string& b);
 
-// The report is a .json file other than the output. Throws as check_output does.
-void check_report(const std::string& path, const std::string& output);
+// What `option` names is a .json file other than the output, if there is one. Throws as
+// check_output does.
+void check_json(const std::string& option, const std::string& path, const std::string& output);
 
 }  // namespace lacuna::cli

@@ -26,6 +26,33 @@ Examples:
   lacuna sample --radius 0.005 --seed 7 -o a.csv --report a.json   and what it cost
 )";
 
+void read_mode(const std::string& text, Mode& mode) {
+    if (text == name_of(Mode::cells))
+        throw BadRequest("mode", text, "is what lacuna stipple does; here: exact or lines");
+    for (const Mode known : {Mode::exact, Mode::lines}) {
+        if (text != name_of(known)) continue;
+        mode = known;
+        return;
+    }
+    throw BadRequest("mode", shown(text), "must be exact or lines");
+}
+
+void run(const CommonOptions& options) {
+    check_paths(options);
+    Interruption interruption;
+    const Made made = make(options, interruption);
+    interruption.start_writing(options.output != "-");
+
+    const Request& request = options.request;
+    const files::PointSet set{made.result.points, request.width, request.height,
+                              made.result.radius};
+    files::write_whole(options.output, files::encode(set, files::format_of(options.output)));
+    if (!options.report.empty()) files::write_whole(options.report, report_of(request, made));
+    sum_up(options, made, "points");
+}
+
+}  // namespace
+
 void add_size(CLI::App& command, Request& request) {
     add_number(command, "radius", "R", request.radius,
                "Least distance between two points; this or --count");
@@ -39,17 +66,6 @@ void add_size(CLI::App& command, Request& request) {
             },
             "Width and height of the domain (default 1x1)")
         ->type_name("WxH");
-}
-
-void read_mode(const std::string& text, Mode& mode) {
-    if (text == name_of(Mode::cells))
-        throw BadRequest("mode", text, "is what lacuna stipple does; here: exact or lines");
-    for (const Mode known : {Mode::exact, Mode::lines}) {
-        if (text != name_of(known)) continue;
-        mode = known;
-        return;
-    }
-    throw BadRequest("mode", shown(text), "must be exact or lines");
 }
 
 void add_mode(CLI::App& command, Request& request) {
@@ -72,29 +88,14 @@ void add_mode(CLI::App& command, Request& request) {
         ->disable_flag_override();
 }
 
-void run(const CommonOptions& options) {
-    check_paths(options);
-    Interruption interruption;
-    const Made made = make(options, interruption);
-    interruption.start_writing(options.output != "-");
-
-    const Request& request = options.request;
-    const files::PointSet set{made.result.points, request.width, request.height,
-                              made.result.radius};
-    files::write_whole(options.output, files::encode(set, files::format_of(options.output)));
-    if (!options.report.empty()) files::write_whole(options.report, report_of(request, made));
-    sum_up(options, made, "points");
-}
-
-}  // namespace
-
 void add_sample(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("sample", kDescription);
     const auto options = std::make_shared<CommonOptions>();
     add_size(command, options->request);
-    add_what_to_make(command, *options);
+    add_what_to_make(command, options->request);
     add_mode(command, options->request);
-    add_how_to_make_it(command, *options);
+    add_effort(command, options->request);
+    add_place(command, options->request);
     add_what_to_write(command, *options);
     command.callback([options] { run(*options); });
 }

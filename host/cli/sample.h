@@ -1,6 +1,8 @@
 // `lacuna sample`: options to a request, the run, and what is written of it.
 #pragma once
 
+#include <lacuna/lacuna.h>
+
 #include <CLI/CLI.hpp>
 
 namespace lacuna::cli {
@@ -8,5 +10,11 @@ namespace lacuna::cli {
 // Adds the command to `app`, which runs it after parsing. Throws what lacuna::sample and the files
 // throw.
 void add_sample(CLI::App& app);
+
+// The options that only its requests have, for `command`:
+// --radius, --count, --domain
+void add_size(CLI::App& command, Request& request);
+// --mode, --lines-per-radius, --uniform-x, --snap
+void add_mode(CLI::App& command, Request& request);
 
 }  // namespace lacuna::cli

@@ -17,6 +17,7 @@
 #include "cli/interruption.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/picture_field.h"
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/stopwatch.h"
@@ -56,43 +57,18 @@ Read are PNG, JPEG, PGM, PPM, PFM, Radiance HDR and NumPy's .npy.
 
 struct Options {
     CommonOptions common;
-    std::string image;
-    field::Importance importance;
+    Picture picture;
     DrawingOptions drawing;
     bool pen_path = false;
 };
 
-void read_metric(const std::string& text, Metric& metric) {
-    for (const Metric known : {Metric::min, Metric::mean, Metric::max}) {
-        if (text != name_of(known)) continue;
-        metric = known;
-        return;
-    }
-    throw BadRequest("metric", shown(text), "must be min, mean or max");
-}
-
 void add_what_to_stipple(CLI::App& command, Options& options) {
-    command.add_option("IMAGE", options.image, "The picture; - is standard input")
-        ->type_name("")
-        ->required();
     Request& request = options.common.request;
+    add_picture(command, options.picture, request)->required();
     add_number(command, "count", "N", request.count,
                "Exactly so many dots, at a scale that fits; this or --scale");
-    add_number(command, "scale", "G", request.scale,
-               "The radius where the picture is black, its longer side being 1; this or --count");
-    command
-        .add_option_function<std::string>(
-            "--metric", [&request](const std::string& text) { read_metric(text, request.metric); },
-            "What two dots of different radii keep apart: min of the two (default), mean or max")
-        ->type_name("METRIC");
     add_number(command, "lines-per-radius", "M", request.lines_per_radius,
                "Steps of the lattice in the least radius (default 10)");
-    command.add_flag("--invert", options.importance.invert, "Bright is dense")
-        ->disable_flag_override();
-    add_number(command, "gamma", "X", options.importance.gamma,
-               "Importance is raised to this power: over 1 lightens middle tones (default 1)");
-    add_number(command, "min-importance", "I", options.importance.min_importance,
-               "Importance is nowhere less, so that white has dots too (default 0)");
 }
 
 void add_pen_path(CLI::App& command, Options& options) {
@@ -106,24 +82,10 @@ void add_pen_path(CLI::App& command, Options& options) {
 void check_options(const Options& options) {
     const std::string& output = options.common.output;
     check_paths(options.common);
-    if (options.image != "-" && is_same_file(options.image, output))
+    if (options.picture.path != "-" && is_same_file(options.picture.path, output))
         throw BadRequest("output", shown(output), "is the picture: must be another file");
-    field::check(options.importance);
+    field::check(options.picture.importance);
     check_drawing(options.drawing, output);
-}
-
-// Turns the picture into the request's field and domain.
-Field read_field(const Options& options, Request& request) {
-    field::Image image = field::read_image(options.image);
-    const double longer = std::max(image.columns, image.rows);
-    request.width = image.columns / longer;
-    request.height = image.rows / longer;
-    constexpr double kLargestAspect = 1000;  // lacuna.h: Request::height
-    if (longer > kLargestAspect * std::min(image.columns, image.rows))
-        throw files::FileError(
-            fmt::format("{}: {} x {} pixels: the longer side may be at most {} times the shorter",
-                        image.name, image.columns, image.rows, kLargestAspect));
-    return field::importance_of(std::move(image), options.importance);
 }
 
 // What `lacuna stipple` has done beside sampling.
@@ -162,10 +124,10 @@ Json json_of(const DrawingOptions& options, const files::Style& style) {
 Json report_of_the_rest(const Options& options, const Field& field, const files::Style& style,
                         const Work& work) {
     Json more{{"request",
-               {{"image", options.image},
-                {"invert", options.importance.invert},
-                {"gamma", options.importance.gamma},
-                {"min_importance", options.importance.min_importance},
+               {{"image", options.picture.path},
+                {"invert", options.picture.importance.invert},
+                {"gamma", options.picture.importance.gamma},
+                {"min_importance", options.picture.importance.min_importance},
                 {"pen_path", options.pen_path}}},
               {"image", {{"columns", field.columns}, {"rows", field.rows}}},
               {"seconds", {{"read", work.read_seconds}}}};
@@ -193,7 +155,7 @@ void run(const Options& options) {
     CommonOptions common = options.common;
     Request& request = common.request;
     request.mode = Mode::cells;
-    const Field field = read_field(options, request);
+    const Field field = read_field(options.picture, request);
     request.field = &field;
     files::Style style = style_of(options.drawing, request.width, request.height);
     style.keeps_order = options.pen_path;
@@ -220,10 +182,11 @@ void add_stipple(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("stipple", kDescription);
     const auto options = std::make_shared<Options>();
     add_what_to_stipple(command, *options);
-    add_what_to_make(command, options->common);
+    add_what_to_make(command, options->common.request);
     add_how_to_draw(command, options->drawing);
     add_pen_path(command, *options);
-    add_how_to_make_it(command, options->common);
+    add_effort(command, options->common.request);
+    add_place(command, options->common.request);
     add_what_to_write(command, options->common);
     command.callback([options] { run(*options); });
 }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/check_failed.h"
 #include "cli/options.h"
 #include "files/point_files.h"
 #include "files/read_points.h"
@@ -127,7 +128,7 @@ void run(const Options& options) {
     const verify::Verdict verdict = check(points);
     const Claim claim{options, points, verdict, *options.radius, tolerance};
     files::write_whole("-", claim.report());
-    if (verdict.outside || !verdict.is_maximal()) throw NotProven();
+    if (verdict.outside || !verdict.is_maximal()) throw CheckFailed();
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ std::vector<std::string> Folder::names() const {
 }
 
 Program::Program(const std::vector<std::string>& arguments, const Setting& setting) {
-    std::vector<std::string> words{LACUNA_PROGRAM};
+    std::vector<std::string> words{setting.program.empty() ? LACUNA_PROGRAM : setting.program};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     pointers.reserve(words.size() + 1);

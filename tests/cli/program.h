@@ -37,6 +37,7 @@ struct Setting {
     int stderr_fd = -1;            // likewise
     long largest_file_bytes = -1;  // what the system lets it write
     std::map<std::string, std::string> environment;  // on top of this process's
+    std::string program;                             // instead of the one under test
 };
 
 class Program {

@@ -1,0 +1,199 @@
+// The options of `lacuna compare`, and its run.
+#include "cli/compare.h"
+
+#include <fmt/format.h>
+#include <lacuna/lacuna.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/check_failed.h"
+#include "cli/common_options.h"
+#include "cli/comparison_report.h"
+#include "cli/interruption.h"
+#include "cli/observers.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/picture_field.h"
+#include "cli/progress_bar.h"
+#include "cli/sample.h"
+#include "files/point_files.h"
+
+namespace lacuna::cli {
+namespace {
+
+constexpr const char* kDescription =
+    R"(Makes one set on every backend and device there is, and tells whether all are the same.
+
+Examples:
+  lacuna compare --radius 0.005 --torus                 a table on standard output
+  lacuna compare photo.jpg --count 20000                the same for dots of a picture
+  lacuna compare --radius 0.002 --runs 9 --backends cpu,opencl --json a.json -o chart.svg
+  lacuna compare --radius 0.05 --backends reference,cpu
+
+The other options are those of sample and, with a picture, of stipple. Runs take turns, so that all
+share what the machine goes through. Times are without first use, which is building kernels and
+finding devices; memory is by how much the first run raised the program's peak.
+
+Exit code: 0 all the same, 1 not, 2 bad usage, 3 a file cannot be read or written, 4 a backend named
+with --backends, or every one, is missing or failed, 130 interrupted.
+)";
+
+struct Options {
+    Request request;
+    Picture picture;
+    std::vector<std::string> backends;
+    std::uint32_t runs = 5;
+    std::string json;
+    std::string chart;
+    bool quiet = false;
+};
+
+// Names between commas; those in between may not be empty.
+std::vector<std::string> split(const std::string& text) {
+    std::vector<std::string> names;
+    std::istringstream in(text + ",");
+    for (std::string name; std::getline(in, name, ',');) names.push_back(name);
+    return names;
+}
+
+bool is_picture(files::Format format) {
+    return format == files::Format::svg || format == files::Format::pdf ||
+           format == files::Format::png;
+}
+
+files::Format chart_format(const std::string& path) {
+    const std::string allowed = "the extension must be one of .svg .pdf .png";
+    if (path == "-") throw BadRequest("output", path, allowed);
+    try {
+        const files::Format format = files::format_of(path);
+        if (is_picture(format)) return format;
+    } catch (const BadRequest&) {  // told below, with what is allowed here
+    }
+    throw BadRequest("output", shown(path), allowed);
+}
+
+// Before the work starts.
+void check(const Options& options) {
+    constexpr std::uint32_t kMostRuns = 1000;
+    if (options.runs < 1 || options.runs > kMostRuns)
+        throw BadRequest("runs", std::to_string(options.runs),
+                         fmt::format("must be between 1 and {}", kMostRuns));
+    if (!options.chart.empty()) {
+        chart_format(options.chart);
+        check_output(options.chart);
+    }
+    if (!options.json.empty()) check_json("json", options.json, options.chart);
+}
+
+// Shows which run it is.
+class Runs : public Observer {
+public:
+    Runs(Interruption& interruption, std::size_t all, bool quiet)
+        : interruption_(interruption), bar_(quiet), all_(all) {}
+
+    void start(const Request& request) {
+        words_ = fmt::format("run {} of {}: {}", ++started_, all_, request.backend);
+    }
+    bool keep_going(const Progress& progress) override {
+        const auto expected =
+            static_cast<double>(std::max<std::uint64_t>(progress.expected_points, 1));
+        const double share = std::min(1.0, static_cast<double>(progress.points) / expected);
+        bar_.show((static_cast<double>(started_ - 1) + share) / static_cast<double>(all_), words_);
+        return interruption_.keep_going(progress);
+    }
+
+private:
+    Interruption& interruption_;
+    ProgressBar bar_;
+    std::size_t all_;
+    std::size_t started_ = 0;
+    std::string words_;
+};
+
+Comparison compared(const Options& options, const Request& request, const Sampler& sampler,
+                    Interruption& interruption) {
+    const std::vector<Contestant> contestants = find_contestants(options.backends);
+    Runs runs(interruption, contestants.size() * options.runs, options.quiet);
+    const Sampler shown = [&](const Request& one, Observer& observer) {
+        runs.start(one);
+        return sampler(one, observer);
+    };
+    return compare(request, contestants, options.runs, shown, runs);
+}
+
+void write(const Options& options, const Request& request, const Comparison& comparison) {
+    if (!options.chart.empty())
+        files::write_whole(options.chart, draw_chart(comparison, chart_format(options.chart)));
+    if (!options.json.empty()) files::write_whole(options.json, json_of(comparison, request));
+    files::write_whole("-", text_of(comparison));
+}
+
+// All is told in the tables; what is left is how to end.
+void end(const Options& options, const Comparison& comparison) {
+    if (!comparison.agree()) throw CheckFailed();
+    for (const Entry& entry : comparison.entries)
+        if (!entry.failure.empty() && (!options.backends.empty() || !comparison.yardstick()))
+            throw Unavailable(entry.failure);
+}
+
+// What would be passed over in silence.
+void check_kind(const CLI::App& command, const Options& options) {
+    const bool is_picture = !options.picture.path.empty();
+    for (const std::string option : {"metric", "invert", "gamma", "min-importance"})
+        if (!is_picture && command.count("--" + option) != 0)
+            throw BadRequest(option, "without a picture", "is for pictures only");
+    for (const std::string option : {"mode", "domain"})
+        if (is_picture && command.count("--" + option) != 0)
+            throw BadRequest(option, "with a picture", "is for requests without one");
+}
+
+void run(const Options& options, const Sampler& sampler) {
+    check(options);
+    Request request = options.request;
+    Field field;
+    if (!options.picture.path.empty()) {
+        field = read_field(options.picture, request);
+        request.mode = Mode::cells;
+        request.field = &field;
+    }
+    Interruption interruption;
+    const Comparison comparison = compared(options, request, sampler, interruption);
+    interruption.start_writing(!options.chart.empty() || !options.json.empty());
+    write(options, request, comparison);
+    end(options, comparison);
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, const Sampler& sampler) {
+    CLI::App& command = *app.add_subcommand("compare", kDescription);
+    const auto options = std::make_shared<Options>();
+    add_picture(command, options->picture, options->request);
+    command
+        .add_option_function<std::string>(
+            "--backends", [options](const std::string& names) { options->backends = split(names); },
+            "Which, between commas: cpu, opencl, vulkan, reference (default the first three)")
+        ->type_name("LIST");
+    add_number(command, "runs", "N", options->runs, "Sets made on each (default 5)");
+    command
+        .add_option("-o,--output", options->chart, "A bar chart of the times: .svg .pdf or .png")
+        ->type_name("FILE");
+    command.add_option("--json", options->json, "Every run's seconds, and the rest")
+        ->type_name("FILE.json");
+    command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
+    add_size(command, options->request);
+    add_what_to_make(command, options->request);
+    add_mode(command, options->request);
+    add_effort(command, options->request);
+    command.callback([&command, options, sampler] {
+        check_kind(command, *options);
+        run(*options, sampler);
+    });
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,60 @@
+// Options of a picture, and its field.
+#include "cli/picture_field.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "cli/options.h"
+#include "field/image.h"
+#include "files/point_files.h"
+
+namespace lacuna::cli {
+namespace {
+
+void read_metric(const std::string& text, Metric& metric) {
+    for (const Metric known : {Metric::min, Metric::mean, Metric::max}) {
+        if (text != name_of(known)) continue;
+        metric = known;
+        return;
+    }
+    throw BadRequest("metric", shown(text), "must be min, mean or max");
+}
+
+}  // namespace
+
+CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request) {
+    CLI::Option* const image =
+        command.add_option("IMAGE", picture.path, "The picture; - is standard input")
+            ->type_name("");
+    add_number(command, "scale", "G", request.scale,
+               "The radius where the picture is black, its longer side being 1; this or --count");
+    command
+        .add_option_function<std::string>(
+            "--metric", [&request](const std::string& text) { read_metric(text, request.metric); },
+            "What two dots of different radii keep apart: min of the two (default), mean or max")
+        ->type_name("METRIC");
+    command.add_flag("--invert", picture.importance.invert, "Bright is dense")
+        ->disable_flag_override();
+    add_number(command, "gamma", "X", picture.importance.gamma,
+               "Importance is raised to this power: over 1 lightens middle tones (default 1)");
+    add_number(command, "min-importance", "I", picture.importance.min_importance,
+               "Importance is nowhere less, so that white has dots too (default 0)");
+    return image;
+}
+
+Field read_field(const Picture& picture, Request& request) {
+    field::Image image = field::read_image(picture.path);
+    const double longer = std::max(image.columns, image.rows);
+    request.width = image.columns / longer;
+    request.height = image.rows / longer;
+    constexpr double kLargestAspect = 1000;  // lacuna.h: Request::height
+    if (longer > kLargestAspect * std::min(image.columns, image.rows))
+        throw files::FileError(
+            fmt::format("{}: {} x {} pixels: the longer side may be at most {} times the shorter",
+                        image.name, image.columns, image.rows, kLargestAspect));
+    return field::importance_of(std::move(image), picture.importance);
+}
+
+}  // namespace lacuna::cli

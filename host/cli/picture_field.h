@@ -1,0 +1,25 @@
+// A picture on the command line, as the field of a request in mode cells.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "field/importance.h"
+
+namespace lacuna::cli {
+
+struct Picture {
+    std::string path;
+    field::Importance importance;
+};
+
+// Adds IMAGE, --scale, --metric, --invert, --gamma and --min-importance. Returns IMAGE's option.
+CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request);
+
+// Reads the picture, and gives the request its shape: the longer side is 1. Throws BadRequest and
+// files::FileError.
+Field read_field(const Picture& picture, Request& request);
+
+}  // namespace lacuna::cli

@@ -1,0 +1,135 @@
+// Given a request, `lacuna compare` makes it on every backend, and says whether all agree.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "program.h"
+
+namespace {
+
+using namespace lacuna::test;
+using Words = std::vector<std::string>;
+using Json = nlohmann::json;
+
+// Small requests in all three modes.
+const std::vector<Words> kRequests = {
+    {"--radius", "0.05", "--torus"},
+    {"--radius", "0.07", "--mode", "lines", "--domain", "2x1"},
+    {LACUNA_EXAMPLES "/raccoon.png", "--count", "500", "--seed", "3"},
+};
+
+Setting faulty() {
+    Setting setting;
+    setting.program = LACUNA_FAULTY_PROGRAM;
+    return setting;
+}
+
+Words compare(const Words& request, const Words& more) {
+    Words all{"compare"};
+    all.insert(all.end(), request.begin(), request.end());
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+void expect_one_error(const Outcome& outcome, int code, const Words& pieces) {
+    EXPECT_EQ(outcome.exit_code, code);
+    EXPECT_TRUE(outcome.err.starts_with("lacuna: ")) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    for (const std::string& piece : pieces)
+        EXPECT_NE(outcome.err.find(piece), std::string::npos) << piece << " in: " << outcome.err;
+}
+
+TEST(Compare, FindsTheSamePointsOnEveryBackendInEveryMode) {
+    for (const Words& request : kRequests) {
+        const Folder folder;
+        const Outcome outcome =
+            run(compare(request, {"--runs", "2", "--json", folder.path("a.json")}));
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_NE(outcome.out.find("made these points"), std::string::npos) << outcome.out;
+        const Json json = Json::parse(content_of(folder.path("a.json")));
+        EXPECT_TRUE(json.at("same_points"));
+        std::size_t ran = 0;
+        for (const Json& entry : json.at("entries")) {
+            if (entry.contains("not_run")) continue;
+            ++ran;
+            EXPECT_EQ(entry.at("points_sha256"), json.at("entries")[0].at("points_sha256"));
+            EXPECT_EQ(entry.at("seconds").size(), 2u);
+            EXPECT_GT(entry.at("count"), 0);
+            EXPECT_GT(entry.at("median_seconds"), 0);
+        }
+        EXPECT_GE(ran, 1u);
+        EXPECT_EQ(json.at("entries").size(), 3u) << "cpu, opencl and vulkan, missing or not";
+    }
+}
+
+TEST(Compare, NamesTheFirstPointThatOneBitMakesDifferent) {
+    for (const Words& request : kRequests) {
+        const Folder folder;
+        const Outcome outcome = run(compare(request, {"--runs", "1", "--backends", "cpu,reference",
+                                                      "--json", folder.path("a.json")}),
+                                    faulty());
+        EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_NE(outcome.out.find("reference differs first in point 17: ("), std::string::npos)
+            << outcome.out;
+        const Json json = Json::parse(content_of(folder.path("a.json")));
+        EXPECT_FALSE(json.at("same_points"));
+        EXPECT_TRUE(json.at("entries")[0].at("same_points"));
+        const Json& difference = json.at("entries")[1].at("first_difference");
+        EXPECT_EQ(difference.at("index"), 17);
+        EXPECT_EQ(difference.at("expected")[1], difference.at("got")[1]);
+        EXPECT_NE(difference.at("expected")[0], difference.at("got")[0]);
+    }
+}
+
+TEST(Compare, OfABackendWithItselfAgrees) {
+    const Outcome outcome =
+        run({"compare", "--radius", "0.1", "--backends", "reference,reference", "--runs", "1"},
+            faulty());
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+}
+
+TEST(Compare, DrawsAChart) {
+    const Folder folder;
+    const Outcome outcome = run({"compare", "--radius", "0.1", "--backends", "cpu,reference", "-o",
+                                 folder.path("chart.svg"), "--runs", "1"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(content_of(folder.path("chart.svg")).starts_with("<?xml"));
+}
+
+TEST(Compare, WithoutABackendThatIsNamedExitsWith4) {
+    Setting no_opencl;
+    no_opencl.environment = {{"OCL_ICD_VENDORS", "/nonexistent/"}};
+    const Outcome outcome =
+        run({"compare", "--radius", "0.1", "--backends", "cpu,opencl"}, no_opencl);
+    expect_one_error(outcome, 4, {"backend opencl: "});
+    EXPECT_EQ(outcome.out, "");
+    // Not named, it is told in the table and costs nothing.
+    const Outcome others = run({"compare", "--radius", "0.1", "--runs", "1"}, no_opencl);
+    EXPECT_EQ(others.exit_code, 0) << others.err;
+    EXPECT_NE(others.out.find("not run: "), std::string::npos) << others.out;
+}
+
+TEST(Compare, RefusesWhatItCannotDo) {
+    const Folder folder;
+    const auto refuse = [&](const Words& more, const Words& pieces) {
+        expect_one_error(run(compare({"--radius", "0.1"}, more)), 2, pieces);
+        EXPECT_EQ(folder.names(), Words{});
+    };
+    refuse({"--runs", "0"}, {"--runs 0", "between 1 and"});
+    refuse({"--backends", "gpu"}, {"--backends", "gpu", "cpu, opencl, vulkan, reference"});
+    refuse({"--output", folder.path("a.txt")}, {"--output", ".svg .pdf .png"});
+    refuse({"--json", folder.path("a.txt")}, {"--json", ".json"});
+    expect_one_error(run({"compare"}), 2, {"--radius", "missing"});
+    expect_one_error(run({"compare", folder.path("none.png"), "--count", "10"}), 3, {"none.png"});
+    expect_one_error(run({"compare", "--radius", "0.1", "--invert"}), 2, {"--invert"});
+    expect_one_error(
+        run({"compare", LACUNA_EXAMPLES "/raccoon.png", "--count", "10", "--mode", "lines"}), 2,
+        {"--mode with a picture"});
+}
+
+}  // namespace
