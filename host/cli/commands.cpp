@@ -22,6 +22,7 @@
 #include "cli/devices.h"
 #include "cli/interruption.h"
 #include "cli/options.h"
+#include "cli/reproduce.h"
 #include "cli/sample.h"
 #include "cli/stipple.h"
 #include "cli/verify.h"
@@ -45,6 +46,7 @@ Examples:
   lacuna sample --help
   lacuna verify points.txt --radius 0.01
   lacuna analyze points.txt -o sheet.pdf
+  lacuna reproduce fig5 -o figures
   lacuna compare --radius 0.005
   lacuna devices
 )";
@@ -66,6 +68,7 @@ void add_commands(CLI::App& app, const Sampler& sampler) {
     add_stipple(app);
     add_verify(app);
     add_analyze(app);
+    add_reproduce(app);
     add_compare(app, sampler);
     add_devices(app);
 }

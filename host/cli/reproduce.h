@@ -1,0 +1,12 @@
+// `lacuna reproduce`: the paper's tables and figures, made anew and held against it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace lacuna::cli {
+
+// Adds the command to `app`, which runs it after parsing. Throws BadRequest, files::FileError,
+// Cancelled, and CheckFailed where a number is not within its band.
+void add_reproduce(CLI::App& app);
+
+}  // namespace lacuna::cli

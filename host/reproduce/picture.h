@@ -1,0 +1,70 @@
+// What the pictures of several items share: a page, legends, periodograms, fields and dots.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "analysis/analyse.h"
+#include "analysis/canvas.h"
+#include "analysis/plot.h"
+#include "reproduce/reproduce.h"
+#include "reproduce/sets.h"
+
+namespace lacuna::reproduce {
+
+using analysis::Anchor;
+using analysis::Axis;
+using analysis::Box;
+using analysis::Canvas;
+using analysis::Colour;
+using analysis::Grid;
+using analysis::Pen;
+using analysis::Plot;
+
+inline constexpr Colour kInk{0x22, 0x22, 0x22};
+// Told apart by eyes that do not see all colours alike (Okabe & Ito 2008).
+inline constexpr std::array kColours{Colour{0x00, 0x72, 0xb2}, Colour{0xd5, 0x5e, 0x00},
+                                     Colour{0x00, 0x9e, 0x73}, Colour{0xcc, 0x79, 0xa7},
+                                     Colour{0x56, 0xb4, 0xe9}, Colour{0xe6, 0x9f, 0x00}};
+
+struct Key {
+    std::string words;
+    Pen pen;
+};
+// In the upper left corner of the box, or the upper right one, a line a key.
+void draw_legend(Canvas& canvas, const Box& box, std::span<const Key> keys,
+                 Anchor corner = Anchor::start);
+
+// A title above a box.
+void draw_title(Canvas& canvas, const Box& box, const std::string& title);
+
+// Whether the middle of the frequencies has kx to the right, as is usual, or upwards.
+enum class Turned { no, yes };
+// Up to `farthest` sqrt(count), black at 0 to white at three times the power of white noise. A
+// pixel is the mean of `block` x `block` frequencies, fewer at the rim.
+void draw_periodogram(Canvas& canvas, const Box& box, const analysis::Spectrum& spectrum,
+                      double farthest, int block, Turned turned = Turned::no);
+
+void draw_radial_power(Canvas& canvas, const Box& box, const std::string& title,
+                       const analysis::Radial& radial, Colour colour);
+void draw_anisotropy(Canvas& canvas, const Box& box, const std::string& title,
+                     const analysis::Analysis& analysis, Colour colour);
+
+// What is wanted, dark where dense.
+void draw_field(Canvas& canvas, const Box& box, const Field& field);
+// All dots of one radius, in the domain's unit.
+void draw_dots(Canvas& canvas, const Box& box, std::span<const Point> points, double width,
+               double height, double radius);
+
+// On the torus of side 1. Counts for nothing in `work`, of which it is a small share.
+analysis::Analysis analyse_on_torus(std::span<const std::vector<Point>> sets, double radius,
+                                    Work& work);
+
+// k r, mean power and anisotropy of the annuli up to `farthest` times sqrt(count).
+nlohmann::ordered_json json_of(const analysis::Analysis& analysis, double farthest);
+
+}  // namespace lacuna::reproduce

@@ -1,0 +1,146 @@
+// `lacuna reproduce` as a user meets it: lines, files, exit codes.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "program.h"
+
+namespace {
+
+using namespace lacuna::test;
+using Words = std::vector<std::string>;
+
+void expect_has(const std::string& text, const Words& pieces) {
+    for (const std::string& piece : pieces)
+        EXPECT_NE(text.find(piece), std::string::npos) << piece << " in: " << text;
+}
+
+void expect_one_error(const Outcome& outcome, int code, const Words& pieces) {
+    EXPECT_EQ(outcome.exit_code, code);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(outcome.err.starts_with("lacuna: ")) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    expect_has(outcome.err, pieces);
+}
+
+// 64 x 48, darker to the right.
+void write_image(const std::string& path) {
+    std::string image = "P5 64 48 255\n";
+    for (int i = 0; i < 64 * 48; ++i) image += static_cast<char>(252 - 4 * (i % 64));
+    write_file(path, image);
+}
+
+TEST(Reproduce, PrintsALineANumberAndWritesNothingUnlessTold) {
+    const Outcome outcome = run({"reproduce", "fig3"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 6);
+    expect_has(outcome.out, {"fig3 ", "paper \"reduced\"", "band at most 1: within\n"});
+}
+
+TEST(Reproduce, WritesDataAndPictureOfEachIntoTheFolder) {
+    const Folder folder;
+    const Outcome outcome =
+        run({"reproduce", "fig3", "fig5", "--runs", "2", "-o", folder.path("")});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
+    EXPECT_EQ(folder.names(), (Words{"fig3.json", "fig3.svg", "fig5.json", "fig5.svg"}));
+    const auto json = nlohmann::json::parse(content_of(folder.path("fig5.json")));
+    EXPECT_EQ(json["data"]["cdf"]["sets"], 2);
+    EXPECT_EQ(json["data"]["cdf"]["mean_count"], 6000);
+    EXPECT_TRUE(content_of(folder.path("fig5.svg")).ends_with("</svg>\n"));
+}
+
+TEST(Reproduce, TakesItemsInAnyOrderAndOnce) {
+    const Words some{"reproduce", "--runs", "1", "--smallest-radius", "0.05"};
+    Words words = some;
+    words.insert(words.end(), {"fig3", "table2", "fig3"});
+    const std::string out = run(words).out;
+    EXPECT_LT(out.find("table2 "), out.find("fig3 "));
+    EXPECT_EQ(std::count(out.begin(), out.end(), '\n'), 12);
+}
+
+TEST(Reproduce, StipplesTheImageGiven) {
+    const Folder folder;
+    write_image(folder.path("a.pgm"));
+    const Outcome outcome =
+        run({"reproduce", "fig7", "--image", folder.path("a.pgm"), "-o", folder.path("")});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
+    EXPECT_EQ(folder.names(), (Words{"a.pgm", "fig7.json", "fig7.png"}));
+    expect_has(outcome.out, {"paper 20000 ", "here 20000 "});
+}
+
+TEST(Reproduce, ExitsWith1WhenANumberIsNotWithinAndWritesAllTheSame) {
+    const Folder folder;
+    Setting setting;
+    setting.program = LACUNA_MISPRINTED;
+    const Outcome outcome = run({"reproduce", "fig3", "-o", folder.path("")}, setting);
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.err, "");
+    expect_has(outcome.out, {"here 100.4 ", ": within\n", "here 100.6 ", ": NOT WITHIN\n"});
+    EXPECT_EQ(folder.names(), (Words{"fig3.json", "fig3.svg"}));
+}
+
+TEST(ReproduceWithBadUsage, ExitsWith2AndSaysWhatIsAllowed) {
+    expect_one_error(run({"reproduce"}), 2, {"WHAT", "lacuna reproduce --help"});
+    expect_one_error(run({"reproduce", "fig9"}), 2,
+                     {"fig9: must be one of table1, table2, fig3, ", "fig8, all"});
+    expect_one_error(run({"reproduce", "fig3", "--runs", "0"}), 2, {"--runs 0: ", "at least 1"});
+    expect_one_error(run({"reproduce", "fig3", "--runs", "x"}), 2, {"--runs x: "});
+    expect_one_error(run({"reproduce", "table1", "--smallest-radius", "0.1"}), 2,
+                     {"--smallest-radius 0.1: ", "0.05"});
+    expect_one_error(run({"reproduce", "fig3", "--wrong"}), 2, {"--wrong", "no such option"});
+}
+
+TEST(ReproduceOfAnImage, ThatIsMissingIsRefusedBeforeTheWorkStarts) {
+    for (const char* what : {"fig7", "all"})
+        expect_one_error(run({"reproduce", what}), 2,
+                         {"--image missing: fig7 stipples a picture", "--image FILE"});
+    expect_one_error(run({"reproduce", "fig7", "--image", "missing.png"}), 3,
+                     {"missing.png: No such file"});
+}
+
+TEST(ReproduceIntoAFolder, ThatIsNotThereExitsWith3BeforeTheWorkStarts) {
+    const Folder folder;
+    expect_one_error(run({"reproduce", "table1", "-o", folder.path("no")}), 3,
+                     {"there is no folder", folder.path("no")});
+    write_file(folder.path("file"), "");
+    expect_one_error(run({"reproduce", "table1", "-o", folder.path("file")}), 3,
+                     {folder.path("file")});
+    EXPECT_EQ(folder.names(), Words{"file"});
+}
+
+TEST(ReproduceIntoAFolder, LeavesNoHalfFileWhenTheDiskIsFull) {
+    const Folder folder;
+    Setting setting;
+    setting.largest_file_bytes = 8000;  // fig3.json is smaller, fig3.svg larger
+    const Outcome outcome = run({"reproduce", "fig3", "-o", folder.path("")}, setting);
+    EXPECT_EQ(outcome.exit_code, 3);
+    expect_has(outcome.err, {"fig3.svg: File too large"});
+    EXPECT_EQ(folder.names(), Words{"fig3.json"});
+}
+
+TEST(ReproduceInterrupted, ExitsWith130AndWritesNothing) {
+    const Folder folder;
+    Program program({"reproduce", "table1", "-o", folder.path("")});
+    ASSERT_TRUE(program.waits_for(SIGINT));
+    program.send(SIGINT);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_EQ(outcome.out, "");
+    expect_has(outcome.err, {"interrupted, nothing was written"});
+    EXPECT_EQ(folder.names(), Words{});
+}
+
+TEST(ReproduceHelp, BeginsWithExamplesAndNamesEveryOption) {
+    const Outcome outcome = run({"reproduce", "--help"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_LT(outcome.out.find("Examples:"), outcome.out.find("Options:"));
+    expect_has(outcome.out.substr(outcome.out.find("Positionals:")),
+               {"WHAT", "--output", "--image", "--runs", "--smallest-radius", "--quiet"});
+}
+
+}  // namespace
