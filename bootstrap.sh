@@ -13,7 +13,7 @@ packages=(
     libgtest-dev libbenchmark-dev librapidcheck-dev
     pocl-opencl-icd opencl-headers opencl-clhpp-headers ocl-icd-opencl-dev clinfo
     mesa-vulkan-drivers libvulkan-dev vulkan-validationlayers glslang-tools spirv-tools oclgrind
-    clang-format clang-tidy
+    clang-format clang-tidy valgrind help2man
 )
 
 usage() {

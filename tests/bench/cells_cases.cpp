@@ -27,6 +27,7 @@ void make_stipples(benchmark::State& state, const Request& described) {
         state.SkipWithError(reason.what());
         return;
     }
+    state.counters["points"] = static_cast<double>(result.points.size());
     state.counters["rounds"] = static_cast<double>(result.rounds);
     state.counters["points/s"] = benchmark::Counter(static_cast<double>(result.points.size()),
                                                     benchmark::Counter::kIsIterationInvariantRate);

@@ -130,10 +130,11 @@ void add_large() {
 int main(int argc, char** argv) {
     for (const Mode mode : {Mode::lines, Mode::exact}) {
         for (const std::uint32_t threads : {1u, 2u})
-            for (const std::string radius : {"0.05", "0.01", "0.003", "0.001", "0.0003"})
+            for (const std::string radius :
+                 {"0.05", "0.01", "0.005", "0.003", "0.001", "0.0005", "0.0003"})
                 add(mode, "cpu", radius, threads);
         for (const std::string backend : {"opencl", "vulkan"})
-            for (const std::string radius : {"0.01", "0.003", "0.001"})
+            for (const std::string radius : {"0.05", "0.01", "0.003", "0.001"})
                 add(mode, backend, radius, 0);
     }
     for (int i = 1; i < argc; ++i) {
