@@ -14,22 +14,10 @@ typedef struct Cut {
     u32 metric;
     u32 radius;
     u32 dx;
-    u32 last_twice;  // neighbouring pixels are often alike
-    u32 last_reach;
     u32 word;     // of the line, its bits from here on
     u32 mask;     // what is to be cleared of it
     u32 blocked;  // points
 } Cut;
-
-// Half the chord that the metric of the sample and a pixel's radius makes.
-u32 reach_to(const u32 other, Cut* cut) {
-    const u32 twice = twice_metric_radius(cut->metric, cut->radius, other);
-    if (twice != cut->last_twice) {
-        cut->last_twice = twice;
-        cut->last_reach = chord_reach(cut->dx, metric_squared(twice));
-    }
-    return cut->last_reach;
-}
 
 // Items may clear one word at a time: what was still set tells each what it has blocked.
 void clear_word(volatile global u32* bits, Cut* cut) {
@@ -50,6 +38,27 @@ void clear_run(const u32 line_begin, const u32 begin, const u32 end, volatile gl
     }
 }
 
+// Whether the point dy above or below the sample is blocked, where pixels have this limit.
+bool is_blocked(const u32 dx, const int dy, const u64 limit) {
+    const u64 across = dx;
+    const u64 up = (u64)(long)dy;
+    return across * across + up * up < limit;
+}
+
+// What the metric of the sample, seen at height y, and a pixel takes of [begin, end), above which
+// lies that pixel alone. Mostly all or nothing, which squared distances tell without a root.
+int2 blocked_of_run(const u32 pixel, const int y, const int begin, const int end, const Cut* cut) {
+    if (pixel == 0u) return (int2)(begin, end);  // no importance: never set
+    const u64 limit = metric_squared(twice_metric_radius(cut->metric, cut->radius, pixel));
+    const int below = y - begin;    // of the run's first point
+    const int above = end - 1 - y;  // of its last
+    if (is_blocked(cut->dx, max(below, above), limit)) return (int2)(begin, end);
+    const int nearest = max(max(-below, -above), 0);
+    if (!is_blocked(cut->dx, nearest, limit)) return (int2)(end, end);
+    const int reach = (int)chord_reach(cut->dx, limit);
+    return (int2)(max(begin, y - reach + 1), min(end, y + reach));
+}
+
 // Blocks what the sample, seen at height y, takes of the `chord` points to either side.
 void block(const Geometry g, const u32 line_begin, const u32 pixel_begin, const int y,
            const int chord, global const u32* restrict row_of,
@@ -57,18 +66,22 @@ void block(const Geometry g, const u32 line_begin, const u32 pixel_begin, const 
            volatile global u32* bits, Cut* cut) {
     int begin = max(y - chord + 1, 0);
     const int end = min(y + chord, (int)g.height);
+    int from = begin;  // [from, begin) is blocked, but not yet cleared
     while (begin < end) {
         const u32 row = row_of[begin];
         const int run_end = min(end, (int)row_begins[row + 1u]);
-        const u32 radius = pixel_radii[pixel_begin + row];
-        if (radius != 0u) {
-            const int reach = (int)reach_to(radius, cut);
-            const int from = max(begin, y - reach + 1);
-            const int to = min(run_end, y + reach);
-            if (from < to) clear_run(line_begin, (u32)from, (u32)to, bits, cut);
+        const int2 run = blocked_of_run(pixel_radii[pixel_begin + row], y, begin, run_end, cut);
+        if (run.x != begin) {
+            if (from < begin) clear_run(line_begin, (u32)from, (u32)begin, bits, cut);
+            from = run.x;
+        }
+        if (run.y != run_end) {
+            if (from < run.y) clear_run(line_begin, (u32)from, (u32)run.y, bits, cut);
+            from = run_end;
         }
         begin = run_end;
     }
+    if (from < end) clear_run(line_begin, (u32)from, (u32)end, bits, cut);
 }
 
 // A work item serves one of so many `slices` of the lines near each sample of its chunk of
@@ -98,8 +111,7 @@ kernel void subtract_in_cells(const Geometry g, const u32 words, const u32 rows,
         for (u32 k = item % slices; k < near.count; k += slices) {
             const u32 line = (near.first + k) % g.lines;
             Cut cut = {metric, candidate_radii[i], axis_distance(sample.x, line, g.period_x),
-                       0u,     0u,                 0u,
-                       0u,     0u};
+                       0u, 0u, 0u};
             const u64 widest = reach;
             const int chord = (int)chord_reach(cut.dx, widest * widest + 1u);
             const int y = (int)sample.y;
