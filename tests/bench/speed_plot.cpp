@@ -138,7 +138,7 @@ private:
 
     void draw_curve(Canvas& canvas, const std::string& name, const std::vector<Measurement>& curve,
                     std::size_t number) const {
-        // Okabe & Ito's colours; dashed from the second time round.
+        // Okabe & Ito's colours; dashed the second time round, thick the third.
         constexpr std::array<analysis::Colour, 7> kColours{{{0, 0, 0},
                                                             {0, 114, 178},
                                                             {213, 94, 0},
@@ -146,7 +146,9 @@ private:
                                                             {204, 121, 167},
                                                             {86, 180, 233},
                                                             {230, 159, 0}}};
-        const analysis::Pen pen{kColours[number % kColours.size()], 1.5, number >= kColours.size()};
+        const std::size_t round = number / kColours.size();
+        const analysis::Pen pen{kColours[number % kColours.size()], round < 2 ? 1.5 : 3,
+                                round == 1};
         std::vector<analysis::Position> line;
         for (const Measurement& m : curve)
             line.push_back(at(std::log10(m.points), std::log10(m.seconds)));
