@@ -37,7 +37,8 @@ Examples:
 
 The other options are those of sample and, with a picture, of stipple. Runs take turns, so that all
 share what the machine goes through. Times are without first use, which is building kernels and
-finding devices; memory is by how much the first run raised the program's peak.
+finding devices; memory is by how much the first run raised the program's peak. Vulkan waits once a
+round: most of what its verbs take shows as transfer.
 
 Exit code: 0 all the same, 1 not, 2 bad usage, 3 a file cannot be read or written, 4 a backend named
 with --backends, or every one, is missing or failed, 130 interrupted.
