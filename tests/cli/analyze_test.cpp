@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "expectations.h"
 #include "program.h"
 
 namespace {
 
 using namespace lacuna::test;
-using Words = std::vector<std::string>;
 using Json = nlohmann::json;
 
 // n x n points, 1 / n apart.
@@ -26,26 +26,6 @@ std::string lattice(int n, const std::string& between = " ") {
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) lines << (i + 0.5) / n << between << (j + 0.5) / n << '\n';
     return lines.str();
-}
-
-std::string line_of(const std::string& text, const std::string& label) {
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);)
-        if (line.starts_with(label)) return line;
-    return "no line " + label + " in: " + text;
-}
-
-void expect_has(const std::string& line, const Words& pieces) {
-    for (const std::string& piece : pieces)
-        EXPECT_NE(line.find(piece), std::string::npos) << piece << " in: " << line;
-}
-
-void expect_one_error(const Outcome& outcome, int code, const Words& pieces) {
-    EXPECT_EQ(outcome.exit_code, code);
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_TRUE(outcome.err.starts_with("lacuna: ")) << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    expect_has(outcome.err, pieces);
 }
 
 TEST(Analyze, OfALatticeTellsItsKnownNumbers) {

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "expectations.h"
 #include "program.h"
 
 namespace {
 
 using namespace lacuna::test;
-using Words = std::vector<std::string>;
 using Json = nlohmann::json;
 
 // Small requests in all three modes.
@@ -32,14 +32,6 @@ Words compare(const Words& request, const Words& more) {
     all.insert(all.end(), request.begin(), request.end());
     all.insert(all.end(), more.begin(), more.end());
     return all;
-}
-
-void expect_one_error(const Outcome& outcome, int code, const Words& pieces) {
-    EXPECT_EQ(outcome.exit_code, code);
-    EXPECT_TRUE(outcome.err.starts_with("lacuna: ")) << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    for (const std::string& piece : pieces)
-        EXPECT_NE(outcome.err.find(piece), std::string::npos) << piece << " in: " << outcome.err;
 }
 
 TEST(Compare, FindsTheSamePointsOnEveryBackendInEveryMode) {

@@ -7,25 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "expectations.h"
 #include "program.h"
 
 namespace {
 
 using namespace lacuna::test;
-using Words = std::vector<std::string>;
-
-void expect_has(const std::string& text, const Words& pieces) {
-    for (const std::string& piece : pieces)
-        EXPECT_NE(text.find(piece), std::string::npos) << piece << " in: " << text;
-}
-
-void expect_one_error(const Outcome& outcome, int code, const Words& pieces) {
-    EXPECT_EQ(outcome.exit_code, code);
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_TRUE(outcome.err.starts_with("lacuna: ")) << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    expect_has(outcome.err, pieces);
-}
 
 // 64 x 48, darker to the right.
 void write_image(const std::string& path) {

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "expectations.h"
 #include "program.h"
 
 namespace {
 
 using namespace lacuna::test;
-using Words = std::vector<std::string>;
 
 // 20 x 20 points 0.05 apart, gaps of 0.0354: maximal for any radius between.
 std::string lattice(double shift = 0) {
@@ -25,26 +25,6 @@ std::string lattice(double shift = 0) {
             lines << (i + 0.5) / 20 << ' ' << (j + 0.5) / 20 + (i == 7 && j == 9 ? shift : 0)
                   << '\n';
     return lines.str();
-}
-
-std::string line_of(const std::string& text, const std::string& label) {
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);)
-        if (line.starts_with(label)) return line;
-    return "no line " + label + " in: " + text;
-}
-
-void expect_has(const std::string& line, const Words& pieces) {
-    for (const std::string& piece : pieces)
-        EXPECT_NE(line.find(piece), std::string::npos) << piece << " in: " << line;
-}
-
-void expect_one_error(const Outcome& outcome, int code, const Words& pieces) {
-    EXPECT_EQ(outcome.exit_code, code);
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_TRUE(outcome.err.starts_with("lacuna: ")) << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    expect_has(outcome.err, pieces);
 }
 
 TEST(Verify, OfAMaximalSetExitsWith0AndTellsTheNumbers) {

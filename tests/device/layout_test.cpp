@@ -89,22 +89,24 @@ TEST(SlicesOfSample, AreSoManyThatNoneTakesMoreTurns) {
     }
 }
 
+// What a device with so much memory and such a buffer says of the plan.
+std::string refusal(const Plan& plan, std::uint64_t memory, std::uint64_t buffer) {
+    try {
+        refuse_if_too_large("Toy", plan, memory, buffer);
+    } catch (const Unavailable& error) {
+        return error.what();
+    }
+    return "";
+}
+
 TEST(Requests, ThatDoNotFitAreRefusedWithWhatTheyNeed) {
     const Plan plan = tests::plan_of(0.001, 30, Boundary::torus);
     const std::uint64_t much = std::uint64_t{1} << 40;
     EXPECT_NO_THROW(refuse_if_too_large("Toy", plan, much, much));
-    const auto refusal = [&](std::uint64_t memory, std::uint64_t buffer) -> std::string {
-        try {
-            refuse_if_too_large("Toy", plan, memory, buffer);
-        } catch (const Unavailable& error) {
-            return error.what();
-        }
-        return "";
-    };
     // 30,000 lines with room for 508 spans of 8 bytes, and the draws.
-    EXPECT_EQ(refusal(100'000'000, much),
+    EXPECT_EQ(refusal(plan, 100'000'000, much),
               "device Toy: the request needs 0.145 GB of memory, and it has 0.1 GB");
-    EXPECT_EQ(refusal(much, 1'000'000),
+    EXPECT_EQ(refusal(plan, much, 1'000'000),
               "device Toy: the request needs a buffer of 0.006 GB, and its largest has 0.001 GB");
 }
 
@@ -114,17 +116,9 @@ TEST(Requests, OfModeCellsThatDoNotFitAreRefusedToo) {
     const Plan plan = tests::cells_plan(field, 0.001, 10, Metric::min, Boundary::torus);
     const std::uint64_t much = std::uint64_t{1} << 40;
     EXPECT_NO_THROW(refuse_if_too_large("Toy", plan, much, much));
-    const auto refusal = [&](std::uint64_t memory, std::uint64_t buffer) -> std::string {
-        try {
-            refuse_if_too_large("Toy", plan, memory, buffer);
-        } catch (const Unavailable& error) {
-            return error.what();
-        }
-        return "";
-    };
-    EXPECT_EQ(refusal(much, 12'000'000),
+    EXPECT_EQ(refusal(plan, much, 12'000'000),
               "device Toy: the request needs a buffer of 0.0126 GB, and its largest has 0.012 GB");
-    EXPECT_EQ(refusal(20'000'000, much),
+    EXPECT_EQ(refusal(plan, 20'000'000, much),
               "device Toy: the request needs 0.0287 GB of memory, and it has 0.02 GB");
 }
 

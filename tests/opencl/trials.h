@@ -47,6 +47,22 @@ inline Outcome run(const Plan& plan, const std::string& source, std::uint64_t* l
     }
 }
 
+// Of kernels one of whose loops was ended early: the error names the job, and no set is made.
+inline void expect_ended_early(const Plan& plan, const std::string& source,
+                               const std::string& job) {
+    try {
+        run(plan, source);
+        FAIL() << job << " went unnoticed";
+    } catch (const DeviceError& error) {
+        const std::string what = error.what();
+        EXPECT_NE(what.find(": " + job +
+                            ": a loop was ended early by the driver: use fewer points, or another "
+                            "backend"),
+                  std::string::npos)
+            << what;
+    }
+}
+
 inline std::vector<Sample> on_cpu(const Plan& plan) {
     Observer nobody;
     return generate(plan, *cpu::make_backend(plan, {}), nobody).samples;

@@ -10,18 +10,12 @@
 #include <vector>
 
 #include "fields.h"
+#include "plan/cells_request.h"
 
 namespace {
 
 using namespace lacuna;
-
-Request cells_request(const Field& field) {
-    Request request;
-    request.mode = Mode::cells;
-    request.field = &field;
-    request.scale = 0.1;
-    return request;
-}
+using tests::cells_request;
 
 std::string refusal(const Request& request) {
     try {

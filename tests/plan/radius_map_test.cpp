@@ -12,18 +12,12 @@
 
 #include "fields.h"
 #include "plan.h"
+#include "plan/cells_request.h"
 
 namespace {
 
 using namespace lacuna;
-
-Request cells_request(const Field& field) {
-    Request request;
-    request.mode = Mode::cells;
-    request.field = &field;
-    request.scale = 0.1;
-    return request;
-}
+using tests::cells_request;
 
 struct Place {
     std::uint32_t x;
