@@ -32,6 +32,10 @@ struct Colour {
     std::uint8_t blue;
 };
 
+// Told apart by eyes that do not see all colours alike (Okabe & Ito 2008).
+inline constexpr Colour kBlue{0x00, 0x72, 0xb2}, kSky{0x56, 0xb4, 0xe9}, kGreen{0x00, 0x9e, 0x73},
+    kOrange{0xe6, 0x9f, 0x00}, kVermilion{0xd5, 0x5e, 0x00}, kPurple{0xcc, 0x79, 0xa7};
+
 struct Pen {
     Colour colour;
     double width;

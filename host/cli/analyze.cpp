@@ -73,26 +73,8 @@ struct Input {
     std::string sides_from;  // the file that told them
 };
 
-bool is_sheet(files::Format format) {
-    return format == files::Format::svg || format == files::Format::pdf ||
-           format == files::Format::png;
-}
-
-// Of an output: json, svg, pdf or png. Throws BadRequest for any other.
 files::Format report_format(const std::string& path) {
-    const auto refuse = [&] {
-        throw BadRequest("output", shown(path),
-                         "the extension must be one of .json .svg .pdf .png");
-    };
-    if (path == "-") refuse();
-    try {
-        const files::Format format = files::format_of(path);
-        if (is_sheet(format) || format == files::Format::json) return format;
-    } catch (const BadRequest&) {
-        refuse();
-    }
-    refuse();
-    return {};
+    return format_among(path, ".json .svg .pdf .png");
 }
 
 // Before the work starts.
@@ -185,7 +167,7 @@ void run(const Options& options) {
     interruption.start_writing(!options.outputs.empty());
     for (const std::string& path : options.outputs) {
         const files::Format format = report_format(path);
-        files::write_whole(path, is_sheet(format)
+        files::write_whole(path, files::is_picture(format)
                                      ? analysis::draw_sheet(analysis, input.sets.front(), format)
                                      : json_of(analysis, options.files));
     }

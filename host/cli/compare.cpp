@@ -62,20 +62,8 @@ std::vector<std::string> split(const std::string& text) {
     return names;
 }
 
-bool is_picture(files::Format format) {
-    return format == files::Format::svg || format == files::Format::pdf ||
-           format == files::Format::png;
-}
-
 files::Format chart_format(const std::string& path) {
-    const std::string allowed = "the extension must be one of .svg .pdf .png";
-    if (path == "-") throw BadRequest("output", path, allowed);
-    try {
-        const files::Format format = files::format_of(path);
-        if (is_picture(format)) return format;
-    } catch (const BadRequest&) {  // told below, with what is allowed here
-    }
-    throw BadRequest("output", shown(path), allowed);
+    return format_among(path, ".svg .pdf .png");
 }
 
 // Before the work starts.

@@ -1,50 +1,23 @@
 // Runs every contestant in turn.
 #include "cli/comparison.h"
 
-#include <malloc.h>
-
 #include <algorithm>
-#include <fstream>
-#include <limits>
 #include <string>
 #include <utility>
 
 #include "cli/observers.h"
 #include "cli/options.h"
+#include "cli/peak_memory.h"
 #include "files/point_files.h"
 
 namespace lacuna::cli {
 namespace {
 
-// The program's memory, as the kernel counts it; none where it does not tell.
-class Memory {
-public:
-    // From here on the peak counts.
-    Memory() {
-        malloc_trim(0);  // what was freed must not serve the next for nothing
-        std::ofstream("/proc/self/clear_refs") << "5";
-        before_ = status("VmRSS:");
-    }
-    std::optional<std::uint64_t> raised() const {
-        const auto peak = status("VmHWM:");
-        if (!before_ || !peak) return std::nullopt;
-        return *peak - std::min(*before_, *peak);
-    }
-
-private:
-    static std::optional<std::uint64_t> status(const std::string& key) {
-        std::ifstream file("/proc/self/status");
-        std::string word;
-        while (file >> word) {
-            std::uint64_t kibibytes = 0;
-            if (word == key && file >> kibibytes) return kibibytes * 1024;
-            file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-        }
-        return std::nullopt;
-    }
-
-    std::optional<std::uint64_t> before_;
-};
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
 
 std::optional<Difference> difference_of(const std::vector<Point>& expected,
                                         const std::vector<Point>& got) {
@@ -81,12 +54,12 @@ private:
         Request request = request_;
         request.backend = entry.contestant.backend;
         request.device = entry.contestant.device;
-        const Memory memory;
+        const PeakMemory memory;
         Stopwatch stopwatch;
         Observers observers({observer_, stopwatch});
         const Result result = sampler_(request, observers);
         const double seconds = stopwatch.seconds_so_far();
-        const auto raised = memory.raised();
+        const auto raised = memory.raised_bytes();
         if (!entry.has_run()) {
             entry.device = result.device;
             entry.points = result.points.size();
@@ -168,6 +141,16 @@ Comparison compare(const Request& request, const std::vector<Contestant>& contes
     return comparison;
 }
 
+double Entry::median_seconds() const {
+    return median(seconds);
+}
+
+double Entry::median_seconds(std::size_t verb) const {
+    std::vector<double> values;
+    for (const auto& run : verb_seconds) values.push_back(run[verb]);
+    return median(std::move(values));
+}
+
 const Entry* Comparison::yardstick() const {
     const auto first = std::find_if(entries.begin(), entries.end(),
                                     [](const Entry& entry) { return entry.has_run(); });
@@ -177,12 +160,6 @@ const Entry* Comparison::yardstick() const {
 bool Comparison::agree() const {
     return std::none_of(entries.begin(), entries.end(),
                         [](const Entry& entry) { return entry.difference.has_value(); });
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
 }  // namespace lacuna::cli

@@ -40,7 +40,7 @@ struct Difference {
 // What a contestant's runs came to.
 struct Entry {
     Contestant contestant;
-    std::string failure;     // why it has no runs; empty when it has
+    std::string failure;     // why it has no more runs; or empty
     std::string device;      // as the result names it
     std::size_t points = 0;  // of the first run, as all below
     std::uint64_t rounds = 0;
@@ -53,6 +53,8 @@ struct Entry {
     std::optional<Difference> difference;
 
     bool has_run() const { return !seconds.empty(); }
+    double median_seconds() const;
+    double median_seconds(std::size_t verb) const;  // by its place in kVerbs
 };
 
 struct Comparison {
@@ -71,7 +73,5 @@ struct Comparison {
 // that cannot be met, and Cancelled.
 Comparison compare(const Request& request, const std::vector<Contestant>& contestants,
                    std::uint32_t runs, const Sampler& sampler, Observer& observer);
-
-double median(std::vector<double> values);
 
 }  // namespace lacuna::cli

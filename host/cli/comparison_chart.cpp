@@ -17,14 +17,10 @@ using analysis::Box;
 using analysis::Canvas;
 using analysis::Colour;
 
-// Okabe & Ito's colours, told apart by all eyes; the last is for what no verb took.
-constexpr std::array<Colour, kVerbs.size()> kColours{{{0, 114, 178},
-                                                      {86, 180, 233},
-                                                      {0, 158, 115},
-                                                      {230, 159, 0},
-                                                      {213, 94, 0},
-                                                      {204, 121, 167},
-                                                      {150, 150, 150}}};
+// Of the verbs; the last is for what no verb took.
+constexpr std::array<Colour, kVerbs.size()> kColours{
+    analysis::kBlue,      analysis::kSky,    analysis::kGreen,     analysis::kOrange,
+    analysis::kVermilion, analysis::kPurple, Colour{150, 150, 150}};
 constexpr double kWidth = 640;
 constexpr double kLeft = 150;
 constexpr double kRight = 90;
@@ -36,13 +32,9 @@ constexpr double kBottom = 40;
 // Medians by verb without first use, which stands for what no verb took.
 std::array<double, kVerbs.size()> parts_of(const Entry& entry) {
     std::array<double, kVerbs.size()> parts{};
-    for (std::size_t i = 0; i + 1 < kVerbs.size(); ++i) {
-        std::vector<double> values;
-        for (const auto& run : entry.verb_seconds) values.push_back(run[i]);
-        parts[i] = median(values);
-    }
+    for (std::size_t i = 0; i + 1 < kVerbs.size(); ++i) parts[i] = entry.median_seconds(i);
     const double verbs = std::accumulate(parts.begin(), parts.end(), 0.0);
-    parts.back() = std::max(0.0, median(entry.seconds) - verbs);
+    parts.back() = std::max(0.0, entry.median_seconds() - verbs);
     return parts;
 }
 
@@ -118,7 +110,7 @@ private:
                 : fmt::format("{} {}", entry.contestant.backend, entry.contestant.device);
         canvas_.text({kLeft - 8, middle + 4}, name, {12, Anchor::end});
         canvas_.text({std::max(x_of(*most), x_of(done)) + 6, middle + 4},
-                     fmt::format("{:.3g}{}", 1e3 * median(entry.seconds),
+                     fmt::format("{:.3g}{}", 1e3 * entry.median_seconds(),
                                  entry.difference ? ", NOT the same points" : ""),
                      {11});
     }

@@ -40,23 +40,17 @@ std::string times_table(const Comparison& comparison) {
             continue;
         }
         const auto [least, most] = std::minmax_element(entry.seconds.begin(), entry.seconds.end());
-        const double speed = median(yardstick->seconds) / median(entry.seconds);
+        const double speed = yardstick->median_seconds() / entry.median_seconds();
         const char* const points = entry.difference      ? "NOT the same"
                                    : &entry == yardstick ? "the yardstick"
                                                          : "the same";
         text += fmt::format(fmt::runtime(kRow), entry.contestant.backend, name_of(entry),
-                            entry.points, milliseconds(median(entry.seconds)),
+                            entry.points, milliseconds(entry.median_seconds()),
                             milliseconds(*least) + " " + milliseconds(*most),
                             milliseconds(entry.first_use_seconds), memory_text(entry.memory_bytes),
                             fmt::format("{:.2f}", speed), points);
     }
     return text;
-}
-
-double verb_median(const Entry& entry, std::size_t verb) {
-    std::vector<double> values;
-    for (const auto& run : entry.verb_seconds) values.push_back(run[verb]);
-    return median(std::move(values));
 }
 
 std::string verbs_table(const Comparison& comparison) {
@@ -69,7 +63,7 @@ std::string verbs_table(const Comparison& comparison) {
         text += fmt::format("{:<10} {:<32}", entry.contestant.backend, name_of(entry));
         for (std::size_t i = 0; i < kVerbs.size(); ++i)
             if (kVerbs[i] != Verb::first_use)
-                text += fmt::format(" {:>10}", milliseconds(verb_median(entry, i)));
+                text += fmt::format(" {:>10}", milliseconds(entry.median_seconds(i)));
         text += '\n';
     }
     return text;
@@ -116,15 +110,15 @@ Json json_of(const Entry& entry, const Entry* yardstick) {
         json["first_difference"] = {{"index", entry.difference->index},
                                     {"expected", json_of(entry.difference->expected)},
                                     {"got", json_of(entry.difference->got)}};
-    json["speed"] = median(yardstick->seconds) / median(entry.seconds);
+    json["speed"] = yardstick->median_seconds() / entry.median_seconds();
     json["first_use_seconds"] = entry.first_use_seconds;
     json["memory_bytes"] = entry.memory_bytes ? Json(*entry.memory_bytes) : Json(nullptr);
-    json["median_seconds"] = median(entry.seconds);
+    json["median_seconds"] = entry.median_seconds();
     json["seconds"] = entry.seconds;
     for (std::size_t i = 0; i < kVerbs.size(); ++i)
         if (kVerbs[i] != Verb::first_use)
             json["median_seconds_by_verb"][std::string(lacuna::name_of(kVerbs[i]))] =
-                verb_median(entry, i);
+                entry.median_seconds(i);
     return json;
 }
 

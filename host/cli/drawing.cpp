@@ -54,9 +54,7 @@ void add_how_to_draw(CLI::App& command, DrawingOptions& options) {
 }
 
 bool is_picture(const std::string& path) {
-    const files::Format format = files::format_of(path);
-    return format == files::Format::svg || format == files::Format::pdf ||
-           format == files::Format::png;
+    return files::is_picture(files::format_of(path));
 }
 
 void check_drawing(const DrawingOptions& options, const std::string& output) {

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
 
 #include "cli/options.h"
-#include "files/point_files.h"
 
 namespace lacuna::cli {
 namespace {
@@ -57,6 +57,14 @@ bool is_same_file(const std::string& a, const std::string& b) {
     if (fs::equivalent(a, b, error) && !error) return true;
     return fs::path(a).filename() == fs::path(b).filename() &&
            fs::equivalent(folder_of(a), folder_of(b), error) && !error;
+}
+
+files::Format format_among(const std::string& path, const std::string& allowed) {
+    std::string extension = path == "-" ? "" : fs::path(path).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), files::lower_case);
+    if (extension.empty() || (allowed + " ").find(extension + " ") == std::string::npos)
+        throw BadRequest("output", shown(path), "the extension must be one of " + allowed);
+    return files::format_of(path);
 }
 
 void check_json(const std::string& option, const std::string& path, const std::string& output) {

@@ -3,11 +3,17 @@
 
 #include <string>
 
+#include "files/point_files.h"
+
 namespace lacuna::cli {
 
 // The path may be "-", standard output. Throws BadRequest for an unknown extension and
 // files::FileError where no file of that name could be made.
 void check_output(const std::string& path);
+
+// The format of an output that may only have the extensions in `allowed`, with blanks between them
+// as the message shows them. Throws BadRequest for any other.
+files::Format format_among(const std::string& path, const std::string& allowed);
 
 // Whether both paths lead to one file, there already or to be made.
 bool is_same_file(const std::string& a, const std::string& b);

@@ -48,4 +48,8 @@ Format format_of(const std::string& path) {
     return found->format;
 }
 
+bool is_picture(Format format) {
+    return format == Format::svg || format == Format::pdf || format == Format::png;
+}
+
 }  // namespace lacuna::files

@@ -34,6 +34,9 @@ char lower_case(char c);
 // Throws BadRequest("output", path, ...) listing the known extensions.
 Format format_of(const std::string& path);
 
+// Whether a file of that format is seen, not read: svg, pdf or png.
+bool is_picture(Format format);
+
 // The bytes of a file of that format.
 //   txt   `x y` a line, 17 significant digits, so that reading gives back the same doubles
 //   csv   the same with a header line `x,y`

@@ -26,10 +26,8 @@ using analysis::Pen;
 using analysis::Plot;
 
 inline constexpr Colour kInk{0x22, 0x22, 0x22};
-// Told apart by eyes that do not see all colours alike (Okabe & Ito 2008).
-inline constexpr std::array kColours{Colour{0x00, 0x72, 0xb2}, Colour{0xd5, 0x5e, 0x00},
-                                     Colour{0x00, 0x9e, 0x73}, Colour{0xcc, 0x79, 0xa7},
-                                     Colour{0x56, 0xb4, 0xe9}, Colour{0xe6, 0x9f, 0x00}};
+inline constexpr std::array kColours{analysis::kBlue,   analysis::kVermilion, analysis::kGreen,
+                                     analysis::kPurple, analysis::kSky,       analysis::kOrange};
 
 struct Key {
     std::string words;

@@ -6,14 +6,13 @@
 // large/verify are proven maximal, which is timed too.
 #include <benchmark/benchmark.h>
 #include <lacuna/lacuna.h>
-#include <malloc.h>
 
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "cli/peak_memory.h"
 #include "verify/verify.h"
 
 #include "cells_cases.h"
@@ -32,29 +31,11 @@ Request torus(Mode mode, const std::string& backend, double radius, std::uint32_
     return request;
 }
 
-// A line of Linux's /proc/self/status, in bytes.
-double memory_bytes(const std::string& name) {
-    std::ifstream status("/proc/self/status");
-    std::string line;
-    constexpr double kBytesPerUnit = 1024;
-    while (std::getline(status, line))
-        if (line.starts_with(name)) return kBytesPerUnit * std::stod(line.substr(name.size()));
-    return std::nan("");
+// The most that the process has held while the set was made, beyond what it held before.
+double bytes_of(const cli::PeakMemory& peak) {
+    const auto bytes = peak.raised_bytes();
+    return bytes ? static_cast<double>(*bytes) : std::nan("");
 }
-
-// The most that the process has held since it was made, beyond what it held then.
-class PeakMemory {
-public:
-    PeakMemory() {
-        malloc_trim(0);                                 // what an earlier case has left
-        std::ofstream("/proc/self/clear_refs") << "5";  // the peak is counted from here
-        held_ = memory_bytes("VmRSS:");
-    }
-    double bytes() const { return memory_bytes("VmHWM:") - held_; }
-
-private:
-    double held_ = 0;
-};
 
 void count(benchmark::State& state, const Result& result, double peak_bytes) {
     const auto points = static_cast<double>(result.points.size());
@@ -67,9 +48,9 @@ void count(benchmark::State& state, const Result& result, double peak_bytes) {
 
 void make_sets(benchmark::State& state, const Request& request) {
     try {
-        const PeakMemory peak;
+        const cli::PeakMemory peak;
         Result result = sample(request);
-        const double peak_bytes = peak.bytes();
+        const double peak_bytes = bytes_of(peak);
         for (auto _ : state) result = sample(request);
         count(state, result, peak_bytes);
     } catch (const Unavailable& reason) {
@@ -79,9 +60,9 @@ void make_sets(benchmark::State& state, const Request& request) {
 
 void make_one_set(benchmark::State& state, const Request& request) {
     for (auto _ : state) {
-        const PeakMemory peak;
+        const cli::PeakMemory peak;
         const Result result = sample(request);
-        count(state, result, peak.bytes());
+        count(state, result, bytes_of(peak));
     }
 }
 

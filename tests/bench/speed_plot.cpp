@@ -138,14 +138,10 @@ private:
 
     void draw_curve(Canvas& canvas, const std::string& name, const std::vector<Measurement>& curve,
                     std::size_t number) const {
-        // Okabe & Ito's colours; dashed the second time round, thick the third.
-        constexpr std::array<analysis::Colour, 7> kColours{{{0, 0, 0},
-                                                            {0, 114, 178},
-                                                            {213, 94, 0},
-                                                            {0, 158, 115},
-                                                            {204, 121, 167},
-                                                            {86, 180, 233},
-                                                            {230, 159, 0}}};
+        // Dashed the second time round, thick the third.
+        constexpr std::array kColours{
+            analysis::Colour{0, 0, 0}, analysis::kBlue, analysis::kVermilion, analysis::kGreen,
+            analysis::kPurple,         analysis::kSky,  analysis::kOrange};
         const std::size_t round = number / kColours.size();
         const analysis::Pen pen{kColours[number % kColours.size()], round < 2 ? 1.5 : 3,
                                 round == 1};
