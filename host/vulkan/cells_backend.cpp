@@ -1,4 +1,4 @@
-// The vulkan backend of mode cells: records the verbs, and submits and waits once a round.
+// The vulkan backend of mode cells: records a verb, submits it and waits.
 #include "vulkan/cells_backend.h"
 
 #include <algorithm>
@@ -96,6 +96,7 @@ public:
 
     void watch(std::function<bool()> may_go_on) override { engine_->watch(std::move(may_go_on)); }
 
+    // Each verb waits, so that an observer can tell their times apart.
     void locate(std::span<const Draw> draws) override {
         finish();  // the buffers on the way up may still be in use
         state_.upload(draws);
@@ -110,17 +111,20 @@ public:
         engine_->barrier();
         state_.sort(kernels_.sort_columns);
         record_radii();
+        engine_->wait();
     }
 
     void admit() override {
         record_passes(has_fates_ ? 1 : 0);
         is_recorded_ = true;
+        engine_->wait();
     }
 
     void subtract() override {
         subtracts_ = true;
         is_recorded_ = true;
         record_subtract();
+        engine_->wait();
     }
 
     void refine(bool) override { throw std::logic_error("mode cells has nothing to refine"); }

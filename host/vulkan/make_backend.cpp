@@ -1,4 +1,4 @@
-// The vulkan backend: records the verbs, and submits and waits once a round.
+// The vulkan backend: records a verb, submits it and waits.
 #include "vulkan/make_backend.h"
 
 #include <algorithm>
@@ -41,6 +41,7 @@ public:
 
     void watch(std::function<bool()> may_go_on) override { engine_->watch(std::move(may_go_on)); }
 
+    // Each verb waits, so that an observer can tell their times apart.
     void locate(std::span<const Draw> draws) override {
         Memory& m = memory_;
         finish();  // the buffers on the way up may still be in use
@@ -54,17 +55,20 @@ public:
             record_walk(draws);
         engine_->barrier();
         m.sort(kernels_.sort_columns);
+        engine_->wait();
     }
 
     void admit() override {
         if (boxes_) boxes_->screen(memory_, kChunk);
         record_passes(has_fates_ ? 1 : 0);
         is_recorded_ = true;
+        engine_->wait();
     }
 
     void subtract() override {
         ends_with_ = End::subtract;
         record_end();
+        engine_->wait();
     }
 
     void refine(bool halve) override {
@@ -72,6 +76,7 @@ public:
         ends_with_ = End::refine;
         halves_ = halve;
         record_end();
+        engine_->wait();
     }
 
     Round finish_round() override {
