@@ -37,11 +37,10 @@ Examples:
 
 The other options are those of sample and, with a picture, of stipple. Runs take turns, so that all
 share what the machine goes through. Times are without first use, which is building kernels and
-finding devices; memory is by how much the first run raised the program's peak. Vulkan waits once a
-round: most of what its verbs take shows as transfer.
+finding devices; memory is by how much the first run raised the program's peak.
 
 Exit code: 0 all the same, 1 not, 2 bad usage, 3 a file cannot be read or written, 4 a backend named
-with --backends, or every one, is missing or failed, 130 interrupted.
+with --backends, or every one, is missing, or one failed at work, 130 interrupted.
 )";
 
 struct Options {
@@ -126,7 +125,8 @@ void write(const Options& options, const Request& request, const Comparison& com
 void end(const Options& options, const Comparison& comparison) {
     if (!comparison.agree()) throw CheckFailed();
     for (const Entry& entry : comparison.entries)
-        if (!entry.failure.empty() && (!options.backends.empty() || !comparison.yardstick()))
+        if (entry.broke_off ||
+            (!entry.failure.empty() && (!options.backends.empty() || !comparison.yardstick())))
             throw Unavailable(entry.failure);
 }
 

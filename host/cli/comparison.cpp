@@ -43,6 +43,7 @@ public:
             entry.failure = error.what();
         } catch (const DeviceError& error) {
             entry.failure = error.what();
+            entry.broke_off = true;
         }
     }
 

@@ -41,6 +41,7 @@ struct Difference {
 struct Entry {
     Contestant contestant;
     std::string failure;     // why it has no more runs; or empty
+    bool broke_off = false;  // it failed at work; otherwise it could not begin
     std::string device;      // as the result names it
     std::size_t points = 0;  // of the first run, as all below
     std::uint64_t rounds = 0;

@@ -111,7 +111,9 @@ private:
         canvas_.text({kLeft - 8, middle + 4}, name, {12, Anchor::end});
         canvas_.text({std::max(x_of(*most), x_of(done)) + 6, middle + 4},
                      fmt::format("{:.3g}{}", 1e3 * entry.median_seconds(),
-                                 entry.difference ? ", NOT the same points" : ""),
+                                 entry.difference  ? ", NOT the same points"
+                                 : entry.broke_off ? ", then failed"
+                                                   : ""),
                      {11});
     }
 

@@ -27,6 +27,12 @@ std::string memory_text(const std::optional<std::uint64_t>& bytes) {
     return bytes ? fmt::format("{:.1f} MB", static_cast<double>(*bytes) / 1e6) : "-";
 }
 
+// Why an entry has no runs, or fewer than it should.
+std::string failure_text(const Entry& entry) {
+    if (!entry.broke_off) return "not run: " + entry.failure;
+    return fmt::format("failed in run {}: {}", entry.seconds.size() + 1, entry.failure);
+}
+
 // In every row the first two columns are left-aligned and the last is free.
 std::string times_table(const Comparison& comparison) {
     const Entry* const yardstick = comparison.yardstick();
@@ -35,13 +41,14 @@ std::string times_table(const Comparison& comparison) {
                                    "least to most", "first use", "memory", "speed", "points are");
     for (const Entry& entry : comparison.entries) {
         if (!entry.has_run()) {
-            text += fmt::format("{:<10} {:<32} not run: {}\n", entry.contestant.backend,
-                                name_of(entry), entry.failure);
+            text += fmt::format("{:<10} {:<32} {}\n", entry.contestant.backend, name_of(entry),
+                                failure_text(entry));
             continue;
         }
         const auto [least, most] = std::minmax_element(entry.seconds.begin(), entry.seconds.end());
         const double speed = yardstick->median_seconds() / entry.median_seconds();
         const char* const points = entry.difference      ? "NOT the same"
+                                   : entry.broke_off     ? "the same until it failed"
                                    : &entry == yardstick ? "the yardstick"
                                                          : "the same";
         text += fmt::format(fmt::runtime(kRow), entry.contestant.backend, name_of(entry),
@@ -84,11 +91,18 @@ std::string verdict(const Comparison& comparison) {
                 fmt::format("{} differs first in point {}: {} instead of {}\n",
                             entry.contestant.backend, entry.difference->index,
                             text_of(entry.difference->got), text_of(entry.difference->expected));
+    for (const Entry& entry : comparison.entries)
+        if (entry.has_run() && entry.broke_off)
+            text += fmt::format("{} {}\n", entry.contestant.backend, failure_text(entry));
     const auto ran = std::count_if(comparison.entries.begin(), comparison.entries.end(),
                                    [](const Entry& entry) { return entry.has_run(); });
+    const bool any_failed =
+        std::any_of(comparison.entries.begin(), comparison.entries.end(),
+                    [](const Entry& entry) { return entry.has_run() && entry.broke_off; });
     if (comparison.agree())
-        text += ran == 1 ? "every run made these points\n"
-                         : fmt::format("all {} made these points, in every run\n", ran);
+        text += fmt::format("{} made these points, in every run{}\n",
+                            ran == 1 ? "one" : fmt::format("all {}", ran),
+                            any_failed ? " that was finished" : "");
     return text;
 }
 
@@ -98,10 +112,8 @@ Json json_of(const std::optional<Point>& point) {
 
 Json json_of(const Entry& entry, const Entry* yardstick) {
     Json json = {{"backend", entry.contestant.backend}, {"device", name_of(entry)}};
-    if (!entry.has_run()) {
-        json["not_run"] = entry.failure;
-        return json;
-    }
+    if (!entry.failure.empty()) json[entry.broke_off ? "failed" : "not_run"] = entry.failure;
+    if (!entry.has_run()) return json;
     json["count"] = entry.points;
     json["rounds"] = entry.rounds;
     json["points_sha256"] = entry.sha256;

@@ -106,6 +106,26 @@ TEST(Compare, WithoutABackendThatIsNamedExitsWith4) {
     EXPECT_NE(others.out.find("not run: "), std::string::npos) << others.out;
 }
 
+TEST(Compare, TellsOfABackendThatFailsAfterItsFirstRun) {
+    const Folder folder;
+    const Outcome outcome =
+        run({"compare", "--radius", "0.1", "--seed", "9", "--backends", "cpu,reference", "--runs",
+             "3", "--json", folder.path("a.json"), "-o", folder.path("a.svg")},
+            faulty());
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.out;
+    EXPECT_NE(outcome.err.find("device of the test: lost"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.out.find("the same until it failed"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("reference failed in run 2: device of the test: lost"),
+              std::string::npos)
+        << outcome.out;
+    const Json json = Json::parse(content_of(folder.path("a.json")));
+    EXPECT_FALSE(json.at("entries")[0].contains("failed"));
+    EXPECT_EQ(json.at("entries")[0].at("seconds").size(), 3u);
+    EXPECT_EQ(json.at("entries")[1].at("failed"), "device of the test: lost");
+    EXPECT_EQ(json.at("entries")[1].at("seconds").size(), 1u);
+    EXPECT_NE(content_of(folder.path("a.svg")).find("then failed"), std::string::npos);
+}
+
 TEST(Compare, RefusesWhatItCannotDo) {
     const Folder folder;
     const auto refuse = [&](const Words& more, const Words& pieces) {
