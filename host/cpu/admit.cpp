@@ -37,9 +37,10 @@ public:
     bool any(std::uint32_t y, Visit visit) {
         const std::uint32_t low = portable::window_low(0, y, plan_.radius, plan_.height);
         while (hint_ < candidates_.size() && candidates_[hint_].y < low) ++hint_;
-        if (any_from(hint_, portable::window_high(0, y, plan_.radius, plan_.height), visit))
-            return true;
-        return plan_.period_y != 0 && (any_in(1, y, visit) || any_in(2, y, visit));
+        const std::uint32_t high = portable::window_high(0, y, plan_.radius, plan_.height);
+        if (any_from(hint_, high, visit)) return true;
+        const bool is_at_edge = y < plan_.radius || high >= plan_.height;
+        return plan_.period_y != 0 && is_at_edge && (any_in(1, y, visit) || any_in(2, y, visit));
     }
 
 private:
@@ -70,8 +71,13 @@ private:
 }  // namespace
 
 void screen(State& state, std::uint32_t column) {
-    for (std::size_t i = state.column_begins[column]; i < state.column_begins[column + 1]; ++i) {
-        const Candidate& candidate = state.candidates[i];
+    constexpr std::size_t kAhead = 6;  // what memory needs; 4 to 10 are alike
+    const std::span<const Candidate> candidates = state.candidates_of(column);
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        const Candidate& later = candidates[std::min(k + kAhead, candidates.size() - 1)];
+        state.cells->fetch_near(later.x, later.y);
+        const Candidate& candidate = candidates[k];
+        const std::size_t i = state.column_begins[column] + k;
         if (state.fates[i] == FATE_UNDECIDED && state.cells->is_covered(candidate.x, candidate.y))
             state.fates[i] = FATE_COVERED;
     }

@@ -1,11 +1,18 @@
 // locate: the rank of each draw, walked to a y through its place's free length.
 #include <algorithm>
+#include <numeric>
+#include <span>
+#include <vector>
 
 #include "cpu/state.h"
 #include "portable/fate.h"
 
 namespace lacuna::cpu {
 namespace {
+
+bool comes_before(const Candidate& a, const Candidate& b) {
+    return a.y < b.y || (a.y == b.y && a.order < b.order);
+}
 
 // Draws [begin, end) of lines. A line is walked once for all its draws, which ascend in rank.
 void locate_on_lines(State& state, std::span<const Draw> draws, std::uint32_t begin,
@@ -35,6 +42,35 @@ void locate_in_boxes(State& state, std::span<const Draw> draws, std::uint32_t co
     }
 }
 
+// By y, and by order where y is equal. A column of n draws has n buckets, equally high: most of the
+// work is to find the bucket.
+void sort(std::span<Candidate> candidates, std::uint32_t height) {
+    thread_local std::vector<std::uint32_t> buckets;
+    thread_local std::vector<Candidate> located;
+    const std::uint64_t buckets_per_unit = (std::uint64_t{candidates.size()} << 32) / height;
+    const auto bucket_of = [&](const Candidate& candidate) {
+        return candidate.y * buckets_per_unit >> 32;
+    };
+
+    // Count the draws of each bucket, and find where each begins.
+    buckets.assign(candidates.size(), 0);
+    for (const Candidate& candidate : candidates) ++buckets[bucket_of(candidate)];
+    std::exclusive_scan(buckets.begin(), buckets.end(), buckets.begin(), 0u);
+
+    // Share the draws out.
+    located.assign(candidates.begin(), candidates.end());
+    for (const Candidate& candidate : located)
+        candidates[buckets[bucket_of(candidate)]++] = candidate;
+
+    // Order those of one bucket, which ends where the next one begins.
+    std::uint32_t begin = 0;
+    for (const std::uint32_t end : buckets) {
+        if (end - begin > 1)
+            std::sort(candidates.begin() + begin, candidates.begin() + end, comes_before);
+        begin = end;
+    }
+}
+
 }  // namespace
 
 void locate(State& state, std::span<const Draw> draws, std::uint32_t column) {
@@ -44,10 +80,7 @@ void locate(State& state, std::span<const Draw> draws, std::uint32_t column) {
         locate_in_boxes(state, draws, column);
     else
         locate_on_lines(state, draws, begin, end);
-    std::sort(state.candidates.begin() + begin, state.candidates.begin() + end,
-              [](const Candidate& a, const Candidate& b) {
-                  return a.y != b.y ? a.y < b.y : a.order < b.order;
-              });
+    sort(std::span(state.candidates).subspan(begin, end - begin), state.plan.height);
     std::fill(state.fates.begin() + begin, state.fates.begin() + end, FATE_UNDECIDED);
 }
 

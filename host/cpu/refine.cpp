@@ -1,6 +1,8 @@
 // refine: what all samples leave of the places, in boxes (DESIGN section 4, "exact").
 #include <algorithm>
 #include <array>
+#include <span>
+#include <vector>
 
 #include "cpu/state.h"
 #include "portable/chord.h"
@@ -167,6 +169,27 @@ private:
     std::array<Chord, Near::kMost> chords_;
 };
 
+constexpr std::size_t kAhead = 4;  // boxes or spans; 4 to 8 are alike
+
+void refine_boxes(const State& state, std::span<const Box> boxes, Refinement& refinement,
+                  std::vector<Box>& left) {
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+        const Box& later = boxes[std::min(k + kAhead, boxes.size() - 1)];
+        state.cells->fetch_near(later.x, later.begin);
+        refinement.cut(boxes[k], left);
+    }
+}
+
+void refine_line(const State& state, std::uint32_t line, Refinement& refinement,
+                 std::vector<Box>& left) {
+    const std::uint32_t x = line * state.plan.strip_width;
+    const std::span<const Span> spans = state.slot(line).first(state.span_counts[line]);
+    for (std::size_t k = 0; k < spans.size(); ++k) {
+        state.cells->fetch_near(x, spans[std::min(k + kAhead, spans.size() - 1)].begin);
+        refinement.cut(x, spans[k], left);
+    }
+}
+
 }  // namespace
 
 void insert(State& state, std::uint32_t column) {
@@ -180,12 +203,10 @@ void refine(State& state, std::uint32_t column, std::uint32_t width) {
     left.clear();
     Refinement refinement(state, width);
     if (state.has_boxes()) {
-        for (const Box& box : state.boxes[column]) refinement.cut(box, left);
+        refine_boxes(state, state.boxes[column], refinement, left);
     } else {
-        const Plan& plan = state.plan;
         for (std::uint32_t i = state.first_lines[column]; i < state.first_lines[column + 1]; ++i)
-            for (const Span span : state.slot(i).first(state.span_counts[i]))
-                refinement.cut(i * plan.strip_width, span, left);
+            refine_line(state, i, refinement, left);
     }
     state.boxes[column] = std::vector<Box>(left.begin(), left.end());
 }

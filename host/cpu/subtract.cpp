@@ -86,9 +86,11 @@ void find_chords(const Plan& plan, std::uint32_t centre, std::span<const Sample>
     // On a torus, what sticks out at one end is cut at the other.
     Span bottom{0, 0};
     Span top{plan.height, plan.height};
+    const auto distance_to = [&](Sample sample) {
+        return portable::axis_distance(sample.x, centre, plan.period_x) + plan.chord_margin();
+    };
     const auto reach_of = [&](Sample sample) {
-        const std::uint32_t dx = portable::axis_distance(sample.x, centre, plan.period_x);
-        return portable::chord_reach(dx + plan.chord_margin(), plan.radius_squared);
+        return portable::chord_reach(distance_to(sample), plan.radius_squared);
     };
     if (plan.period_y != 0) {
         for (std::size_t i = near.size(); i-- > 0;) {
@@ -105,10 +107,19 @@ void find_chords(const Plan& plan, std::uint32_t centre, std::span<const Sample>
     }
     *next = bottom;
     next += bottom.end > 0;
+    // Two samples in five are too far away: they are left out before any root is taken. Until its
+    // chord is known, an entry holds the sample's distance and y.
+    Span* const first = next;
     for (const Sample sample : near) {
-        const std::uint32_t reach = reach_of(sample);
-        *next = {portable::chord_begin(sample.y, reach),
-                 portable::chord_end(sample.y, reach, plan.height)};
+        *next = {distance_to(sample), sample.y};
+        next += next->begin < plan.radius;
+    }
+    const Span* const end = next;
+    next = first;
+    for (const Span* entry = first; entry != end; ++entry) {
+        const std::uint32_t y = entry->end;
+        const std::uint32_t reach = portable::chord_reach(entry->begin, plan.radius_squared);
+        *next = {portable::chord_begin(y, reach), portable::chord_end(y, reach, plan.height)};
         next += reach > 0;
     }
     *next = top;
