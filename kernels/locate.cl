@@ -58,8 +58,8 @@ bool comes_before(const uint4 a, const uint4 b) {
     return a.y < b.y || (a.y == b.y && a.w < b.w);
 }
 
-// Sorts the candidates of each column by y, and by order where y is equal. A column of n draws has
-// n buckets, equally high, in its part of `buckets`: most of the work is to find the bucket. All
+// Sorts the candidates of each column by y, and by order where y is equal. The buckets of a column
+// are in its part of `buckets`: most of the work is to find a draw's. All
 // candidates are then pending for admit.
 kernel void sort_columns(const Geometry g, global const u32* restrict column_begins,
                          global const uint4* restrict located, global u32* restrict buckets,
@@ -70,25 +70,25 @@ kernel void sort_columns(const Geometry g, global const u32* restrict column_beg
     const u32 begin = column_begins[column];
     const u32 end = column_begins[column + 1u];
     if (begin == end) return;
-    const u64 buckets_per_unit = ((u64)(end - begin) << 32) / g.height;
+    const u32 count = end - begin;
 
     // Count the draws of each bucket.
     for (u32 i = begin; i < end; ++i) buckets[i] = 0u;
     for (u32 i = begin; i < end; ++i)
-        ++buckets[begin + to_u32(located[i].y * buckets_per_unit >> 32)];
+        ++buckets[begin + bucket_of(located[i].y, count, g.height)];
 
     // Find where each begins.
     u32 sum = begin;
     for (u32 i = begin; i < end; ++i) {
-        const u32 count = buckets[i];
+        const u32 in_bucket = buckets[i];
         buckets[i] = sum;
-        sum += count;
+        sum += in_bucket;
     }
 
     // Share the draws out.
     for (u32 i = begin; i < end; ++i) {
         const uint4 candidate = located[i];
-        const u32 bucket = begin + to_u32(candidate.y * buckets_per_unit >> 32);
+        const u32 bucket = begin + bucket_of(candidate.y, count, g.height);
         candidates[buckets[bucket]] = candidate;
         ++buckets[bucket];
         fates[i] = FATE_UNDECIDED;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cpu/state.h"
+#include "portable/column.h"
 #include "portable/fate.h"
 
 namespace lacuna::cpu {
@@ -42,18 +43,17 @@ void locate_in_boxes(State& state, std::span<const Draw> draws, std::uint32_t co
     }
 }
 
-// By y, and by order where y is equal. A column of n draws has n buckets, equally high: most of the
-// work is to find the bucket.
+// By y, and by order where y is equal. Most of the work is to find the bucket.
 void sort(std::span<Candidate> candidates, std::uint32_t height) {
     thread_local std::vector<std::uint32_t> buckets;
     thread_local std::vector<Candidate> located;
-    const std::uint64_t buckets_per_unit = (std::uint64_t{candidates.size()} << 32) / height;
+    const auto count = static_cast<std::uint32_t>(candidates.size());
     const auto bucket_of = [&](const Candidate& candidate) {
-        return candidate.y * buckets_per_unit >> 32;
+        return portable::bucket_of(candidate.y, count, height);
     };
 
     // Count the draws of each bucket, and find where each begins.
-    buckets.assign(candidates.size(), 0);
+    buckets.assign(count, 0);
     for (const Candidate& candidate : candidates) ++buckets[bucket_of(candidate)];
     std::exclusive_scan(buckets.begin(), buckets.end(), buckets.begin(), 0u);
 

@@ -22,6 +22,9 @@ inline u32 to_u32(u64 a) {
 inline u32 count_bits(u32 a) {
     return static_cast<u32>(std::popcount(a));
 }
+inline u32 leading_zeros(u32 a) {
+    return static_cast<u32>(std::countl_zero(a));
+}
 inline u64 sqrt_estimate(u64 n) {  // through signed numbers, which convert in one instruction
     const double wide = static_cast<double>(static_cast<std::int64_t>(n));
     return static_cast<u64>(static_cast<std::int64_t>(std::sqrt(wide)));
@@ -37,6 +40,7 @@ typedef uint u32;
 typedef ulong u64;
 #define to_u32(a) ((u32)(a))
 #define count_bits(a) popcount(a)
+#define leading_zeros(a) clz(a)
 #ifdef cl_khr_fp64
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #define sqrt_estimate(n) ((u64)sqrt((double)(n)))
@@ -55,6 +59,7 @@ typedef ulong u64;
 #define u64 uint64_t
 #define to_u32(a) uint(a)
 #define count_bits(a) uint(bitCount(a))
+#define leading_zeros(a) uint(31 - findMSB(a))
 #define LACUNA_FLOAT_ROOT
 // By halves: processors that convert 32 bits at a time are many times faster so.
 #define float_of(n) (float(uint((n) >> 32)) * 4294967296.0f + float(uint(n)))

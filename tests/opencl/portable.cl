@@ -16,7 +16,7 @@ typedef struct Input {
     u32 column, line, lines, columns;
 } Input;
 
-#define OUTPUTS 32u
+#define OUTPUTS 33u
 
 kernel void portable(global const Input* inputs, global u64* outputs) {
     const u32 i = (u32)get_global_id(0);
@@ -63,4 +63,5 @@ kernel void portable(global const Input* inputs, global u64* outputs) {
                                           in.reach % 0x20000000u + 1u);
     out[30] = twice;
     out[31] = metric_squared(twice);
+    out[32] = bucket_of(in.ay, in.columns, in.height);
 }

@@ -35,7 +35,7 @@ struct Input {
     u32 column, line, lines, columns;
 };
 
-constexpr std::size_t kOutputs = 32;
+constexpr std::size_t kOutputs = 33;
 using Output = std::array<u64, kOutputs>;
 
 Output on_host(const Input& in) {
@@ -77,6 +77,7 @@ Output on_host(const Input& in) {
         twice_metric_radius(in.column % 3, in.radius % 0x20000000u + 1, in.reach % 0x20000000u + 1);
     out[30] = twice;
     out[31] = metric_squared(twice);
+    out[32] = bucket_of(in.ay, in.columns, in.height);
     return out;
 }
 

@@ -55,6 +55,24 @@ TEST(Column, HasEachNeighbourOnce) {
     }
 }
 
+TEST(Bucket, AscendsWithYAndUsesAtLeastHalfOfWhatThereIs) {
+    for (const u32 height : {1u, 2u, 3u, 64u, 1'000'003u, 1u << 30, (1u << 30) + 1, 1u << 31}) {
+        for (const u32 count : {1u, 2u, 7u, 1000u, 1u << 25}) {
+            u32 last = 0;
+            for (u32 k = 0; k < 1000; ++k) {
+                const u32 y = to_u32(u64{height - 1} * k / 999);
+                const u32 bucket = bucket_of(y, count, height);
+                ASSERT_GE(bucket, last) << y << " of " << height << ", " << count << " buckets";
+                ASSERT_LT(bucket, count);
+                last = bucket;
+            }
+            EXPECT_EQ(bucket_of(0, count, height), 0u);
+            // Where there are as many heights as buckets.
+            if (height >= count) EXPECT_GE(2 * (last + 1), count) << height << ", " << count;
+        }
+    }
+}
+
 TEST(Near, HoldsAllLinesWithinReachOnce) {
     for (u32 lines = 1; lines <= 20; ++lines) {
         for (u32 reach = 0; reach <= 2 * lines + 1; ++reach) {
