@@ -2,7 +2,6 @@
 #include "opencl/cells_backend.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -11,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "columns.h"
 #include "device/cells_layout.h"
 #include "device/layout.h"
 #include "opencl/cells_state.h"
@@ -107,29 +105,19 @@ private:
 
     void queue_locate(std::span<const Draw> draws) {
         CellsState& s = state_;
-        const auto count = static_cast<std::uint32_t>(draws.size());
-        find_column_begins(s.first_lines, draws, s.host_column_begins);
-        s.begin_round(count);
-        s.queue.write(s.draws, draws);
+        s.upload(draws);
         subtracting_ = false;
-
-        const std::uint32_t chunk = s.queue.chunk_of(count);
-        s.queue.launch_in_slices(s.kernels.locate_in_cells, items_of(count, chunk), count,
-                                 s.geometry, s.words, count, chunk, s.bits, s.draws, s.located,
-                                 s.failure);
-        s.queue.launch_in_slices(s.kernels.sort_columns, s.geometry.columns, count, s.geometry,
-                                 s.column_begins, s.located, s.buckets, s.candidates, s.fates,
-                                 s.pending, s.failure);
+        const std::uint32_t chunk = s.queue.chunk_of(s.draw_count);
+        s.queue.launch_in_slices(s.kernels.locate_in_cells, items_of(s.draw_count, chunk),
+                                 s.draw_count, s.geometry, s.words, s.draw_count, chunk, s.bits,
+                                 s.draws, s.located, s.failure);
+        s.sort(s.kernels.sort_columns);
         s.queue_radii();
     }
 
-    // Passes from 1 on take up what earlier ones left undecided.
     void queue_passes(std::uint32_t first_pass) {
         CellsState& s = state_;
-        static constexpr std::array<std::uint32_t, kPasses> kSettled = {0};
-        static constexpr std::array<std::uint32_t, kPasses> kUnsettled = {1};
-        s.queue.start_write<std::uint32_t>(s.undecided, first_pass == 1 ? kUnsettled : kSettled);
-
+        s.begin_passes(first_pass);
         const std::uint32_t chunk = s.queue.chunk_of(s.draw_count);
         for (std::uint32_t pass = first_pass; pass < kPasses; ++pass)
             s.queue.launch_in_slices(s.kernels.admit_in_cells, items_of(s.draw_count, chunk),

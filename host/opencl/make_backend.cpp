@@ -1,13 +1,10 @@
 // The opencl backend: queues the verbs and waits for each.
 #include "opencl/make_backend.h"
 
-#include <algorithm>
-#include <array>
 #include <functional>
 #include <type_traits>
 #include <utility>
 
-#include "columns.h"
 #include "opencl/cells_backend.h"
 #include "opencl/refine.h"
 #include "opencl/state.h"
@@ -92,17 +89,13 @@ private:
 
     void queue_locate(std::span<const Draw> draws) {
         State& s = state_;
-        const auto count = static_cast<std::uint32_t>(draws.size());
-        find_column_begins(s.host_place_begins, draws, s.host_column_begins);
-        s.begin_round(count);
-        s.queue.write(s.draws, draws);
+        s.upload(draws);
         subtracting_ = false;
-
-        const std::uint32_t chunk = s.queue.chunk_of(count);
+        const std::uint32_t chunk = s.queue.chunk_of(s.draw_count);
         if (s.has_boxes())
-            s.queue.launch_in_slices(s.kernels.locate_in_boxes, items_of(count, chunk), count,
-                                     s.geometry, count, chunk, s.boxes.x, s.boxes.begin, s.draws,
-                                     s.located);
+            s.queue.launch_in_slices(s.kernels.locate_in_boxes, items_of(s.draw_count, chunk),
+                                     s.draw_count, s.geometry, s.draw_count, chunk, s.boxes.x,
+                                     s.boxes.begin, s.draws, s.located);
         for (std::size_t i = 0; i < s.slabs.size() && !s.has_boxes(); ++i) {
             const device::Range range = device::draws_of(s.slabs[i], draws);
             s.queue.launch_in_slices(s.kernels.locate, items_of(range.end - range.begin, chunk),
@@ -110,10 +103,7 @@ private:
                                      range.begin, range.end, chunk, s.spans[i], s.draws, s.located,
                                      s.failure);
         }
-        const std::uint32_t columns = s.geometry.columns;
-        s.queue.launch_in_slices(s.kernels.sort_columns, columns, count, s.geometry,
-                                 s.column_begins, s.located, s.buckets, s.candidates, s.fates,
-                                 s.pending, s.failure);
+        s.sort(s.kernels.sort_columns);
     }
 
     void queue_screen() {
@@ -124,15 +114,9 @@ private:
                                  s.fates, s.pending, s.samples);
     }
 
-    // Passes from 1 on take up what earlier ones left undecided.
     void queue_passes(std::uint32_t first_pass) {
         State& s = state_;
-        static constexpr std::array<std::uint32_t, kPasses> kUnsettled = {1};
-        if (first_pass == 1)
-            s.queue.start_write<std::uint32_t>(s.undecided, kUnsettled);
-        else
-            s.zero(s.undecided, kPasses);
-
+        s.begin_passes(first_pass);
         const std::uint32_t chunk = s.queue.chunk_of(s.draw_count);
         for (std::uint32_t pass = first_pass; pass < kPasses; ++pass)
             s.queue.launch_in_slices(s.kernels.admit, items_of(s.draw_count, chunk), s.draw_count,

@@ -1,4 +1,4 @@
-// The opencl backend's memory.
+// The opencl backend's memory in lines and exact.
 #include "opencl/state.h"
 
 #include <algorithm>
@@ -36,38 +36,28 @@ Kernels::Kernels(const cl::Program& program)
 
 State::State(std::shared_ptr<Program> the_program, const Plan& the_plan,
              const device::Tuning& tuning, std::uint64_t* launches)
-    : program(std::move(the_program)),
-      queue(*program, launches),
+    : RoundMemory(std::move(the_program), the_plan, launches),
       kernels(program->program),
-      plan(the_plan),
-      geometry(device::geometry_of(plan, count_columns(plan), 0)),
       largest_slab_bytes(tuning.largest_slab_bytes != 0 ? tuning.largest_slab_bytes
                                                         : program->entry.largest_buffer_bytes),
-      place_count(plan.lines),
-      length_room(std::max(plan.lines, kLeastRoom)),
-      host_place_begins(first_lines(plan, geometry.columns)) {
+      length_room(std::max(plan.lines, kLeastRoom)) {
     const std::uint64_t columns = geometry.columns;
-    span_counts = words(plan.lines);
-    free_lengths = words(length_room);
-    place_begins = words(columns + 1);
-    column_begins = words(columns + 1);
-    near_begins = words(columns + 1);
-    near_counts = words(columns);
-    undecided = words(kPasses);
-    overflow = words(1);
-    failure = words(1);
-    total = words(1);
-    zero(undecided, kPasses);
+    span_counts = words_on_device(plan.lines);
+    free_lengths = words_on_device(length_room);
+    place_begins = words_on_device(columns + 1);
+    near_begins = words_on_device(columns + 1);
+    near_counts = words_on_device(columns);
+    overflow = words_on_device(1);
+    total = words_on_device(1);
     zero(overflow, 1);
-    zero(failure, 1);
     if (plan.exact) make_cells();
     make_lines();
 }
 
 void State::make_cells() {
     const std::uint64_t cells = std::uint64_t{plan.cell_columns} * plan.cell_rows;
-    cell_x = words(cells);
-    cell_y = words(cells);
+    cell_x = words_on_device(cells);
+    cell_y = words_on_device(cells);
     queue.fill(cell_x, cells, NO_SAMPLE);
     queue.fill(cell_y, cells, NO_SAMPLE);
 }
@@ -83,25 +73,12 @@ void State::make_lines() {
     queue.drain();  // lets go of the rows before other buffers are made
 }
 
-cl::Buffer State::buffer(std::uint64_t bytes) const {
-    return {program->context, CL_MEM_READ_WRITE, std::max<std::size_t>(bytes, sizeof(cl_uint4))};
-}
-
-cl::Buffer State::words(std::uint64_t count) const {
-    return buffer(count * sizeof(cl_uint));
-}
-
-void State::zero(const cl::Buffer& of, std::uint32_t count) {
-    static constexpr std::array<std::uint32_t, kPasses> kZeros{};
-    queue.start_write(of, std::span(kZeros).first(count));
-}
-
 void State::allocate_slabs(std::uint32_t capacity) {
     geometry.capacity = capacity;
     slabs = device::share_out(plan.lines, capacity, largest_slab_bytes);
     spans.clear();
     for (const device::Slab& slab : slabs)
-        spans.push_back(buffer(std::uint64_t{slab.lines()} * capacity * sizeof(Span)));
+        spans.push_back(on_device(std::uint64_t{slab.lines()} * capacity * sizeof(Span)));
 }
 
 void State::grow(std::uint32_t larger) {
@@ -121,73 +98,61 @@ void State::grow(std::uint32_t larger) {
     }
 }
 
-void State::begin_round(std::uint32_t count) {
-    device::find_near_begins(plan, geometry.columns, host_column_begins, host_near_begins);
-    draw_count = count;
-    if (draw_room < count || draw_room == 0) {
-        draw_room = count;
-        draws = buffer(std::uint64_t{count} * sizeof(Draw));
-        located = buffer(std::uint64_t{count} * sizeof(Candidate));
-        buckets = words(count);
-        candidates = buffer(std::uint64_t{count} * sizeof(Candidate));
-        fates = words(count);
-        pending = words(count);
-        samples = buffer(std::uint64_t{count} * sizeof(Sample));
+// Expects the round begun.
+void State::begin_near() {
+    device::find_near_begins(plan, geometry.columns, host_column_begins, host_near_begins_);
+    if (near_room_ < draw_count || near_room_ == 0) {
+        near_room_ = draw_count;
         // Each lies near its own column and those on either side.
-        near = buffer(std::uint64_t{count} * 3 * sizeof(Sample));
+        near = on_device(std::uint64_t{draw_count} * 3 * sizeof(Sample));
     }
-    queue.start_write<std::uint32_t>(column_begins, host_column_begins);
-    queue.start_write<std::uint32_t>(near_begins, host_near_begins);
-    zero(undecided, kPasses);
+    queue.start_write<std::uint32_t>(near_begins, host_near_begins_);
     zero(overflow, 1);
-    zero(failure, 1);
+}
+
+void State::upload(std::span<const Draw> the_draws) {
+    RoundMemory::upload(the_draws);
+    begin_near();
 }
 
 void State::make_room(Boxes& of, std::uint32_t count) const {
     if (of.room >= count && of.room != 0) return;
     const std::uint32_t room = std::max(count, kLeastRoom);
     of = {};  // first let go of what was there
-    of = {words(room), words(room), words(room), room};
+    of = {words_on_device(room), words_on_device(room), words_on_device(room), room};
 }
 
 void State::make_room_for_strips(std::uint32_t count) {
     if (strip_room >= count && strip_room != 0) return;
     counts = piece_begin = piece_end = sums = {};
     strip_room = std::max(count, kLeastRoom);
-    counts = words(std::uint64_t{strip_room} + 1);
-    piece_begin = words(strip_room);
-    piece_end = words(strip_room);
-    sums = words(std::uint64_t{strip_room} / queue.block_of(0) + 1);
+    counts = words_on_device(std::uint64_t{strip_room} + 1);
+    piece_begin = words_on_device(strip_room);
+    piece_end = words_on_device(strip_room);
+    sums = words_on_device(std::uint64_t{strip_room} / queue.block_of(0) + 1);
 }
 
 void State::make_room_for_lengths(std::uint32_t count) {
     if (length_room >= count) return;
     free_lengths = {};
     length_room = count;
-    free_lengths = words(count);
+    free_lengths = words_on_device(count);
 }
 
 void State::read_flags() {
-    queue.start_read<std::uint32_t>(undecided, host_undecided);
     queue.start_read<std::uint32_t>(overflow, host_overflow);
-    queue.start_read<std::uint32_t>(failure, host_failure);
-    queue.finish();
-    if (host_failure.front() != 0) throw kernel_error(host_failure.front(), program->entry.name);
+    RoundMemory::read_flags();
 }
 
 Snapshot State::snapshot() {
     Snapshot snapshot;
-    snapshot.capacity = geometry.capacity;
-    snapshot.candidates.resize(draw_count);
-    snapshot.fates.resize(draw_count);
+    snapshot_round(snapshot);
     snapshot.box_width = box_width;
     const std::size_t cells =
         plan.exact ? std::size_t{plan.cell_columns} * plan.cell_rows : std::size_t{0};
     std::vector<std::uint32_t> span_count(plan.lines), x(cells), y(cells);
     std::vector<std::uint32_t> box_x(has_boxes() ? place_count : 0);
     std::vector<std::uint32_t> box_begin(box_x.size()), box_end(box_x.size());
-    queue.start_read(candidates, std::span(snapshot.candidates));
-    queue.start_read(fates, std::span(snapshot.fates));
     queue.start_read(span_counts, std::span(span_count));
     queue.start_read(cell_x, std::span(x));
     queue.start_read(cell_y, std::span(y));
@@ -223,14 +188,8 @@ void State::restore(const Snapshot& snapshot) {
         queue.write<std::uint32_t>(cell_x, x);
         queue.write<std::uint32_t>(cell_y, y);
     }
-
-    find_column_begins(plan, geometry.columns, std::span(snapshot.candidates), host_column_begins);
-    begin_round(static_cast<std::uint32_t>(snapshot.candidates.size()));
-    queue.write<Candidate>(candidates, snapshot.candidates);
-    queue.write<std::uint32_t>(fates, snapshot.fates);
-    queue.write<std::uint32_t>(pending,
-                               device::pending_of(snapshot.fates, queue.chunk_of(draw_count)));
-    queue.write<Sample>(samples, device::samples_by_order(snapshot));
+    restore_round(snapshot);
+    begin_near();
 }
 
 void State::restore_spans(const Snapshot& snapshot) {
