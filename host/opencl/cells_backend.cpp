@@ -1,18 +1,14 @@
-// The opencl backend of mode cells: queues the verbs and waits for each.
+// The opencl backend of mode cells: queues the verbs.
 #include "opencl/cells_backend.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <stdexcept>
-#include <string>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "device/cells_layout.h"
-#include "device/layout.h"
 #include "opencl/cells_state.h"
+#include "opencl/round_backend.h"
 
 namespace lacuna::opencl {
 namespace {
@@ -32,81 +28,28 @@ std::uint64_t mean_turns(const Plan& plan) {
     return sum / plan.radii->reaches.size();
 }
 
-class CellsBackend : public Backend {
+class CellsBackend : public RoundBackend<CellsState> {
 public:
     CellsBackend(std::shared_ptr<Program> program, const Plan& plan, const device::Tuning& tuning,
                  std::uint64_t* launches)
-        : name_(program->entry.name),
-          state_(std::move(program), plan, launches),
+        : RoundBackend(std::move(program), plan, launches),
           mean_turns_(mean_turns(plan)),
           slices_(tuning.slices_of_sample) {
         if (slices_ == 0)
             slices_ = state_.queue.serves_chunks() ? 1 : device::slices_of_sample(plan, kMostTurns);
     }
 
-    // Transfers into this object's memory may be on their way when an error ends a run.
-    ~CellsBackend() override {
-        try {
-            state_.queue.drain();
-        } catch (const cl::Error&) {  // of the run, and told by it
-        }
-    }
-    CellsBackend(const CellsBackend&) = delete;
-    CellsBackend& operator=(const CellsBackend&) = delete;
-
-    std::string device() const override { return name_; }
-    void watch(std::function<bool()> may_go_on) override {
-        state_.queue.watch(std::move(may_go_on));
-    }
-
-    // Each verb waits, so that an observer can tell their times apart.
-    void locate(std::span<const Draw> draws) override {
-        guard([&] {
-            queue_locate(draws);
-            state_.queue.finish();
-        });
-    }
-    void admit() override {
-        guard([&] {
-            queue_passes(0);
-            state_.queue.finish();
-        });
-    }
-    void subtract() override {
-        guard([&] {
-            subtracting_ = true;
-            queue_subtract();
-            state_.queue.finish();
-        });
-    }
-    void refine(bool) override { throw std::logic_error("mode cells has nothing to refine"); }
+    // Bits are cleared of all that a sample covers: every draw is free of earlier rounds'.
     Round finish_round() override {
-        return guard([&] { return wait(); });
-    }
-
-    Snapshot snapshot() override {
-        return guard([&] {
-            wait();
-            return state_.snapshot();
-        });
-    }
-    void restore(const Snapshot& snapshot) override {
-        guard([&] {
-            state_.restore(snapshot);
-            subtracting_ = false;
-        });
+        Round round = RoundBackend::finish_round();
+        round.survivors = state_.draw_count;
+        return round;
     }
 
 private:
-    template <typename Work>
-    std::invoke_result_t<Work> guard(Work work) {
-        return guarded(name_, state_.program->log, work);
-    }
-
-    void queue_locate(std::span<const Draw> draws) {
+    void queue_locate(std::span<const Draw> draws) override {
         CellsState& s = state_;
         s.upload(draws);
-        subtracting_ = false;
         const std::uint32_t chunk = s.queue.chunk_of(s.draw_count);
         s.queue.launch_in_slices(s.kernels.locate_in_cells, items_of(s.draw_count, chunk),
                                  s.draw_count, s.geometry, s.words, s.draw_count, chunk, s.bits,
@@ -114,6 +57,8 @@ private:
         s.sort(s.kernels.sort_columns);
         s.queue_radii();
     }
+
+    void queue_admit() override { queue_passes(0); }
 
     void queue_passes(std::uint32_t first_pass) {
         CellsState& s = state_;
@@ -127,7 +72,7 @@ private:
                                      s.undecided, s.samples, s.failure);
     }
 
-    void queue_subtract() {
+    void queue_subtract() override {
         CellsState& s = state_;
         const std::uint32_t chunk = std::min(s.queue.chunk_of(s.draw_count), kLongestChunk);
         const std::uint32_t items = items_of(s.draw_count, chunk);
@@ -142,33 +87,16 @@ private:
             s.row_begins, s.pixel_radii, s.pixel_reaches, s.bits, s.free_lengths, s.failure);
     }
 
-    // Waits until the round is done, with what more passes it takes.
-    Round wait() {
-        CellsState& s = state_;
-        by_order_.resize(s.draw_count);
-        free_lengths_.resize(s.plan.lines);
-        while (true) {
-            s.queue.start_read<std::uint32_t>(s.free_lengths, free_lengths_);
-            s.queue.start_read<Sample>(s.samples, by_order_);
-            s.read_flags();
-            if (!s.is_unsettled()) break;
-            queue_passes(1);
-            if (subtracting_) queue_subtract();
-        }
-        device::take_admitted(by_order_, samples_);
-        // Bits are cleared of all that a sample covers: every draw is free of earlier rounds'.
-        return {samples_, s.draw_count, free_lengths_, 1};
+    void queue_refine(bool) override { throw std::logic_error("mode cells has nothing to refine"); }
+
+    bool queue_rest() override {
+        if (!state_.is_unsettled()) return false;
+        queue_passes(1);
+        return true;
     }
 
-    std::string name_;
-    // Reads end here: before the state, whose queue writes to it.
-    std::vector<Sample> by_order_;
-    std::vector<std::uint32_t> free_lengths_;
-    CellsState state_;
-    std::vector<Sample> samples_;
     std::uint64_t mean_turns_;
-    std::uint32_t slices_;      // of the lines near a sample, each a work item's
-    bool subtracting_ = false;  // the round's subtraction has been asked for
+    std::uint32_t slices_;  // of the lines near a sample, each a work item's
 };
 
 }  // namespace

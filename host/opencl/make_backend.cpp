@@ -1,12 +1,11 @@
-// The opencl backend: queues the verbs and waits for each.
+// The opencl backend: queues the verbs.
 #include "opencl/make_backend.h"
 
-#include <functional>
-#include <type_traits>
 #include <utility>
 
 #include "opencl/cells_backend.h"
 #include "opencl/refine.h"
+#include "opencl/round_backend.h"
 #include "opencl/state.h"
 
 namespace lacuna::opencl {
@@ -15,82 +14,14 @@ namespace {
 // Chords cut from a line in the time that a draw takes.
 constexpr std::uint64_t kChordsPerDraw = 8;
 
-class OpenClBackend : public Backend {
+class OpenClBackend : public RoundBackend<State> {
 public:
-    OpenClBackend(std::shared_ptr<Program> program, const Plan& plan, const device::Tuning& tuning,
-                  std::uint64_t* launches)
-        : name_(program->entry.name), state_(std::move(program), plan, tuning, launches) {}
-
-    // Transfers into this object's memory may be on their way when an error ends a run.
-    ~OpenClBackend() override {
-        try {
-            state_.queue.drain();
-        } catch (const cl::Error&) {  // of the run, and told by it
-        }
-    }
-    OpenClBackend(const OpenClBackend&) = delete;
-    OpenClBackend& operator=(const OpenClBackend&) = delete;
-
-    std::string device() const override { return name_; }
-    void watch(std::function<bool()> may_go_on) override {
-        state_.queue.watch(std::move(may_go_on));
-    }
-
-    // Each verb waits, so that an observer can tell their times apart; it costs some 30 us a verb.
-    void locate(std::span<const Draw> draws) override {
-        guard([&] {
-            queue_locate(draws);
-            state_.queue.finish();
-        });
-    }
-    void admit() override {
-        guard([&] {
-            if (state_.plan.exact) queue_screen();
-            queue_passes(0);
-            state_.queue.finish();
-        });
-    }
-    void subtract() override {
-        guard([&] {
-            subtracting_ = true;
-            queue_subtract();
-            state_.queue.finish();
-        });
-    }
-    void refine(bool halve) override {
-        guard([&] {
-            settle();
-            opencl::refine(state_, halve);
-            state_.queue.finish();
-        });
-    }
-    Round finish_round() override {
-        return guard([&] { return wait(); });
-    }
-
-    Snapshot snapshot() override {
-        return guard([&] {
-            wait();
-            return state_.snapshot();
-        });
-    }
-    void restore(const Snapshot& snapshot) override {
-        guard([&] {
-            state_.restore(snapshot);
-            subtracting_ = false;
-        });
-    }
+    using RoundBackend::RoundBackend;
 
 private:
-    template <typename Work>
-    std::invoke_result_t<Work> guard(Work work) {
-        return guarded(name_, state_.program->log, work);
-    }
-
-    void queue_locate(std::span<const Draw> draws) {
+    void queue_locate(std::span<const Draw> draws) override {
         State& s = state_;
         s.upload(draws);
-        subtracting_ = false;
         const std::uint32_t chunk = s.queue.chunk_of(s.draw_count);
         if (s.has_boxes())
             s.queue.launch_in_slices(s.kernels.locate_in_boxes, items_of(s.draw_count, chunk),
@@ -104,6 +35,11 @@ private:
                                      s.failure);
         }
         s.sort(s.kernels.sort_columns);
+    }
+
+    void queue_admit() override {
+        if (state_.plan.exact) queue_screen();
+        queue_passes(0);
     }
 
     void queue_screen() {
@@ -125,7 +61,7 @@ private:
                                      s.failure);
     }
 
-    void queue_subtract() {
+    void queue_subtract() override {
         State& s = state_;
         if (s.plan.exact) queue_insert(s);
         s.zero(s.overflow, 1);
@@ -142,43 +78,25 @@ private:
                                      s.span_counts, s.free_lengths, s.overflow, s.failure);
     }
 
-    // Waits until admission is settled.
-    void settle() {
+    // Once admission is settled.
+    void queue_refine(bool halve) override {
         state_.read_flags();
         while (state_.is_unsettled()) {
             queue_passes(1);
             state_.read_flags();
         }
+        opencl::refine(state_, halve);
     }
 
-    // Waits until the round is done, with what more it takes: passes, or room.
-    Round wait() {
-        State& s = state_;
-        by_order_.resize(s.draw_count);
-        free_lengths_.resize(s.place_count);
-        while (true) {
-            s.queue.start_read<std::uint32_t>(s.free_lengths, free_lengths_);
-            s.queue.start_read<Sample>(s.samples, by_order_);
-            s.read_flags();
-            if (s.is_unsettled())
-                queue_passes(1);
-            else if (s.host_overflow.front() != 0)
-                s.grow(2 * s.geometry.capacity);
-            else
-                break;
-            if (subtracting_) queue_subtract();
-        }
-        const std::uint64_t survivors = device::take_admitted(by_order_, samples_);
-        return {samples_, survivors, free_lengths_, s.place_width()};
+    bool queue_rest() override {
+        if (state_.is_unsettled())
+            queue_passes(1);
+        else if (state_.host_overflow.front() != 0)
+            state_.grow(2 * state_.geometry.capacity);
+        else
+            return false;
+        return true;
     }
-
-    std::string name_;
-    // Reads end here: before the state, whose queue writes to it.
-    std::vector<Sample> by_order_;
-    std::vector<std::uint32_t> free_lengths_;
-    State state_;
-    std::vector<Sample> samples_;
-    bool subtracting_ = false;  // the round's subtraction has been asked for
 };
 
 }  // namespace
