@@ -6,12 +6,12 @@ include(${CMAKE_CURRENT_LIST_DIR}/leave_out.cmake)
 # and gives TARGET a source file that defines lacuna::opencl::NAME() with the text.
 function(lacuna_embed_kernels target name)
     set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
-    file(GLOB portable CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/kernels/portable/*.h)
+    file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/kernels/*.h)
     set(script ${PROJECT_SOURCE_DIR}/cmake/embed_kernels.cmake)
     add_custom_command(OUTPUT ${output}
         COMMAND ${CMAKE_COMMAND} -D NAME=${name} -D "FILES=${ARGN}" -D OUTPUT=${output}
             -D INCLUDE_DIR=${PROJECT_SOURCE_DIR}/kernels -P ${script}
-        DEPENDS ${ARGN} ${portable} ${script} VERBATIM
+        DEPENDS ${ARGN} ${headers} ${script} VERBATIM
         COMMENT "Embedding OpenCL kernels: ${name}")
     target_sources(${target} PRIVATE ${output})
 endfunction()

@@ -1,5 +1,6 @@
 // admit: a candidate becomes a sample unless an earlier sample covers it. Earlier is by the order
 // of the draws, whatever the order of the work.
+#include "lower_bound.h"
 #include "portable/cell.h"
 #include "portable/column.h"
 #include "portable/distance.h"
@@ -83,18 +84,6 @@ kernel void screen(const Geometry g, const u32 draw_count, const u32 chunk,
         }
     }
     if (left < end) pending[left] = NO_SAMPLE;
-}
-
-// The first of [begin, end) whose y is at least low.
-u32 lower_bound(global const uint4* restrict candidates, u32 begin, u32 end, const u32 low) {
-    while (begin < end) {
-        const u32 middle = begin + (end - begin) / 2u;
-        if (candidates[middle].y < low)
-            begin = middle + 1u;
-        else
-            end = middle;
-    }
-    return begin;
 }
 
 // A column and its neighbours. hints[k] is the first candidate of one that is not below the reach

@@ -1,5 +1,6 @@
 // admit in mode cells: a candidate becomes a sample unless an earlier sample of the round is closer
 // than the metric of their radii allows. See admit.cl for the order of the work.
+#include "lower_bound.h"
 #include "portable/column.h"
 #include "portable/distance.h"
 #include "portable/failure.h"
@@ -7,18 +8,6 @@
 #include "portable/geometry.h"
 #include "portable/metric.h"
 #include "portable/window.h"
-
-// The first of [begin, end) whose y is at least low.
-u32 lower_bound(global const uint4* restrict candidates, u32 begin, u32 end, const u32 low) {
-    while (begin < end) {
-        const u32 middle = begin + (end - begin) / 2u;
-        if (candidates[middle].y < low)
-            begin = middle + 1u;
-        else
-            end = middle;
-    }
-    return begin;
-}
 
 // What can be said of a candidate now, whose conflicts are all within `reach` lattice steps. Items
 // of one pass read each other's fates while they are decided; whatever they see, a fate once
