@@ -219,7 +219,7 @@ double radius_for_count(const Request& request, int attempt) {
 
 Plan make_plan(const Request& request) {
     check_request(request);
-    if (request.mode == Mode::cells) return make_cells_plan(request);
+    if (request.mode == Mode::cells) return make_cells_plan(request, sums_of(*request.field));
     check_radius(request);
     const double radius = *request.radius;
     const double longer = std::max(request.width, request.height);

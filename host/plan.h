@@ -74,8 +74,17 @@ struct Plan {
 
 // Throws BadRequest. request.radius must be set, or request.scale in mode cells.
 Plan make_plan(const Request& request);
-// The same for mode cells, which make_plan calls (plan_cells.cpp).
-Plan make_cells_plan(const Request& request);
+
+// What the plans of one field have in common, found in one pass over it. A share is a pixel's part
+// of the greatest importance.
+struct FieldSums {
+    double greatest;
+    double shares;
+    double shares_and_half;  // of shares to the power of 1.5
+};
+FieldSums sums_of(const Field& field);
+// make_plan for mode cells and a request that was checked (plan_cells.cpp).
+Plan make_cells_plan(const Request& request, const FieldSums& sums);
 
 // The free length of every line before the first sample.
 std::vector<std::uint32_t> first_free_lengths(const Plan& plan);
@@ -91,11 +100,11 @@ std::uint64_t machine_memory_bytes();
 double radius_for_count(const Request& request, int attempt);
 // The same for mode cells: the scale g at which DESIGN's formula expects a maximal set of so many.
 // Throws BadRequest where its lattice would be too large.
-double scale_for_count(const Request& request, std::uint64_t count);
+double scale_for_count(const Request& request, const FieldSums& sums, std::uint64_t count);
 // And corrected by a pilot, a maximal set of the same field: where a field is rough, min lets in
 // more samples than its integral tells. With some to spare; more with every attempt.
-double scale_for_count(const Request& request, std::uint64_t count, const Request& pilot,
-                       std::uint64_t pilot_count, int attempt);
+double scale_for_count(const Request& request, const FieldSums& sums, std::uint64_t count,
+                       const Request& pilot, std::uint64_t pilot_count, int attempt);
 
 // Throws BadRequest for `option` when so many bytes are more than the request or the machine
 // allows.

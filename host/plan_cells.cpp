@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "plan.h"
 
@@ -26,19 +27,11 @@ std::uint32_t cells_per_radius(const Request& request) {
     return request.lines_per_radius.value_or(kCellsPerRadius);
 }
 
-double greatest(const Field& field) {
-    return *std::max_element(field.importance.begin(), field.importance.end());
-}
-
 // Samples to be expected at a least radius of 1: the density times the integral of the importance
 // in units of the greatest (DESIGN section 5), less what the lattice loses where radii are small.
-double samples_at_radius_one(const Request& request, std::uint32_t lines_per_radius) {
-    const double most = greatest(*request.field);
-    double sum = 0;
-    for (const double value : request.field->importance) {
-        const double share = value / most;
-        sum += share * (1 - kLatticeLoss / lines_per_radius * std::sqrt(share));
-    }
+double samples_at_radius_one(const Request& request, const FieldSums& sums) {
+    const double sum =
+        sums.shares - kLatticeLoss / cells_per_radius(request) * sums.shares_and_half;
     return kDensity * sum / static_cast<double>(request.field->importance.size()) * request.width *
            request.height;
 }
@@ -63,8 +56,8 @@ struct Lattice {
 };
 
 // Section 4.2: m / r_min lines, and the same step along y, as nearly as the height allows.
-Lattice lattice_of(const Request& request, double scale) {
-    Lattice lattice{scale / std::sqrt(greatest(*request.field)), 0, 0};
+Lattice lattice_of(const Request& request, const FieldSums& sums, double scale) {
+    Lattice lattice{scale / std::sqrt(sums.greatest), 0, 0};
     lattice.lines =
         std::max(1.0, std::ceil(cells_per_radius(request) * request.width / lattice.least_radius));
     lattice.height = std::max(1.0, std::round(lattice.lines * request.height / request.width));
@@ -86,41 +79,51 @@ void check_lattice(const Request& request, const std::string& option, const std:
 }
 
 // The scale, if it may be used for a request for a count.
-double checked_scale(const Request& request, std::uint64_t count, double scale) {
-    check_lattice(request, "count", std::to_string(count), lattice_of(request, scale),
+double checked_scale(const Request& request, const FieldSums& sums, std::uint64_t count,
+                     double scale) {
+    check_lattice(request, "count", std::to_string(count), lattice_of(request, sums, scale),
                   static_cast<double>(count));
     return scale;
 }
 
 }  // namespace
 
-double scale_for_count(const Request& request, std::uint64_t count) {
-    const double least_radius = std::sqrt(
-        samples_at_radius_one(request, cells_per_radius(request)) / static_cast<double>(count));
-    return checked_scale(request, count, least_radius * std::sqrt(greatest(*request.field)));
+FieldSums sums_of(const Field& field) {
+    const std::vector<double>& importance = field.importance;
+    FieldSums sums{*std::max_element(importance.begin(), importance.end()), 0, 0};
+    for (const double value : importance) {
+        const double share = value / sums.greatest;
+        sums.shares += share;
+        sums.shares_and_half += share * std::sqrt(share);
+    }
+    return sums;
 }
 
-double scale_for_count(const Request& request, std::uint64_t count, const Request& pilot,
-                       std::uint64_t pilot_count, int attempt) {
+double scale_for_count(const Request& request, const FieldSums& sums, std::uint64_t count) {
+    const double least_radius =
+        std::sqrt(samples_at_radius_one(request, sums) / static_cast<double>(count));
+    return checked_scale(request, sums, count, least_radius * std::sqrt(sums.greatest));
+}
+
+double scale_for_count(const Request& request, const FieldSums& sums, std::uint64_t count,
+                       const Request& pilot, std::uint64_t pilot_count, int attempt) {
     // As many more as lattices of these steps differ by, where the field is smooth. A pilot of none
     // fell between all pixels of importance.
-    const double finer = samples_at_radius_one(request, cells_per_radius(request)) /
-                         samples_at_radius_one(pilot, cells_per_radius(pilot));
+    const double finer = samples_at_radius_one(request, sums) / samples_at_radius_one(pilot, sums);
     const double maximal = std::max(static_cast<double>(pilot_count), 0.5) * finer;
     const auto least = static_cast<double>(count);
     const double wanted = (least + 4 * kCountDeviation * std::sqrt(least)) *
                           std::pow(kSpare, 1 + attempt * (attempt + 1) / 2);
-    return checked_scale(request, count, *pilot.scale * std::sqrt(maximal / wanted));
+    return checked_scale(request, sums, count, *pilot.scale * std::sqrt(maximal / wanted));
 }
 
-Plan make_cells_plan(const Request& request) {
-    const std::uint32_t lines_per_radius = cells_per_radius(request);
+Plan make_cells_plan(const Request& request, const FieldSums& sums) {
     const double scale = *request.scale;
     if (!std::isfinite(scale) || scale <= 0)
         throw BadRequest("scale", shortest(scale), "must be a finite number greater than 0");
-    const Lattice lattice = lattice_of(request, scale);
-    const double expected = samples_at_radius_one(request, lines_per_radius) /
-                            (lattice.least_radius * lattice.least_radius);
+    const Lattice lattice = lattice_of(request, sums, scale);
+    const double expected =
+        samples_at_radius_one(request, sums) / (lattice.least_radius * lattice.least_radius);
     check_lattice(request, "scale", shortest(scale), lattice, expected);
     const bool torus = request.boundary == Boundary::torus;
 
@@ -142,7 +145,7 @@ Plan make_cells_plan(const Request& request) {
     plan.radius_squared = std::uint64_t{plan.radius} * plan.radius;
     plan.user_radius = lattice.least_radius;
     plan.user_scale = scale;
-    plan.lines_per_radius = lines_per_radius;
+    plan.lines_per_radius = cells_per_radius(request);
     plan.round_size = request.round_size;
     plan.seed = request.seed;
     plan.limit = request.limit.value_or(std::numeric_limits<std::uint64_t>::max());

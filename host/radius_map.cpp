@@ -8,7 +8,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kUnitsPerStep = 256;
+constexpr std::uint32_t kUnitsPerStep = 256;
 
 // Entry i of `count` lies under the middle of entry index_of(i) of `cells`.
 std::vector<std::uint32_t> nearest(std::uint32_t count, std::uint32_t cells) {
@@ -19,8 +19,9 @@ std::vector<std::uint32_t> nearest(std::uint32_t count, std::uint32_t cells) {
     return index;
 }
 
+// Rounded up.
 std::uint32_t steps_of(std::uint32_t radius) {
-    return static_cast<std::uint32_t>(std::ceil(radius / kUnitsPerStep));
+    return radius / kUnitsPerStep + (radius % kUnitsPerStep != 0 ? 1 : 0);
 }
 
 }  // namespace
@@ -34,14 +35,20 @@ RadiusMap::RadiusMap(const Field& field, double scale, Metric metric, std::uint3
       row_of(nearest(height, rows)) {
     // A radius beyond twice the diagonal blocks everything already, whatever it is averaged with.
     const double most = 2 * (std::hypot(lines, height) + 1);
-    for (std::uint32_t row = 0; row < rows; ++row) {
-        const double* const line = &field.importance[std::size_t{rows - 1 - row} * columns];
-        for (std::uint32_t column = 0; column < columns; ++column) {
-            if (line[column] <= 0) continue;
-            // Rounded up by at least 2^-10 of a unit, more than doubles lose on the way back.
-            const double steps = std::min(scale / std::sqrt(line[column]) / step, most);
-            radii[std::size_t{column} * rows + row] =
-                static_cast<std::uint32_t>(steps * kUnitsPerStep + 1.0 / 1024) + 1;
+    const auto radius_of = [&](double importance) -> std::uint32_t {
+        if (importance <= 0) return 0;
+        // Rounded up by at least 2^-10 of a unit, more than doubles lose on the way back.
+        const double steps = std::min(scale / std::sqrt(importance) / step, most);
+        return static_cast<std::uint32_t>(steps * kUnitsPerStep + 1.0 / 1024) + 1;
+    };
+    // So many columns at a time: what is written of them stays in the cache from row to row.
+    constexpr std::uint32_t kTile = 64;
+    for (std::uint32_t first = 0; first < columns; first += kTile) {
+        const std::uint32_t end = std::min(first + kTile, columns);
+        for (std::uint32_t row = 0; row < rows; ++row) {
+            const double* const line = &field.importance[std::size_t{rows - 1 - row} * columns];
+            for (std::uint32_t column = first; column < end; ++column)
+                radii[std::size_t{column} * rows + row] = radius_of(line[column]);
         }
     }
     row_begins.reserve(rows + std::size_t{1});

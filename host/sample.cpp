@@ -11,8 +11,9 @@
 namespace lacuna {
 namespace {
 
-Result run(const Request& request, Observer& observer) {
-    const Plan plan = make_plan(request);
+// For a request that was checked, with its field's sums in cells.
+Result run(const Request& request, const std::optional<FieldSums>& sums, Observer& observer) {
+    const Plan plan = sums ? make_cells_plan(request, *sums) : make_plan(request);
     const Run run = run_on_backend(request, plan, observer);
     Result result;
     result.points.reserve(run.outcome.samples.size());
@@ -46,8 +47,8 @@ struct Pilot {
     std::uint64_t points;
 };
 
-Pilot run_pilot(const Request& request, double scale, std::uint32_t cells_per_radius,
-                Observer& observer) {
+Pilot run_pilot(const Request& request, const FieldSums& sums, double scale,
+                std::uint32_t cells_per_radius, Observer& observer) {
     Pilot pilot{request, 0};
     pilot.request.scale = scale;
     pilot.request.count.reset();
@@ -57,24 +58,24 @@ Pilot run_pilot(const Request& request, double scale, std::uint32_t cells_per_ra
     pilot.request.backend = "cpu";
     pilot.request.device.clear();
     Silent silent(observer);
-    pilot.points = run(pilot.request, silent).points.size();
+    pilot.points = run(pilot.request, sums, silent).points.size();
     return pilot;
 }
 
 // From DESIGN's formula, on a coarse lattice. Where a field is so rough that this misses the count
 // by far, again at the scale that it tells, on the request's own lattice.
-Pilot find_pilot(const Request& request, Observer& observer) {
+Pilot find_pilot(const Request& request, const FieldSums& sums, Observer& observer) {
     constexpr std::uint32_t kCoarse = 4;  // cells a radius; a sixth of the work of 10
     constexpr int kCorrections = 3;
     const std::uint32_t own = request.lines_per_radius.value_or(kCellsPerRadius);
-    double scale = scale_for_count(request, *request.count);
-    Pilot pilot = run_pilot(request, scale, std::min(own, kCoarse), observer);
+    double scale = scale_for_count(request, sums, *request.count);
+    Pilot pilot = run_pilot(request, sums, scale, std::min(own, kCoarse), observer);
     for (int i = 0; i < kCorrections; ++i) {
         const double next =
-            scale_for_count(request, *request.count, pilot.request, pilot.points, 0);
+            scale_for_count(request, sums, *request.count, pilot.request, pilot.points, 0);
         if (next > 0.92 * scale && next < 1.08 * scale) break;
         scale = next;
-        pilot = run_pilot(request, scale, own, observer);
+        pilot = run_pilot(request, sums, scale, own, observer);
     }
     return pilot;
 }
@@ -127,22 +128,25 @@ std::string_view name_of(Verb verb) {
 
 Result sample(const Request& request, Observer& observer) {
     check_request(request);
-    if (!request.count) return run(request, observer);
+    std::optional<FieldSums> sums;
+    if (request.mode == Mode::cells) sums = sums_of(*request.field);
+    if (!request.count) return run(request, sums, observer);
 
     // A count: at a radius with room to spare it is met at the first attempt but for a few in a
     // hundred thousand seeds, and a short set is drawn again with more to spare.
     const std::uint64_t count = *request.count;
     std::optional<Pilot> pilot;
-    if (request.mode == Mode::cells) pilot = find_pilot(request, observer);
+    if (sums) pilot = find_pilot(request, *sums, observer);
     for (int attempt = 0;; ++attempt) {
         Request sized = request;
         if (pilot)
-            sized.scale = scale_for_count(request, count, pilot->request, pilot->points, attempt);
+            sized.scale =
+                scale_for_count(request, *sums, count, pilot->request, pilot->points, attempt);
         else
             sized.radius = radius_for_count(request, attempt);
         sized.count.reset();
         sized.limit = std::min(count, request.limit.value_or(count));
-        Result result = run(sized, observer);
+        Result result = run(sized, sums, observer);
         if (result.points.size() == *sized.limit) return result;
     }
 }

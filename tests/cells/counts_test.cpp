@@ -114,7 +114,8 @@ TEST(CellsCounts, AreNearTheMaximalSetsAtTheScaleChosen) {
             const Request request = count_request(field, count);
             const double by_area = tests::scale_of(field, 12, static_cast<double>(count));
             const double formula = over_at(by_area, field, count);
-            const double less_loss = over_at(scale_for_count(request, count), field, count);
+            const double less_loss =
+                over_at(scale_for_count(request, sums_of(field), count), field, count);
             const double chosen = over_at(sample(request).scale, field, count);
             std::printf("| %s | %u | %+.1f %% | %+.1f %% | %+.1f %% |\n", name.c_str(),
                         static_cast<unsigned>(count), 100 * (formula - 1), 100 * (less_loss - 1),
