@@ -44,7 +44,7 @@ std::string short_text(double value) {
 
 // What a run holds at its peak: a bit for each lattice point, the map, and points.
 double memory_needed(const Request& request, double lattice_points, double points) {
-    constexpr double kBytesPerPixel = 8, kBytesPerPoint = 64;
+    constexpr double kBytesPerPixel = 12, kBytesPerPoint = 64;
     const auto pixels = static_cast<double>(request.field->importance.size());
     return lattice_points / 8 + pixels * kBytesPerPixel + points * kBytesPerPoint;
 }

@@ -2,8 +2,13 @@
 #include "radius_map.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <span>
+#include <utility>
+
+#include "portable/metric.h"
 
 namespace lacuna {
 namespace {
@@ -56,6 +61,7 @@ RadiusMap::RadiusMap(const Field& field, double scale, Metric metric, std::uint3
         row_begins.push_back(static_cast<std::uint32_t>(
             std::lower_bound(row_of.begin(), row_of.end(), row) - row_of.begin()));
     find_reaches(metric, wraps);
+    if (metric != Metric::min) find_widest_rows();
 }
 
 std::vector<std::uint32_t> RadiusMap::free_lengths() const {
@@ -130,6 +136,21 @@ void RadiusMap::find_reaches(Metric metric, bool wraps) {
                                  steps_of(dilated[std::size_t{column / width} * up + row / depth]));
             }
         }
+    }
+}
+
+// Counted by class, then listed from the widest class down.
+void RadiusMap::find_widest_rows() {
+    widest_rows.resize(radii.size());
+    std::array<std::uint32_t, RADIUS_CLASSES> next{};
+    for (std::uint32_t column = 0; column < columns; ++column) {
+        const std::span<const std::uint32_t> of_column(&radii[std::size_t{column} * rows], rows);
+        next.fill(0);
+        for (const std::uint32_t radius : of_column) ++next[portable::radius_class(radius)];
+        std::uint32_t sum = column * rows;
+        for (auto it = next.rbegin(); it != next.rend(); ++it) sum += std::exchange(*it, sum);
+        for (std::uint32_t row = 0; row < rows; ++row)
+            widest_rows[next[portable::radius_class(of_column[row])]++] = row;
     }
 }
 

@@ -20,6 +20,10 @@ struct RadiusMap {
     std::vector<std::uint32_t> radii;    // in 1/256 of a lattice step: portable/metric.h
     std::vector<std::uint32_t> reaches;  // in lattice steps: no conflict is as far, with any sample
 
+    // With mean and max: the pixel rows of each column, those of the widest radii first, but for
+    // radii of one class (portable/metric.h) in any order. Empty with min.
+    std::vector<std::uint32_t> widest_rows;
+
     std::vector<std::uint32_t> column_of;   // the pixel column of each line
     std::vector<std::uint32_t> row_of;      // the pixel row of each lattice row
     std::vector<std::uint32_t> row_begins;  // the first lattice row of each pixel row; rows + 1
@@ -32,6 +36,7 @@ struct RadiusMap {
 
 private:
     void find_reaches(Metric metric, bool wraps);
+    void find_widest_rows();
 };
 
 }  // namespace lacuna

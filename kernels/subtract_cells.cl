@@ -84,6 +84,45 @@ void block(const Geometry g, const u32 line_begin, const u32 pixel_begin, const 
     if (from < end) clear_run(line_begin, (u32)from, (u32)end, bits, cut);
 }
 
+// Whether a point of [begin, end) may be free: of few or many words, some may.
+bool any_set(const u32 line_begin, const u32 begin, const u32 end, volatile global u32* bits) {
+    if (end - begin > MOST_LOOKS * 32u) return true;
+    for (u32 word = begin / 32u; word * 32u < end; ++word)
+        if ((bits[line_begin + word] & word_mask(word, begin, end)) != 0u) return true;
+    return false;
+}
+
+// How far from the sample's height a free point of the line can be that it blocks, plus 1; 0 if
+// none. With min no farther than its radius. With mean and max the widest pixels reach farthest,
+// and they are the first to be blocked. Items look side by side: wherever widest[line] stands, no
+// wider row has a free point.
+int half_chord(const Cut* cut, const u32 reach, const u32 line, const u32 line_begin,
+               const u32 pixel_begin, const u32 rows, global const u32* restrict row_begins,
+               global const u32* restrict pixel_radii, global const u32* restrict widest_rows,
+               volatile global u32* bits, volatile global u32* widest) {
+    u64 limit = reach;
+    limit = limit * limit + 1u;
+    u64 dx_squared = cut->dx;
+    dx_squared = dx_squared * dx_squared;
+    if (dx_squared >= limit) return 0;
+    if (cut->metric == METRIC_MIN) return (int)chord_reach(cut->dx, limit);
+
+    // Pass over pixels without a free point until one has some, or all that are left are too small.
+    const u32 first = widest[line];
+    u32 i = first;
+    for (u32 looks = 0u; i < rows && looks < MOST_LOOKS; ++i) {
+        const u32 row = widest_rows[pixel_begin + i];
+        const u32 bound = class_bound(pixel_radii[pixel_begin + row]);
+        limit = min(limit, metric_squared(twice_metric_radius(cut->metric, cut->radius, bound)));
+        const u32 begin = row_begins[row];
+        const u32 end = row_begins[row + 1u];
+        if (dx_squared >= limit || any_set(line_begin, begin, end, bits)) break;
+        looks += (end - begin) / 32u + 1u;
+    }
+    if (i > first) atomic_max(&widest[line], i);
+    return i == rows ? 0 : (int)chord_reach(cut->dx, limit);
+}
+
 // A work item serves one of so many `slices` of the lines near each sample of its chunk of
 // candidates: every slices-th line. Does nothing while admission is unsettled
 // (undecided[last_pass] != 0).
@@ -97,8 +136,10 @@ kernel void subtract_in_cells(const Geometry g, const u32 words, const u32 rows,
                               global const u32* restrict row_of,
                               global const u32* restrict row_begins,
                               global const u32* restrict pixel_radii,
-                              global const u32* restrict pixel_reaches, volatile global u32* bits,
-                              volatile global u32* free_lengths, volatile global u32* failure) {
+                              global const u32* restrict pixel_reaches,
+                              global const u32* restrict widest_rows, volatile global u32* widest,
+                              volatile global u32* bits, volatile global u32* free_lengths,
+                              volatile global u32* failure) {
     if (undecided[last_pass] != 0u) return;
     const u32 item = (u32)get_global_id(0);
     const u32 begin = item / slices * chunk;
@@ -112,11 +153,11 @@ kernel void subtract_in_cells(const Geometry g, const u32 words, const u32 rows,
             const u32 line = (near.first + k) % g.lines;
             Cut cut = {metric, candidate_radii[i], axis_distance(sample.x, line, g.period_x),
                        0u, 0u, 0u};
-            const u64 widest = reach;
-            const int chord = (int)chord_reach(cut.dx, widest * widest + 1u);
+            const u32 pixel_begin = column_of[line] * rows;
+            const int chord = half_chord(&cut, reach, line, line * words, pixel_begin, rows,
+                                         row_begins, pixel_radii, widest_rows, bits, widest);
             const int y = (int)sample.y;
             const int period = (int)g.period_y;
-            const u32 pixel_begin = column_of[line] * rows;
             for (int shift = -period; shift <= period; shift += max(period, 1))
                 block(g, line * words, pixel_begin, y + shift, chord, row_of, row_begins,
                       pixel_radii, bits, &cut);

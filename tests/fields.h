@@ -66,6 +66,15 @@ inline Field noise_field(std::uint32_t columns, std::uint32_t rows, std::uint64_
     });
 }
 
+// Radii of up to a thousand times others, the wide ones rare, as in a pale picture.
+inline Field sizes_field(std::uint32_t columns, std::uint32_t rows, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    return made_field(columns, rows, [&](double, double) {
+        const double share = static_cast<double>(random() % 1000) / 1000;
+        return std::pow(1e-6, std::pow(share, 4));
+    });
+}
+
 #ifdef LACUNA_RACCOON
 // The photograph in examples/, as importance, by the means of blocks of pixels. `columns` divides
 // 1024 and 4 divides `columns`.

@@ -14,6 +14,7 @@ CellsState::CellsState(const Plan& the_plan)
       radii(*plan.radii),
       columns(count_columns(plan)),
       first_lines(lacuna::first_lines(plan, columns)),
+      widest(plan.lines, 0),
       words((plan.height + std::size_t{63}) / 64),
       bits(std::make_unique_for_overwrite<std::uint64_t[]>(plan.lines * words)),
       free_lengths(radii.free_lengths()),
@@ -81,6 +82,7 @@ void CellsState::restore(const Snapshot& snapshot) {
         for (const std::uint64_t word : line(i))
             free_lengths[i] += static_cast<std::uint32_t>(std::popcount(word));
     }
+    std::fill(widest.begin(), widest.end(), 0);
     candidates = snapshot.candidates;
     fates = snapshot.fates;
     candidate_radii.clear();

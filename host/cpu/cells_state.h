@@ -19,6 +19,10 @@ struct CellsState {
     std::uint32_t columns;                   // of lines, see portable/column.h
     std::vector<std::uint32_t> first_lines;  // of each column; columns + 1
 
+    // With mean and max, where in RadiusMap::widest_rows of its pixels a line's first row is that
+    // may have a free point. Goes up as points are blocked.
+    std::vector<std::uint32_t> widest;
+
     // Bit y of a line is set while its lattice point is free.
     std::size_t words;  // of each line
     std::unique_ptr<std::uint64_t[]> bits;

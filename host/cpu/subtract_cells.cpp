@@ -130,18 +130,50 @@ private:
     std::uint32_t blocked_ = 0;
 };
 
+bool any_set(std::span<const std::uint64_t> line, std::uint32_t begin, std::uint32_t end) {
+    if (begin == end) return false;
+    shrink(line, begin, end);
+    return begin < end;
+}
+
+// How far from the sample's height a free point of line x can be that it blocks, plus 1; 0 if none.
+// With min no farther than its radius. With mean and max the widest pixels reach farthest, and they
+// are the first to be blocked.
+std::int64_t half_chord(CellsState& state, std::uint32_t reach, std::uint32_t radius,
+                        std::uint32_t dx, std::uint32_t x) {
+    const RadiusMap& radii = state.radii;
+    std::uint64_t limit = std::uint64_t{reach} * reach + 1;
+    const std::uint64_t dx_squared = std::uint64_t{dx} * dx;
+    if (dx_squared >= limit) return 0;
+    if (state.plan.metric == Metric::min) return portable::chord_reach(dx, limit);
+
+    // Pass over pixels without a free point until one has some, or all that are left are too small.
+    const std::size_t pixels = std::size_t{radii.column_of[x]} * radii.rows;
+    for (std::uint32_t& i = state.widest[x]; i < radii.rows; ++i) {
+        const std::uint32_t row = radii.widest_rows[pixels + i];
+        const std::uint32_t bound = portable::class_bound(radii.radii[pixels + row]);
+        limit = std::min(limit, portable::metric_squared(portable::twice_metric_radius(
+                                    static_cast<std::uint32_t>(state.plan.metric), radius, bound)));
+        if (dx_squared >= limit) return 0;
+        if (any_set(state.line(x), radii.row_begins[row], radii.row_begins[row + 1]))
+            return portable::chord_reach(dx, limit);
+    }
+    return 0;
+}
+
 }  // namespace
 
 void subtract(CellsState& state, std::uint32_t column) {
     const Plan& plan = state.plan;
     for (std::uint32_t k = state.near_begins[column]; k < state.near_begins[column + 1]; ++k) {
         const Candidate& sample = state.candidates[state.near[k]];
-        const std::uint64_t reach = state.reach_of(sample);
+        const std::uint32_t reach = state.reach_of(sample);
+        const std::uint32_t radius = state.candidate_radii[state.near[k]];
         for (std::uint32_t x = state.first_lines[column]; x < state.first_lines[column + 1]; ++x) {
             const std::uint32_t dx = portable::axis_distance(sample.x, x, plan.period_x);
-            const std::int64_t half = portable::chord_reach(dx, reach * reach + 1);
+            const std::int64_t half = half_chord(state, reach, radius, dx, x);
             if (half == 0) continue;
-            Cut cut(state, sample, state.candidate_radii[state.near[k]], x);
+            Cut cut(state, sample, radius, x);
             const std::int64_t y = sample.y;
             cut.block(y, y - half + 1, y + half);
             for (const std::int64_t shift :

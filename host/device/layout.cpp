@@ -165,11 +165,11 @@ constexpr std::uint64_t kCellsLargestPerDraw = 16;
 Needs needs_of_cells(const Plan& plan, std::uint64_t round) {
     constexpr std::uint64_t kWord = 4;
     const std::uint64_t bits = std::uint64_t{plan.lines} * words_per_line(plan) * kWord;
-    // Radii and reaches; column_of and free_lengths; row_of and row_begins.
+    // Radii, reaches and widest rows; column_of, free_lengths and widest; row_of and row_begins.
     const std::uint64_t pixels = plan.radii->radii.size() * kWord;
     const std::uint64_t lines = plan.lines * kWord;
     const std::uint64_t rows = std::uint64_t{std::max(plan.height, plan.radii->rows + 1)} * kWord;
-    return {bits + 2 * (pixels + lines + rows) + round * kCellsBytesPerDraw,
+    return {bits + 3 * (pixels + lines) + 2 * rows + round * kCellsBytesPerDraw,
             std::max({bits, pixels, lines, rows, round * kCellsLargestPerDraw})};
 }
 

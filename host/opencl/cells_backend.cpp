@@ -80,11 +80,12 @@ private:
         const std::uint32_t slices = std::min(
             slices_,
             std::max(std::numeric_limits<std::uint32_t>::max() / 2 / std::max(items, 1u), 1u));
-        s.queue.launch_in_slices(
-            s.kernels.subtract_in_cells, items * slices, s.draw_count * mean_turns_ / kTurnsPerDraw,
-            s.geometry, s.words, s.rows, s.metric, kPasses - 1, s.draw_count, chunk, slices,
-            s.undecided, s.candidates, s.candidate_radii, s.fates, s.column_of, s.row_of,
-            s.row_begins, s.pixel_radii, s.pixel_reaches, s.bits, s.free_lengths, s.failure);
+        s.queue.launch_in_slices(s.kernels.subtract_in_cells, items * slices,
+                                 s.draw_count * mean_turns_ / kTurnsPerDraw, s.geometry, s.words,
+                                 s.rows, s.metric, kPasses - 1, s.draw_count, chunk, slices,
+                                 s.undecided, s.candidates, s.candidate_radii, s.fates, s.column_of,
+                                 s.row_of, s.row_begins, s.pixel_radii, s.pixel_reaches,
+                                 s.widest_rows, s.widest, s.bits, s.free_lengths, s.failure);
     }
 
     void queue_refine(bool) override { throw std::logic_error("mode cells has nothing to refine"); }

@@ -26,17 +26,20 @@ CellsState::CellsState(std::shared_ptr<Program> the_program, const Plan& the_pla
       metric(static_cast<std::uint32_t>(plan.metric)),
       pixel_radii(copy_of(plan.radii->radii)),
       pixel_reaches(copy_of(plan.radii->reaches)),
+      widest_rows(copy_of(plan.radii->widest_rows)),
       column_of(copy_of(plan.radii->column_of)),
       row_of(copy_of(plan.radii->row_of)),
       row_begins(copy_of(plan.radii->row_begins)),
-      bits(words_on_device(std::uint64_t{plan.lines} * words)) {
+      bits(words_on_device(std::uint64_t{plan.lines} * words)),
+      widest(words_on_device(plan.lines)) {
     free_lengths = copy_of(plan.radii->free_lengths());
+    restart_widest();
     write_first_bits();
 }
 
 cl::Buffer CellsState::copy_of(std::span<const std::uint32_t> values) {
     cl::Buffer copy = words_on_device(values.size());
-    queue.write(copy, values);
+    if (!values.empty()) queue.write(copy, values);
     return copy;
 }
 
@@ -48,6 +51,10 @@ void CellsState::write_first_bits() {
         const std::uint32_t end = line + std::min(step, plan.lines - line);
         queue.write_words(bits, std::uint64_t{line} * words, device::first_bits(plan, line, end));
     }
+}
+
+void CellsState::restart_widest() {
+    queue.write<std::uint32_t>(widest, std::vector<std::uint32_t>(plan.lines, 0));
 }
 
 void CellsState::queue_radii() {
@@ -76,6 +83,7 @@ void CellsState::restore(const Snapshot& snapshot) {
         lengths[i / words] += static_cast<std::uint32_t>(std::popcount(snapshot.bits[i]));
     queue.write<std::uint32_t>(bits, snapshot.bits);
     queue.write<std::uint32_t>(free_lengths, lengths);
+    restart_widest();
     restore_round(snapshot);
     queue_radii();
 }

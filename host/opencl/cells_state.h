@@ -28,8 +28,8 @@ struct CellsState : RoundMemory {
     std::uint32_t metric;  // portable/metric.h
 
     // The radius map, as the plan has it.
-    cl::Buffer pixel_radii, pixel_reaches, column_of, row_of, row_begins;
-    cl::Buffer bits;  // of every line
+    cl::Buffer pixel_radii, pixel_reaches, widest_rows, column_of, row_of, row_begins;
+    cl::Buffer bits, widest;  // of every line
     cl::Buffer candidate_radii;
 
     // Finds the radius of each candidate.
@@ -41,6 +41,7 @@ struct CellsState : RoundMemory {
 private:
     cl::Buffer copy_of(std::span<const std::uint32_t> values);
     void write_first_bits();
+    void restart_widest();
 
     std::uint32_t candidate_room_ = 0;
 };

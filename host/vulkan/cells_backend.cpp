@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint64_t kMostTurns = 1u << 14;
 // Of subtract, as cells_layout.h counts them. For each it takes up to 9: lavapipe goes through the
 // roots' loops also where the last root is used again, runs end with their words, and where a reach
-// is longer than a torus, the chord is seen from three heights.
+// is longer than a torus, the chord is seen from three heights. And a look takes up to 64 a line.
 constexpr std::uint64_t kMostTurnsOfSlice = kMostTurns / 4;
 // Neighbouring invocations, which lavapipe runs in lockstep, serve neighbouring lines.
 constexpr std::uint32_t kLeastSlices = 16;
@@ -221,9 +221,9 @@ private:
             std::min(slices_of(state_.plan, served_reach_), std::max(most, 1u));
         engine_->dispatch(
             kernels_.subtract,
-            {state_.undecided, state_.candidates, state_.candidate_radii, state_.fates,
-             state_.column_of, state_.row_of, state_.row_begins, state_.pixel_radii,
-             state_.pixel_reaches, state_.bits, state_.free_lengths, state_.todo, state_.left,
+            {state_.undecided, state_.candidates, state_.fates, state_.column_of, state_.row_of,
+             state_.row_begins, state_.pixel_radii, state_.pixel_reaches, state_.widest_rows,
+             state_.widest, state_.bits, state_.free_lengths, state_.todo, state_.left,
              state_.left_count, state_.failure},
             SubtractInCellsArguments{0, state_.geometry, state_.words, rows(), metric(),
                                      kPasses - 1, count, slices, served_reach_, is_listed},

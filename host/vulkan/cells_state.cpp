@@ -27,14 +27,17 @@ CellsState::CellsState(const Plan& the_plan, Engine& the_engine)
       words(device::words_per_line(plan)),
       bits(words_on_device(engine, std::uint64_t{plan.lines} * words)),
       free_lengths(copy_on_device(engine, plan.radii->free_lengths())),
+      widest(words_on_device(engine, plan.lines)),
       pixel_radii(copy_on_device(engine, plan.radii->radii)),
       pixel_reaches(copy_on_device(engine, plan.radii->reaches)),
+      widest_rows(copy_on_device(engine, plan.radii->widest_rows)),
       column_of(copy_on_device(engine, plan.radii->column_of)),
       row_of(copy_on_device(engine, plan.radii->row_of)),
       row_begins(copy_on_device(engine, plan.radii->row_begins)),
       left_count(words_on_device(engine, 1)),
       free_lengths_down(host_copy_of(engine, free_lengths, Engine::Memory::download)),
       left_count_down(host_copy_of(engine, left_count, Engine::Memory::download)) {
+    engine.fill(widest, 0, plan.lines * kWord);
     set_bits();
 }
 
@@ -88,6 +91,7 @@ void CellsState::begin_restored(const Snapshot& snapshot) {
     for (std::size_t i = 0; i < snapshot.bits.size(); ++i)
         lengths[i / words] += static_cast<std::uint32_t>(std::popcount(snapshot.bits[i]));
     write<std::uint32_t>(engine, free_lengths, lengths);
+    engine.fill(widest, 0, plan.lines * kWord);
     begin_restored_round(snapshot);
     make_candidate_room();
     engine.fill(left_count, 0, kWord);

@@ -28,10 +28,10 @@ struct CellsState : RoundMemory {
 
     // Bit y of a line, in word y / 32 of its `words`, is set while its lattice point is free.
     std::uint32_t words;
-    Buffer bits, free_lengths;
+    Buffer bits, free_lengths, widest;
 
     // See radius_map.h.
-    Buffer pixel_radii, pixel_reaches, column_of, row_of, row_begins;
+    Buffer pixel_radii, pixel_reaches, widest_rows, column_of, row_of, row_begins;
 
     // Of the round: of each candidate, and which of them subtract has yet to serve.
     Buffer candidate_radii, todo, left, left_count;

@@ -46,7 +46,7 @@ Programs embedded_programs() {
         {"locate_in_cells", locate_in_cells_spirv, 4, sizeof(LocateInCellsArguments)},
         {"look_up_radii", look_up_radii_spirv, 5, sizeof(LookUpRadiiArguments)},
         {"admit_in_cells", admit_in_cells_spirv, 11, sizeof(AdmitInCellsArguments)},
-        {"subtract_in_cells", subtract_in_cells_spirv, 15, sizeof(SubtractInCellsArguments)},
+        {"subtract_in_cells", subtract_in_cells_spirv, 16, sizeof(SubtractInCellsArguments)},
     };
 }
 

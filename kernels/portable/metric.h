@@ -17,12 +17,32 @@ LACUNA_FN u32 twice_metric_radius(u32 metric, u32 a, u32 b) {
     return 2u * (is_a ? a : b);
 }
 
+// Radii are sorted by classes, four to an octave, for which the lower bits count as one.
+LACUNA_FN u32 low_bits_of_class(u32 radius) {
+    return radius < 8u ? 0u : 29u - leading_zeros(radius);
+}
+
+#define RADIUS_CLASSES 124u
+LACUNA_FN u32 radius_class(u32 radius) {
+    u32 low_bits = low_bits_of_class(radius);
+    return low_bits * 4u + (radius >> low_bits);
+}
+
+// The largest radius of a radius' class.
+LACUNA_FN u32 class_bound(u32 radius) {
+    return radius | ((1u << low_bits_of_class(radius)) - 1u);
+}
+
 // Lattice points conflict when their squared distance in steps is below this. `twice` is at
 // least 1.
 LACUNA_FN u64 metric_squared(u32 twice) {
     u64 wide = twice;
     return ((wide * wide - 1u) >> 18u) + 1u;
 }
+
+// How many pixel rows, and words of their points, one look for a line's widest open pixel takes at
+// most: invocations have turns to count.
+#define MOST_LOOKS 32u
 
 LACUNA_END
 

@@ -76,6 +76,7 @@ inline std::vector<Scene> random_cells_scenes() {
     const Field noise = noise_field(13, 9, 21);
     const Field fine = noise_field(150, 150, 22);
     const Field dark = one_dark_pixel_field(9, 9);
+    const Field sizes = sizes_field(40, 30, 23);
     const Field holes = white_holes_field(30, 30);
     std::vector<Scene> scenes = {
         random_cells_scene("one lattice point", cells_plan(flat, 20, 3, min, box), 5, 1),
@@ -95,6 +96,10 @@ inline std::vector<Scene> random_cells_scenes() {
                            9),
         random_cells_scene("some radii of twenty others", cells_plan(dark, 0.02, 4, mean, torus),
                            400, 10),
+        random_cells_scene("radii of all sizes, mean", cells_plan(sizes, 0.02, 4, mean, torus), 400,
+                           16),
+        random_cells_scene("radii of all sizes, max", cells_plan(sizes, 0.02, 4, max, box), 400,
+                           17),
         random_cells_scene("a wide torus", cells_plan(noise, 0.5, 3, max, torus, 300, 1), 500, 11),
         random_cells_scene("a high torus", cells_plan(noise, 0.5, 3, mean, torus, 1, 300), 500, 12),
         random_cells_scene("a high box", cells_plan(fine, 0.5, 3, min, box, 1, 300), 500, 13),

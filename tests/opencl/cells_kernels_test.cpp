@@ -66,6 +66,8 @@ TEST_F(CellsKernels, ThatAreWrongAreNoticed) {
         {"min(end, y + reach));", "min(end, y + reach - 1));"},
         {"pixel_begin, y + shift,", "pixel_begin, y,"},
         {"k < near.count", "k < near.count / 2u"},
+        {"any_set(line_begin, begin, end, bits)", "any_set(line_begin, begin, begin, bits)"},
+        {"class_bound(pixel_radii[pixel_begin + row])", "1u"},
         {"if (line_begin + word != cut->word) {", "if (line_begin + word > cut->word + 1u) {"},
     };
     for (const auto& [from, to] : faults)

@@ -16,7 +16,7 @@ typedef struct Input {
     u32 column, line, lines, columns;
 } Input;
 
-#define OUTPUTS 33u
+#define OUTPUTS 35u
 
 kernel void portable(global const Input* inputs, global u64* outputs) {
     const u32 i = (u32)get_global_id(0);
@@ -64,4 +64,6 @@ kernel void portable(global const Input* inputs, global u64* outputs) {
     out[30] = twice;
     out[31] = metric_squared(twice);
     out[32] = bucket_of(in.ay, in.columns, in.height);
+    out[33] = radius_class(in.radius);
+    out[34] = class_bound(in.radius);
 }

@@ -35,7 +35,7 @@ struct Input {
     u32 column, line, lines, columns;
 };
 
-constexpr std::size_t kOutputs = 33;
+constexpr std::size_t kOutputs = 35;
 using Output = std::array<u64, kOutputs>;
 
 Output on_host(const Input& in) {
@@ -78,6 +78,8 @@ Output on_host(const Input& in) {
     out[30] = twice;
     out[31] = metric_squared(twice);
     out[32] = bucket_of(in.ay, in.columns, in.height);
+    out[33] = radius_class(in.radius);
+    out[34] = class_bound(in.radius);
     return out;
 }
 

@@ -8,11 +8,13 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <set>
 #include <utility>
 
 #include "fields.h"
 #include "plan.h"
 #include "plan/cells_request.h"
+#include "portable/metric.h"
 
 namespace {
 
@@ -81,6 +83,32 @@ TEST(RadiusMap, NoConflictIsFartherThanTheReachOfEitherPlace) {
         for (std::uint32_t x = 0; x < plan.lines; x += 1 + below(8))
             ASSERT_TRUE(no_conflict_is_beyond_the_reach(plan, {x, y})) << "seed 20113, field " << i;
     }
+}
+
+TEST(RadiusMap, ListsTheRowsOfEachPixelColumnByTheirRadiiWidestFirst) {
+    const Field field = tests::sizes_field(20, 300, 5);
+    Request request = cells_request(field);
+    request.scale = 0.01;
+    request.metric = Metric::mean;
+    const Plan plan = make_plan(request);
+    const RadiusMap& radii = *plan.radii;
+    ASSERT_EQ(radii.widest_rows.size(), radii.radii.size());
+    for (std::uint32_t column = 0; column < radii.columns; ++column) {
+        const std::size_t first = std::size_t{column} * radii.rows;
+        std::set<std::uint32_t> rows;
+        std::uint32_t bound = ~std::uint32_t{0};
+        for (std::uint32_t i = 0; i < radii.rows; ++i) {
+            const std::uint32_t row = radii.widest_rows[first + i];
+            rows.insert(row);
+            // Rows of one class come in any order: none later is above an earlier one's bound.
+            EXPECT_LE(radii.radii[first + row], bound);
+            bound = portable::class_bound(radii.radii[first + row]);
+        }
+        EXPECT_EQ(rows.size(), radii.rows);
+        EXPECT_EQ(*rows.rbegin(), radii.rows - 1);
+    }
+    request.metric = Metric::min;
+    EXPECT_TRUE(make_plan(request).radii->widest_rows.empty());
 }
 
 // What makes a search near a place cheap: radii that do not reach it do not count.

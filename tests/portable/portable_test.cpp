@@ -7,6 +7,7 @@
 #include "portable/chord.h"
 #include "portable/distance.h"
 #include "portable/isqrt.h"
+#include "portable/metric.h"
 
 namespace {
 
@@ -86,6 +87,18 @@ TEST(ChordReach, HoldsForTheLargestRadius) {
     const u64 radius_squared = 2 * kLongestSide * kLongestSide;
     EXPECT_EQ(chord_reach(0, radius_squared), 3'037'000'500u);
     EXPECT_EQ(chord_reach(0x7fffffffu, radius_squared), 2'147'483'649u);
+}
+
+TEST(RadiusClass, AscendsWithTheRadiusUpToItsBound) {
+    for (u32 radius = 0; radius < 5000; ++radius) {
+        const u32 bound = class_bound(radius);
+        ASSERT_GE(bound, radius);
+        ASSERT_LE(bound, radius + radius / 4);
+        ASSERT_EQ(radius_class(bound), radius_class(radius));
+        ASSERT_EQ(radius_class(bound + 1), radius_class(radius) + 1);
+    }
+    EXPECT_EQ(class_bound(~0u), ~0u);
+    EXPECT_EQ(radius_class(~0u), RADIUS_CLASSES - 1);
 }
 
 TEST(Chord, CoversExactlyTheOffsetsWithinReach) {

@@ -65,7 +65,7 @@ struct Answers {
     u32 lines_count;
     u32 columns_first;
     u32 columns_count;
-    u32 unused;
+    u32 bound;
     u64 metric_squared;
 };
 
@@ -109,7 +109,7 @@ LACUNA_FN Answers answer(Numbers q) {
     a.lines_count = lines.count;
     a.columns_first = columns.first;
     a.columns_count = columns.count;
-    a.unused = 0u;
+    a.bound = class_bound(q.radius);
     return a;
 }
 
