@@ -88,7 +88,8 @@ void block(const Geometry g, const u32 line_begin, const u32 pixel_begin, const 
 bool any_set(const u32 line_begin, const u32 begin, const u32 end, volatile global u32* bits) {
     if (end - begin > MOST_LOOKS * 32u) return true;
     for (u32 word = begin / 32u; word * 32u < end; ++word)
-        if ((bits[line_begin + word] & word_mask(word, begin, end)) != 0u) return true;
+        if ((atomic_or(&bits[line_begin + word], 0u) & word_mask(word, begin, end)) != 0u)
+            return true;
     return false;
 }
 
@@ -105,10 +106,10 @@ int half_chord(const Cut* cut, const u32 reach, const u32 line, const u32 line_b
     u64 dx_squared = cut->dx;
     dx_squared = dx_squared * dx_squared;
     if (dx_squared >= limit) return 0;
-    if (cut->metric == METRIC_MIN) return (int)chord_reach(cut->dx, limit);
+    if (!is_far_reach(cut->metric, reach, cut->radius)) return (int)chord_reach(cut->dx, limit);
 
     // Pass over pixels without a free point until one has some, or all that are left are too small.
-    const u32 first = widest[line];
+    const u32 first = atomic_or(&widest[line], 0u);
     u32 i = first;
     for (u32 looks = 0u; i < rows && looks < MOST_LOOKS; ++i) {
         const u32 row = widest_rows[pixel_begin + i];

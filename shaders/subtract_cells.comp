@@ -106,7 +106,7 @@ int half_chord(const Cut cut, const u32 reach, const u32 line) {
     u64 dx_squared = cut.dx;
     dx_squared = dx_squared * dx_squared;
     if (dx_squared >= limit) return 0;
-    if (metric == METRIC_MIN) return int(chord_reach(cut.dx, limit));
+    if (!is_far_reach(metric, reach, cut.radius)) return int(chord_reach(cut.dx, limit));
 
     // Pass over pixels without a free point until one has some, or all that are left are too small.
     const u32 first = widest[line];

@@ -145,15 +145,16 @@ std::int64_t half_chord(CellsState& state, std::uint32_t reach, std::uint32_t ra
     std::uint64_t limit = std::uint64_t{reach} * reach + 1;
     const std::uint64_t dx_squared = std::uint64_t{dx} * dx;
     if (dx_squared >= limit) return 0;
-    if (state.plan.metric == Metric::min) return portable::chord_reach(dx, limit);
+    const auto metric = static_cast<std::uint32_t>(state.plan.metric);
+    if (!portable::is_far_reach(metric, reach, radius)) return portable::chord_reach(dx, limit);
 
     // Pass over pixels without a free point until one has some, or all that are left are too small.
     const std::size_t pixels = std::size_t{radii.column_of[x]} * radii.rows;
     for (std::uint32_t& i = state.widest[x]; i < radii.rows; ++i) {
         const std::uint32_t row = radii.widest_rows[pixels + i];
         const std::uint32_t bound = portable::class_bound(radii.radii[pixels + row]);
-        limit = std::min(limit, portable::metric_squared(portable::twice_metric_radius(
-                                    static_cast<std::uint32_t>(state.plan.metric), radius, bound)));
+        limit = std::min(
+            limit, portable::metric_squared(portable::twice_metric_radius(metric, radius, bound)));
         if (dx_squared >= limit) return 0;
         if (any_set(state.line(x), radii.row_begins[row], radii.row_begins[row + 1]))
             return portable::chord_reach(dx, limit);

@@ -40,6 +40,12 @@ LACUNA_FN u64 metric_squared(u32 twice) {
     return ((wide * wide - 1u) >> 18u) + 1u;
 }
 
+// Whether a sample's reach, in steps, is so much longer than its radius that looking for wider
+// pixels that are still open spares work.
+LACUNA_FN bool is_far_reach(u32 metric, u32 reach, u32 radius) {
+    return metric != METRIC_MIN && reach / 4u > radius / 256u;
+}
+
 // How many pixel rows, and words of their points, one look for a line's widest open pixel takes at
 // most: invocations have turns to count.
 #define MOST_LOOKS 32u
