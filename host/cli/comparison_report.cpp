@@ -91,14 +91,14 @@ std::string verdict(const Comparison& comparison) {
                 fmt::format("{} differs first in point {}: {} instead of {}\n",
                             entry.contestant.backend, entry.difference->index,
                             text_of(entry.difference->got), text_of(entry.difference->expected));
-    for (const Entry& entry : comparison.entries)
-        if (entry.has_run() && entry.broke_off)
-            text += fmt::format("{} {}\n", entry.contestant.backend, failure_text(entry));
+    bool any_failed = false;
+    for (const Entry& entry : comparison.entries) {
+        if (!entry.has_run() || !entry.broke_off) continue;
+        any_failed = true;
+        text += fmt::format("{} {}\n", entry.contestant.backend, failure_text(entry));
+    }
     const auto ran = std::count_if(comparison.entries.begin(), comparison.entries.end(),
                                    [](const Entry& entry) { return entry.has_run(); });
-    const bool any_failed =
-        std::any_of(comparison.entries.begin(), comparison.entries.end(),
-                    [](const Entry& entry) { return entry.has_run() && entry.broke_off; });
     if (comparison.agree())
         text += fmt::format("{} made these points, in every run{}\n",
                             ran == 1 ? "one" : fmt::format("all {}", ran),

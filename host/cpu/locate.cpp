@@ -1,19 +1,13 @@
 // locate: the rank of each draw, walked to a y through its place's free length.
 #include <algorithm>
-#include <numeric>
 #include <span>
-#include <vector>
 
+#include "cpu/sort_column.h"
 #include "cpu/state.h"
-#include "portable/column.h"
 #include "portable/fate.h"
 
 namespace lacuna::cpu {
 namespace {
-
-bool comes_before(const Candidate& a, const Candidate& b) {
-    return a.y < b.y || (a.y == b.y && a.order < b.order);
-}
 
 // Draws [begin, end) of lines. A line is walked once for all its draws, which ascend in rank.
 void locate_on_lines(State& state, std::span<const Draw> draws, std::uint32_t begin,
@@ -43,34 +37,6 @@ void locate_in_boxes(State& state, std::span<const Draw> draws, std::uint32_t co
     }
 }
 
-// By y, and by order where y is equal. Most of the work is to find the bucket.
-void sort(std::span<Candidate> candidates, std::uint32_t height) {
-    thread_local std::vector<std::uint32_t> buckets;
-    thread_local std::vector<Candidate> located;
-    const auto count = static_cast<std::uint32_t>(candidates.size());
-    const auto bucket_of = [&](const Candidate& candidate) {
-        return portable::bucket_of(candidate.y, count, height);
-    };
-
-    // Count the draws of each bucket, and find where each begins.
-    buckets.assign(count, 0);
-    for (const Candidate& candidate : candidates) ++buckets[bucket_of(candidate)];
-    std::exclusive_scan(buckets.begin(), buckets.end(), buckets.begin(), 0u);
-
-    // Share the draws out.
-    located.assign(candidates.begin(), candidates.end());
-    for (const Candidate& candidate : located)
-        candidates[buckets[bucket_of(candidate)]++] = candidate;
-
-    // Order those of one bucket, which ends where the next one begins.
-    std::uint32_t begin = 0;
-    for (const std::uint32_t end : buckets) {
-        if (end - begin > 1)
-            std::sort(candidates.begin() + begin, candidates.begin() + end, comes_before);
-        begin = end;
-    }
-}
-
 }  // namespace
 
 void locate(State& state, std::span<const Draw> draws, std::uint32_t column) {
@@ -80,7 +46,7 @@ void locate(State& state, std::span<const Draw> draws, std::uint32_t column) {
         locate_in_boxes(state, draws, column);
     else
         locate_on_lines(state, draws, begin, end);
-    sort(std::span(state.candidates).subspan(begin, end - begin), state.plan.height);
+    sort_column(std::span(state.candidates).subspan(begin, end - begin), state.plan.height);
     std::fill(state.fates.begin() + begin, state.fates.begin() + end, FATE_UNDECIDED);
 }
 

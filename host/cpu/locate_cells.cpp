@@ -1,8 +1,9 @@
 // locate in mode cells: the rank of each draw, walked to a y over the bits of its line.
-#include <algorithm>
 #include <bit>
+#include <span>
 
 #include "cpu/cells_state.h"
+#include "cpu/sort_column.h"
 #include "portable/fate.h"
 
 namespace lacuna::cpu {
@@ -38,10 +39,7 @@ void locate(CellsState& state, std::span<const Draw> draws, std::uint32_t column
                        bit_at_rank(*word, draws[i].rank - passed);
         state.candidates[i] = {line, y, line, draws[i].order};
     }
-    std::sort(state.candidates.begin() + begin, state.candidates.begin() + end,
-              [](const Candidate& a, const Candidate& b) {
-                  return a.y != b.y ? a.y < b.y : a.order < b.order;
-              });
+    sort_column(std::span(state.candidates).subspan(begin, end - begin), state.plan.height);
     for (std::uint32_t i = begin; i < end; ++i) {
         const Candidate& candidate = state.candidates[i];
         state.candidate_radii[i] =

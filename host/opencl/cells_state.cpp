@@ -33,13 +33,13 @@ CellsState::CellsState(std::shared_ptr<Program> the_program, const Plan& the_pla
       bits(words_on_device(std::uint64_t{plan.lines} * words)),
       widest(words_on_device(plan.lines)) {
     free_lengths = copy_of(plan.radii->free_lengths());
-    restart_widest();
+    queue.fill(widest, plan.lines, 0);
     write_first_bits();
 }
 
 cl::Buffer CellsState::copy_of(std::span<const std::uint32_t> values) {
     cl::Buffer copy = words_on_device(values.size());
-    if (!values.empty()) queue.write(copy, values);
+    queue.write(copy, values);
     return copy;
 }
 
@@ -51,10 +51,6 @@ void CellsState::write_first_bits() {
         const std::uint32_t end = line + std::min(step, plan.lines - line);
         queue.write_words(bits, std::uint64_t{line} * words, device::first_bits(plan, line, end));
     }
-}
-
-void CellsState::restart_widest() {
-    queue.write<std::uint32_t>(widest, std::vector<std::uint32_t>(plan.lines, 0));
 }
 
 void CellsState::queue_radii() {
@@ -83,7 +79,7 @@ void CellsState::restore(const Snapshot& snapshot) {
         lengths[i / words] += static_cast<std::uint32_t>(std::popcount(snapshot.bits[i]));
     queue.write<std::uint32_t>(bits, snapshot.bits);
     queue.write<std::uint32_t>(free_lengths, lengths);
-    restart_widest();
+    queue.fill(widest, plan.lines, 0);
     restore_round(snapshot);
     queue_radii();
 }

@@ -41,7 +41,6 @@ struct CellsState : RoundMemory {
 private:
     cl::Buffer copy_of(std::span<const std::uint32_t> values);
     void write_first_bits();
-    void restart_widest();
 
     std::uint32_t candidate_room_ = 0;
 };

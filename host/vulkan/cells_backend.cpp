@@ -263,7 +263,7 @@ private:
     std::uint32_t served_reach_ = 0;  // of subtract, so far
     std::uint64_t* dispatches_;
     std::vector<Sample> samples_;
-    bool is_recorded_ = false;  // something waits to be submitted
+    bool is_recorded_ = false;  // something whose outcome is not known yet
     bool has_fates_ = false;    // passes have something to take up
     bool subtracts_ = false;    // at the end of the round
 };

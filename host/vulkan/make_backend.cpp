@@ -232,7 +232,7 @@ private:
     std::uint32_t served_together_;
     std::uint64_t* dispatches_;
     std::vector<Sample> samples_;
-    bool is_recorded_ = false;  // something waits to be submitted
+    bool is_recorded_ = false;  // something whose outcome is not known yet
     bool has_fates_ = false;    // passes have something to take up
     End ends_with_ = End::none;
     bool halves_ = false;
