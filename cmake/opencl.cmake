@@ -24,7 +24,7 @@ function(lacuna_add_opencl)
             "ocl-icd-opencl-dev opencl-clhpp-headers")
         return()
     endif()
-    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/host/opencl/*.cpp)
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/host/backends/opencl/*.cpp)
     file(GLOB kernels CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/kernels/*.cl)
     target_sources(lacuna PRIVATE ${sources})
     # Mode cells has kernels of its own, and shares sort_columns: each mode compiles what it needs.

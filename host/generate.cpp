@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "marginal.h"
-#include "rounds.h"
+#include "rounds/marginal.h"
+#include "rounds/round_policy.h"
 
 namespace lacuna {
 namespace {

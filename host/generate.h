@@ -4,8 +4,8 @@
 #include <lacuna/lacuna.h>
 #include <vector>
 
-#include "backend.h"
-#include "plan.h"
+#include "backends/backend.h"
+#include "plan/plan.h"
 
 namespace lacuna {
 

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <utility>
 
-#include "backends.h"
+#include "backends/backends.h"
 #include "lacuna/lacuna.h"
-#include "plan.h"
+#include "plan/plan.h"
 
 namespace lacuna {
 namespace {

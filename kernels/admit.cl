@@ -1,7 +1,7 @@
 // admit: a candidate becomes a sample unless an earlier sample covers it. Earlier is by the order
 // of the draws, whatever the order of the work.
 #include "lower_bound.h"
-#include "portable/cell.h"
+#include "portable/sample_grid.h"
 #include "portable/column.h"
 #include "portable/distance.h"
 #include "portable/failure.h"
@@ -10,21 +10,21 @@
 #include "portable/window.h"
 
 // Whether a sample of an earlier round is closer than the radius.
-bool is_covered(const Geometry g, const u32 x, const u32 y, global const u32* restrict cell_x,
-                global const u32* restrict cell_y) {
+bool is_covered(const Geometry g, const u32 x, const u32 y, global const u32* restrict grid_x,
+                global const u32* restrict grid_y) {
     const u32 x_windows = g.period_x != 0u ? 3u : 1u;
     const u32 y_windows = g.period_y != 0u ? 3u : 1u;
     for (u32 i = 0u; i < x_windows; ++i) {
-        const u32 column_low = near_low(i, x, x + 1u, g.radius, g.width, g.cell_side);
-        const u32 column_high = near_high(i, x, x + 1u, g.radius, g.width, g.cell_side);
+        const u32 column_low = near_low(i, x, x + 1u, g.radius, g.width, g.grid_side);
+        const u32 column_high = near_high(i, x, x + 1u, g.radius, g.width, g.grid_side);
         for (u32 j = 0u; j < y_windows; ++j) {
-            const u32 row_low = near_low(j, y, y + 1u, g.radius, g.height, g.cell_side);
-            const u32 row_high = near_high(j, y, y + 1u, g.radius, g.height, g.cell_side);
+            const u32 row_low = near_low(j, y, y + 1u, g.radius, g.height, g.grid_side);
+            const u32 row_high = near_high(j, y, y + 1u, g.radius, g.height, g.grid_side);
             for (u32 column = column_low; column <= column_high; ++column) {
                 for (u32 row = row_low; row <= row_high; ++row) {
-                    const u32 cell = column * g.cell_rows + row;
-                    if (cell_x[cell] != NO_SAMPLE &&
-                        conflicts(cell_x[cell], cell_y[cell], x, y, g.period_x, g.period_y,
+                    const u32 cell = column * g.grid_rows + row;
+                    if (grid_x[cell] != NO_SAMPLE &&
+                        conflicts(grid_x[cell], grid_y[cell], x, y, g.period_x, g.period_y,
                                   g.radius_squared))
                         return true;
                 }
@@ -38,15 +38,15 @@ bool is_covered(const Geometry g, const u32 x, const u32 y, global const u32* re
 // No branch: where a sample lies cannot be foretold. A cell without one is masked, since the square
 // of its coordinates overflows.
 bool is_covered_inside(const Geometry g, const u32 x, const u32 y,
-                       global const u32* restrict cell_x, global const u32* restrict cell_y) {
-    const u32 column = min((x - g.radius) / g.cell_side, g.cell_columns - 4u);
-    const u32 row = min((y - g.radius) / g.cell_side, g.cell_rows - 4u);
+                       global const u32* restrict grid_x, global const u32* restrict grid_y) {
+    const u32 column = min((x - g.radius) / g.grid_side, g.grid_columns - 4u);
+    const u32 row = min((y - g.radius) / g.grid_side, g.grid_rows - 4u);
     bool covered = false;
     for (u32 i = 0u; i < 4u; ++i) {
-        const u32 first = (column + i) * g.cell_rows + row;
+        const u32 first = (column + i) * g.grid_rows + row;
         for (u32 j = 0u; j < 4u; ++j) {
-            const u32 sample_x = cell_x[first + j];
-            const u32 sample_y = cell_y[first + j];
+            const u32 sample_x = grid_x[first + j];
+            const u32 sample_y = grid_y[first + j];
             const bool is_near =
                 squared_length(axis_distance(sample_x, x, 0u), axis_distance(sample_y, y, 0u)) <
                 g.radius_squared;
@@ -60,10 +60,10 @@ bool is_covered_inside(const Geometry g, const u32 x, const u32 y,
 // its others in `pending`, then NO_SAMPLE. samples[order] is where the host looks for what became
 // of that draw.
 kernel void screen(const Geometry g, const u32 draw_count, const u32 chunk,
-                   global const uint4* restrict candidates, global const u32* restrict cell_x,
-                   global const u32* restrict cell_y, global u32* restrict fates,
+                   global const uint4* restrict candidates, global const u32* restrict grid_x,
+                   global const u32* restrict grid_y, global u32* restrict fates,
                    global u32* restrict pending, global uint2* restrict samples) {
-    const bool has_inside = g.cell_columns >= 4u && g.cell_rows >= 4u && g.radius < g.width &&
+    const bool has_inside = g.grid_columns >= 4u && g.grid_rows >= 4u && g.radius < g.width &&
                             g.radius < g.height;
     const u32 begin = (u32)get_global_id(0) * chunk;
     const u32 end = min(begin + chunk, draw_count);
@@ -74,8 +74,8 @@ kernel void screen(const Geometry g, const u32 draw_count, const u32 chunk,
         const bool is_inside = has_inside && candidate.x >= g.radius && candidate.y >= g.radius &&
                                candidate.x < g.width - g.radius &&
                                candidate.y < g.height - g.radius;
-        if (is_inside ? is_covered_inside(g, candidate.x, candidate.y, cell_x, cell_y)
-                      : is_covered(g, candidate.x, candidate.y, cell_x, cell_y)) {
+        if (is_inside ? is_covered_inside(g, candidate.x, candidate.y, grid_x, grid_y)
+                      : is_covered(g, candidate.x, candidate.y, grid_x, grid_y)) {
             fates[i] = FATE_COVERED;
             samples[candidate.w] = (uint2)(NO_SAMPLE, FATE_COVERED);
         } else {

@@ -1,5 +1,5 @@
 // refine: what all samples leave of the places, in boxes (DESIGN section 4, "exact").
-#include "portable/cell.h"
+#include "portable/sample_grid.h"
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
@@ -11,17 +11,17 @@
 // (undecided[last_pass] != 0).
 kernel void insert(const Geometry g, const u32 last_pass, const u32 draw_count, const u32 chunk,
                    global const u32* restrict undecided, global const uint4* restrict candidates,
-                   global const u32* restrict fates, global u32* restrict cell_x,
-                   global u32* restrict cell_y) {
+                   global const u32* restrict fates, global u32* restrict grid_x,
+                   global u32* restrict grid_y) {
     if (undecided[last_pass] != 0u) return;
     const u32 begin = (u32)get_global_id(0) * chunk;
     const u32 end = min(begin + chunk, draw_count);
     for (u32 i = begin; i < end; ++i) {
         if (fates[i] != FATE_ADMITTED) continue;
         const uint4 sample = candidates[i];
-        const u32 cell = sample.x / g.cell_side * g.cell_rows + sample.y / g.cell_side;
-        cell_x[cell] = sample.x;
-        cell_y[cell] = sample.y;
+        const u32 cell = sample.x / g.grid_side * g.grid_rows + sample.y / g.grid_side;
+        grid_x[cell] = sample.x;
+        grid_y[cell] = sample.y;
     }
 }
 
@@ -41,13 +41,13 @@ kernel void unfold(const Geometry g, const u32 first_line, const u32 end_line, c
     for (u32 i = 0u; i < span_counts[line]; ++i) {
         const uint2 span = spans[slot + i];
         if (writes == 0u) {
-            place += (span.y - 1u) / g.cell_side - span.x / g.cell_side + 1u;
+            place += (span.y - 1u) / g.grid_side - span.x / g.grid_side + 1u;
             continue;
         }
         for (u32 begin = span.x; begin < span.y; begin = box_end[place - 1u]) {
             box_x[place] = line * g.strip_width;
             box_begin[place] = begin;
-            box_end[place] = begin + min(span.y - begin, g.cell_side - begin % g.cell_side);
+            box_end[place] = begin + min(span.y - begin, g.grid_side - begin % g.grid_side);
             ++place;
         }
     }
@@ -67,25 +67,25 @@ typedef struct Near {
 } Near;
 
 void find_near(const Geometry g, const u32 x, const u32 x_end, const u32 begin, const u32 end,
-               global const u32* restrict cell_x, global const u32* restrict cell_y,
+               global const u32* restrict grid_x, global const u32* restrict grid_y,
                Near* near) {
     const u32 x_windows = g.period_x != 0u ? 3u : 1u;
     const u32 y_windows = g.period_y != 0u ? 3u : 1u;
     u32 count = 0u;
     for (u32 i = 0u; i < x_windows; ++i) {
-        const u32 column_low = near_low(i, x, x_end, g.radius, g.width, g.cell_side);
-        const u32 column_high = near_high(i, x, x_end, g.radius, g.width, g.cell_side);
+        const u32 column_low = near_low(i, x, x_end, g.radius, g.width, g.grid_side);
+        const u32 column_high = near_high(i, x, x_end, g.radius, g.width, g.grid_side);
         if (column_low > column_high) continue;
         for (u32 j = 0u; j < y_windows; ++j) {
-            const u32 row_low = near_low(j, begin, end, g.radius, g.height, g.cell_side);
-            const u32 row_high = near_high(j, begin, end, g.radius, g.height, g.cell_side);
+            const u32 row_low = near_low(j, begin, end, g.radius, g.height, g.grid_side);
+            const u32 row_high = near_high(j, begin, end, g.radius, g.height, g.grid_side);
             for (u32 column = column_low; column <= column_high; ++column) {
                 // Every cell is written, and kept or not: no branch.
                 for (u32 row = row_low; row <= row_high; ++row) {
-                    const u32 cell = column * g.cell_rows + row;
-                    near->x[count] = cell_x[cell];
-                    near->y[count] = cell_y[cell];
-                    count = min(count + (cell_x[cell] != NO_SAMPLE ? 1u : 0u), MOST_NEAR);
+                    const u32 cell = column * g.grid_rows + row;
+                    near->x[count] = grid_x[cell];
+                    near->y[count] = grid_y[cell];
+                    count = min(count + (grid_x[cell] != NO_SAMPLE ? 1u : 0u), MOST_NEAR);
                 }
             }
         }
@@ -186,7 +186,7 @@ bool find_piece(const Chords* chords, Piece* piece) {
 kernel void cut(const Geometry g, const u32 boxes, const u32 chunk, const u32 width,
                 const u32 parts, global const u32* restrict box_x,
                 global const u32* restrict box_begin, global const u32* restrict box_end,
-                global const u32* restrict cell_x, global const u32* restrict cell_y,
+                global const u32* restrict grid_x, global const u32* restrict grid_y,
                 global u32* restrict counts, global u32* restrict piece_begin,
                 global u32* restrict piece_end, volatile global u32* failure) {
     const u32 first_box = (u32)get_global_id(0) * chunk;
@@ -197,7 +197,7 @@ kernel void cut(const Geometry g, const u32 boxes, const u32 chunk, const u32 wi
         const u32 x = box_x[box];
         const u32 begin = box_begin[box];
         const u32 end = box_end[box];
-        find_near(g, x, x + width * parts, begin, end, cell_x, cell_y, &near);
+        find_near(g, x, x + width * parts, begin, end, grid_x, grid_y, &near);
         if (near.count == MOST_NEAR) atomic_or(failure, FAILED_CHORDS);
         for (u32 part = 0u; part < parts; ++part) {
             const u32 strip = box * parts + part;
@@ -241,7 +241,7 @@ kernel void scan(const u32 count, const u32 block, global u32* restrict values,
 kernel void keep(const Geometry g, const u32 boxes, const u32 chunk, const u32 width,
                  const u32 parts, const u32 block, global const u32* restrict box_x,
                  global const u32* restrict box_begin, global const u32* restrict box_end,
-                 global const u32* restrict cell_x, global const u32* restrict cell_y,
+                 global const u32* restrict grid_x, global const u32* restrict grid_y,
                  global const u32* restrict counts, global const u32* restrict sums,
                  global const u32* restrict piece_begin, global const u32* restrict piece_end,
                  global u32* restrict new_x, global u32* restrict new_begin,
@@ -259,7 +259,7 @@ kernel void keep(const Geometry g, const u32 boxes, const u32 chunk, const u32 w
         const u32 x = box_x[box] + strip % parts * width;
         Piece piece = {piece_begin[strip], piece_end[strip], 0u, box_begin[box]};
         if (place + 1u < end_place) {
-            find_near(g, x, x + width, box_begin[box], box_end[box], cell_x, cell_y, &near);
+            find_near(g, x, x + width, box_begin[box], box_end[box], grid_x, grid_y, &near);
             find_chords(g, x + width / 2u, width / 2u, box_begin[box], box_end[box], &near,
                         &chords);
             find_piece(&chords, &piece);

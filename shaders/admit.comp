@@ -3,7 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
-#include "portable/cell.h"
+#include "portable/sample_grid.h"
 #include "portable/column.h"
 #include "portable/distance.h"
 #include "portable/failure.h"
@@ -17,25 +17,25 @@ layout(local_size_x_id = 0) in;
 // In exact, before the first pass: settles the candidates that samples of earlier rounds cover.
 layout(push_constant) uniform Arguments { u32 first_item; Geometry g; u32 draw_count; u32 chunk; };
 layout(binding = 0) readonly restrict buffer Candidates { uvec4 candidates[]; };
-layout(binding = 1) readonly restrict buffer CellX { u32 cell_x[]; };
-layout(binding = 2) readonly restrict buffer CellY { u32 cell_y[]; };
+layout(binding = 1) readonly restrict buffer GridX { u32 grid_x[]; };
+layout(binding = 2) readonly restrict buffer GridY { u32 grid_y[]; };
 layout(binding = 3) restrict buffer Fates { u32 fates[]; };
 layout(binding = 4) writeonly restrict buffer Samples { uvec2 samples[]; };
 
 // Whether a sample is closer than the radius. No branch: where samples lie cannot be foretold, and
 // lavapipe's loads of neighbouring invocations are a loop over those that take part.
 bool is_covered_at(const u32 x, const u32 y) {
-    const NearCells columns =
-        near_cells(x, x + 1u, g.radius, g.width, g.period_x, g.cell_side, g.cell_columns);
-    const NearCells rows =
-        near_cells(y, y + 1u, g.radius, g.height, g.period_y, g.cell_side, g.cell_rows);
+    const GridStretch columns =
+        grid_stretch(x, x + 1u, g.radius, g.width, g.period_x, g.grid_side, g.grid_columns);
+    const GridStretch rows =
+        grid_stretch(y, y + 1u, g.radius, g.height, g.period_y, g.grid_side, g.grid_rows);
     bool is_covered = false;
     for (u32 i = 0u; i < columns.count; ++i) {
-        const u32 cell_column = nth_cell(columns, i, g.cell_columns) * g.cell_rows;
+        const u32 cell_column = nth_of_stretch(columns, i, g.grid_columns) * g.grid_rows;
         for (u32 j = 0u; j < rows.count; ++j) {
-            const u32 cell = cell_column + nth_cell(rows, j, g.cell_rows);
-            const u32 sample_x = cell_x[cell];
-            const u32 sample_y = cell_y[cell];
+            const u32 cell = cell_column + nth_of_stretch(rows, j, g.grid_rows);
+            const u32 sample_x = grid_x[cell];
+            const u32 sample_y = grid_y[cell];
             const bool is_close = conflicts(sample_x, sample_y, x, y, g.period_x, g.period_y,
                                             g.radius_squared);
             is_covered = is_covered || (is_close && sample_x != NO_SAMPLE);

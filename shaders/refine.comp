@@ -3,7 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
-#include "portable/cell.h"
+#include "portable/sample_grid.h"
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
@@ -23,16 +23,16 @@ layout(push_constant) uniform Arguments { u32 first_item; Geometry g; u32 draw_c
 layout(binding = 0) readonly restrict buffer Undecided { u32 undecided[]; };
 layout(binding = 1) readonly restrict buffer Candidates { uvec4 candidates[]; };
 layout(binding = 2) readonly restrict buffer Fates { u32 fates[]; };
-layout(binding = 3) writeonly restrict buffer CellX { u32 cell_x[]; };
-layout(binding = 4) writeonly restrict buffer CellY { u32 cell_y[]; };
+layout(binding = 3) writeonly restrict buffer GridX { u32 grid_x[]; };
+layout(binding = 4) writeonly restrict buffer GridY { u32 grid_y[]; };
 
 void main() {
     const u32 i = first_item + gl_GlobalInvocationID.x;
     if (i >= draw_count || undecided[last_pass] != 0u || fates[i] != FATE_ADMITTED) return;
     const uvec2 at = candidates[i].xy;
-    const u32 cell = at.x / g.cell_side * g.cell_rows + at.y / g.cell_side;
-    cell_x[cell] = at.x;
-    cell_y[cell] = at.y;
+    const u32 cell = at.x / g.grid_side * g.grid_rows + at.y / g.grid_side;
+    grid_x[cell] = at.x;
+    grid_y[cell] = at.y;
 }
 #endif
 
@@ -60,12 +60,12 @@ void main() {
     for (u32 i = 0u; i < span_count; ++i) {
         const uvec2 span = spans[slot + i];
         if (is_counting != 0u) {
-            next += (span.y - 1u) / g.cell_side - span.x / g.cell_side + 1u;
+            next += (span.y - 1u) / g.grid_side - span.x / g.grid_side + 1u;
             continue;
         }
         u32 begin = span.x;
         while (begin < span.y) {
-            const u32 end = min(span.y, begin - begin % g.cell_side + g.cell_side);
+            const u32 end = min(span.y, begin - begin % g.grid_side + g.grid_side);
             box_x[next] = line * g.strip_width;
             box_begin[next] = begin;
             box_end[next] = end;
@@ -87,8 +87,8 @@ void main() {
 layout(push_constant) uniform Arguments { u32 first_item; Geometry g; u32 strip_count;
                                           u32 is_halved; u32 width; u32 last_pass; };
 layout(binding = 0) readonly restrict buffer Undecided { u32 undecided[]; };
-layout(binding = 1) readonly restrict buffer CellX { u32 cell_x[]; };
-layout(binding = 2) readonly restrict buffer CellY { u32 cell_y[]; };
+layout(binding = 1) readonly restrict buffer GridX { u32 grid_x[]; };
+layout(binding = 2) readonly restrict buffer GridY { u32 grid_y[]; };
 layout(binding = 3) readonly restrict buffer BoxX { u32 box_x[]; };
 layout(binding = 4) readonly restrict buffer BoxBegin { u32 box_begin[]; };
 layout(binding = 5) readonly restrict buffer BoxEnd { u32 box_end[]; };
@@ -103,8 +103,8 @@ layout(push_constant) uniform Arguments { u32 first_item; Geometry g; u32 strip_
                                           u32 is_halved; u32 width; u32 last_pass; u32 block;
                                           u32 room; };
 layout(binding = 0) readonly restrict buffer Undecided { u32 undecided[]; };
-layout(binding = 1) readonly restrict buffer CellX { u32 cell_x[]; };
-layout(binding = 2) readonly restrict buffer CellY { u32 cell_y[]; };
+layout(binding = 1) readonly restrict buffer GridX { u32 grid_x[]; };
+layout(binding = 2) readonly restrict buffer GridY { u32 grid_y[]; };
 layout(binding = 3) readonly restrict buffer BoxX { u32 box_x[]; };
 layout(binding = 4) readonly restrict buffer BoxBegin { u32 box_begin[]; };
 layout(binding = 5) readonly restrict buffer BoxEnd { u32 box_end[]; };
@@ -176,25 +176,25 @@ void take(const i64 begin, const i64 end, inout Rest rest) {
 
 // The cells near a strip, and the first image of the samples in them that counts.
 struct Near {
-    NearCells columns;
-    NearCells rows;
+    GridStretch columns;
+    GridStretch rows;
     i64 first_image;
 };
 
 Near near_to(const Strip strip) {
     Near near;
-    near.columns = near_cells(strip.x, strip.x + width, g.radius, g.width, g.period_x, g.cell_side,
-                              g.cell_columns);
-    near.rows = near_cells(strip.begin, strip.end, g.radius, g.height, g.period_y, g.cell_side,
-                           g.cell_rows);
+    near.columns = grid_stretch(strip.x, strip.x + width, g.radius, g.width, g.period_x, g.grid_side,
+                              g.grid_columns);
+    near.rows = grid_stretch(strip.begin, strip.end, g.radius, g.height, g.period_y, g.grid_side,
+                           g.grid_rows);
     near.first_image = first_image(strip);
     if (max(near.columns.count, near.rows.count) > kMostNear) atomicOr(failure, FAILED_CHORDS);
     return near;
 }
 
 u32 cell_at(const Near near, const u32 i, const u32 j) {
-    return nth_cell(near.columns, i, g.cell_columns) * g.cell_rows +
-           nth_cell(near.rows, j, g.cell_rows);
+    return nth_of_stretch(near.columns, i, g.grid_columns) * g.grid_rows +
+           nth_of_stretch(near.rows, j, g.grid_rows);
 }
 
 // The cells whose samples touch the strip, a bit each; none if one sample covers it. Most strips
@@ -209,8 +209,8 @@ uvec2 find_touching(const Strip strip, const Near near, out bool is_covered) {
         for (u32 i = 0u; i < near.columns.count; ++i) {
             for (u32 j = 0u; j < near.rows.count; ++j) {
                 const u32 cell = cell_at(near, i, j);
-                const u32 x = cell_x[cell];
-                const i64 y = cell_y[cell];
+                const u32 x = grid_x[cell];
+                const i64 y = grid_y[cell];
                 const u32 dx = far_distance(x, strip);
                 const u64 left = g.radius_squared - square(dx);
                 const bool reaches = x != NO_SAMPLE && dx < g.radius;
@@ -244,9 +244,9 @@ Rest cut_strip(const Strip strip) {
             touching.y &= touching.y - 1u;
 
         const u32 cell = cell_at(near, bit / kMostNear + (is_first ? 0u : 4u), bit % kMostNear);
-        const i64 reach = chord_reach(far_distance(cell_x[cell], strip), g.radius_squared);
+        const i64 reach = chord_reach(far_distance(grid_x[cell], strip), g.radius_squared);
         for (i64 image = near.first_image; image <= -near.first_image; ++image) {
-            const i64 y = cell_y[cell] + image * g.height;
+            const i64 y = grid_y[cell] + image * g.height;
             take(y - reach + 1, y + reach, rest);
         }
     }

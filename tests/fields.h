@@ -10,8 +10,8 @@
 #include <vector>
 
 #ifdef LACUNA_RACCOON
-#include "field/image.h"
-#include "field/importance.h"
+#include "pictures/image.h"
+#include "pictures/importance.h"
 #endif
 
 namespace lacuna::tests {
@@ -79,7 +79,7 @@ inline Field sizes_field(std::uint32_t columns, std::uint32_t rows, std::uint64_
 // The photograph in examples/, as importance, by the means of blocks of pixels. `columns` divides
 // 1024 and 4 divides `columns`.
 inline Field raccoon_field(std::uint32_t columns) {
-    static const Field whole = field::importance_of(field::read_image(LACUNA_RACCOON), {});
+    static const Field whole = pictures::importance_of(pictures::read_image(LACUNA_RACCOON), {});
     const std::uint32_t side = whole.columns / columns;
     Field field{columns, whole.rows / side, {}};
     for (std::uint32_t row = 0; row < field.rows; ++row) {

@@ -10,12 +10,20 @@
 #include <memory>
 #include <vector>
 
-#include "analysis/canvas.h"
 #include "analysis/pairs.h"
-#include "analysis/plot.h"
+#include "drawing/canvas.h"
+#include "drawing/plot.h"
 
 namespace lacuna::analysis {
 namespace {
+
+using drawing::Anchor;
+using drawing::Canvas;
+using drawing::Colour;
+using drawing::Grid;
+using drawing::Plot;
+using drawing::Position;
+using drawing::Rectangle;
 
 constexpr double kPageWidth = 640;
 constexpr double kPageHeight = 594;
@@ -32,7 +40,7 @@ constexpr double kFarthest = 2;  // k / sqrt(N)
 constexpr double kWhitePower = 3;
 
 // As large as fits into a panel, in the middle of it.
-Box fitted(const Box& panel, double width, double height) {
+Rectangle fitted(const Rectangle& panel, double width, double height) {
     const double scale = std::min(panel.width / width, panel.height / height);
     return {panel.left + (panel.width - scale * width) / 2,
             panel.top + (panel.height - scale * height) / 2, scale * width, scale * height};
@@ -68,7 +76,8 @@ std::string numbers(const Analysis& analysis) {
 
 void draw_points(Canvas& canvas, const Analysis& analysis, std::span<const Point> points) {
     const Domain& domain = analysis.domain;
-    const Box box = fitted({kLeft, kUpper, kPanelWidth, kUpperHeight}, domain.width, domain.height);
+    const Rectangle box =
+        fitted({kLeft, kUpper, kPanelWidth, kUpperHeight}, domain.width, domain.height);
     Plot plot(canvas, box, {0, domain.width, "x"}, {0, domain.height, "y"});
     plot.draw_axes(analysis.sets == 1 ? "Points" : "Points of the first set", Grid::none);
     std::vector<Position> positions;
@@ -84,14 +93,14 @@ void draw_points(Canvas& canvas, const Analysis& analysis, std::span<const Point
 }
 
 // A pixel a frequency, from -kFarthest to kFarthest; DC is black.
-Image periodogram_image(const Spectrum& spectrum) {
+drawing::Image periodogram_image(const Spectrum& spectrum) {
     const double unit = std::sqrt(spectrum.count);
     const auto reach = [&](double step, int most) {
         return std::clamp(static_cast<int>(std::lround(kFarthest * unit / step)), 1, most);
     };
     const int kx_max = reach(spectrum.magnitude(1, 0), spectrum.range.kx_max);
     const int ky_max = reach(spectrum.magnitude(0, 1), spectrum.range.ky_max);
-    Image image{2 * kx_max + 1, 2 * ky_max + 1, {}};
+    drawing::Image image{2 * kx_max + 1, 2 * ky_max + 1, {}};
     for (int ky = ky_max; ky >= -ky_max; --ky)
         for (int kx = -kx_max; kx <= kx_max; ++kx)
             image.greys.push_back(static_cast<std::uint8_t>(
@@ -101,12 +110,12 @@ Image periodogram_image(const Spectrum& spectrum) {
 
 void draw_periodogram(Canvas& canvas, const Analysis& analysis) {
     const Spectrum& spectrum = analysis.spectrum;
-    const Image image = periodogram_image(spectrum);
+    const drawing::Image image = periodogram_image(spectrum);
     // What the image covers: its outer pixels reach half a frequency farther.
     const double unit = std::sqrt(spectrum.count);
     const double x = image.width / 2.0 * spectrum.magnitude(1, 0) / unit;
     const double y = image.height / 2.0 * spectrum.magnitude(0, 1) / unit;
-    const Box box = fitted({kRight, kUpper, kPanelWidth, kUpperHeight}, x, y);
+    const Rectangle box = fitted({kRight, kUpper, kPanelWidth, kUpperHeight}, x, y);
     canvas.image(box, image);
     Plot plot(canvas, box, {-x, x, "kx / \u221aN"}, {-y, y, "ky / \u221aN"});
     plot.draw_axes(fmt::format("Periodogram, 0 black to {:g} white", kWhitePower), Grid::none);
@@ -135,7 +144,7 @@ void draw_anisotropy(Canvas& canvas, const Analysis& analysis) {
                "anisotropy (dB)"});
     const auto mean = analysis.radial.mean_anisotropy_db();
     plot.draw_axes(mean ? fmt::format("Radial anisotropy, mean {} dB",
-                                      with_minus(fmt::format("{:.2f}", *mean)))
+                                      drawing::with_minus(fmt::format("{:.2f}", *mean)))
                         : "Radial anisotropy: none, no spread of power");
     std::vector<Point> curve;
     const auto draw = [&] {
@@ -151,7 +160,7 @@ void draw_anisotropy(Canvas& canvas, const Analysis& analysis) {
     }
     draw();
     plot.draw_level(expected, fmt::format("{} dB: {} set{} without direction",
-                                          with_minus(fmt::format("{:.3g}", expected)),
+                                          drawing::with_minus(fmt::format("{:.3g}", expected)),
                                           analysis.sets, analysis.sets == 1 ? "" : "s"));
 }
 
@@ -159,7 +168,7 @@ void draw_anisotropy(Canvas& canvas, const Analysis& analysis) {
 
 std::string draw_sheet(const Analysis& analysis, std::span<const Point> points,
                        files::Format format) {
-    const std::unique_ptr<Canvas> canvas = make_canvas(format, kPageWidth, kPageHeight);
+    const std::unique_ptr<Canvas> canvas = drawing::make_canvas(format, kPageWidth, kPageHeight);
     canvas->text({kLeft, 24}, heading(analysis), {13, Anchor::start, kInk, true});
     canvas->text({kLeft, 41}, numbers(analysis), {8.5, Anchor::start, kInk});
     draw_points(*canvas, analysis, points);

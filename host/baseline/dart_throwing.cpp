@@ -5,7 +5,7 @@
 #include <array>
 
 #include "portable/distance.h"
-#include "random.h"
+#include "rounds/random.h"
 
 namespace lacuna::baseline {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "plan.h"
+#include "plan/plan.h"
 
 namespace lacuna::baseline {
 

@@ -5,22 +5,22 @@
 #include <array>
 #include <numeric>
 
-#include "analysis/canvas.h"
-#include "analysis/plot.h"
 #include "cli/comparison_report.h"
+#include "drawing/canvas.h"
+#include "drawing/plot.h"
 
 namespace lacuna::cli {
 namespace {
 
-using analysis::Anchor;
-using analysis::Box;
-using analysis::Canvas;
-using analysis::Colour;
+using drawing::Anchor;
+using drawing::Canvas;
+using drawing::Colour;
+using drawing::Rectangle;
 
 // Of the verbs; the last is for what no verb took.
 constexpr std::array<Colour, kVerbs.size()> kColours{
-    analysis::kBlue,      analysis::kSky,    analysis::kGreen,     analysis::kOrange,
-    analysis::kVermilion, analysis::kPurple, Colour{150, 150, 150}};
+    drawing::kBlue,      drawing::kSky,    drawing::kGreen,      drawing::kOrange,
+    drawing::kVermilion, drawing::kPurple, Colour{150, 150, 150}};
 constexpr double kWidth = 640;
 constexpr double kLeft = 150;
 constexpr double kRight = 90;
@@ -38,9 +38,9 @@ std::array<double, kVerbs.size()> parts_of(const Entry& entry) {
     return parts;
 }
 
-void fill(Canvas& canvas, const Box& box, Colour colour) {
+void fill(Canvas& canvas, const Rectangle& box, Colour colour) {
     const double y = box.top + box.height / 2;
-    const std::array<analysis::Position, 2> ends{{{box.left, y}, {box.right(), y}}};
+    const std::array<drawing::Position, 2> ends{{{box.left, y}, {box.right(), y}}};
     canvas.line(ends, {colour, box.height}, box);
 }
 
@@ -83,9 +83,9 @@ private:
     void draw_axis() {
         const double bottom =
             kTop + kBetween + static_cast<double>(entries_.size()) * (kBarHeight + kBetween);
-        for (const double tick : analysis::ticks_of(0, 1e3 * longest_, 6)) {
+        for (const double tick : drawing::ticks_of(0, 1e3 * longest_, 6)) {
             const double x = x_of(tick / 1e3);
-            const std::array<analysis::Position, 2> line{{{x, kTop}, {x, bottom}}};
+            const std::array<drawing::Position, 2> line{{{x, kTop}, {x, bottom}}};
             canvas_.line(line, {{220, 220, 220}, 0.75}, {0, 0, kWidth, bottom + kBottom});
             canvas_.text({x, bottom + 14}, fmt::format("{:g}", tick), {10, Anchor::middle});
         }
@@ -101,7 +101,7 @@ private:
         }
         const double middle = top + kBarHeight / 2;
         const auto [least, most] = std::minmax_element(entry.seconds.begin(), entry.seconds.end());
-        const std::array<analysis::Position, 2> spread{
+        const std::array<drawing::Position, 2> spread{
             {{x_of(*least), middle}, {x_of(*most), middle}}};
         canvas_.line(spread, {{0, 0, 0}, 1.5}, {0, 0, kWidth, middle + kBarHeight});
         const std::string name =
@@ -130,7 +130,7 @@ std::string draw_chart(const Comparison& comparison, files::Format format) {
         if (entry.has_run()) entries.push_back(&entry);
     const double height =
         kTop + kBetween + static_cast<double>(entries.size()) * (kBarHeight + kBetween) + kBottom;
-    const auto canvas = analysis::make_canvas(format, kWidth, height);
+    const auto canvas = drawing::make_canvas(format, kWidth, height);
     Chart(*canvas, entries).draw();
     return canvas->finish();
 }

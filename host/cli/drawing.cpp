@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "cli/options.h"
-#include "stipple/dot_size.h"
+#include "drawing/dot_size.h"
 
 namespace lacuna::cli {
 namespace {
@@ -75,19 +75,19 @@ void check_drawing(const DrawingOptions& options, const std::string& output) {
                          fmt::format("must be less than half of the paper's {}mm", shorter));
 }
 
-files::Style style_of(const DrawingOptions& options, double width, double height) {
-    files::Style style;
+drawing::Style style_of(const DrawingOptions& options, double width, double height) {
+    drawing::Style style;
     if (options.paper) {
         const Paper paper = options.paper->suiting(width, height);
-        style.sheet = files::Sheet{paper.width_mm, paper.height_mm, options.margin_mm};
+        style.sheet = drawing::Sheet{paper.width_mm, paper.height_mm, options.margin_mm};
     }
     style.pixels_per_inch = options.pixels_per_inch;
 
     const double longer = std::max(width, height);
-    const double longer_mm = style.sheet
-                                 ? std::max(style.sheet->width_mm, style.sheet->height_mm)
-                                 : longer * files::millimetres_per_unit({{}, width, height}, style);
-    const double most = std::floor(kMostPixels / (longer_mm / files::kMillimetresPerInch));
+    const double longer_mm =
+        style.sheet ? std::max(style.sheet->width_mm, style.sheet->height_mm)
+                    : longer * drawing::millimetres_per_unit({{}, width, height}, style);
+    const double most = std::floor(kMostPixels / (longer_mm / drawing::kMillimetresPerInch));
     if (!(style.pixels_per_inch > 0 && style.pixels_per_inch <= most))
         throw BadRequest("dpi", fmt::format("{}", style.pixels_per_inch),
                          fmt::format("must be over 0 and, for this paper, at most {}: {} pixels "
@@ -97,17 +97,17 @@ files::Style style_of(const DrawingOptions& options, double width, double height
 }
 
 std::string encoded(const DrawingOptions& options, const std::string& output,
-                    const files::PointSet& set, const Field& field, files::Style style) {
+                    const files::PointSet& set, const Field& field, drawing::Style style) {
     const files::Format format = files::format_of(output);
     if (!is_picture(output)) return files::encode(set, format);
     std::vector<double> diameters;
     if (options.dot_size_mm)
         diameters.assign(set.points.size(),
-                         *options.dot_size_mm / files::millimetres_per_unit(set, style));
+                         *options.dot_size_mm / drawing::millimetres_per_unit(set, style));
     else
-        diameters = stipple::dot_diameters(set.points, field, set.width, set.height);
+        diameters = drawing::dot_diameters(set.points, field, set.width, set.height);
     style.diameters = diameters;
-    return files::draw(set, format, style);
+    return drawing::draw(set, format, style);
 }
 
 }  // namespace lacuna::cli

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cli/paper.h"
-#include "files/picture.h"
+#include "drawing/picture.h"
 #include "files/point_files.h"
 
 namespace lacuna::cli {
@@ -18,7 +18,7 @@ struct DrawingOptions {
     std::optional<double> dot_size_mm;  // none: from the local radius
     std::optional<Paper> paper;
     double margin_mm = 0;
-    double pixels_per_inch = files::Style{}.pixels_per_inch;
+    double pixels_per_inch = drawing::Style{}.pixels_per_inch;
     std::vector<std::string> given;  // names of those that were
 };
 
@@ -32,10 +32,10 @@ void check_drawing(const DrawingOptions& options, const std::string& output);
 
 // The style for a domain of this shape, without the dots' sizes. Throws BadRequest where a png
 // would have more pixels than cairo can draw.
-files::Style style_of(const DrawingOptions& options, double width, double height);
+drawing::Style style_of(const DrawingOptions& options, double width, double height);
 
 // The picture's bytes, or those of another format that `output` names.
 std::string encoded(const DrawingOptions& options, const std::string& output,
-                    const files::PointSet& set, const Field& field, files::Style style);
+                    const files::PointSet& set, const Field& field, drawing::Style style);
 
 }  // namespace lacuna::cli

@@ -14,8 +14,8 @@
 #include <system_error>
 
 #include "cli/options.h"
+#include "drawing/picture.h"
 #include "files/parse.h"
-#include "files/picture.h"
 
 namespace lacuna::cli {
 namespace {
@@ -28,10 +28,11 @@ struct Unit {
     double mm;
 };
 
-constexpr std::array<Unit, 4> kUnits{{{"mm", 1},
-                                      {"cm", 10},
-                                      {"in", files::kMillimetresPerInch},
-                                      {"pt", files::kMillimetresPerInch / files::kPointsPerInch}}};
+constexpr std::array<Unit, 4> kUnits{
+    {{"mm", 1},
+     {"cm", 10},
+     {"in", drawing::kMillimetresPerInch},
+     {"pt", drawing::kMillimetresPerInch / drawing::kPointsPerInch}}};
 
 struct NamedPaper {
     std::string_view name;
@@ -67,7 +68,7 @@ std::optional<double> length_of(std::string_view text, double unit_mm) {
 }
 
 void check_length(const std::string& option, const std::string& text, double mm, double least_mm) {
-    if (!(mm >= least_mm && mm <= kLongestInches * files::kMillimetresPerInch))
+    if (!(mm >= least_mm && mm <= kLongestInches * drawing::kMillimetresPerInch))
         throw BadRequest(option, shown(text),
                          fmt::format("must be {}mm to {}in long", least_mm, kLongestInches));
 }

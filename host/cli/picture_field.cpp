@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "cli/options.h"
-#include "field/image.h"
 #include "files/point_files.h"
+#include "pictures/image.h"
 
 namespace lacuna::cli {
 namespace {
@@ -45,7 +45,7 @@ CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request) 
 }
 
 Field read_field(const Picture& picture, Request& request) {
-    field::Image image = field::read_image(picture.path);
+    pictures::Image image = pictures::read_image(picture.path);
     const double longer = std::max(image.columns, image.rows);
     request.width = image.columns / longer;
     request.height = image.rows / longer;
@@ -54,7 +54,7 @@ Field read_field(const Picture& picture, Request& request) {
         throw files::FileError(
             fmt::format("{}: {} x {} pixels: the longer side may be at most {} times the shorter",
                         image.name, image.columns, image.rows, kLargestAspect));
-    return field::importance_of(std::move(image), picture.importance);
+    return pictures::importance_of(std::move(image), picture.importance);
 }
 
 }  // namespace lacuna::cli

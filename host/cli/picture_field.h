@@ -6,13 +6,13 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "field/importance.h"
+#include "pictures/importance.h"
 
 namespace lacuna::cli {
 
 struct Picture {
     std::string path;
-    field::Importance importance;
+    pictures::Importance importance;
 };
 
 // Adds IMAGE, --scale, --metric, --invert, --gamma and --min-importance. Returns IMAGE's option.

@@ -18,9 +18,9 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/progress_bar.h"
-#include "field/image.h"
-#include "field/importance.h"
 #include "files/point_files.h"
+#include "pictures/image.h"
+#include "pictures/importance.h"
 #include "reproduce/reproduce.h"
 
 namespace lacuna::cli {
@@ -134,7 +134,8 @@ void run(const Options& options) {
     const auto items = chosen(options.what);
     check(options, items);
     std::optional<Field> image;
-    if (!options.image.empty()) image = field::importance_of(field::read_image(options.image), {});
+    if (!options.image.empty())
+        image = pictures::importance_of(pictures::read_image(options.image), {});
     reproduce::Setting setting{options.runs, options.smallest_radius, image ? &*image : nullptr};
     Interruption interruption;
     std::vector<Made> all;

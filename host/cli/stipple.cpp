@@ -21,11 +21,11 @@
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/stopwatch.h"
-#include "field/image.h"
-#include "field/importance.h"
-#include "files/picture.h"
+#include "drawing/pen/pen_path.h"
+#include "drawing/picture.h"
 #include "files/point_files.h"
-#include "stipple/pen_path.h"
+#include "pictures/image.h"
+#include "pictures/importance.h"
 
 namespace lacuna::cli {
 namespace {
@@ -84,7 +84,7 @@ void check_options(const Options& options) {
     check_paths(options.common);
     if (options.picture.path != "-" && is_same_file(options.picture.path, output))
         throw BadRequest("output", shown(output), "is the picture: must be another file");
-    field::check(options.picture.importance);
+    pictures::check(options.picture.importance);
     check_drawing(options.drawing, output);
 }
 
@@ -101,19 +101,19 @@ void order_for_a_pen(const Options& options, Interruption& interruption, Made& m
     ProgressBar bar(options.common.quiet);
     bar.note(fmt::format("a pen path through {} dots", points.size()));
     const Stopwatch stopwatch;
-    const std::vector<std::uint32_t> order = stipple::pen_path(points, [&] {
+    const std::vector<std::uint32_t> order = pen::pen_path(points, [&] {
         return interruption.keep_going({points.size(), points.size(), made.result.rounds});
     });
     work.path_seconds = stopwatch.seconds_so_far();
-    work.admitted_length = stipple::path_length(points);
+    work.admitted_length = pen::path_length(points);
     std::vector<Point> ordered;
     ordered.reserve(points.size());
     for (const std::uint32_t index : order) ordered.push_back(points[index]);
     points = std::move(ordered);
-    work.path_length = stipple::path_length(points);
+    work.path_length = pen::path_length(points);
 }
 
-Json json_of(const DrawingOptions& options, const files::Style& style) {
+Json json_of(const DrawingOptions& options, const drawing::Style& style) {
     return {{"dot_size_mm", options.dot_size_mm ? Json(*options.dot_size_mm) : Json("radius")},
             {"paper_mm",
              style.sheet ? Json({style.sheet->width_mm, style.sheet->height_mm}) : Json(nullptr)},
@@ -121,7 +121,7 @@ Json json_of(const DrawingOptions& options, const files::Style& style) {
             {"dpi", style.pixels_per_inch}};
 }
 
-Json report_of_the_rest(const Options& options, const Field& field, const files::Style& style,
+Json report_of_the_rest(const Options& options, const Field& field, const drawing::Style& style,
                         const Work& work) {
     Json more{{"request",
                {{"image", options.picture.path},
@@ -139,13 +139,13 @@ Json report_of_the_rest(const Options& options, const Field& field, const files:
 }
 
 // What a pen travels, in the last line.
-std::string path_text(const Options& options, const files::PointSet& set, const files::Style& style,
-                      const Work& work) {
+std::string path_text(const Options& options, const files::PointSet& set,
+                      const drawing::Style& style, const Work& work) {
     if (!options.pen_path) return "";
     if (!is_picture(options.common.output))
         return fmt::format(", pen path {:.4g} longer sides", work.path_length);
     return fmt::format(", pen path {:.2f} m",
-                       work.path_length * files::millimetres_per_unit(set, style) / 1000);
+                       work.path_length * drawing::millimetres_per_unit(set, style) / 1000);
 }
 
 void run(const Options& options) {
@@ -157,7 +157,7 @@ void run(const Options& options) {
     request.mode = Mode::cells;
     const Field field = read_field(options.picture, request);
     request.field = &field;
-    files::Style style = style_of(options.drawing, request.width, request.height);
+    drawing::Style style = style_of(options.drawing, request.width, request.height);
     style.keeps_order = options.pen_path;
     work.read_seconds = stopwatch.seconds_so_far();
 

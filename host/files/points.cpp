@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
+#include "drawing/picture.h"
 #include "files/little_endian.h"
-#include "files/picture.h"
 #include "files/point_files.h"
 
 namespace lacuna::files {
@@ -128,7 +128,7 @@ std::string encode(const PointSet& set, Format format) {
         case Format::svg:
         case Format::pdf:
         case Format::png:
-            return draw(set, format);
+            return drawing::draw(set, format);
     }
     throw FileError("no such format: " + std::to_string(static_cast<int>(format)));
 }

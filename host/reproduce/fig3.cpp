@@ -11,10 +11,10 @@
 #include <functional>
 #include <limits>
 
-#include "random.h"
 #include "reproduce/disk_area.h"
 #include "reproduce/picture.h"
 #include "reproduce/reproduce.h"
+#include "rounds/random.h"
 
 namespace lacuna::reproduce {
 namespace {
@@ -69,7 +69,7 @@ double exponent_of(const std::vector<double>& errors) {
 }
 
 std::string draw(const Curves& curves, files::Format format) {
-    const auto canvas = analysis::make_canvas(format, 640, 300);
+    const auto canvas = drawing::make_canvas(format, 640, 300);
     const auto panel = [&](double left, const std::string& title,
                            const std::vector<double>& errors) {
         Plot plot(*canvas, {left, 30, 250, 220}, {0, kLargestM, "m"}, {0, 2, "% of the area"});

@@ -79,7 +79,7 @@ double distance(const analysis::Analysis& a, const analysis::Analysis& reference
 }
 
 void draw_row(Canvas& canvas, double top, const Row& row, Colour colour) {
-    const Box square{20, top, 100, 100};
+    const Rectangle square{20, top, 100, 100};
     draw_title(canvas, square, row.name);
     draw_periodogram(canvas, square, row.analysis.spectrum, 1.4, 2);
     draw_radial_power(canvas, {190, top, 190, 100}, "Radial power", row.analysis.radial, colour);
@@ -89,7 +89,7 @@ void draw_row(Canvas& canvas, double top, const Row& row, Colour colour) {
 std::string draw(const Rows& rows, files::Format format) {
     constexpr double kStep = 148;
     const auto canvas =
-        analysis::make_canvas(format, 640, 20 + kStep * static_cast<double>(2 + rows.lines.size()));
+        drawing::make_canvas(format, 640, 20 + kStep * static_cast<double>(2 + rows.lines.size()));
     double top = 24;
     const auto next = [&](const Row& row, Colour colour) {
         draw_row(*canvas, top, row, colour);

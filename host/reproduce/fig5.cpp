@@ -33,11 +33,11 @@ Method make(const Setting& setting, bool uniform_x, Work& work) {
 }
 
 std::string draw(std::span<const Method> methods, files::Format format) {
-    const auto canvas = analysis::make_canvas(format, 640, 520);
+    const auto canvas = drawing::make_canvas(format, 640, 520);
     double top = 30;
     for (std::size_t i = 0; i < methods.size(); ++i, top += 250) {
         const Method& method = methods[i];
-        const Box square{20, top, 195, 195};
+        const Rectangle square{20, top, 195, 195};
         draw_title(*canvas, square, "Periodogram, " + method.name);
         draw_periodogram(*canvas, square, method.analysis.spectrum, 1.25, 1, Turned::yes);
         canvas->text({square.left + square.width / 2, square.bottom() + 12},

@@ -23,10 +23,10 @@ constexpr std::array kMetrics{Metric::max, Metric::mean, Metric::min};  // in th
 std::string draw(const Field& field, Work& work, files::Format format) {
     constexpr double kSide = 280;
     constexpr double kUpper = 24;
-    const auto canvas = analysis::make_canvas(format, 2 * kSide + 30, 2 * kSide + 60);
+    const auto canvas = drawing::make_canvas(format, 2 * kSide + 30, 2 * kSide + 60);
     const auto box_of = [&](std::size_t i) {
-        return Box{10 + (kSide + 10) * static_cast<double>(i % 2),
-                   i < 2 ? kUpper : kUpper + kSide + 26, kSide, kSide};
+        return Rectangle{10 + (kSide + 10) * static_cast<double>(i % 2),
+                         i < 2 ? kUpper : kUpper + kSide + 26, kSide, kSide};
     };
     draw_title(*canvas, box_of(0), "(a) density");
     draw_field(*canvas, box_of(0), field);
@@ -39,7 +39,7 @@ std::string draw(const Field& field, Work& work, files::Format format) {
         request.metric = kMetrics[i];
         request.backend = "cpu";
         const Sets sets = make_sets(request, 1, work);
-        const Box box = box_of(i + 1);
+        const Rectangle box = box_of(i + 1);
         draw_title(*canvas, box,
                    fmt::format("({}) {}: {} samples", "bcd"[i], name_of(kMetrics[i]),
                                sets.points[0].size()));

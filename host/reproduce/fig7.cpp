@@ -2,7 +2,7 @@
 //
 // The paper's images are Kopf et al.'s; any image can be given here. The other methods of the
 // figure, Balzer's and Kopf's, are not Lacuna's to make.
-#include "files/picture.h"
+#include "drawing/picture.h"
 #include "reproduce/reproduce.h"
 #include "reproduce/stipple.h"
 
@@ -36,7 +36,8 @@ Reproduction fig7(const Setting& setting) {
     made.format = files::Format::png;
     const Sides sides = sides_of(image);
     // A third of the radius told is drawn: dots of 1/800 of the longer side.
-    made.picture = files::draw({few.points[0], sides.width, sides.height, 3.0 / 800}, made.format);
+    made.picture =
+        drawing::draw({few.points[0], sides.width, sides.height, 3.0 / 800}, made.format);
     return made;
 }
 

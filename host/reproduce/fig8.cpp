@@ -36,16 +36,16 @@ Version make(const Field& field, std::string name, std::uint64_t dots, Metric me
 
 // The bars, enlarged.
 std::string draw(std::span<const Version> versions, files::Format format) {
-    constexpr Box kPart{0.3, 0.06, 0.5, 0.36};  // of the unit square, y upwards
+    constexpr Rectangle kPart{0.3, 0.06, 0.5, 0.36};  // of the unit square, y upwards
     constexpr double kWidth = 250;
     constexpr double kHeight = kWidth * kPart.height / kPart.width;
-    const auto canvas = analysis::make_canvas(format, 3 * (kWidth + 10) + 10, kHeight + 34);
+    const auto canvas = drawing::make_canvas(format, 3 * (kWidth + 10) + 10, kHeight + 34);
     double left = 10;
     for (const Version& version : versions) {
         std::vector<Point> part;
         for (const Point& dot : version.dots)
             part.push_back({dot.x - kPart.left, dot.y - kPart.top});
-        const Box box{left, 24, kWidth, kHeight};
+        const Rectangle box{left, 24, kWidth, kHeight};
         draw_title(*canvas, box, version.name);
         draw_dots(*canvas, box, part, kPart.width, kPart.height, 0.0012);
         left += kWidth + 10;

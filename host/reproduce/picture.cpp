@@ -15,15 +15,15 @@ constexpr double kTextSize = 8;
 
 }  // namespace
 
-void draw_legend(Canvas& canvas, const Box& box, std::span<const Key> keys, Anchor corner) {
+void draw_legend(Canvas& canvas, const Rectangle& box, std::span<const Key> keys, Anchor corner) {
     constexpr double kLine = 11;
     constexpr double kStroke = 16;
     const bool is_left = corner == Anchor::start;
     double base = box.top + kLine + 2;
     for (const Key& key : keys) {
         const double from = is_left ? box.left + 6 : box.right() - 6 - kStroke;
-        const std::array<analysis::Position, 2> stroke{
-            analysis::Position{from, base - 3}, analysis::Position{from + kStroke, base - 3}};
+        const std::array<drawing::Position, 2> stroke{drawing::Position{from, base - 3},
+                                                      drawing::Position{from + kStroke, base - 3}};
         canvas.line(stroke, key.pen, box);
         canvas.text({is_left ? from + kStroke + 4 : from - 4, base}, key.words,
                     {kTextSize, is_left ? Anchor::start : Anchor::end, kInk});
@@ -31,11 +31,11 @@ void draw_legend(Canvas& canvas, const Box& box, std::span<const Key> keys, Anch
     }
 }
 
-void draw_title(Canvas& canvas, const Box& box, const std::string& title) {
+void draw_title(Canvas& canvas, const Rectangle& box, const std::string& title) {
     canvas.text({box.left, box.top - 6}, title, {10, Anchor::start, kInk, true});
 }
 
-void draw_periodogram(Canvas& canvas, const Box& box, const analysis::Spectrum& spectrum,
+void draw_periodogram(Canvas& canvas, const Rectangle& box, const analysis::Spectrum& spectrum,
                       double farthest, int block, Turned turned) {
     constexpr double kWhitePower = 3;
     const int reach = static_cast<int>(std::lround(farthest * std::sqrt(spectrum.count)));
@@ -52,7 +52,7 @@ void draw_periodogram(Canvas& canvas, const Box& box, const analysis::Spectrum& 
         return sum / frequencies;
     };
     const int side = (2 * k_max + block) / block;
-    analysis::Image image{side, side, {}};
+    drawing::Image image{side, side, {}};
     for (int up = k_max; up >= -k_max; up -= block)
         for (int right = -k_max; right <= k_max; right += block)
             image.greys.push_back(static_cast<std::uint8_t>(
@@ -61,7 +61,7 @@ void draw_periodogram(Canvas& canvas, const Box& box, const analysis::Spectrum& 
     canvas.frame(box, {kInk, 0.6});
 }
 
-void draw_radial_power(Canvas& canvas, const Box& box, const std::string& title,
+void draw_radial_power(Canvas& canvas, const Rectangle& box, const std::string& title,
                        const analysis::Radial& radial, Colour colour) {
     Plot plot(canvas, box, {0, 2, "k / \u221aN"}, {0, 2, "power"});
     plot.draw_axes(title);
@@ -72,7 +72,7 @@ void draw_radial_power(Canvas& canvas, const Box& box, const std::string& title,
     plot.draw_curve(curve, {colour, 1});
 }
 
-void draw_anisotropy(Canvas& canvas, const Box& box, const std::string& title,
+void draw_anisotropy(Canvas& canvas, const Rectangle& box, const std::string& title,
                      const analysis::Analysis& analysis, Colour colour) {
     Plot plot(canvas, box, {0, 2, "k / \u221aN"}, {-20, 10, "dB"});
     plot.draw_axes(title);
@@ -83,9 +83,9 @@ void draw_anisotropy(Canvas& canvas, const Box& box, const std::string& title,
     plot.draw_curve(curve, {colour, 1});
 }
 
-void draw_field(Canvas& canvas, const Box& box, const Field& field) {
+void draw_field(Canvas& canvas, const Rectangle& box, const Field& field) {
     const double most = *std::max_element(field.importance.begin(), field.importance.end());
-    analysis::Image image{static_cast<int>(field.columns), static_cast<int>(field.rows), {}};
+    drawing::Image image{static_cast<int>(field.columns), static_cast<int>(field.rows), {}};
     for (const double importance : field.importance)
         image.greys.push_back(
             static_cast<std::uint8_t>(std::lround(255 * (1 - importance / most))));
@@ -93,9 +93,9 @@ void draw_field(Canvas& canvas, const Box& box, const Field& field) {
     canvas.frame(box, {kInk, 0.6});
 }
 
-void draw_dots(Canvas& canvas, const Box& box, std::span<const Point> points, double width,
+void draw_dots(Canvas& canvas, const Rectangle& box, std::span<const Point> points, double width,
                double height, double radius) {
-    std::vector<analysis::Position> positions;
+    std::vector<drawing::Position> positions;
     positions.reserve(points.size());
     for (const Point& point : points)
         positions.push_back(

@@ -9,53 +9,53 @@
 #include <string>
 
 #include "analysis/analyse.h"
-#include "analysis/canvas.h"
-#include "analysis/plot.h"
+#include "drawing/canvas.h"
+#include "drawing/plot.h"
 #include "reproduce/reproduce.h"
 #include "reproduce/sets.h"
 
 namespace lacuna::reproduce {
 
-using analysis::Anchor;
-using analysis::Axis;
-using analysis::Box;
-using analysis::Canvas;
-using analysis::Colour;
-using analysis::Grid;
-using analysis::Pen;
-using analysis::Plot;
+using drawing::Anchor;
+using drawing::Axis;
+using drawing::Canvas;
+using drawing::Colour;
+using drawing::Grid;
+using drawing::Pen;
+using drawing::Plot;
+using drawing::Rectangle;
 
 inline constexpr Colour kInk{0x22, 0x22, 0x22};
-inline constexpr std::array kColours{analysis::kBlue,   analysis::kVermilion, analysis::kGreen,
-                                     analysis::kPurple, analysis::kSky,       analysis::kOrange};
+inline constexpr std::array kColours{drawing::kBlue,   drawing::kVermilion, drawing::kGreen,
+                                     drawing::kPurple, drawing::kSky,       drawing::kOrange};
 
 struct Key {
     std::string words;
     Pen pen;
 };
 // In the upper left corner of the box, or the upper right one, a line a key.
-void draw_legend(Canvas& canvas, const Box& box, std::span<const Key> keys,
+void draw_legend(Canvas& canvas, const Rectangle& box, std::span<const Key> keys,
                  Anchor corner = Anchor::start);
 
 // A title above a box.
-void draw_title(Canvas& canvas, const Box& box, const std::string& title);
+void draw_title(Canvas& canvas, const Rectangle& box, const std::string& title);
 
 // Whether the middle of the frequencies has kx to the right, as is usual, or upwards.
 enum class Turned { no, yes };
 // Up to `farthest` sqrt(count), black at 0 to white at three times the power of white noise. A
 // pixel is the mean of `block` x `block` frequencies, fewer at the rim.
-void draw_periodogram(Canvas& canvas, const Box& box, const analysis::Spectrum& spectrum,
+void draw_periodogram(Canvas& canvas, const Rectangle& box, const analysis::Spectrum& spectrum,
                       double farthest, int block, Turned turned = Turned::no);
 
-void draw_radial_power(Canvas& canvas, const Box& box, const std::string& title,
+void draw_radial_power(Canvas& canvas, const Rectangle& box, const std::string& title,
                        const analysis::Radial& radial, Colour colour);
-void draw_anisotropy(Canvas& canvas, const Box& box, const std::string& title,
+void draw_anisotropy(Canvas& canvas, const Rectangle& box, const std::string& title,
                      const analysis::Analysis& analysis, Colour colour);
 
 // What is wanted, dark where dense.
-void draw_field(Canvas& canvas, const Box& box, const Field& field);
+void draw_field(Canvas& canvas, const Rectangle& box, const Field& field);
 // All dots of one radius, in the domain's unit.
-void draw_dots(Canvas& canvas, const Box& box, std::span<const Point> points, double width,
+void draw_dots(Canvas& canvas, const Rectangle& box, std::span<const Point> points, double width,
                double height, double radius);
 
 // On the torus of side 1. Counts for nothing in `work`, of which it is a small share.

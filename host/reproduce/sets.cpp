@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "baseline/dart_throwing.h"
-#include "plan.h"
+#include "plan/plan.h"
 
 namespace lacuna::reproduce {
 namespace {

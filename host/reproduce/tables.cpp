@@ -85,7 +85,7 @@ Number count_of(const PublishedRow& row, std::size_t i, const Measured& here) {
                    here.samples, std::max(0.5, 300 * error));
 }
 
-void draw_counts(Canvas& canvas, const Box& box, std::span<const PublishedRow> rows,
+void draw_counts(Canvas& canvas, const Rectangle& box, std::span<const PublishedRow> rows,
                  const Measurements& here, std::size_t radii) {
     Plot plot(canvas, box, {2, 6, "log\u2081\u2080 of samples"}, {-1, 1, "%"});
     plot.draw_axes("Samples here over the paper's, less 1");
@@ -103,7 +103,7 @@ void draw_counts(Canvas& canvas, const Box& box, std::span<const PublishedRow> r
     draw_legend(canvas, box, keys);
 }
 
-void draw_times(Canvas& canvas, const Box& box, std::span<const PublishedRow> rows,
+void draw_times(Canvas& canvas, const Rectangle& box, std::span<const PublishedRow> rows,
                 const Measurements& here, std::size_t radii) {
     Plot plot(canvas, box, {2, 6, "log\u2081\u2080 of samples"},
               {-4, 4, "log\u2081\u2080 of seconds"});
@@ -182,7 +182,7 @@ Reproduction reproduce_table(const Setting& setting, Boundary boundary,
     add_darts(made, setting, boundary, darts);
 
     made.format = files::Format::svg;
-    const auto canvas = analysis::make_canvas(made.format, 640, 300);
+    const auto canvas = drawing::make_canvas(made.format, 640, 300);
     draw_counts(*canvas, {52, 30, 250, 220}, rows, here, radii);
     draw_times(*canvas, {368, 30, 250, 220}, rows, here, radii);
     made.picture = canvas->finish();

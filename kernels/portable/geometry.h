@@ -18,9 +18,9 @@ struct Geometry {
     u32 capacity;  // spans a line has room for
     u32 is_exact;  // 1 in mode exact, or 0
     u32 chord_margin;
-    u32 cell_side;  // see cell.h
-    u32 cell_columns;
-    u32 cell_rows;
+    u32 grid_side;  // see sample_grid.h
+    u32 grid_columns;
+    u32 grid_rows;
 };
 LACUNA_TYPEDEF(Geometry)
 

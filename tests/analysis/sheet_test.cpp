@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/plot.h"
 #include "analysis/sets.h"
+#include "drawing/plot.h"
 #include "files/point_files.h"
 
 namespace lacuna::analysis {
@@ -101,11 +101,11 @@ INSTANTIATE_TEST_SUITE_P(Formats, Sheet, testing::Values(Format::svg, Format::pd
                          });
 
 TEST(Ticks, AreRoundNumbersWithinTheAxis) {
-    EXPECT_EQ(ticks_of(0, 2, 4), (std::vector<double>{0, 0.5, 1, 1.5, 2}));
-    EXPECT_EQ(ticks_of(-25, 5, 3), (std::vector<double>{-20, -10, 0}));
-    EXPECT_EQ(ticks_of(0.3, 6.1, 3), (std::vector<double>{2, 4, 6}));
-    EXPECT_EQ(ticks_of(0, 1, 5).size(), 6U);
-    EXPECT_FALSE(std::signbit(ticks_of(-1, 1, 2)[1]));
+    EXPECT_EQ(drawing::ticks_of(0, 2, 4), (std::vector<double>{0, 0.5, 1, 1.5, 2}));
+    EXPECT_EQ(drawing::ticks_of(-25, 5, 3), (std::vector<double>{-20, -10, 0}));
+    EXPECT_EQ(drawing::ticks_of(0.3, 6.1, 3), (std::vector<double>{2, 4, 6}));
+    EXPECT_EQ(drawing::ticks_of(0, 1, 5).size(), 6U);
+    EXPECT_FALSE(std::signbit(drawing::ticks_of(-1, 1, 2)[1]));
 }
 
 }  // namespace

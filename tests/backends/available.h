@@ -9,15 +9,15 @@
 #include <string>
 #include <string_view>
 
-#include "backend.h"
-#include "cpu/make_backend.h"
-#include "device/layout.h"
-#include "plan.h"
+#include "backends/backend.h"
+#include "backends/cpu/make_backend.h"
+#include "backends/device/layout.h"
+#include "plan/plan.h"
 #ifdef LACUNA_OPENCL
-#include "opencl/make_backend.h"
+#include "backends/opencl/make_backend.h"
 #endif
 #ifdef LACUNA_VULKAN
-#include "vulkan/make_backend.h"
+#include "backends/vulkan/make_backend.h"
 #endif
 
 namespace lacuna::tests {

@@ -1,11 +1,11 @@
 // Every backend gives the reference's samples, whole number for whole number.
 #include <gtest/gtest.h>
 
-#include "backends.h"
 #include "backends/available.h"
+#include "backends/backends.h"
 #include "backends/cells_requests.h"
 #include "backends/requests.h"
-#include "plan.h"
+#include "plan/plan.h"
 
 namespace {
 

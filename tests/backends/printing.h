@@ -3,7 +3,7 @@
 
 #include <ostream>
 
-#include "backend.h"
+#include "backends/backend.h"
 
 namespace lacuna {
 

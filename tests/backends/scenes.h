@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "backend.h"
-#include "columns.h"
-#include "plan.h"
+#include "backends/backend.h"
+#include "backends/columns.h"
+#include "plan/plan.h"
 #include "portable/column.h"
 #include "portable/fate.h"
 
@@ -60,9 +60,8 @@ inline Snapshot empty_memory(const Plan& plan) {
     }
     memory.capacity = first_capacity(plan);
     memory.spans.assign(plan.lines, {Span{0, plan.height}});
-    if (plan.exact)
-        memory.cells.assign(std::size_t{plan.cell_columns} * plan.cell_rows,
-                            {NO_SAMPLE, NO_SAMPLE});
+    if (plan.is_exact())
+        memory.grid.assign(std::size_t{plan.grid_columns} * plan.grid_rows, {NO_SAMPLE, NO_SAMPLE});
     return memory;
 }
 
@@ -185,12 +184,12 @@ inline std::vector<Candidate> random_candidates(const Plan& plan, Chance& chance
 
 // Samples anywhere, at most one a cell; nothing keeps them a radius apart.
 inline void set_random_samples(const Plan& plan, Chance& chance, Snapshot& memory) {
-    for (std::uint32_t column = 0; column < plan.cell_columns; ++column) {
-        for (std::uint32_t row = 0; row < plan.cell_rows; ++row) {
+    for (std::uint32_t column = 0; column < plan.grid_columns; ++column) {
+        for (std::uint32_t row = 0; row < plan.grid_rows; ++row) {
             if (!chance.one_in(4)) continue;
-            const std::uint32_t x = column * plan.cell_side + chance.below(plan.cell_side);
-            const std::uint32_t y = row * plan.cell_side + chance.below(plan.cell_side);
-            memory.cells[std::size_t{column} * plan.cell_rows + row] = {
+            const std::uint32_t x = column * plan.grid_side + chance.below(plan.grid_side);
+            const std::uint32_t y = row * plan.grid_side + chance.below(plan.grid_side);
+            memory.grid[std::size_t{column} * plan.grid_rows + row] = {
                 std::min(x, plan.width - 1), std::min(y, plan.height - 1)};
         }
     }
@@ -202,7 +201,7 @@ inline void set_hostile_boxes(const Plan& plan, Chance& chance, Snapshot& memory
     memory.box_width = std::max(1u, plan.strip_width >> chance.below(12));
     for (std::uint32_t line = 0; line < plan.lines; ++line) {
         for (const Span span : hostile_spans(chance, plan.height, 12)) {
-            const std::uint32_t row_end = span.begin - span.begin % plan.cell_side + plan.cell_side;
+            const std::uint32_t row_end = span.begin - span.begin % plan.grid_side + plan.grid_side;
             const std::uint32_t offset =
                 chance.below(plan.strip_width / memory.box_width) * memory.box_width;
             memory.boxes.push_back(
@@ -218,8 +217,8 @@ inline Scene random_scene(std::string name, const Plan& plan, std::uint32_t coun
                           std::uint64_t seed) {
     Chance chance(seed);
     Scene scene{std::move(name), plan, empty_memory(plan), {}};
-    if (plan.exact) set_random_samples(plan, chance, scene.memory);
-    if (plan.exact && seed % 2 == 1)
+    if (plan.is_exact()) set_random_samples(plan, chance, scene.memory);
+    if (plan.is_exact() && seed % 2 == 1)
         set_hostile_boxes(plan, chance, scene.memory);
     else
         set_hostile_spans(plan, chance, scene.memory);

@@ -58,7 +58,7 @@ void expect_same(const Left& expected, const Left& got) {
     EXPECT_TRUE(same("candidate", expected.memory.candidates, got.memory.candidates));
     EXPECT_TRUE(same("fate", expected.memory.fates, got.memory.fates));
     EXPECT_TRUE(same("line", expected.memory.spans, got.memory.spans));
-    EXPECT_TRUE(same("cell", expected.memory.cells, got.memory.cells));
+    EXPECT_TRUE(same("cell", expected.memory.grid, got.memory.grid));
     EXPECT_TRUE(same("box", expected.memory.boxes, got.memory.boxes));
     EXPECT_TRUE(same("word of bits", expected.memory.bits, got.memory.bits));
     EXPECT_EQ(expected.memory.box_width, got.memory.box_width);
@@ -150,7 +150,7 @@ void admit_one_a_cell(Scene& scene, tests::Chance& chance) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> taken;
     for (std::size_t i = 0; i < scene.memory.fates.size(); ++i) {
         const Candidate& candidate = scene.memory.candidates[i];
-        const std::uint32_t side = std::max(1u, scene.plan.cell_side);  // none in mode cells
+        const std::uint32_t side = std::max(1u, scene.plan.grid_side);  // none in mode cells
         const bool is_first = taken.insert({candidate.x / side, candidate.y / side}).second;
         scene.memory.fates[i] =
             is_first && chance.one_in(2) ? FATE_ADMITTED : FATE_REJECTED + chance.below(2);
@@ -203,14 +203,14 @@ TEST_P(Verbs, NoPlaceIsLeftWhereOneSampleCoversAll) {
     const Left left = on_device(scene, refine_by_halves);
     EXPECT_TRUE(left.memory.boxes.empty());
     EXPECT_TRUE(left.free_lengths.empty());
-    EXPECT_EQ(left.memory.cells[0], (Sample{5, 5}));
+    EXPECT_EQ(left.memory.grid[0], (Sample{5, 5}));
     expect_equal(scene, refine_by_halves);
 }
 
 TEST_P(Verbs, CandidatesThatEarlierSamplesCoverAreNoSurvivors) {
     Scene scene{"covered", tests::plan_of(0.1, 4, Boundary::torus, 1, 1, Mode::exact), {}, {}};
     scene.memory = tests::empty_memory(scene.plan);
-    scene.memory.cells[0] = {0, 0};
+    scene.memory.grid[0] = {0, 0};
     const std::uint32_t r = scene.plan.radius;
     const std::uint32_t top = scene.plan.height;
     // At the radius' distance a candidate is free, a unit closer it is not; around the edge too.

@@ -16,14 +16,14 @@
 #include <string>
 #include <vector>
 
-#include "analysis/canvas.h"
+#include "drawing/canvas.h"
 #include "files/point_files.h"
 
 namespace {
 
 using namespace lacuna;
-using analysis::Box;
-using analysis::Canvas;
+using drawing::Canvas;
+using drawing::Rectangle;
 
 struct Measurement {
     double points;
@@ -104,7 +104,7 @@ public:
 
     std::string draw(files::Format format) {
         const double height = std::max(440.0, 60.0 + 16.0 * static_cast<double>(curves_.size()));
-        const auto canvas = analysis::make_canvas(format, 860, height);
+        const auto canvas = drawing::make_canvas(format, 860, height);
         draw_axes(*canvas);
         std::size_t i = 0;
         for (const auto& [name, curve] : curves_) draw_curve(*canvas, name, curve, i++);
@@ -112,47 +112,46 @@ public:
     }
 
 private:
-    analysis::Position at(double log_points, double log_seconds) const {
+    drawing::Position at(double log_points, double log_seconds) const {
         return {box_.left + (log_points - from_x_) / (to_x_ - from_x_) * box_.width,
                 box_.bottom() - (log_seconds - from_y_) / (to_y_ - from_y_) * box_.height};
     }
 
     void draw_axes(Canvas& canvas) const {
-        const analysis::Pen grid{{225, 225, 225}, 0.75};
+        const drawing::Pen grid{{225, 225, 225}, 0.75};
         for (int x = from_x_; x <= to_x_; ++x) {
             canvas.line(std::array{at(x, from_y_), at(x, to_y_)}, grid, box_);
             const auto below = at(x, from_y_);
-            canvas.text({below.x, below.y + 16}, power_of_ten(x), {11, analysis::Anchor::middle});
+            canvas.text({below.x, below.y + 16}, power_of_ten(x), {11, drawing::Anchor::middle});
         }
         for (int y = from_y_; y <= to_y_; ++y) {
             canvas.line(std::array{at(from_x_, y), at(to_x_, y)}, grid, box_);
             const auto left = at(from_x_, y);
-            canvas.text({left.x - 6, left.y + 4}, power_of_ten(y), {11, analysis::Anchor::end});
+            canvas.text({left.x - 6, left.y + 4}, power_of_ten(y), {11, drawing::Anchor::end});
         }
         canvas.frame(box_, {{0, 0, 0}, 1});
         canvas.text({box_.left + box_.width / 2, box_.bottom() + 34}, "points",
-                    {12, analysis::Anchor::middle});
+                    {12, drawing::Anchor::middle});
         canvas.text({18, box_.top + box_.height / 2}, "seconds a set",
-                    {12, analysis::Anchor::middle, {0, 0, 0}, false, true});
+                    {12, drawing::Anchor::middle, {0, 0, 0}, false, true});
     }
 
     void draw_curve(Canvas& canvas, const std::string& name, const std::vector<Measurement>& curve,
                     std::size_t number) const {
         // Dashed the second time round, thick the third.
         constexpr std::array kColours{
-            analysis::Colour{0, 0, 0}, analysis::kBlue, analysis::kVermilion, analysis::kGreen,
-            analysis::kPurple,         analysis::kSky,  analysis::kOrange};
+            drawing::Colour{0, 0, 0}, drawing::kBlue, drawing::kVermilion, drawing::kGreen,
+            drawing::kPurple,         drawing::kSky,  drawing::kOrange};
         const std::size_t round = number / kColours.size();
-        const analysis::Pen pen{kColours[number % kColours.size()], round < 2 ? 1.5 : 3,
-                                round == 1};
-        std::vector<analysis::Position> line;
+        const drawing::Pen pen{kColours[number % kColours.size()], round < 2 ? 1.5 : 3, round == 1};
+        std::vector<drawing::Position> line;
         for (const Measurement& m : curve)
             line.push_back(at(std::log10(m.points), std::log10(m.seconds)));
         canvas.line(line, pen, box_);
         canvas.dots(line, 2, box_);
         const double y = box_.top + 8 + 16 * static_cast<double>(number);
         const double x = box_.right() + 14;
-        canvas.line(std::array<analysis::Position, 2>{{{x, y}, {x + 22, y}}}, pen,
+        canvas.line(std::array<drawing::Position, 2>{{{x, y}, {x + 22, y}}}, pen,
                     {x, y - 4, 22, 8});
         const auto exponent = exponent_of(curve);
         canvas.text({x + 28, y + 4}, exponent ? fmt::format("{}: N^{:.3f}", name, *exponent) : name,
@@ -160,7 +159,7 @@ private:
     }
 
     const Curves& curves_;
-    Box box_{64, 20, 480, 364};
+    Rectangle box_{64, 20, 480, 364};
     int from_x_, to_x_, from_y_, to_y_;
 };
 

@@ -11,7 +11,7 @@
 
 #include "cells/check.h"
 #include "fields.h"
-#include "plan.h"
+#include "plan/plan.h"
 
 namespace {
 

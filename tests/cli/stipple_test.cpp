@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cli/stippling.h"
-#include "field/image.h"
+#include "pictures/image.h"
 #include "program.h"
 
 namespace {
@@ -18,7 +18,7 @@ using namespace lacuna::test;
 using lacuna::Point;
 
 // The mean luminance in each of 32 x 24 blocks.
-std::vector<double> blocks_of(const lacuna::field::Image& image) {
+std::vector<double> blocks_of(const lacuna::pictures::Image& image) {
     constexpr std::size_t kAcross = 32, kDown = 24;
     std::vector<double> sums(kAcross * kDown), pixels(kAcross * kDown);
     for (std::size_t row = 0; row < image.rows; ++row)
@@ -126,12 +126,12 @@ TEST(Stipple, GivenAMetricThenMaxLeavesAGapBesideTheDarkSideThatMinDoesNot) {
 
 TEST(Stipple, GivenThePhotographThenThePictureOfTheDotsLooksLikeIt) {
     const Folder folder;
-    const std::vector<double> photograph = blocks_of(lacuna::field::read_image(kRaccoon));
+    const std::vector<double> photograph = blocks_of(lacuna::pictures::read_image(kRaccoon));
     for (const std::string metric : {"min", "mean", "max"}) {
         const std::string path = folder.path(metric + ".png");
         const Names arguments{"--count", "20000", "--metric", metric, "--dpi", "288"};
         ASSERT_EQ(stipple(kRaccoon, arguments, path).exit_code, 0);
-        const lacuna::field::Image picture = lacuna::field::read_image(path);
+        const lacuna::pictures::Image picture = lacuna::pictures::read_image(path);
         EXPECT_EQ(picture.columns, 2048U);
         EXPECT_EQ(picture.rows, 1536U);
         EXPECT_LT(mean_difference(blocks_of(picture), photograph), 0.035) << metric;
@@ -145,7 +145,7 @@ TEST(Stipple, GivenAFixedDotSizeThenThePictureHasSoMuchInk) {
     const Names arguments{"--count",   "200",      "--dot-size", "1mm",   "--paper-size",
                           "120x100mm", "--margin", "10mm",       "--dpi", "254"};
     ASSERT_EQ(stipple(image, arguments, path).exit_code, 0);
-    const lacuna::field::Image picture = lacuna::field::read_image(path);
+    const lacuna::pictures::Image picture = lacuna::pictures::read_image(path);
     ASSERT_EQ(picture.columns, 1200U);
     ASSERT_EQ(picture.rows, 1000U);
     double ink = 0;

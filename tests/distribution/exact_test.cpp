@@ -7,10 +7,10 @@
 #include <cstdio>
 #include <string>
 
-#include "backends.h"
+#include "backends/backends.h"
 #include "baseline/dart_throwing.h"
 #include "distribution/statistics.h"
-#include "plan.h"
+#include "plan/plan.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 
 #include <cstdio>
 
-#include "backends.h"
+#include "backends/backends.h"
 #include "distribution/statistics.h"
-#include "plan.h"
+#include "plan/plan.h"
 
 namespace {
 

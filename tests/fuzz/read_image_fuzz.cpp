@@ -10,10 +10,10 @@
 #include <span>
 #include <string_view>
 
-#include "field/image.h"
-#include "field/importance.h"
 #include "files/parse.h"
 #include "files/point_files.h"
+#include "pictures/image.h"
+#include "pictures/importance.h"
 
 namespace {
 
@@ -23,7 +23,7 @@ void require(bool holds) {
     if (!holds) std::abort();
 }
 
-void require_promises(const field::Image& image) {
+void require_promises(const pictures::Image& image) {
     require(image.columns > 0 && image.rows > 0);
     require(image.luminance.size() == std::uint64_t{image.columns} * image.rows);
     require(std::isfinite(image.white) && image.white >= 1);
@@ -65,10 +65,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     // A few bytes may well stand for many equal pixels; so many take too long here.
     constexpr std::uint64_t kMaxPixels = 1U << 16U;
     try {
-        const field::Image image =
-            field::decode_image({reinterpret_cast<const char*>(data), size}, "file", kMaxPixels);
+        const pictures::Image image =
+            pictures::decode_image({reinterpret_cast<const char*>(data), size}, "file", kMaxPixels);
         require_promises(image);
-        for (const double importance : field::importance_of(image, {}).importance)
+        for (const double importance : pictures::importance_of(image, {}).importance)
             require(importance >= 0 && importance <= 1);
     } catch (const files::FileError& error) {
         const std::string_view what = error.what();

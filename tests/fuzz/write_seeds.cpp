@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "field/pictures.h"
 #include "files/point_files.h"
+#include "pictures/pictures.h"
 
 namespace {
 
@@ -16,7 +16,7 @@ using namespace lacuna;
 void write_seeds(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder / "images");
     std::filesystem::create_directories(folder / "points");
-    for (const auto& [name, bytes] : field::one_of_each())
+    for (const auto& [name, bytes] : pictures::one_of_each())
         files::write_whole(folder / "images" / name, bytes);
     constexpr std::array kNames{"a.txt", "a.csv", "a.npy", "a.ply", "a.json"};
     const std::vector<Point> points{{0.25, 0.5}, {1e-3, -2}};

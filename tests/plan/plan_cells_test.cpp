@@ -1,5 +1,5 @@
 // The plan of mode cells: what a request may not ask for.
-#include "plan.h"
+#include "plan/plan.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What the plan promises about whole numbers, and what a request may not ask for.
-#include "plan.h"
+#include "plan/plan.h"
 
 #include <gtest/gtest.h>
 
@@ -61,9 +61,9 @@ RC_GTEST_PROP(Plan, KeepsEveryPromiseOfItsFields, ()) {
     RC_ASSERT(plan.strip_width >= 2u && plan.strip_width % 2 == 0);
     RC_ASSERT(plan.width <= 0x80000000u && plan.height <= 0x80000000u);
     RC_ASSERT(plan.width > 0u && plan.height > 0u);
-    if (plan.exact) RC_ASSERT(std::has_single_bit(plan.strip_width));
+    if (plan.is_exact()) RC_ASSERT(std::has_single_bit(plan.strip_width));
     // In exact, whose strips are cut down to a power of two, at least half of 2^31 units are left.
-    if (plan.exact) RC_ASSERT(std::max(plan.width, plan.height) >= (1u << 30));
+    if (plan.is_exact()) RC_ASSERT(std::max(plan.width, plan.height) >= (1u << 30));
     RC_ASSERT(plan.radius * std::min(plan.unit_x, plan.unit_y) >= *request.radius);
     RC_ASSERT((plan.radius - 2) * std::min(plan.unit_x, plan.unit_y) <= *request.radius);
     RC_ASSERT(std::abs(plan.unit_y / plan.unit_x - 1) < std::ldexp(1, -20));

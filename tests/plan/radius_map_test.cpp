@@ -1,5 +1,5 @@
 // The radius map of mode cells: which pixel lies under a lattice point, and how far each must look.
-#include "radius_map.h"
+#include "plan/radius_map.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "fields.h"
-#include "plan.h"
 #include "plan/cells_request.h"
+#include "plan/plan.h"
 #include "portable/metric.h"
 
 namespace {

@@ -118,16 +118,16 @@ TEST(Shapes, AreDenseOnTheirGround) {
 }
 
 // Keeps the image that is drawn.
-class ImageOnly : public analysis::Canvas {
+class ImageOnly : public drawing::Canvas {
 public:
-    void line(std::span<const analysis::Position>, const analysis::Pen&, const Box&) override {}
-    void dots(std::span<const analysis::Position>, double, const Box&) override {}
-    void frame(const Box&, const analysis::Pen&) override {}
-    void text(analysis::Position, const std::string&, const analysis::Style&) override {}
-    void image(const Box&, const analysis::Image& image) override { last = image; }
+    void line(std::span<const drawing::Position>, const drawing::Pen&, const Rectangle&) override {}
+    void dots(std::span<const drawing::Position>, double, const Rectangle&) override {}
+    void frame(const Rectangle&, const drawing::Pen&) override {}
+    void text(drawing::Position, const std::string&, const drawing::TextStyle&) override {}
+    void image(const Rectangle&, const drawing::Image& image) override { last = image; }
     std::string finish() override { return {}; }
 
-    analysis::Image last{};
+    drawing::Image last{};
 };
 
 // Power 3, white, where ky = 0.

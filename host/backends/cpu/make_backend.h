@@ -1,0 +1,12 @@
+// The cpu backend: the verbs on threads, a column of lines a task.
+#pragma once
+
+#include <memory>
+
+#include "backends/backend.h"
+
+namespace lacuna::cpu {
+
+std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement);
+
+}  // namespace lacuna::cpu

@@ -1,0 +1,155 @@
+// subtract: the chords of the round's samples, cut from the free spans of every line.
+#include <algorithm>
+
+#include "backends/cpu/state.h"
+#include "portable/chord.h"
+#include "portable/column.h"
+#include "portable/distance.h"
+#include "portable/fate.h"
+
+namespace lacuna::cpu {
+namespace {
+
+// The samples that may cut a column's lines, in the order of y.
+void gather(State& state, std::uint32_t column, std::vector<Sample>& near) {
+    near.clear();
+    const std::uint32_t wraps = state.plan.period_x;
+    const std::uint32_t first = portable::first_neighbour(column, state.columns, wraps);
+    const std::uint32_t count = portable::neighbour_count(column, state.columns, wraps);
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const std::uint32_t neighbour = (first + k) % state.columns;
+        const auto middle = static_cast<std::ptrdiff_t>(near.size());
+        for (std::size_t i = state.column_begins[neighbour]; i < state.column_begins[neighbour + 1];
+             ++i)
+            if (state.fates[i] == FATE_ADMITTED)
+                near.push_back({state.candidates[i].x, state.candidates[i].y});
+        std::inplace_merge(near.begin(), near.begin() + middle, near.end(),
+                           [](Sample a, Sample b) { return a.y < b.y; });
+    }
+}
+
+// A line's spans with a gap that moves along: what lies below it is done, the rest is above.
+// Chords that come in the order of y move it a little at a time, and cut where it stands. A
+// sentinel at each end, and writes that may be taken back, leave two branches to a typical cut.
+class Line {
+public:
+    // Loads the line's spans; so many cuts may follow.
+    void load(std::span<const Span> spans, std::size_t cuts) {
+        const std::size_t size = spans.size() + cuts + 3;  // two sentinels and a gap to write to
+        if (buffer_.size() < size) buffer_.resize(size);
+        buffer_[0] = {0, 0};
+        buffer_[size - 1] = {kBeyond, kBeyond};
+        done_ = buffer_.data() + 1;
+        end_ = buffer_.data() + size - 1;
+        rest_ = end_ - spans.size();
+        std::copy(spans.begin(), spans.end(), rest_);
+    }
+
+    // Takes [begin, end) out.
+    void cut(std::uint32_t begin, std::uint32_t end) {
+        while (done_[-1].end > begin) *--rest_ = *--done_;
+        while (rest_->end <= begin) *done_++ = *rest_++;
+        *done_ = {rest_->begin, begin};
+        done_ += rest_->begin < begin;
+        while (rest_->end <= end) ++rest_;
+        rest_->begin = std::max(rest_->begin, end);
+    }
+
+    std::size_t count() const {
+        return static_cast<std::size_t>((done_ - buffer_.data() - 1) + (end_ - rest_));
+    }
+    // Copies the spans to the slot, which must have room, and returns their total length.
+    std::uint32_t store(std::span<Span> slot) const {
+        const Span* const done = done_;
+        const auto middle = std::copy(buffer_.data() + 1, done, slot.begin());
+        std::copy(rest_, end_, middle);
+        std::uint32_t length = 0;
+        for (const Span span : slot.first(count())) length += span.end - span.begin;
+        return length;
+    }
+
+private:
+    static constexpr std::uint32_t kBeyond = ~std::uint32_t{0};  // above every y
+
+    std::vector<Span> buffer_;
+    Span* done_ = nullptr;
+    Span* rest_ = nullptr;
+    Span* end_ = nullptr;
+};
+
+// The chords of a line in the order of their samples' y, all found before the first is cut: the
+// square roots then overlap, and the cuts are what remains to be predicted.
+void find_chords(const Plan& plan, std::uint32_t centre, std::span<const Sample> near,
+                 std::vector<Span>& chords) {
+    chords.resize(near.size() + 2);  // and one for each end of a torus
+    Span* next = chords.data();
+    // On a torus, what sticks out at one end is cut at the other.
+    Span bottom{0, 0};
+    Span top{plan.height, plan.height};
+    const auto distance_to = [&](Sample sample) {
+        return portable::axis_distance(sample.x, centre, plan.period_x) + plan.chord_margin();
+    };
+    const auto reach_of = [&](Sample sample) {
+        return portable::chord_reach(distance_to(sample), plan.radius_squared);
+    };
+    if (plan.period_y != 0) {
+        for (std::size_t i = near.size(); i-- > 0;) {
+            if (plan.height - near[i].y > plan.radius) break;
+            const std::uint32_t reach = reach_of(near[i]);
+            bottom.end =
+                std::max(bottom.end, portable::chord_wrapped_end(near[i].y, reach, plan.height));
+        }
+        for (const Sample sample : near) {
+            if (sample.y >= plan.radius) break;
+            top.begin = std::min(
+                top.begin, portable::chord_wrapped_begin(sample.y, reach_of(sample), plan.height));
+        }
+    }
+    *next = bottom;
+    next += bottom.end > 0;
+    // Two samples in five are too far away: they are left out before any root is taken. Until its
+    // chord is known, an entry holds the sample's distance and y.
+    Span* const first = next;
+    for (const Sample sample : near) {
+        *next = {distance_to(sample), sample.y};
+        next += next->begin < plan.radius;
+    }
+    const Span* const end = next;
+    next = first;
+    for (const Span* entry = first; entry != end; ++entry) {
+        const std::uint32_t y = entry->end;
+        const std::uint32_t reach = portable::chord_reach(entry->begin, plan.radius_squared);
+        *next = {portable::chord_begin(y, reach), portable::chord_end(y, reach, plan.height)};
+        next += reach > 0;
+    }
+    *next = top;
+    next += top.begin < plan.height;
+    chords.resize(static_cast<std::size_t>(next - chords.data()));
+}
+
+}  // namespace
+
+bool subtract(State& state, std::uint32_t column) {
+    thread_local std::vector<Sample> near;
+    thread_local std::vector<Span> chords;
+    thread_local Line line;
+    gather(state, column, near);
+    if (near.empty()) return true;
+
+    bool complete = true;
+    for (std::uint32_t i = state.first_lines[column]; i < state.first_lines[column + 1]; ++i) {
+        if (state.span_counts[i] == 0) continue;
+        find_chords(state.plan, state.plan.centre_of_line(i), near, chords);
+        line.load(state.slot(i).first(state.span_counts[i]), chords.size());
+        for (const Span chord : chords) line.cut(chord.begin, chord.end);
+        if (line.count() > state.capacity) {
+            complete = false;
+            continue;
+        }
+        state.span_counts[i] = static_cast<std::uint32_t>(line.count());
+        state.free_lengths[i] = line.store(state.slot(i));
+    }
+    return complete;
+}
+
+}  // namespace lacuna::cpu

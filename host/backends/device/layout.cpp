@@ -1,0 +1,202 @@
+// The layout of a plan's memory on a device.
+#include "backends/device/layout.h"
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+#include "backends/columns.h"
+#include "backends/device/cells_layout.h"
+#include "portable/column.h"
+#include "portable/fate.h"
+#include "rounds/round_policy.h"
+
+namespace lacuna::device {
+
+std::vector<Slab> share_out(std::uint32_t lines, std::uint32_t capacity,
+                            std::uint64_t largest_bytes) {
+    const std::uint64_t fit = largest_bytes / (std::uint64_t{capacity} * sizeof(Span));
+    const auto step = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(fit, 1, lines));
+    std::vector<Slab> slabs;
+    for (std::uint32_t line = 0; line < lines; line += step)
+        slabs.push_back({line, line + std::min(step, lines - line)});
+    return slabs;
+}
+
+portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uint32_t capacity) {
+    portable::Geometry geometry{};
+    geometry.radius_squared = plan.radius_squared;
+    geometry.radius = plan.radius;
+    geometry.width = plan.width;
+    geometry.height = plan.height;
+    geometry.period_x = plan.period_x;
+    geometry.period_y = plan.period_y;
+    geometry.lines = plan.lines;
+    geometry.strip_width = plan.strip_width;
+    geometry.columns = columns;
+    geometry.capacity = capacity;
+    geometry.is_exact = plan.is_exact() ? 1 : 0;
+    geometry.chord_margin = plan.chord_margin();
+    geometry.grid_side = plan.grid_side;
+    geometry.grid_columns = plan.grid_columns;
+    geometry.grid_rows = plan.grid_rows;
+    return geometry;
+}
+
+Range draws_of(const Slab& slab, std::span<const Draw> draws) {
+    const auto index_of_line = [&](std::uint32_t line) {
+        const auto first = std::partition_point(
+            draws.begin(), draws.end(), [&](const Draw& draw) { return draw.place < line; });
+        return static_cast<std::uint32_t>(first - draws.begin());
+    };
+    return {index_of_line(slab.first_line), index_of_line(slab.end_line)};
+}
+
+void find_near_begins(const Plan& plan, std::uint32_t columns,
+                      std::span<const std::uint32_t> column_begins,
+                      std::vector<std::uint32_t>& begins) {
+    begins.resize(columns + std::size_t{1});
+    begins[0] = 0;
+    for (std::uint32_t column = 0; column < columns; ++column) {
+        const std::uint32_t first = portable::first_neighbour(column, columns, plan.period_x);
+        const std::uint32_t count = portable::neighbour_count(column, columns, plan.period_x);
+        begins[column + 1] = begins[column];
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const std::uint32_t neighbour = (first + k) % columns;
+            begins[column + 1] += column_begins[neighbour + 1] - column_begins[neighbour];
+        }
+    }
+}
+
+std::uint64_t take_admitted(std::span<const Sample> by_order, std::vector<Sample>& samples) {
+    samples.clear();
+    std::uint64_t survivors = 0;
+    for (const Sample& sample : by_order) {
+        const bool admitted = sample.x != NO_SAMPLE;
+        if (admitted) samples.push_back(sample);
+        survivors += admitted || sample.y != FATE_COVERED;
+    }
+    return survivors;
+}
+
+std::vector<Sample> samples_by_order(const Snapshot& snapshot) {
+    std::vector<Sample> samples(snapshot.candidates.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const Candidate& candidate = snapshot.candidates[i];
+        samples[candidate.order] = snapshot.fates[i] == FATE_ADMITTED
+                                       ? Sample{candidate.x, candidate.y}
+                                       : Sample{NO_SAMPLE, snapshot.fates[i]};
+    }
+    return samples;
+}
+
+std::vector<std::uint32_t> pending_of(std::span<const std::uint32_t> fates, std::uint32_t chunk) {
+    const auto count = static_cast<std::uint32_t>(fates.size());
+    std::vector<std::uint32_t> all(count, NO_SAMPLE);
+    std::uint32_t left = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (i % chunk == 0) left = i;
+        if (fates[i] == FATE_UNDECIDED) all[left++] = i;
+    }
+    return all;
+}
+
+std::vector<Span> pack(const Slab& slab, const Snapshot& snapshot) {
+    std::vector<Span> slots(std::size_t{slab.lines()} * snapshot.capacity);
+    for (std::uint32_t i = 0; i < slab.lines(); ++i) {
+        const std::vector<Span>& spans = snapshot.spans[slab.first_line + i];
+        std::copy(spans.begin(), spans.end(),
+                  slots.begin() + static_cast<std::ptrdiff_t>(std::size_t{i} * snapshot.capacity));
+    }
+    return slots;
+}
+
+void unpack(const Slab& slab, std::span<const Span> slots,
+            std::span<const std::uint32_t> span_counts, Snapshot& snapshot) {
+    for (std::uint32_t i = 0; i < slab.lines(); ++i) {
+        const auto spans =
+            slots.subspan(std::size_t{i} * snapshot.capacity, span_counts[slab.first_line + i]);
+        snapshot.spans.emplace_back(spans.begin(), spans.end());
+    }
+}
+
+namespace {
+
+std::string gigabytes(std::uint64_t bytes) {
+    std::ostringstream out;
+    out.precision(3);
+    out << static_cast<double>(bytes) / 1e9 << " GB";
+    return out.str();
+}
+
+// What a plan takes of a device: in all, and of one buffer at most.
+struct Needs {
+    std::uint64_t bytes;
+    std::uint64_t largest;
+};
+
+// Of draws, located, candidates; buckets, fates, pending; samples; and three samples near for each
+// draw.
+constexpr std::uint64_t kBytesPerDraw = 48 + 12 + 8 + 24;
+constexpr std::uint64_t kLargestPerDraw = 24;  // of one buffer: the samples near
+
+// Of a cell, and of a box and the two that it may become; in exact.
+constexpr std::uint64_t kBytesPerCell = 8;
+constexpr std::uint64_t kBytesPerBox = 12 + 4 + 2 * (12 + 12);
+// Boxes for a sample of the maximal set, at most: 0.45 to 0.5 have been seen.
+constexpr double kBoxesPerSample = 0.75;
+
+Needs needs_of_lines(const Plan& plan, std::uint64_t round) {
+    const std::uint64_t line_bytes = std::uint64_t{first_capacity(plan)} * sizeof(Span);
+    // Cells and boxes have a buffer for each coordinate.
+    const std::uint64_t cells =
+        plan.is_exact() ? std::uint64_t{plan.grid_columns} * plan.grid_rows : 0;
+    const auto boxes = static_cast<std::uint64_t>(
+        plan.is_exact() ? kBoxesPerSample * static_cast<double>(plan.expected_samples) : 0);
+    return {plan.lines * (line_bytes + 8) + round * kBytesPerDraw + cells * kBytesPerCell +
+                boxes * kBytesPerBox,
+            std::max({line_bytes, plan.lines * std::uint64_t{4}, round * kLargestPerDraw,
+                      cells * kBytesPerCell / 2, boxes * 2 * std::uint64_t{4}})};
+}
+
+// Mode cells. Of draws, located, candidates; buckets, fates, pending, radii; samples.
+constexpr std::uint64_t kCellsBytesPerDraw = 48 + 16 + 8;
+constexpr std::uint64_t kCellsLargestPerDraw = 16;
+
+Needs needs_of_cells(const Plan& plan, std::uint64_t round) {
+    constexpr std::uint64_t kWord = 4;
+    const std::uint64_t bits = std::uint64_t{plan.lines} * words_per_line(plan) * kWord;
+    // Radii, reaches and widest rows; column_of, free_lengths and widest; row_of and row_begins.
+    const std::uint64_t pixels = plan.radii->radii.size() * kWord;
+    const std::uint64_t lines = plan.lines * kWord;
+    const std::uint64_t rows = std::uint64_t{std::max(plan.height, plan.radii->rows + 1)} * kWord;
+    return {bits + 3 * (pixels + lines) + 2 * rows + round * kCellsBytesPerDraw,
+            std::max({bits, pixels, lines, rows, round * kCellsLargestPerDraw})};
+}
+
+}  // namespace
+
+void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint64_t memory_bytes,
+                         std::uint64_t largest_buffer_bytes) {
+    // A table's indices have 32 bits.
+    const std::uint64_t most_draws = std::min<std::uint64_t>(
+        largest_buffer_bytes / kLargestPerDraw, std::numeric_limits<std::uint32_t>::max() / 3);
+    if (plan.round_size > most_draws)
+        throw BadRequest("round-size", std::to_string(plan.round_size),
+                         "must be at most " + std::to_string(most_draws) + " on " + device +
+                             ", whose largest buffer has " + gigabytes(largest_buffer_bytes));
+    // Rounds have been seen to double once after the first; largest_round_size bounds them.
+    const std::uint64_t first = first_round_size(plan);
+    const std::uint64_t round =
+        plan.round_size != 0 ? first : std::min(2 * first, largest_round_size(plan));
+    const Needs needs = plan.radii ? needs_of_cells(plan, round) : needs_of_lines(plan, round);
+    if (needs.largest > largest_buffer_bytes)
+        throw Unavailable("device " + device + ": the request needs a buffer of " +
+                          gigabytes(needs.largest) + ", and its largest has " +
+                          gigabytes(largest_buffer_bytes));
+    if (needs.bytes > memory_bytes)
+        throw Unavailable("device " + device + ": the request needs " + gigabytes(needs.bytes) +
+                          " of memory, and it has " + gigabytes(memory_bytes));
+}
+
+}  // namespace lacuna::device

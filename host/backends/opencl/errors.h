@@ -1,0 +1,46 @@
+// OpenCL's error codes by name, and what its driver says, made into Lacuna's errors.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+#include "backends/opencl/cl.h"
+
+namespace lacuna::opencl {
+
+// "CL_OUT_OF_RESOURCES (-5)".
+std::string error_name(int code);
+
+// What the driver of a context has to say, in its own words, from any of its threads.
+class Log {
+public:
+    void add(const char* message);
+    // Everything since the last call.
+    std::string take();
+
+private:
+    std::mutex mutex_;
+    std::string text_;
+};
+
+// Names the call, the error, the device and the driver's log, in one line.
+DeviceError device_error(const cl::Error& error, const std::string& device, Log& log);
+
+// Names the kernel that could not finish its work, by what it left in the word `failure`, which is
+// not 0 (portable/failure.h), and what to do.
+DeviceError kernel_error(std::uint32_t failure, const std::string& device);
+
+// Calls work(); OpenCL's errors become Lacuna's.
+template <typename Work>
+auto guarded(const std::string& device, Log& log, Work work) {
+    try {
+        return work();
+    } catch (const cl::Error& error) {
+        throw device_error(error, device, log);
+    }
+}
+
+}  // namespace lacuna::opencl

@@ -1,0 +1,47 @@
+// Cairo's surfaces and contexts as owners, its errors as exceptions, its output as a string.
+#pragma once
+
+#include <cairo.h>
+
+#include <exception>
+#include <memory>
+#include <string>
+
+#include "files/point_files.h"
+
+namespace lacuna::drawing {
+
+struct SurfaceDeleter {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+};
+struct ContextDeleter {
+    void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, SurfaceDeleter>;
+using Context = std::unique_ptr<cairo_t, ContextDeleter>;
+
+inline void check(cairo_status_t status) {
+    if (status != CAIRO_STATUS_SUCCESS)
+        throw files::FileError(std::string("the picture cannot be drawn: ") +
+                               cairo_status_to_string(status));
+}
+
+inline Surface checked(cairo_surface_t* created) {
+    Surface surface(created);
+    check(cairo_surface_status(surface.get()));
+    return surface;
+}
+
+// Cairo's write callback. No exception may cross cairo, which is C.
+inline cairo_status_t append_to_string(void* closure, const unsigned char* data,
+                                       unsigned int length) noexcept {
+    try {
+        auto& bytes = *static_cast<std::string*>(closure);
+        bytes.append(data, data + length);
+        return CAIRO_STATUS_SUCCESS;
+    } catch (const std::exception&) {
+        return CAIRO_STATUS_NO_MEMORY;
+    }
+}
+
+}  // namespace lacuna::drawing

@@ -1,0 +1,131 @@
+// SVG as text.
+#include "drawing/canvas_svg.h"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+namespace lacuna::drawing {
+namespace {
+
+std::string hex_of(Colour colour) {
+    return fmt::format("#{:02x}{:02x}{:02x}", colour.red, colour.green, colour.blue);
+}
+
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '&') {
+            result += "&amp;";
+        } else if (c == '<') {
+            result += "&lt;";
+        } else {
+            result += c;
+        }
+    }
+    return result;
+}
+
+std::string base64_of(const std::string& bytes) {
+    // Four letters for three bytes, and the zero that OpenSSL adds.
+    std::string letters((bytes.size() + 2) / 3 * 4 + 1, '\0');
+    // Both are arrays of bytes; OpenSSL calls them unsigned.
+    const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(letters.data()),
+                                       reinterpret_cast<const unsigned char*>(bytes.data()),
+                                       static_cast<int>(bytes.size()));
+    letters.resize(static_cast<std::size_t>(length));
+    return letters;
+}
+
+std::string_view name_of(Anchor anchor) {
+    if (anchor == Anchor::middle) return "middle";
+    return anchor == Anchor::end ? "end" : "start";
+}
+
+class SvgCanvas : public Canvas {
+public:
+    SvgCanvas(double width, double height) {
+        bytes_ = fmt::format(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.9g}pt\" height=\"{1:.9g}pt\" "
+            "viewBox=\"0 0 {0:.9g} {1:.9g}\" font-family=\"DejaVu Sans, Verdana, sans-serif\">\n"
+            "<rect width=\"{0:.9g}\" height=\"{1:.9g}\" fill=\"white\"/>\n",
+            width, height);
+    }
+
+    void line(std::span<const Position> positions, const Pen& pen, const Rectangle& clip) override {
+        add("<path clip-path=\"url(#{})\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.9g}\" "
+            "stroke-linejoin=\"round\"{} d=\"",
+            clip_for(clip), hex_of(pen.colour), pen.width,
+            pen.dashed ? " stroke-dasharray=\"4 3\"" : "");
+        std::string_view step = "M";
+        for (const Position& position : positions) {
+            add("{}{:.2f} {:.2f}", step, position.x, position.y);
+            step = "L";
+        }
+        bytes_ += "\"/>\n";
+    }
+
+    void dots(std::span<const Position> centres, double radius, const Rectangle& clip) override {
+        // Lines of no length with round caps: a tenth of the bytes of circles.
+        add("<path clip-path=\"url(#{})\" fill=\"none\" stroke=\"black\" stroke-linecap=\"round\" "
+            "stroke-width=\"{:.4g}\" d=\"",
+            clip_for(clip), 2 * radius);
+        for (const Position& centre : centres) add("M{:.3f} {:.3f}h0\n", centre.x, centre.y);
+        bytes_ += "\"/>\n";
+    }
+
+    void frame(const Rectangle& box, const Pen& pen) override {
+        add("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"none\" "
+            "stroke=\"{}\" stroke-width=\"{:.9g}\"/>\n",
+            box.left, box.top, box.width, box.height, hex_of(pen.colour), pen.width);
+    }
+
+    void text(Position at, const std::string& utf8, const TextStyle& style) override {
+        add("<text x=\"{0:.2f}\" y=\"{1:.2f}\" font-size=\"{2:.9g}\" text-anchor=\"{3}\" "
+            "fill=\"{4}\"{5}{6}>{7}</text>\n",
+            at.x, at.y, style.size, name_of(style.anchor), hex_of(style.colour),
+            style.bold ? " font-weight=\"bold\"" : "",
+            style.upwards ? fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", at.x, at.y)
+                          : "",
+            escaped(utf8));
+    }
+
+    void image(const Rectangle& box, const Image& image) override {
+        add("<image x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
+            "preserveAspectRatio=\"none\" image-rendering=\"pixelated\" "
+            "href=\"data:image/png;base64,{}\"/>\n",
+            box.left, box.top, box.width, box.height, base64_of(png_of(image)));
+    }
+
+    std::string finish() override { return std::move(bytes_) + "</svg>\n"; }
+
+private:
+    template <class... Values>
+    void add(fmt::format_string<Values...> format, Values&&... values) {
+        fmt::format_to(std::back_inserter(bytes_), format, std::forward<Values>(values)...);
+    }
+
+    std::string clip_for(const Rectangle& box) {
+        const std::string name = fmt::format("clip{}", ++clips_);
+        add("<clipPath id=\"{}\"><rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" "
+            "height=\"{:.2f}\"/></clipPath>\n",
+            name, box.left, box.top, box.width, box.height);
+        return name;
+    }
+
+    std::string bytes_;
+    int clips_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Canvas> make_svg_canvas(double width, double height) {
+    return std::make_unique<SvgCanvas>(width, height);
+}
+
+}  // namespace lacuna::drawing

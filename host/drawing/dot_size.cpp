@@ -1,0 +1,55 @@
+// Dots that cover as much as is wanted.
+#include "drawing/dot_size.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <numeric>
+
+namespace lacuna::drawing {
+namespace {
+
+// How much wider dots must be where they overlap, for importance 0.55, 0.60, ... 1: measured on
+// maximal sets of constant fields in mode cells (m = 10, six sets of 6,600 points, coverage on
+// 1500 x 1500 places; the last one covers 99 %).
+constexpr std::array kWider{1.0, 1.002, 1.009, 1.015, 1.025, 1.051, 1.072, 1.110, 1.172, 1.299};
+constexpr double kFirst = 0.55, kStep = 0.05;
+// Few sizes make short files: no dot is off by more than half of this share.
+constexpr double kSizeStep = 0.01;
+
+double wider_at(double importance) {
+    const double place = std::clamp((importance - kFirst) / kStep, 0.0, kWider.size() - 1.0);
+    const std::size_t low = std::min(static_cast<std::size_t>(place), kWider.size() - 2);
+    const double exact = std::lerp(kWider[low], kWider[low + 1], place - static_cast<double>(low));
+    return std::round(exact / kSizeStep) * kSizeStep;
+}
+
+// The pixel, of so many along `side`, that a coordinate lies in.
+std::size_t pixel_of(double coordinate, double side, std::uint32_t pixels) {
+    const auto place = static_cast<std::int64_t>(coordinate / side * pixels);
+    return static_cast<std::size_t>(std::clamp<std::int64_t>(place, 0, pixels - std::int64_t{1}));
+}
+
+}  // namespace
+
+std::vector<double> dot_diameters(std::span<const Point> points, const Field& field, double width,
+                                  double height) {
+    const std::vector<double>& importance = field.importance;
+    const double mean = std::accumulate(importance.begin(), importance.end(), 0.0) /
+                        static_cast<double>(importance.size());
+    const double area = mean * width * height / static_cast<double>(points.size());
+    const double diameter = std::sqrt(4 / std::numbers::pi * area);
+    std::vector<double> diameters;
+    diameters.reserve(points.size());
+    for (const Point& point : points) {
+        const std::size_t row = field.rows - 1 - pixel_of(point.y, height, field.rows);
+        const std::size_t column = pixel_of(point.x, width, field.columns);
+        diameters.push_back(diameter * wider_at(importance[row * field.columns + column]));
+    }
+    return diameters;
+}
+
+}  // namespace lacuna::drawing

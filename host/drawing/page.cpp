@@ -1,0 +1,47 @@
+// Pages: the domain alone, or the domain on a sheet of paper.
+#include "drawing/page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace lacuna::drawing {
+namespace {
+
+constexpr double kLongerSideInPoints = 512;
+
+}  // namespace
+
+Page page_of(const files::PointSet& set, const Style& style, double units_per_point) {
+    if (!style.sheet) {
+        const double longer = std::max(set.width, set.height);
+        const double longer_side = kLongerSideInPoints * units_per_point;
+        const double height = longer_side * (set.height / longer);
+        return {longer_side * (set.width / longer), height, longer_side / longer, 0, height};
+    }
+    const double unit = units_per_point * kPointsPerInch / kMillimetresPerInch;
+    const double scale = unit * millimetres_per_unit(set, style);
+    const double width = style.sheet->width_mm * unit, height = style.sheet->height_mm * unit;
+    return {width, height, scale, (width - set.width * scale) / 2,
+            (height + set.height * scale) / 2};
+}
+
+double millimetres_per_unit(const files::PointSet& set, const Style& style) {
+    if (!style.sheet)
+        return kLongerSideInPoints / kPointsPerInch * kMillimetresPerInch /
+               std::max(set.width, set.height);
+    const auto& [width, height, margin] = *style.sheet;
+    return std::min((width - 2 * margin) / set.width, (height - 2 * margin) / set.height);
+}
+
+double dot_diameter(const files::PointSet& set) {
+    if (set.radius > 0) return set.radius / 3 * 2;
+    // The radius is not known: dots as large as those of a maximal set of as many points.
+    constexpr double kMaximalCountTimesSquaredRadius = 0.69656;
+    const auto count = static_cast<double>(std::max<std::size_t>(set.points.size(), 1));
+    const double radius =
+        std::sqrt(kMaximalCountTimesSquaredRadius * set.width * (set.height / count));
+    return std::min({radius, set.width, set.height}) / 3 * 2;
+}
+
+}  // namespace lacuna::drawing

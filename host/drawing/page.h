@@ -1,0 +1,62 @@
+// Where dots lie on a page, and in which strokes they are drawn.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "drawing/picture.h"
+
+namespace lacuna::drawing {
+
+// In one stroke: keeps the working memory of cairo, and of viewers, small.
+inline constexpr std::size_t kDotsPerStroke = 4096;
+
+// The page's sides, and the domain's units turned into the page's, y upwards.
+struct Page {
+    double width;
+    double height;
+    double scale;
+    double left;    // of the domain
+    double bottom;  // of the domain, counted from the page's top
+    double x_of(Point point) const { return left + point.x * scale; }
+    double y_of(Point point) const { return bottom - point.y * scale; }
+};
+
+// The page in units of which so many make a point, 1/72 inch.
+Page page_of(const files::PointSet& set, const Style& style, double units_per_point);
+
+// The diameter of dots where each has the same.
+double dot_diameter(const files::PointSet& set);
+
+// Calls `stroke(points, diameter)` for dots of one size, a stroke's worth at a time.
+template <class Stroke>
+void for_each_stroke(std::span<const Point> points, double diameter, const Stroke& stroke) {
+    for (std::size_t begin = 0; begin < points.size(); begin += kDotsPerStroke)
+        stroke(points.subspan(begin, std::min(kDotsPerStroke, points.size() - begin)), diameter);
+}
+
+// The same for all dots: in their order, or size by size, smallest first, and in their order among
+// those of a size.
+template <class Stroke>
+void for_each_stroke(const files::PointSet& set, const Style& style, const Stroke& stroke) {
+    if (style.diameters.empty()) return for_each_stroke(set.points, dot_diameter(set), stroke);
+    std::vector<std::size_t> order(set.points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (!style.keeps_order)
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return style.diameters[a] < style.diameters[b];
+        });
+    std::vector<Point> run;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const double diameter = style.diameters[order[i]];
+        run.push_back(set.points[order[i]]);
+        if (i + 1 < order.size() && style.diameters[order[i + 1]] == diameter) continue;
+        for_each_stroke(std::span<const Point>(run), diameter, stroke);
+        run.clear();
+    }
+}
+
+}  // namespace lacuna::drawing

@@ -1,0 +1,29 @@
+// The nearest dots of every dot, from a k-d tree.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "drawing/pen/spots.h"
+
+namespace lacuna::pen {
+
+// Lists of equal length, one a spot.
+class Neighbours {
+public:
+    // The `most` nearest of each spot, nearest first and without itself; all others if there are
+    // fewer. Works on all cores.
+    Neighbours(std::span<const Spot> spots, std::size_t most);
+
+    std::span<const std::uint32_t> of(std::size_t spot) const {
+        return {all_.data() + spot * each_, each_};
+    }
+
+private:
+    std::size_t each_;
+    std::vector<std::uint32_t> all_;
+};
+
+}  // namespace lacuna::pen

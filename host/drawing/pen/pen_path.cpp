@@ -1,0 +1,129 @@
+// Pen paths: a greedy path, improved around every dot whose neighbourhood has changed.
+#include "drawing/pen/pen_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <numeric>
+#include <utility>
+
+#include "drawing/pen/greedy_path.h"
+#include "drawing/pen/neighbours.h"
+#include "drawing/pen/spots.h"
+#include "drawing/pen/tour.h"
+
+namespace lacuna::pen {
+namespace {
+
+constexpr double kUnits = 1 << 25;  // along the longer side: spots.h
+constexpr std::size_t kNeighbours = 8;
+constexpr std::size_t kBetweenAsking = 1024;
+
+std::vector<Spot> spots_of(std::span<const Point> points) {
+    Point low = points.front(), high = low;
+    for (const Point& point : points) {
+        low = {std::min(low.x, point.x), std::min(low.y, point.y)};
+        high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+    }
+    const double longer = std::max(high.x - low.x, high.y - low.y);
+    const double scale = longer > 0 ? kUnits / longer : 0;
+    std::vector<Spot> spots;
+    spots.reserve(points.size());
+    for (const Point& point : points)
+        spots.push_back(
+            {std::llround((point.x - low.x) * scale), std::llround((point.y - low.y) * scale)});
+    return spots;
+}
+
+// Where a spot lies along Hilbert's curve through the square of 2^26 units.
+std::uint64_t hilbert_rank(Spot spot) {
+    std::uint64_t rank = 0;
+    for (std::int64_t side = std::int64_t{1} << 25; side > 0; side /= 2) {
+        const bool right = (spot.x & side) != 0, upper = (spot.y & side) != 0;
+        rank = 4 * rank + (right ? (upper ? 2U : 3U) : (upper ? 1U : 0U));
+        if (upper) continue;
+        if (right) spot = {~spot.x, ~spot.y};
+        std::swap(spot.x, spot.y);
+    }
+    return rank;
+}
+
+std::vector<std::uint32_t> hilbert_order_of(std::span<const Spot> spots) {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> ranked;
+    ranked.reserve(spots.size());
+    for (std::uint32_t i = 0; i < spots.size(); ++i) ranked.emplace_back(hilbert_rank(spots[i]), i);
+    std::sort(ranked.begin(), ranked.end());
+    std::vector<std::uint32_t> order;
+    order.reserve(spots.size());
+    for (const auto& [rank, index] : ranked) order.push_back(index);
+    return order;
+}
+
+template <class Item>
+std::vector<Item> picked(std::span<const Item> items, std::span<const std::uint32_t> indices) {
+    std::vector<Item> all;
+    all.reserve(indices.size());
+    for (const std::uint32_t index : indices) all.push_back(items[index]);
+    return all;
+}
+
+// Improves around every spot, and again around those that a move has touched.
+std::vector<std::uint32_t> improved(std::span<const Spot> spots, const Neighbours& neighbours,
+                                    const std::function<bool()>& may_go_on) {
+    Tour tour(spots, neighbours);
+    std::vector<bool> waits(spots.size(), true);
+    std::deque<std::uint32_t> waiting(spots.size());
+    std::iota(waiting.begin(), waiting.end(), 0U);
+    std::vector<std::uint32_t> touched;
+    for (std::size_t done = 0; !waiting.empty(); ++done) {
+        if (done % kBetweenAsking == 0 && !may_go_on()) throw Cancelled();
+        const std::uint32_t spot = waiting.front();
+        waiting.pop_front();
+        waits[spot] = false;
+        touched.clear();
+        tour.improve(spot, touched);
+        for (const std::uint32_t other : touched) {
+            if (other == spots.size() || waits[other]) continue;
+            waits[other] = true;
+            waiting.push_back(other);
+        }
+    }
+    return tour.path();
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> pen_path(std::span<const Point> points,
+                                    const std::function<bool()>& may_go_on) {
+    if (points.empty()) return {};
+    // Near dots lie near in memory: this, and the path itself, are worth a factor of three.
+    const std::vector<Spot> given = spots_of(points);
+    std::vector<std::uint32_t> order = hilbert_order_of(given);
+    std::vector<Spot> spots = picked<Spot>(given, order);
+    {
+        const std::vector<std::uint32_t> greedy =
+            greedy_path(spots, Neighbours(spots, kNeighbours));
+        order = picked<std::uint32_t>(order, greedy);
+        spots = picked<Spot>(spots, greedy);
+    }
+    if (!may_go_on()) throw Cancelled();
+    order =
+        picked<std::uint32_t>(order, improved(spots, Neighbours(spots, kNeighbours), may_go_on));
+    if (order.front() > order.back()) std::reverse(order.begin(), order.end());
+    return order;
+}
+
+std::vector<std::uint32_t> hilbert_order(std::span<const Point> points) {
+    if (points.empty()) return {};
+    return hilbert_order_of(spots_of(points));
+}
+
+double path_length(std::span<const Point> points) {
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        length += std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
+    return length;
+}
+
+}  // namespace lacuna::pen

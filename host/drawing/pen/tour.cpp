@@ -1,0 +1,155 @@
+// Moves of 2-opt (Croes 1958) and Or-opt (Or 1976), looked for among near spots only and made by
+// reversing the shorter way round, as in Johnson and McGeoch, "The Traveling Salesman Problem: A
+// Case Study in Local Optimization" (1997).
+#include "drawing/pen/tour.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+namespace lacuna::pen {
+namespace {
+
+constexpr std::size_t kLongestSegment = 3;
+
+}  // namespace
+
+Tour::Tour(std::span<const Spot> spots, const Neighbours& neighbours)
+    : spots_(spots), neighbours_(neighbours), order_(spots.size() + 1), place_(spots.size() + 1) {
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::iota(place_.begin(), place_.end(), 0U);
+}
+
+std::uint32_t Tour::next(std::uint32_t stop, bool forwards) const {
+    const std::uint32_t place = place_[stop];
+    if (forwards) return order_[place == home() ? 0 : place + 1];
+    return order_[place == 0 ? home() : place - 1];
+}
+
+std::int64_t Tour::between(std::uint32_t a, std::uint32_t b) const {
+    return a == home() || b == home() ? 0 : distance(spots_[a], spots_[b]);
+}
+
+void Tour::reverse(std::uint32_t first, std::uint32_t last) {
+    const auto stops = static_cast<std::uint32_t>(order_.size());
+    std::uint32_t length = (last >= first ? last - first : last + stops - first) + 1;
+    if (length > stops - length) {  // the other way round makes the same tour
+        first = std::exchange(last, first == 0 ? stops - 1 : first - 1);
+        first = first + 1 == stops ? 0 : first + 1;
+        length = stops - length;
+    }
+    for (std::uint32_t swaps = length / 2; swaps > 0; --swaps) {
+        std::swap(order_[first], order_[last]);
+        place_[order_[first]] = first;
+        place_[order_[last]] = last;
+        first = first + 1 == stops ? 0 : first + 1;
+        last = last == 0 ? stops - 1 : last - 1;
+    }
+}
+
+// The edges from a1 to a2 and from b1 to b2, the stop after b1 in the same direction, become those
+// from a1 to b1 and from a2 to b2.
+void Tour::exchange(std::uint32_t a1, std::uint32_t a2, std::uint32_t b1) {
+    if (next(a1, true) == a2)
+        reverse(place_[a2], place_[b1]);
+    else
+        reverse(place_[b1], place_[a2]);
+}
+
+// 2-opt: the edge that leaves a is given up for one to a nearer stop.
+bool Tour::exchange_edges(std::uint32_t a, bool forwards, std::vector<std::uint32_t>& touched) {
+    const std::uint32_t b = next(a, forwards);
+    const std::int64_t ab = between(a, b);
+    for (const std::uint32_t c : neighbours_.of(a)) {
+        const std::int64_t ac = between(a, c);
+        if (ac >= ab) return false;
+        const std::uint32_t d = next(c, forwards);
+        if (ab + between(c, d) <= ac + between(b, d)) continue;
+        exchange(a, b, c);
+        touched.insert(touched.end(), {b, c, d});
+        return true;
+    }
+    return false;
+}
+
+// Stops that lie between `before` and `after`, in one direction or the other.
+struct Tour::Segment {
+    std::uint32_t before;
+    std::uint32_t after;
+    std::array<std::uint32_t, kLongestSegment> stops;
+    std::size_t length;
+
+    std::uint32_t first() const { return stops[0]; }
+    std::uint32_t last() const { return stops[length - 1]; }
+    bool has(std::uint32_t stop) const {
+        const auto* end = stops.begin() + length;
+        return std::find(stops.begin(), end, stop) != end;
+    }
+};
+
+// Or-opt: up to three stops that begin with a, and are walked away from the edge that leaves it,
+// move to another place near a.
+bool Tour::move_segment(std::uint32_t a, bool forwards, std::vector<std::uint32_t>& touched) {
+    Segment segment{next(a, forwards), 0, {}, 0};
+    std::uint32_t stop = a;
+    while (segment.length < kLongestSegment) {
+        segment.stops[segment.length++] = stop;
+        segment.after = next(stop, !forwards);
+        if (stop == home() || segment.after == segment.before) return false;
+        if (move_segment(segment, forwards, touched)) return true;
+        stop = segment.after;
+    }
+    return false;
+}
+
+// To between c, near a, and d beside it:
+//   b [a .. e] p ... c d   becomes   b p ... c [a .. e] d
+//   b [a .. e] p ... d c   becomes   b p ... d [e .. a] c
+bool Tour::move_segment(const Segment& segment, bool forwards,
+                        std::vector<std::uint32_t>& touched) {
+    const std::uint32_t a = segment.first(), e = segment.last();
+    const std::uint32_t b = segment.before, p = segment.after;
+    const std::int64_t freed = between(a, b) + between(e, p) - between(b, p);
+    for (const std::uint32_t c : neighbours_.of(a)) {
+        const std::int64_t ac = between(a, c);
+        if (ac >= freed) return false;
+        if (segment.has(c)) continue;
+        for (const bool is_beyond : {true, false}) {
+            const std::uint32_t d = next(c, is_beyond != forwards);
+            if (segment.has(d) || freed + between(c, d) <= ac + between(e, d)) continue;
+            if (is_beyond) {
+                exchange(b, a, c);
+                exchange(p, e, a);
+                exchange(b, c, p);
+            } else {
+                exchange(b, a, d);
+                exchange(b, d, p);
+            }
+            touched.insert(touched.end(), {b, c, d, e, p});
+            return true;
+        }
+    }
+    return false;
+}
+
+void Tour::improve(std::uint32_t stop, std::vector<std::uint32_t>& touched) {
+    const auto improve_once = [&] {
+        for (const bool forwards : {true, false})
+            if (exchange_edges(stop, forwards, touched) || move_segment(stop, forwards, touched))
+                return true;
+        return false;
+    };
+    while (improve_once()) {
+    }
+}
+
+std::vector<std::uint32_t> Tour::path() const {
+    std::vector<std::uint32_t> path(order_);
+    std::rotate(path.begin(), path.begin() + place_[home()], path.end());
+    path.erase(path.begin());
+    return path;
+}
+
+}  // namespace lacuna::pen

@@ -1,0 +1,111 @@
+// Pictures of point sets: pdf and png drawn by cairo, svg written here.
+#include "drawing/picture.h"
+
+#include <cairo-pdf.h>
+#include <cairo.h>
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <span>
+#include <string>
+
+#include "drawing/cairo_surface.h"
+#include "drawing/page.h"
+
+namespace lacuna::drawing {
+namespace {
+
+// Dots are lines of no length with round caps: a tenth of the bytes of circles.
+void draw_on(cairo_surface_t* surface, const files::PointSet& set, const Style& style,
+             const Page& page, cairo_operator_t ink) {
+    const Context context(cairo_create(surface));
+    check(cairo_status(context.get()));
+    cairo_set_source_rgb(context.get(), 1, 1, 1);
+    cairo_paint(context.get());
+
+    cairo_set_operator(context.get(), ink);
+    cairo_set_source_rgb(context.get(), 0, 0, 0);
+    cairo_set_line_cap(context.get(), CAIRO_LINE_CAP_ROUND);
+    for_each_stroke(set, style, [&](std::span<const Point> dots, double diameter) {
+        cairo_set_line_width(context.get(), diameter * page.scale);
+        for (const Point& point : dots) {
+            cairo_move_to(context.get(), page.x_of(point), page.y_of(point));
+            cairo_line_to(context.get(), page.x_of(point), page.y_of(point));
+        }
+        cairo_stroke(context.get());
+        check(cairo_status(context.get()));
+    });
+}
+
+std::string svg_head(const Page& page, bool is_sheet) {
+    std::string head = fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.9g}{2}\" height=\"{1:.9g}{2}\" "
+        "viewBox=\"0 0 {0:.9g} {1:.9g}\">\n",
+        page.width, page.height, is_sheet ? "mm" : "pt");
+    if (!is_sheet)
+        head += fmt::format("<rect width=\"{:.9g}\" height=\"{:.9g}\" fill=\"white\"/>\n",
+                            page.width, page.height);
+    return head + "<g fill=\"none\" stroke=\"black\" stroke-linecap=\"round\">\n";
+}
+
+// Not by cairo: its SVG numbers the surfaces of the whole process, so that a second call gives
+// other bytes, and it is twice as long.
+std::string draw_svg(const files::PointSet& set, const Style& style) {
+    const bool is_sheet = style.sheet.has_value();
+    const Page page = page_of(set, style, is_sheet ? kMillimetresPerInch / kPointsPerInch : 1);
+    std::string bytes = svg_head(page, is_sheet);
+    for_each_stroke(set, style, [&](std::span<const Point> dots, double diameter) {
+        fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("<path stroke-width=\"{:.6g}\" d=\""),
+                       diameter * page.scale);
+        for (const Point& point : dots)
+            fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("M{:.4f} {:.4f}h0\n"),
+                           page.x_of(point), page.y_of(point));
+        bytes += "\"/>\n";
+    });
+    return bytes + "</g>\n</svg>\n";
+}
+
+std::string draw_pdf(const files::PointSet& set, const Style& style) {
+    const Page page = page_of(set, style, 1);
+    std::string bytes;
+    const Surface surface = checked(
+        cairo_pdf_surface_create_for_stream(append_to_string, &bytes, page.width, page.height));
+    // Cairo would write the time of day, and no two files would be equal.
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
+                                   "2000-01-01T00:00:00Z");
+    draw_on(surface.get(), set, style, page, CAIRO_OPERATOR_OVER);
+    // Cairo writes most of the document only now.
+    cairo_surface_finish(surface.get());
+    check(cairo_surface_status(surface.get()));
+    return bytes;
+}
+
+std::string draw_png(const files::PointSet& set, const Style& style) {
+    const Page page = page_of(set, style, style.pixels_per_inch / kPointsPerInch);
+    const auto pixels = [](double side) {
+        return std::max(1, static_cast<int>(std::lround(side)));
+    };
+    std::string bytes;
+    // A surface of alpha alone becomes a grey PNG, a third of the size: opaque is white, and to
+    // clear is to draw black.
+    const Surface surface = checked(
+        cairo_image_surface_create(CAIRO_FORMAT_A8, pixels(page.width), pixels(page.height)));
+    draw_on(surface.get(), set, style, page, CAIRO_OPERATOR_CLEAR);
+    check(cairo_surface_write_to_png_stream(surface.get(), append_to_string, &bytes));
+    return bytes;
+}
+
+}  // namespace
+
+std::string draw(const files::PointSet& set, files::Format format, const Style& style) {
+    if (format == files::Format::svg) return draw_svg(set, style);
+    if (format == files::Format::pdf) return draw_pdf(set, style);
+    return draw_png(set, style);
+}
+
+}  // namespace lacuna::drawing

@@ -1,0 +1,39 @@
+// Point sets as pictures: black dots on white.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "files/point_files.h"
+
+namespace lacuna::drawing {
+
+inline constexpr double kMillimetresPerInch = 25.4;
+inline constexpr double kPointsPerInch = 72;  // as PostScript and PDF have them
+
+// A sheet of paper. The domain is drawn as large as the margins allow, in the middle.
+struct Sheet {
+    double width_mm;
+    double height_mm;
+    double margin_mm = 0;
+};
+
+// What a picture looks like, beyond what the set tells.
+struct Style {
+    std::optional<Sheet> sheet;    // none: the domain alone, 512 points along its longer side
+    double pixels_per_inch = 144;  // of png
+    std::span<const double> diameters{};  // of each dot, in the domain's units; empty: as
+                                          // files::PointSet has it
+    bool keeps_order = false;  // dots are drawn in their order, not size by size
+};
+
+// How large a unit of the domain becomes.
+double millimetres_per_unit(const files::PointSet& set, const Style& style);
+
+// The bytes of an svg, pdf or png file: encode() for these three formats. With a sheet, an svg is
+// in mm and has no background that a plotter could take for a shape. The same set gives the same
+// bytes on every call. Throws files::FileError with cairo's reason.
+std::string draw(const files::PointSet& set, files::Format format, const Style& style = {});
+
+}  // namespace lacuna::drawing

@@ -1,0 +1,51 @@
+// The readers of the several formats, and what they share.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "files/parse.h"
+#include "pictures/image.h"
+
+namespace lacuna::pictures {
+
+// A file as it was read.
+struct Encoded {
+    std::string_view bytes;
+    const std::string& name;
+    std::uint64_t max_pixels;
+
+    [[noreturn]] void refuse(const std::string& why) const { files::refuse(name, why); }
+};
+
+// In pixels; what a file says, before it is checked.
+struct Size {
+    std::uint64_t columns;
+    std::uint64_t rows;
+
+    std::uint64_t pixels() const { return columns * rows; }
+};
+
+// A pixel as messages name it.
+inline std::string place(std::size_t row, std::size_t column) {
+    return fmt::format("row {}, column {} (from 0, top left)", row, column);
+}
+
+// Refuses a picture without pixels, and one over the limits.
+void check_size(const Encoded& file, Size size);
+
+// A picture with room for its luminance. Takes memory: check the size first.
+Image make_image(const Encoded& file, Size size);
+
+Image decode_png(const Encoded& file);
+Image decode_jpeg(const Encoded& file);
+Image decode_netpbm(const Encoded& file);
+Image decode_pfm(const Encoded& file);
+Image decode_hdr(const Encoded& file);
+Image decode_npy(const Encoded& file);
+
+}  // namespace lacuna::pictures

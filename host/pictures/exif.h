@@ -1,0 +1,18 @@
+// Which way up a photograph is, as the camera noted it in Exif.
+#pragma once
+
+#include <string_view>
+
+#include "pictures/image.h"
+
+namespace lacuna::pictures {
+
+// The tag Orientation (0x0112; Exif 2.32, section 4.6.4, and TIFF 6.0, page 36) in the bytes of an
+// APP1 marker: 1 to 8. 1, upright, where there is none that can be read: what is around the
+// pixels may be broken.
+int orientation_of(std::string_view app1);
+
+// The picture turned and mirrored so that its orientation is 1.
+Image upright(Image image, int orientation);
+
+}  // namespace lacuna::pictures

@@ -1,0 +1,60 @@
+// Luminance of pictures in floats: checked number by number, white found at the end.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "pictures/decode.h"
+
+namespace lacuna::pictures {
+
+class FloatPixels {
+public:
+    // Takes the memory: check the size first.
+    FloatPixels(const Encoded& file, Size size, bool has_alpha)
+        : file_(file), image_(make_image(file, size)), alpha_(has_alpha ? size.pixels() : 0) {}
+
+    // Sets a pixel from 1, 3 or 4 channels; row 0 is the top row.
+    void set(std::size_t row, std::size_t column, std::span<const double> channels) {
+        for (const double value : channels)
+            if (!std::isfinite(value) || value < 0)
+                refuse(row, column, value, "must be a finite number, 0 or more");
+        const std::size_t index = row * image_.columns + column;
+        image_.luminance[index] = channels.size() == 1 ? channels[0] : luminance(channels);
+        if (alpha_.empty()) return;
+        if (channels[3] > 1) refuse(row, column, channels[3], "must be 0 to 1, as alpha");
+        alpha_[index] = channels[3];
+    }
+
+    Image finish() && {
+        std::vector<double>& all = image_.luminance;
+        image_.white = std::max(1.0, *std::max_element(all.begin(), all.end()));
+        for (std::size_t i = 0; i < alpha_.size(); ++i)
+            all[i] = std::min(all[i] * alpha_[i] + image_.white * (1 - alpha_[i]), image_.white);
+        return std::move(image_);
+    }
+
+private:
+    // In this form grey gives itself, to the last bit, and nothing overflows.
+    static double luminance(std::span<const double> channels) {
+        const double green = channels[1];
+        return green + 0.2126 * (channels[0] - green) + 0.0722 * (channels[2] - green);
+    }
+
+    [[noreturn]] void refuse(std::size_t row, std::size_t column, double value,
+                             const char* allowed) const {
+        file_.refuse(fmt::format("{} is {}: {}", place(row, column), value, allowed));
+    }
+
+    const Encoded& file_;
+    Image image_;
+    std::vector<double> alpha_;  // empty: opaque
+};
+
+}  // namespace lacuna::pictures

@@ -1,0 +1,168 @@
+// PNG, by libpng.
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <csetjmp>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "files/parse.h"
+#include "pictures/decode.h"
+#include "pictures/whole_samples.h"
+
+namespace lacuna::pictures {
+namespace {
+
+// What libpng last complained of. Of plain bytes: libpng leaves its callbacks by longjmp.
+class Complaint {
+public:
+    void set(const char* text) { std::strncpy(text_.data(), text, text_.size() - 1); }
+    std::string_view text() const { return text_.data(); }
+
+private:
+    std::array<char, 200> text_{};
+};
+
+class PngReader {
+public:
+    explicit PngReader(const Encoded& file)
+        : file_(file),
+          rest_(file.bytes),
+          png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &complaint_, on_error, on_warning)) {
+        if (png_ != nullptr) info_ = png_create_info_struct(png_);
+        if (info_ == nullptr) {
+            png_destroy_read_struct(&png_, &info_, nullptr);
+            throw std::bad_alloc();
+        }
+        png_set_read_fn(png_, this, read);
+        png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // check_size has its own
+        // Nothing but the pixels, their palette and transparency counts: profiles and texts, which
+        // could be large when unpacked, are passed over.
+        png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+    }
+    PngReader(const PngReader&) = delete;
+    PngReader& operator=(const PngReader&) = delete;
+    ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+
+    Image read() {
+        check_announced_size();
+        guarded([&] { png_read_info(png_, info_); });
+        check_that_pixels_fit();
+        int passes = 1;
+        guarded([&] {
+            // To 8 or 16 bits a channel; what a palette or a transparent colour says, as channels.
+            png_set_expand(png_);
+            passes = png_set_interlace_handling(png_);
+            png_read_update_info(png_, info_);
+        });
+        Image image = make_image(file_, size());
+        if (passes == 1)
+            read_row_by_row(image);
+        else
+            read_interlaced(image, passes);
+        guarded([&] { png_read_end(png_, nullptr); });
+        return image;
+    }
+
+private:
+    // Calls `step`, which libpng may leave at any point when something is wrong: it must hold
+    // nothing that would have to be destroyed.
+    template <class Step>
+    void guarded(const Step& step) {
+        if (setjmp(png_jmpbuf(png_)) != 0)
+            file_.refuse(
+                fmt::format("not a whole PNG: libpng says {}", files::excerpt(complaint_.text())));
+        step();
+    }
+
+    static void read(png_structp png, png_bytep out, std::size_t count) {
+        std::string_view& rest = static_cast<PngReader*>(png_get_io_ptr(png))->rest_;
+        if (count > rest.size()) png_error(png, "the file ends too early");
+        std::copy_n(rest.begin(), count, out);
+        rest.remove_prefix(count);
+    }
+
+    [[noreturn]] static void on_error(png_structp png, const char* text) {
+        static_cast<Complaint*>(png_get_error_ptr(png))->set(text);
+        png_longjmp(png, 1);
+    }
+
+    static void on_warning(png_structp, const char*) {}
+
+    Size size() const {
+        return {png_get_image_width(png_, info_), png_get_image_height(png_, info_)};
+    }
+
+    // Where the format wants it, in the first chunk, so that a bad size is told in our words.
+    void check_announced_size() const {
+        constexpr std::size_t kColumns = 16;
+        constexpr std::size_t kRows = 20;
+        if (file_.bytes.size() < kRows + 4) return;  // libpng tells that the file ends
+        const auto number = [&](std::size_t at) {
+            return std::uint64_t{
+                files::load<std::uint32_t>(file_.bytes.substr(at), std::endian::big)};
+        };
+        check_size(file_, {number(kColumns), number(kRows)});
+    }
+
+    // Before memory is taken: deflate packs at most 1032 bytes into one.
+    void check_that_pixels_fit() const {
+        check_size(file_, size());
+        constexpr std::uint64_t kHighestRatio = 1032;
+        const std::uint64_t unpacked = size().rows * png_get_rowbytes(png_, info_);
+        if (unpacked / kHighestRatio > file_.bytes.size())
+            file_.refuse(fmt::format("not a whole PNG: {} bytes cannot hold {} x {} pixels",
+                                     file_.bytes.size(), size().columns, size().rows));
+    }
+
+    void convert(const png_byte* bytes, std::span<double> row) const {
+        const bool is_wide = png_get_bit_depth(png_, info_) == 16;
+        fill_row_from(bytes, png_get_channels(png_, info_), is_wide, row, is_wide ? 65535 : 255);
+    }
+
+    void read_row_by_row(Image& image) {
+        std::vector<png_byte> bytes(png_get_rowbytes(png_, info_));
+        const std::span<double> all = image.luminance;
+        guarded([&] {
+            for (std::size_t y = 0; y < image.rows; ++y) {
+                png_read_row(png_, bytes.data(), nullptr);
+                convert(bytes.data(), all.subspan(y * image.columns, image.columns));
+            }
+        });
+    }
+
+    void read_interlaced(Image& image, int passes) {
+        const std::size_t row_size = png_get_rowbytes(png_, info_);
+        std::vector<png_byte> bytes(row_size * image.rows);
+        guarded([&] {
+            for (int pass = 0; pass < passes; ++pass)
+                for (std::size_t y = 0; y < image.rows; ++y)
+                    png_read_row(png_, bytes.data() + y * row_size, nullptr);
+        });
+        const std::span<double> all = image.luminance;
+        for (std::size_t y = 0; y < image.rows; ++y)
+            convert(bytes.data() + y * row_size, all.subspan(y * image.columns, image.columns));
+    }
+
+    const Encoded& file_;
+    std::string_view rest_;
+    Complaint complaint_;
+    png_structp png_;
+    png_infop info_ = nullptr;
+};
+
+}  // namespace
+
+Image decode_png(const Encoded& file) {
+    return PngReader(file).read();
+}
+
+}  // namespace lacuna::pictures

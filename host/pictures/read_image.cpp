@@ -1,0 +1,86 @@
+// Which format a picture has, by its first bytes, and how large it may be.
+#include "pictures/image.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "files/npy.h"
+#include "files/parse.h"
+#include "files/read_whole.h"
+#include "pictures/decode.h"
+
+namespace lacuna::pictures {
+namespace {
+
+using Decode = Image (*)(const Encoded&);
+
+struct Known {
+    std::string_view magic;
+    Decode decode;
+};
+
+constexpr std::array<Known, 14> kFormats{{{"\x89PNG\r\n\x1a\n", decode_png},
+                                          {"\xff\xd8\xff", decode_jpeg},
+                                          {"P1", decode_netpbm},
+                                          {"P2", decode_netpbm},
+                                          {"P3", decode_netpbm},
+                                          {"P4", decode_netpbm},
+                                          {"P5", decode_netpbm},
+                                          {"P6", decode_netpbm},
+                                          {"P7", decode_netpbm},
+                                          {"Pf", decode_pfm},
+                                          {"PF", decode_pfm},
+                                          {"#?RADIANCE", decode_hdr},
+                                          {"#?RGBE", decode_hdr},
+                                          {files::kNpyMagic, decode_npy}}};
+
+constexpr std::string_view kAllowed =
+    "must be a picture in PNG, JPEG, PGM, PPM, PFM, Radiance HDR or NumPy's .npy";
+
+std::string size_text(Size size) {
+    return fmt::format("{} x {} pixels", size.columns, size.rows);
+}
+
+}  // namespace
+
+void check_size(const Encoded& file, Size size) {
+    if (size.columns == 0 || size.rows == 0)
+        file.refuse(fmt::format("{}: must be at least 1 x 1", size_text(size)));
+    if (size.columns > kMaxSide || size.rows > kMaxSide)
+        file.refuse(fmt::format("{}: no side may be over {}", size_text(size), kMaxSide));
+    if (size.pixels() > file.max_pixels)
+        file.refuse(fmt::format("{}: must be at most {} in all", size_text(size), file.max_pixels));
+}
+
+Image make_image(const Encoded& file, Size size) {
+    Image image;
+    image.columns = static_cast<std::uint32_t>(size.columns);
+    image.rows = static_cast<std::uint32_t>(size.rows);
+    image.luminance.resize(size.pixels());
+    image.name = file.name;
+    return image;
+}
+
+Image decode_image(std::string_view bytes, const std::string& name, std::uint64_t max_pixels) {
+    const Encoded file{bytes, name, max_pixels};
+    const auto* known = std::find_if(kFormats.begin(), kFormats.end(), [&](const Known& format) {
+        return bytes.starts_with(format.magic);
+    });
+    if (known != kFormats.end()) return known->decode(file);
+    if (bytes.empty()) file.refuse(fmt::format("empty: {}", kAllowed));
+    constexpr std::size_t kShown = 16;
+    file.refuse(
+        fmt::format("begins with {}: {}", files::excerpt(bytes.substr(0, kShown)), kAllowed));
+}
+
+Image read_image(const std::string& path) {
+    return decode_image(files::read_whole(path), files::name_of(path));
+}
+
+}  // namespace lacuna::pictures

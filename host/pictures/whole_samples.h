@@ -1,0 +1,82 @@
+// Luminance of samples of 8 or 16 bits, in whole numbers up to one last division.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+namespace lacuna::pictures {
+
+// ITU-R BT.709-6, item 3.2, times 10000.
+inline constexpr std::int32_t kRed = 2126;
+inline constexpr std::int32_t kGreen = 7152;
+inline constexpr std::int32_t kBlue = 722;
+inline constexpr std::int32_t kAll = kRed + kGreen + kBlue;
+
+// At most 10000 * 65535: fits into 32 bits.
+inline std::int32_t weighted(std::int32_t red, std::int32_t green, std::int32_t blue) {
+    return kRed * red + kGreen * green + kBlue * blue;
+}
+
+// `weighted` out of kAll * max, at opacity alpha / max over white.
+inline double over_white(std::int64_t weighted, std::int64_t alpha, std::int64_t max) {
+    return static_cast<double>(weighted * alpha + kAll * max * (max - alpha)) /
+           static_cast<double>(kAll * max * max);
+}
+
+// Fills a row of luminance. `at(column, channel)` is a sample, 0 to max; channels: 1 grey, 2 grey
+// and alpha, 3 red, green and blue, 4 these and alpha.
+template <unsigned kChannels, class At>
+void fill_row(std::span<double> row, std::int32_t max, const At& at) {
+    const double whole = max;
+    for (std::size_t x = 0; x < row.size(); ++x) {
+        if constexpr (kChannels == 1) {
+            row[x] = at(x, 0) / whole;
+        } else if constexpr (kChannels == 2) {
+            row[x] = over_white(kAll * at(x, 0), at(x, 1), max);
+        } else {
+            const std::int32_t colour = weighted(at(x, 0), at(x, 1), at(x, 2));
+            if constexpr (kChannels == 3)
+                row[x] = colour / (kAll * whole);
+            else
+                row[x] = over_white(colour, at(x, 3), max);
+        }
+    }
+}
+
+// Calls `use` with the number of channels as a constant, so that the compiler can make a loop over
+// pixels of its own for each.
+template <class Use>
+void with_channels(unsigned channels, const Use& use) {
+    switch (channels) {
+        case 1:
+            return use(std::integral_constant<unsigned, 1>{});
+        case 2:
+            return use(std::integral_constant<unsigned, 2>{});
+        case 3:
+            return use(std::integral_constant<unsigned, 3>{});
+        default:
+            return use(std::integral_constant<unsigned, 4>{});
+    }
+}
+
+// Fills a row from samples as most formats have them: side by side, in bytes or, if they are wide,
+// in pairs of bytes, the higher one first.
+inline void fill_row_from(const unsigned char* bytes, unsigned channels, bool is_wide,
+                          std::span<double> row, std::int32_t max) {
+    with_channels(channels, [&](auto constant) {
+        constexpr unsigned kChannels = constant;
+        if (is_wide)
+            fill_row<kChannels>(row, max, [bytes](std::size_t x, std::size_t channel) {
+                const unsigned char* pair = bytes + 2 * (x * kChannels + channel);
+                return std::int32_t{pair[0]} * 256 + pair[1];
+            });
+        else
+            fill_row<kChannels>(row, max, [bytes](std::size_t x, std::size_t channel) {
+                return std::int32_t{bytes[x * kChannels + channel]};
+            });
+    });
+}
+
+}  // namespace lacuna::pictures

@@ -1,0 +1,265 @@
+// Checks a request and turns it into whole numbers.
+#include "plan/plan.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <sstream>
+
+#include "portable/sample_grid.h"
+
+namespace lacuna {
+namespace {
+
+constexpr double kLongerSideUnits = 2147483648.0;  // 2^31
+constexpr double kLargestAspect = 1000.0;
+constexpr std::uint32_t kMostLinesPerRadius = 1000;
+constexpr std::uint32_t kExactLinesPerRadius = 6;   // the fastest: docs/speed.md
+constexpr std::uint32_t kPaperLinesPerRadius = 30;  // section 5.1
+// With fewer units to a radius, rounding it up would show; 1000 lines a radius need 2 units each.
+constexpr double kSmallestRadius = 1.0 / (1 << 20);  // of the longer side
+
+// Random sequential adsorption's jamming density, and the width of its edge effect in radii.
+constexpr double kTorusDensity = 0.69656;
+constexpr double kBoxDensity = 0.69655;
+constexpr double kBoxEdge = 0.666;
+constexpr double kCountDeviation = 0.244;  // standard deviation of a maximal count over sqrt(N)
+
+std::uint32_t lines_per_radius(const Request& request) {
+    if (request.lines_per_radius) return *request.lines_per_radius;
+    switch (request.mode) {
+        case Mode::exact:
+            return kExactLinesPerRadius;
+        case Mode::lines:
+            return kPaperLinesPerRadius;
+        default:
+            return kCellsPerRadius;
+    }
+}
+
+std::string gigabytes(double bytes) {
+    std::ostringstream out;
+    out.precision(4);
+    out << bytes / 1e9 << " GB";
+    return out.str();
+}
+
+double memory_limit(const Request& request) {
+    if (request.memory_limit_bytes != 0) return static_cast<double>(request.memory_limit_bytes);
+    return static_cast<double>(machine_memory_bytes());
+}
+
+// What a run holds at its peak: two spans a radius on every line, and points in grid and user
+// units with the growth of their vectors.
+double memory_needed(const Request& request, double radius, double points) {
+    constexpr double kBytesPerSpan = 8, kSpansPerRadius = 0.6, kBytesPerPoint = 48;
+    const double lines = std::ceil(lines_per_radius(request) * request.width / radius);
+    const double spans = kSpansPerRadius * request.height / radius + 8;
+    return lines * spans * kBytesPerSpan + points * kBytesPerPoint;
+}
+
+void refuse_if_too_large(const Request& request, const std::string& option,
+                         const std::string& value, double radius, double points) {
+    refuse_more_memory(request, option, value, memory_needed(request, radius, points));
+}
+
+double largest_radius(const Request& request) {
+    return request.boundary == Boundary::torus ? std::min(request.width, request.height)
+                                               : std::hypot(request.width, request.height);
+}
+
+void check_radius(const Request& request) {
+    const double radius = *request.radius;
+    const double longer = std::max(request.width, request.height);
+    if (!std::isfinite(radius) || radius <= 0)
+        throw BadRequest("radius", shortest(radius), "must be a finite number greater than 0");
+    if (radius > largest_radius(request))
+        throw BadRequest(
+            "radius", shortest(radius),
+            "must be at most " + shortest(largest_radius(request)) +
+                (request.boundary == Boundary::torus ? ", the shorter side of the torus"
+                                                     : ", the diagonal of the domain"));
+    double points = expected_count(request.width, request.height, request.boundary, radius);
+    if (request.limit) points = std::min(points, static_cast<double>(*request.limit));
+    refuse_if_too_large(request, "radius", shortest(radius), radius, points);
+    if (radius < longer * kSmallestRadius)
+        throw BadRequest("radius", shortest(radius),
+                         "must be at least " + shortest(longer * kSmallestRadius) +
+                             ", the longer side / 2^20, or the grid's units run out");
+}
+
+// What mode cells asks for beside a scale or a count, and no other mode knows.
+void check_field(const Request& request) {
+    const bool cells = request.mode == Mode::cells;
+    if (!cells && request.field != nullptr)
+        throw BadRequest("field", "with mode " + std::string(name_of(request.mode)),
+                         "is for mode cells only");
+    if (!cells && request.scale)
+        throw BadRequest("scale", shortest(*request.scale), "is for mode cells only");
+    if (!cells) return;
+    if (request.radius)
+        throw BadRequest("radius", shortest(*request.radius),
+                         "is not for mode cells: give a scale or a count");
+    if (request.field == nullptr) throw BadRequest("field", "missing", "mode cells needs one");
+    const Field& field = *request.field;
+    if (field.importance.size() != std::size_t{field.columns} * field.rows ||
+        field.importance.empty())
+        throw BadRequest("field",
+                         std::to_string(field.columns) + "x" + std::to_string(field.rows) +
+                             " with " + std::to_string(field.importance.size()) + " values",
+                         "needs columns * rows values, at least one");
+    for (std::size_t i = 0; i < field.importance.size(); ++i)
+        if (!std::isfinite(field.importance[i]) || field.importance[i] < 0)
+            throw BadRequest("field",
+                             shortest(field.importance[i]) + " at row " +
+                                 std::to_string(i / field.columns) + ", column " +
+                                 std::to_string(i % field.columns),
+                             "importance must be a finite number of at least 0");
+    if (*std::max_element(field.importance.begin(), field.importance.end()) <= 0)
+        throw BadRequest("field", "of zeros", "some importance must be greater than 0");
+}
+
+// The larger root q = 1 / r of density * (W q + edge) (H q + edge) = count.
+double radius_expecting(const Request& request, double count) {
+    if (request.boundary == Boundary::torus)
+        return std::sqrt(kTorusDensity * request.width * request.height / count);
+    const double a = request.width * request.height;
+    const double b = kBoxEdge * (request.width + request.height);
+    const double c = kBoxEdge * kBoxEdge - count / kBoxDensity;
+    if (c >= 0) return std::numeric_limits<double>::infinity();
+    return 2 * a / (std::sqrt(b * b - 4 * a * c) - b);
+}
+
+}  // namespace
+
+std::string shortest(double value) {
+    char digits[32];
+    const auto end = std::to_chars(std::begin(digits), std::end(digits), value).ptr;
+    return {digits, end};
+}
+
+void refuse_more_memory(const Request& request, const std::string& option, const std::string& value,
+                        double bytes) {
+    const double limit = memory_limit(request);
+    if (bytes <= limit) return;
+    throw BadRequest(option, value,
+                     "needs about " + gigabytes(bytes) + " of memory, more than the " +
+                         gigabytes(limit) + " there is");
+}
+
+std::uint64_t machine_memory_bytes() {
+    return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
+           static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+double expected_count(double width, double height, Boundary boundary, double radius) {
+    if (boundary == Boundary::torus) return kTorusDensity * (width / radius) * (height / radius);
+    return kBoxDensity * (width / radius + kBoxEdge) * (height / radius + kBoxEdge);
+}
+
+void check_request(const Request& request) {
+    const double shorter = std::min(request.width, request.height);
+    const double longer = std::max(request.width, request.height);
+    const std::string domain = shortest(request.width) + "x" + shortest(request.height);
+    if (!std::isfinite(request.width) || !std::isfinite(request.height) || !(shorter > 0))
+        throw BadRequest("domain", domain, "both sides must be finite numbers greater than 0");
+    if (longer > kLargestAspect * shorter)
+        throw BadRequest(
+            "domain", domain,
+            "the longer side may be at most " + shortest(kLargestAspect) + " times the shorter");
+    if (shorter < 1e-100 || longer > 1e100)
+        throw BadRequest("domain", domain, "the sides must lie between 1e-100 and 1e100");
+    const std::uint32_t lines = lines_per_radius(request);
+    if (lines < 1 || lines > kMostLinesPerRadius)
+        throw BadRequest("lines-per-radius", std::to_string(lines),
+                         "must be between 1 and " + std::to_string(kMostLinesPerRadius));
+    if (request.mode != Mode::lines && (request.snap || request.uniform_x))
+        throw BadRequest(request.snap ? "snap" : "uniform-x",
+                         "with mode " + std::string(name_of(request.mode)),
+                         "is for mode lines only");
+    check_field(request);
+    if (request.limit && *request.limit == 0) throw BadRequest("limit", "0", "must be at least 1");
+    const bool cells = request.mode == Mode::cells;
+    const std::string size = cells ? "scale" : "radius";
+    const std::optional<double>& given = cells ? request.scale : request.radius;
+    if (given && request.count)
+        throw BadRequest(size, shortest(*given), "give either a " + size + " or a count");
+    if (!given && !request.count)
+        throw BadRequest(size, "missing", "give either a " + size + " or a count");
+    if (request.count && *request.count == 0) throw BadRequest("count", "0", "must be at least 1");
+    if (request.uniform_x && request.round_size > 1)
+        throw BadRequest("round-size", std::to_string(request.round_size),
+                         "must be 1 with uniform-x, whose draws cannot be thinned");
+}
+
+std::vector<std::uint32_t> first_free_lengths(const Plan& plan) {
+    if (plan.radii) return plan.radii->free_lengths();
+    return std::vector<std::uint32_t>(plan.lines, plan.height);
+}
+
+double radius_for_count(const Request& request, int attempt) {
+    const double count = static_cast<double>(*request.count);
+    // Lines lose some points of the true maximum, in proportion to the width of their strips.
+    const double loss = request.mode == Mode::exact ? 1 : 1 + 0.2 / lines_per_radius(request);
+    const double wanted =
+        (count + 4 * kCountDeviation * std::sqrt(count)) * loss * std::pow(1.05, attempt);
+    const double radius = std::min(radius_expecting(request, wanted), largest_radius(request));
+    refuse_if_too_large(request, "count", std::to_string(*request.count), radius, count);
+    const double longer = std::max(request.width, request.height);
+    if (radius < longer * kSmallestRadius)
+        throw BadRequest("count", std::to_string(*request.count),
+                         "needs a radius under the longer side / 2^20: the grid's units run out");
+    return radius;
+}
+
+Plan make_plan(const Request& request) {
+    check_request(request);
+    if (request.mode == Mode::cells) return make_cells_plan(request, sums_of(*request.field));
+    check_radius(request);
+    const double radius = *request.radius;
+    const double longer = std::max(request.width, request.height);
+    const bool torus = request.boundary == Boundary::torus;
+    Plan plan{};
+
+    // Section 4.1: L = ceil(m W / r) lines, the strips equally wide and their centres whole.
+    const double lines = std::ceil(lines_per_radius(request) * request.width / radius);
+    const double strip = kLongerSideUnits * (request.width / longer) / lines;
+    plan.lines = static_cast<std::uint32_t>(lines);
+    plan.strip_width = 2 * static_cast<std::uint32_t>(strip / 2);
+    if (request.mode == Mode::exact) plan.strip_width = std::bit_floor(plan.strip_width);
+    plan.width = plan.lines * plan.strip_width;
+    plan.height = static_cast<std::uint32_t>(request.height * (plan.width / request.width));
+    plan.period_x = torus ? plan.width : 0;
+    plan.period_y = torus ? plan.height : 0;
+    plan.unit_x = request.width / plan.width;
+    plan.unit_y = request.height / plan.height;
+
+    // Rounded up by at least 2^-10 units, which is more than doubles lose on the way back.
+    const double units = radius / std::min(plan.unit_x, plan.unit_y);
+    plan.radius = static_cast<std::uint32_t>(units + 1.0 / 1024) + 1;
+    plan.radius_squared = std::uint64_t{plan.radius} * plan.radius;
+    plan.grid_side = portable::grid_side(plan.radius_squared);
+    plan.grid_columns = portable::count_grid(plan.width, plan.grid_side);
+    plan.grid_rows = portable::count_grid(plan.height, plan.grid_side);
+    plan.user_radius = radius;
+    plan.lines_per_radius = lines_per_radius(request);
+
+    plan.mode = request.mode;
+    plan.snap = request.snap;
+    plan.uniform_x = request.uniform_x;
+    plan.round_size = request.uniform_x ? 1 : request.round_size;
+    plan.seed = request.seed;
+    const std::uint64_t most = request.count.value_or(std::numeric_limits<std::uint64_t>::max());
+    plan.limit = std::min(most, request.limit.value_or(most));
+    const double expected = expected_count(request.width, request.height, request.boundary, radius);
+    plan.maximal_samples = static_cast<std::uint64_t>(expected) + 1;
+    plan.expected_samples = std::min(plan.limit, plan.maximal_samples);
+    return plan;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,119 @@
+// A request, checked and turned into whole numbers (DESIGN section 2: units of the grid).
+#pragma once
+
+#include <lacuna/lacuna.h>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "plan/radius_map.h"
+
+namespace lacuna {
+
+// A position in grid units.
+struct Sample {
+    std::uint32_t x;
+    std::uint32_t y;
+    friend bool operator==(const Sample&, const Sample&) = default;
+};
+
+// Everything that decides where samples go. In mode cells the grid is the lattice: a line is one of
+// its columns, a strip is one unit wide, and `radius` is the least of all, rounded up. Equal plans
+// give equal samples on every backend.
+struct Plan {
+    // Domain: [0, width) x [0, height), 2^31 units along its longer side, less where needed to make
+    // the strips equally wide: a little in lines, down to 2^30 in exact.
+    std::uint32_t width;
+    std::uint32_t height;
+    // The same where the axes wrap, 0 where they do not.
+    std::uint32_t period_x;
+    std::uint32_t period_y;
+
+    std::uint32_t lines;        // L = ceil(m * W / r)
+    std::uint32_t strip_width;  // even; a power of two in exact; lines * strip_width == width
+    std::uint32_t radius;       // rounded up: so many units are never less than the user's radius
+    std::uint64_t radius_squared;
+    std::uint32_t grid_side;  // see portable/sample_grid.h
+    std::uint32_t grid_columns;
+    std::uint32_t grid_rows;
+
+    Mode mode;
+    bool is_exact() const { return mode == Mode::exact; }
+    // Mode::cells: the radius of every place; null otherwise.
+    std::shared_ptr<const RadiusMap> radii;
+    Metric metric;
+    bool snap;
+    bool uniform_x;
+    std::uint64_t limit;       // stop after so many samples
+    std::uint64_t round_size;  // 0: chosen by rounds.h
+    std::uint64_t seed;
+
+    // The user's units for one grid unit, along x and y. They differ by less than 2^-20.
+    double unit_x;
+    double unit_y;
+    double user_radius;
+    double user_scale;
+    std::uint32_t lines_per_radius;
+    std::uint64_t maximal_samples;   // to be expected of the maximal set
+    std::uint64_t expected_samples;  // the same, or the limit if that is less
+
+    std::uint32_t centre_of_line(std::uint32_t line) const {
+        return line * strip_width + strip_width / 2;
+    }
+    std::uint32_t line_of(Sample sample) const { return sample.x / strip_width; }
+    // Added to the distance of a line before its chord is found. In exact a chord is what covers
+    // the whole width of the strip, so that the free spans hold all of the free space.
+    std::uint32_t chord_margin() const { return is_exact() ? strip_width / 2 : 0; }
+    // Rounds so that no two samples at least `radius` units apart come closer than user_radius.
+    // In cells samples lie in the middle of their cells.
+    Point to_user(Sample sample) const {
+        const double middle = radii ? 0.5 : 0;
+        return {(sample.x + middle) * unit_x, (sample.y + middle) * unit_y};
+    }
+};
+
+// Throws BadRequest. request.radius must be set, or request.scale in mode cells.
+Plan make_plan(const Request& request);
+
+// What the plans of one field have in common, found in one pass over it. A share is a pixel's part
+// of the greatest importance.
+struct FieldSums {
+    double greatest;
+    double shares;
+    double shares_and_half;  // of shares to the power of 1.5
+};
+FieldSums sums_of(const Field& field);
+// make_plan for mode cells and a request that was checked (plan_cells.cpp).
+Plan make_cells_plan(const Request& request, const FieldSums& sums);
+
+// The free length of every line before the first sample.
+std::vector<std::uint32_t> first_free_lengths(const Plan& plan);
+
+// Checks all that does not depend on the radius. Throws BadRequest.
+void check_request(const Request& request);
+
+// What a set may take unless the request says otherwise.
+std::uint64_t machine_memory_bytes();
+
+// The radius at which a maximal set holds request.count points and some to spare; more to spare
+// with every attempt. Throws BadRequest.
+double radius_for_count(const Request& request, int attempt);
+// The same for mode cells: the scale g at which DESIGN's formula expects a maximal set of so many.
+// Throws BadRequest where its lattice would be too large.
+double scale_for_count(const Request& request, const FieldSums& sums, std::uint64_t count);
+// And corrected by a pilot, a maximal set of the same field: where a field is rough, min lets in
+// more samples than its integral tells. With some to spare; more with every attempt.
+double scale_for_count(const Request& request, const FieldSums& sums, std::uint64_t count,
+                       const Request& pilot, std::uint64_t pilot_count, int attempt);
+
+// Throws BadRequest for `option` when so many bytes are more than the request or the machine
+// allows.
+void refuse_more_memory(const Request& request, const std::string& option, const std::string& value,
+                        double bytes);
+// The m of mode cells unless the request has one: quality is reasonable from there on (figure 4).
+inline constexpr std::uint32_t kCellsPerRadius = 10;
+// The shortest decimal that reads back as the same double.
+std::string shortest(double value);
+
+}  // namespace lacuna

@@ -1,0 +1,157 @@
+// Radii from importance, and how far each place must look.
+#include "plan/radius_map.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "portable/metric.h"
+
+namespace lacuna {
+namespace {
+
+constexpr std::uint32_t kUnitsPerStep = 256;
+
+// Entry i of `count` lies under the middle of entry index_of(i) of `cells`.
+std::vector<std::uint32_t> nearest(std::uint32_t count, std::uint32_t cells) {
+    std::vector<std::uint32_t> index(count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        index[i] = static_cast<std::uint32_t>((2 * std::uint64_t{i} + 1) * cells /
+                                              (2 * std::uint64_t{count}));
+    return index;
+}
+
+// Rounded up.
+std::uint32_t steps_of(std::uint32_t radius) {
+    return radius / kUnitsPerStep + (radius % kUnitsPerStep != 0 ? 1 : 0);
+}
+
+}  // namespace
+
+RadiusMap::RadiusMap(const Field& field, double scale, Metric metric, std::uint32_t lines,
+                     std::uint32_t height, double step, bool wraps)
+    : columns(field.columns),
+      rows(field.rows),
+      radii(field.importance.size()),
+      column_of(nearest(lines, columns)),
+      row_of(nearest(height, rows)) {
+    // A radius beyond twice the diagonal blocks everything already, whatever it is averaged with.
+    const double most = 2 * (std::hypot(lines, height) + 1);
+    const auto radius_of = [&](double importance) -> std::uint32_t {
+        if (importance <= 0) return 0;
+        // Rounded up by at least 2^-10 of a unit, more than doubles lose on the way back.
+        const double steps = std::min(scale / std::sqrt(importance) / step, most);
+        return static_cast<std::uint32_t>(steps * kUnitsPerStep + 1.0 / 1024) + 1;
+    };
+    // So many columns at a time: what is written of them stays in the cache from row to row.
+    constexpr std::uint32_t kTile = 64;
+    for (std::uint32_t first = 0; first < columns; first += kTile) {
+        const std::uint32_t end = std::min(first + kTile, columns);
+        for (std::uint32_t row = 0; row < rows; ++row) {
+            const double* const line = &field.importance[std::size_t{rows - 1 - row} * columns];
+            for (std::uint32_t column = first; column < end; ++column)
+                radii[std::size_t{column} * rows + row] = radius_of(line[column]);
+        }
+    }
+    row_begins.reserve(rows + std::size_t{1});
+    for (std::uint32_t row = 0; row <= rows; ++row)
+        row_begins.push_back(static_cast<std::uint32_t>(
+            std::lower_bound(row_of.begin(), row_of.end(), row) - row_of.begin()));
+    find_reaches(metric, wraps);
+    if (metric != Metric::min) find_widest_rows();
+}
+
+std::vector<std::uint32_t> RadiusMap::free_lengths() const {
+    std::vector<std::uint32_t> of_pixel_column(columns, 0);
+    for (std::uint32_t column = 0; column < columns; ++column)
+        for (std::uint32_t row = 0; row < rows; ++row)
+            if (radii[std::size_t{column} * rows + row] != 0)
+                of_pixel_column[column] += row_begins[row + 1] - row_begins[row];
+    std::vector<std::uint32_t> lengths(column_of.size());
+    for (std::size_t line = 0; line < lengths.size(); ++line)
+        lengths[line] = of_pixel_column[column_of[line]];
+    return lengths;
+}
+
+// With min no conflict is farther than a sample's own radius. With mean and max a larger radius
+// nearby reaches here: radii are sorted into classes that double, each with blocks as wide as its
+// largest radius, so that what reaches here lies in the nine blocks around.
+void RadiusMap::find_reaches(Metric metric, bool wraps) {
+    reaches.resize(radii.size());
+    for (std::size_t i = 0; i < radii.size(); ++i) reaches[i] = steps_of(radii[i]);
+    if (metric == Metric::min) return;
+
+    const std::uint32_t widest = *std::max_element(radii.begin(), radii.end());
+    const auto lines = static_cast<double>(column_of.size());
+    const auto height = static_cast<double>(row_of.size());
+    for (unsigned bits = 1; bits <= static_cast<unsigned>(std::bit_width(widest)); ++bits) {
+        // The class of radii below 2^bits, and its blocks in pixels.
+        const double block_steps = static_cast<double>(std::uint64_t{1} << bits) / kUnitsPerStep;
+        const auto side = [&](double pixels, double steps) {
+            return static_cast<std::uint32_t>(
+                std::clamp(std::ceil(block_steps * pixels / steps) + 1, 1.0, pixels));
+        };
+        const std::uint32_t width = side(columns, lines);
+        const std::uint32_t depth = side(rows, height);
+        const std::uint32_t across = (columns + width - 1) / width;
+        const std::uint32_t up = (rows + depth - 1) / depth;
+
+        std::vector<std::uint32_t> largest(std::size_t{across} * up, 0);
+        bool any = false;
+        for (std::uint32_t column = 0; column < columns; ++column) {
+            for (std::uint32_t row = 0; row < rows; ++row) {
+                const std::uint32_t radius = radii[std::size_t{column} * rows + row];
+                if (static_cast<unsigned>(std::bit_width(radius)) != bits) continue;
+                std::uint32_t& block = largest[std::size_t{column / width} * up + row / depth];
+                block = std::max(block, radius);
+                any = true;
+            }
+        }
+        if (!any) continue;
+
+        // On a torus the last block may be cut short: look one farther.
+        const std::int64_t around = wraps ? 2 : 1;
+        std::vector<std::uint32_t> dilated(largest.size(), 0);
+        const auto other = [&](std::int64_t index, std::int64_t count) {
+            return wraps ? (index % count + count) % count : index;
+        };
+        for (std::int64_t i = 0; i < across; ++i)
+            for (std::int64_t j = 0; j < up; ++j)
+                for (std::int64_t di = -around; di <= around; ++di)
+                    for (std::int64_t dj = -around; dj <= around; ++dj) {
+                        const std::int64_t from_i = other(i + di, across);
+                        const std::int64_t from_j = other(j + dj, up);
+                        if (from_i < 0 || from_i >= across || from_j < 0 || from_j >= up) continue;
+                        std::uint32_t& to = dilated[static_cast<std::size_t>(i * up + j)];
+                        to = std::max(to, largest[static_cast<std::size_t>(from_i * up + from_j)]);
+                    }
+        for (std::uint32_t column = 0; column < columns; ++column) {
+            for (std::uint32_t row = 0; row < rows; ++row) {
+                std::uint32_t& reach = reaches[std::size_t{column} * rows + row];
+                if (reach == 0) continue;
+                reach = std::max(reach,
+                                 steps_of(dilated[std::size_t{column / width} * up + row / depth]));
+            }
+        }
+    }
+}
+
+// Counted by class, then listed from the widest class down.
+void RadiusMap::find_widest_rows() {
+    widest_rows.resize(radii.size());
+    std::array<std::uint32_t, RADIUS_CLASSES> next{};
+    for (std::uint32_t column = 0; column < columns; ++column) {
+        const std::span<const std::uint32_t> of_column(&radii[std::size_t{column} * rows], rows);
+        next.fill(0);
+        for (const std::uint32_t radius : of_column) ++next[portable::radius_class(radius)];
+        std::uint32_t sum = column * rows;
+        for (auto it = next.rbegin(); it != next.rend(); ++it) sum += std::exchange(*it, sum);
+        for (std::uint32_t row = 0; row < rows; ++row)
+            widest_rows[next[portable::radius_class(of_column[row])]++] = row;
+    }
+}
+
+}  // namespace lacuna

@@ -1,0 +1,53 @@
+// The marginal F_X (section 3, Eq. 1) as running sums of the places' free lengths, and its
+// inversion (Eq. 2): draws are sorted first, so that one walk along the sums inverts them all.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "backends/backend.h"
+#include "plan/plan.h"
+#include "rounds/random.h"
+
+namespace lacuna {
+
+class Marginal {
+public:
+    // `poll` is called now and then during long calls, and may throw to end them.
+    Marginal(const Plan& plan, std::function<void()> poll) : plan_(plan), poll_(std::move(poll)) {}
+
+    // New running sums, from the free length of every place, all of one width. The lengths are
+    // read again by invert: they must stay until then.
+    void rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t place_width);
+
+    // Total weight of the places: their free length or, with uniform-x, how many have any.
+    std::uint64_t total() const { return sums_.back(); }
+
+    // Draws first_number, first_number + 1, ... of the plan's seed, `count` of them, inverted from
+    // one cdf and sorted by place and rank. Valid until the next call. total() must not be 0.
+    std::span<const Draw> invert(std::uint64_t first_number, std::uint32_t count);
+
+private:
+    class Walk;
+
+    void draw_bits(std::uint64_t first_number, std::uint32_t count);
+    void sort_part(std::span<const Draw> part);
+
+    const Plan& plan_;
+    std::function<void()> poll_;
+    std::span<const std::uint32_t> lengths_;
+    std::uint32_t place_width_ = 0;
+    std::vector<std::uint64_t> sums_ = {0};  // sums_[block]: all blocks of places below it
+    // A draw's place and rank hold its random bits until it is inverted.
+    std::vector<Draw> drawn_;               // by number
+    std::vector<Draw> draws_;               // by part: by the highest bits
+    unsigned part_bits_ = 0;                // how many those are
+    std::vector<std::uint32_t> part_ends_;  // in draws_
+    std::vector<Draw> part_;                // one part, sorted by all bits
+    std::vector<std::uint32_t> starts_;     // in part_, by the next highest bits
+};
+
+}  // namespace lacuna

@@ -1,0 +1,126 @@
+// How a plan is laid out in a device's memory.
+#include "backends/device/layout.h"
+
+#include <gtest/gtest.h>
+
+#include "backends/cells_scenes.h"
+#include "backends/device/cells_layout.h"
+
+namespace lacuna::device {
+namespace {
+
+TEST(Slabs, HoldEveryLineOnceAndFit) {
+    for (const std::uint32_t lines : {1u, 2u, 7u, 100u}) {
+        for (const std::uint64_t largest :
+             {std::uint64_t{1}, std::uint64_t{400}, ~std::uint64_t{0}}) {
+            std::uint32_t next = 0;
+            for (const Slab& slab : share_out(lines, 10, largest)) {
+                EXPECT_EQ(slab.first_line, next);
+                EXPECT_TRUE(slab.lines() == 1 ||
+                            std::uint64_t{slab.lines()} * 10 * sizeof(Span) <= largest);
+                next = slab.end_line;
+            }
+            EXPECT_EQ(next, lines);
+        }
+    }
+    EXPECT_EQ(share_out(100, 10, 400).size(), 20u);
+    EXPECT_EQ(share_out(100, 10, ~std::uint64_t{0}).size(), 1u);
+}
+
+TEST(Slabs, TakeTheDrawsOfTheirLines) {
+    const std::vector<Draw> draws = {{2, 0, 0, 0}, {2, 0, 0, 1}, {5, 0, 0, 2}};
+    EXPECT_EQ(draws_of({0, 2}, draws).end, 0u);
+    const Range middle = draws_of({2, 5}, draws);
+    EXPECT_EQ(middle.begin, 0u);
+    EXPECT_EQ(middle.end, 2u);
+    EXPECT_EQ(draws_of({5, 9}, draws).begin, 2u);
+    EXPECT_EQ(draws_of({5, 9}, draws).end, 3u);
+}
+
+TEST(NearBegins, LeaveRoomForAllDrawsNearAColumn) {
+    std::vector<std::uint32_t> begins;
+    const std::vector<std::uint32_t> column_begins = {0, 1, 11, 111, 1111};  // 1, 10, 100, 1000
+    find_near_begins(tests::plan_of(0.2, 2, Boundary::torus), 4, column_begins, begins);
+    EXPECT_EQ(begins, (std::vector<std::uint32_t>{0, 1011, 1122, 2232, 3333}));
+    find_near_begins(tests::plan_of(0.2, 2, Boundary::box), 4, column_begins, begins);
+    EXPECT_EQ(begins, (std::vector<std::uint32_t>{0, 11, 122, 1232, 2332}));
+}
+
+TEST(Pending, ListsWhatIsUndecidedChunkByChunk) {
+    const std::vector<std::uint32_t> fates = {FATE_ADMITTED, FATE_UNDECIDED, FATE_UNDECIDED,
+                                              FATE_REJECTED, FATE_REJECTED,  FATE_UNDECIDED,
+                                              FATE_REJECTED, FATE_UNDECIDED};
+    const std::uint32_t none = NO_SAMPLE;
+    EXPECT_EQ(pending_of(fates, 3),
+              (std::vector<std::uint32_t>{1, 2, none, 5, none, none, 7, none}));
+    EXPECT_EQ(pending_of(fates, 1),
+              (std::vector<std::uint32_t>{none, 1, 2, none, none, 5, none, 7}));
+}
+
+TEST(FirstBits, AreSetWhereThereIsImportance) {
+    for (const tests::Scene& scene : tests::random_cells_scenes()) {
+        const std::vector<std::uint32_t> expected = tests::empty_memory(scene.plan).bits;
+        EXPECT_EQ(words_per_line(scene.plan), tests::words_of_line(scene.plan)) << scene.name;
+        for (const std::uint32_t step : {1u, 7u, scene.plan.lines}) {
+            std::vector<std::uint32_t> bits;
+            for (std::uint32_t line = 0; line < scene.plan.lines; line += step) {
+                const std::uint32_t end = line + std::min(step, scene.plan.lines - line);
+                const std::vector<std::uint32_t> part = first_bits(scene.plan, line, end);
+                bits.insert(bits.end(), part.begin(), part.end());
+            }
+            EXPECT_TRUE(bits == expected) << scene.name << ", parts of " << step << " lines";
+        }
+    }
+}
+
+TEST(SlicesOfSample, AreSoManyThatNoneTakesMoreTurns) {
+    for (const tests::Scene& scene : tests::random_cells_scenes()) {
+        const std::vector<std::uint32_t>& reaches = scene.plan.radii->reaches;
+        const std::uint32_t widest = *std::max_element(reaches.begin(), reaches.end());
+        const std::uint64_t of_line = turns_of_line(scene.plan, widest);
+        const std::uint64_t of_sample = turns_of_sample(scene.plan, widest);
+        const std::uint64_t lines = of_sample / of_line;
+        EXPECT_EQ(slices_of_sample(scene.plan, of_sample), 1u) << scene.name;
+        EXPECT_EQ(slices_of_sample(scene.plan, 1), lines) << scene.name;
+        for (const std::uint64_t most : {of_line, 3 * of_line, of_sample / 2 + of_line}) {
+            const std::uint64_t slices = slices_of_sample(scene.plan, most);
+            EXPECT_LE((lines + slices - 1) / slices * of_line, most) << scene.name;
+        }
+    }
+}
+
+// What a device with so much memory and such a buffer says of the plan.
+std::string refusal(const Plan& plan, std::uint64_t memory, std::uint64_t buffer) {
+    try {
+        refuse_if_too_large("Toy", plan, memory, buffer);
+    } catch (const Unavailable& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Requests, ThatDoNotFitAreRefusedWithWhatTheyNeed) {
+    const Plan plan = tests::plan_of(0.001, 30, Boundary::torus);
+    const std::uint64_t much = std::uint64_t{1} << 40;
+    EXPECT_NO_THROW(refuse_if_too_large("Toy", plan, much, much));
+    // 30,000 lines with room for 508 spans of 8 bytes, and the draws.
+    EXPECT_EQ(refusal(plan, 100'000'000, much),
+              "device Toy: the request needs 0.145 GB of memory, and it has 0.1 GB");
+    EXPECT_EQ(refusal(plan, much, 1'000'000),
+              "device Toy: the request needs a buffer of 0.006 GB, and its largest has 0.001 GB");
+}
+
+TEST(Requests, OfModeCellsThatDoNotFitAreRefusedToo) {
+    // 10,000 lines of 314 words, 2 x 8 pixels, and the draws.
+    const Field field = tests::constant_field(2, 8);
+    const Plan plan = tests::cells_plan(field, 0.001, 10, Metric::min, Boundary::torus);
+    const std::uint64_t much = std::uint64_t{1} << 40;
+    EXPECT_NO_THROW(refuse_if_too_large("Toy", plan, much, much));
+    EXPECT_EQ(refusal(plan, much, 12'000'000),
+              "device Toy: the request needs a buffer of 0.0126 GB, and its largest has 0.012 GB");
+    EXPECT_EQ(refusal(plan, 20'000'000, much),
+              "device Toy: the request needs 0.0287 GB of memory, and it has 0.02 GB");
+}
+
+}  // namespace
+}  // namespace lacuna::device

@@ -1,0 +1,115 @@
+// The portable arithmetic as a device computes it, against C++: a million sets of numbers.
+#include "backends/vulkan/arithmetic.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+#include <vector>
+
+#include "backends/available.h"
+#include "backends/vulkan/engine.h"
+
+namespace {
+
+using namespace lacuna;
+using namespace lacuna::portable;
+using vulkan::Buffer;
+using vulkan::Engine;
+
+#include "arithmetic.spv.h"
+
+constexpr u32 kItems = 1u << 20;
+constexpr u32 kLongestSide = 1u << 31;
+
+struct Arguments {
+    u32 first_item;
+    u32 items;
+};
+
+// Numbers of every size are equally likely; at most `most`.
+u32 any_size(std::mt19937_64& random, u32 most) {
+    return std::min(static_cast<u32>((random() >> 32) >> (random() % 32)), most);
+}
+
+// Beside a square, beside a power of two, at an end, or anything below 2^63.
+u64 radicand(std::mt19937_64& random) {
+    const u64 root = random() >> (33 + random() % 31);
+    const u64 power = u64{1} << (random() % 63);
+    constexpr u64 kLargest = (u64{1} << 63) - 1;
+    switch (random() % 8) {
+        case 0:
+            return root * root;
+        case 1:
+            return root * root + 2 * root;
+        case 2:
+            return root > 0 ? root * root - 1 : 0;
+        case 3:
+            return power;
+        case 4:
+            return power - 1;
+        case 5:
+            return kLargest - random() % 3;
+        case 6:
+            return random() % 3;
+        default:
+            return random() >> (1 + random() % 63);
+    }
+}
+
+Numbers any_numbers(std::mt19937_64& random) {
+    Numbers q{};
+    q.n = radicand(random);
+    const u32 width = random() % 4 == 0 ? kLongestSide : 1 + any_size(random, kLongestSide - 1);
+    q.height = random() % 4 == 0 ? kLongestSide : 1 + any_size(random, kLongestSide - 1);
+    q.period_x = random() % 2 == 0 ? width : 0;
+    q.period_y = random() % 2 == 0 ? q.height : 0;
+    q.ax = random() % 8 == 0 ? 0 : any_size(random, width - 1);
+    q.bx = random() % 8 == 0 ? width - 1 : any_size(random, width - 1);
+    q.ay = random() % 8 == 0 ? q.height - 1 : any_size(random, q.height - 1);
+    q.by = any_size(random, q.height - 1);
+    q.radius = random() % 8 == 0 ? q.height : 1 + any_size(random, 0xc0000000u);
+    const u64 squared = squared_length(axis_distance(q.ax, q.bx, q.period_x),
+                                       axis_distance(q.ay, q.by, q.period_y));
+    // Strictly at the distance, or anywhere.
+    q.radius_squared = random() % 2 == 0 ? std::max<u64>(1, squared + random() % 2)
+                                         : std::max<u64>(1, radicand(random));
+    q.columns = 1 + any_size(random, 1u << 24);
+    q.lines = q.columns + any_size(random, 1u << 24);
+    q.line = any_size(random, q.lines - 1);
+    q.wraps = q.period_x;
+    q.side = 1 + any_size(random, kLongestSide - 1);
+    return q;
+}
+
+class Arithmetic : public testing::Test {
+protected:
+    void SetUp() override { tests::skip_or_fail_without("vulkan"); }
+};
+
+TEST_F(Arithmetic, IsTheSameOnTheDeviceAsInCpp) {
+    std::mt19937_64 random(11);
+    Engine engine("", nullptr);
+    const auto kernel = engine.make_kernel({"arithmetic", arithmetic_spirv, 3, sizeof(Arguments)});
+    const Buffer questions = engine.allocate(Engine::Memory::upload, kItems * sizeof(Numbers));
+    const Buffer replies = engine.allocate(Engine::Memory::download, kItems * sizeof(Answers));
+    const Buffer off_by = engine.allocate(Engine::Memory::download, kItems * sizeof(u32));
+    for (Numbers& q : questions.as<Numbers>()) q = any_numbers(random);
+
+    engine.dispatch(kernel, {questions, replies, off_by}, Arguments{0, kItems}, kItems);
+    engine.wait();
+
+    EXPECT_GT(engine.dispatches(), 1u) << "so many items are served in parts";
+    for (u32 i = 0; i < kItems; ++i) {
+        const Numbers& q = questions.as<Numbers>()[i];
+        const Answers expected = answer(q);
+        const Answers& got = replies.as<Answers>()[i];
+        ASSERT_EQ(got.root, expected.root) << "of " << q.n;
+        ASSERT_EQ(got.reach, expected.reach) << got.distance << ", " << q.radius_squared;
+        ASSERT_EQ(std::memcmp(&got, &expected, sizeof(Answers)), 0) << "set " << i;
+        ASSERT_LE(off_by.as<u32>()[i], 2u) << "the estimate of the root of " << q.n;
+    }
+}
+
+}  // namespace

@@ -1,0 +1,128 @@
+// What becomes of loops that a driver ends before their time: an error, never a wrong set.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "backends/available.h"
+#include "backends/cells_scenes.h"
+#include "backends/columns.h"
+#include "backends/vulkan/make_backend.h"
+#include "fields.h"
+#include "plan/plan.h"
+#include "portable/fate.h"
+
+namespace {
+
+using namespace lacuna;
+
+// Lavapipe ends an invocation's loops after 65,535 turns. Drivers that do not must give the right
+// answer.
+class ManyTurns : public testing::Test {
+protected:
+    void SetUp() override { tests::skip_or_fail_without("vulkan"); }
+
+    static constexpr std::uint32_t kTurns = 70'000;
+
+    explicit ManyTurns(Plan plan) : plan_(std::move(plan)) {}
+
+    // What the verb leaves, or what it says of the verb that went wrong.
+    template <typename Verb>
+    void expect_right_or_failed(const std::string& name, Verb verb) {
+        const auto expected = cpu::make_backend(plan_, {});
+        const auto got = vulkan::make_backend(plan_, {});
+        for (Backend* const each : {expected.get(), got.get()}) each->restore(scene_);
+        verb(*expected);
+        const bool is_limited = got->device().find("llvmpipe") != std::string::npos;
+        try {
+            verb(*got);
+            got->finish_round();
+            EXPECT_FALSE(is_limited) << "nothing was thrown";
+            EXPECT_EQ(got->snapshot(), expected->snapshot());
+        } catch (const DeviceError& error) {
+            const std::string what = error.what();
+            EXPECT_NE(what.find(name + ": a loop was ended early by the driver: use fewer points"),
+                      std::string::npos)
+                << what;
+            EXPECT_NE(what.find(got->device()), std::string::npos) << what;
+        }
+    }
+
+    const Plan plan_;
+    Snapshot scene_;
+};
+
+// One line, whose free spans are so many that one loop over them is too long.
+class ManySpans : public ManyTurns {
+protected:
+    ManySpans() : ManyTurns(make()) {
+        scene_.capacity = kTurns + 8;
+        scene_.spans.resize(plan_.lines);
+        for (std::uint32_t i = 0; i < kTurns; ++i) scene_.spans[0].push_back({4 * i, 4 * i + 1});
+        scene_.grid.assign(std::size_t{plan_.grid_columns} * plan_.grid_rows,
+                            {NO_SAMPLE, NO_SAMPLE});
+    }
+    static Plan make() {
+        Request request;
+        request.radius = 0.9;
+        request.boundary = Boundary::torus;
+        request.lines_per_radius = 1;
+        return make_plan(request);
+    }
+};
+
+TEST_F(ManySpans, AreAnErrorOfLocateOrLocatedAsByTheCpu) {
+    const std::vector<Draw> draws = {{0, kTurns - 1, 0, 0}};
+    expect_right_or_failed("locate", [&](Backend& backend) { backend.locate(draws); });
+}
+
+TEST_F(ManySpans, AreAnErrorOfLocateOrSortedAsByTheCpu) {
+    scene_.spans[0] = {{0, kTurns}};
+    std::vector<Draw> draws;
+    for (std::uint32_t i = 0; i < kTurns; ++i) draws.push_back({0, i, 0, kTurns - 1 - i});
+    expect_right_or_failed("locate", [&](Backend& backend) { backend.locate(draws); });
+}
+
+TEST_F(ManySpans, AreAnErrorOfSubtractOrSubtractedAsByTheCpu) {
+    scene_.candidates = {{plan_.centre_of_line(0), plan_.height / 2, 0, 0}};
+    scene_.fates = {FATE_ADMITTED};
+    expect_right_or_failed("subtract", [](Backend& backend) { backend.subtract(); });
+}
+
+TEST_F(ManySpans, AreAnErrorOfRefineOrRefinedAsByTheCpu) {
+    expect_right_or_failed("refine", [](Backend& backend) { backend.refine(true); });
+}
+
+// A high lattice of one column, as high as the field, and one pixel whose radius spans half of it.
+class ManyPixels : public ManyTurns {
+protected:
+    static constexpr std::uint32_t kRows = 40'000;
+
+    ManyPixels() : ManyTurns(make()) { scene_ = tests::empty_memory(plan_); }
+    static Plan make() {
+        Field field = tests::noise_field(1, kRows, 5);
+        for (double& importance : field.importance) importance = std::max(importance, 0.5);
+        field.importance[kRows / 2] = 1.0 / kRows;
+        return tests::cells_plan(field, 2.5, 100, Metric::min, Boundary::box, 1, 1000);
+    }
+};
+
+TEST_F(ManyPixels, AreAnErrorOfLocateOrSortedAsByTheCpu) {
+    ASSERT_EQ(count_columns(plan_), 1u);
+    std::vector<Draw> draws;
+    for (std::uint32_t i = 0; i < kTurns; ++i) draws.push_back({0, i / 2, 0, kTurns - 1 - i});
+    expect_right_or_failed("locate", [&](Backend& backend) { backend.locate(draws); });
+}
+
+TEST_F(ManyPixels, AreAnErrorOfSubtractOrSubtractedAsByTheCpu) {
+    const std::uint32_t y = plan_.height / 2 - 1;
+    ASSERT_GT(plan_.radii->reaches[plan_.radii->pixel_at(0, y)], plan_.height / 3);
+    scene_.candidates = {{0, y, 0, 0}};
+    scene_.fates = {FATE_ADMITTED};
+    expect_right_or_failed("subtract", [](Backend& backend) { backend.subtract(); });
+}
+
+}  // namespace

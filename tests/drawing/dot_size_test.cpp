@@ -1,0 +1,102 @@
+// Dots sized from the local radius cover as much of the paper as the importance asks for.
+#include "drawing/dot_size.h"
+
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+namespace lacuna::pen {
+namespace {
+
+std::vector<Point> maximal_set(const Field& field, double scale) {
+    Request request;
+    request.mode = Mode::cells;
+    request.field = &field;
+    request.scale = scale;
+    request.boundary = Boundary::torus;  // a box has more dots along its edges
+    return sample(request).points;
+}
+
+struct Range {
+    double low;
+    double high;
+};
+
+// The share of places in the middle of a band of x that lie under some dot.
+double covered(const std::vector<Point>& points, const std::vector<double>& diameters, Range x) {
+    constexpr int kPlaces = 300;
+    int under = 0;
+    for (int i = 0; i < kPlaces; ++i)
+        for (int j = 0; j < kPlaces; ++j) {
+            const Point place{std::lerp(x.low, x.high, (i + 0.5) / kPlaces),
+                              std::lerp(0.1, 0.9, (j + 0.5) / kPlaces)};
+            for (std::size_t k = 0; k < points.size(); ++k) {
+                const double dx = points[k].x - place.x, dy = points[k].y - place.y;
+                if (4 * (dx * dx + dy * dy) >= diameters[k] * diameters[k]) continue;
+                ++under;
+                break;
+            }
+        }
+    return under / static_cast<double>(kPlaces * kPlaces);
+}
+
+class AnImportance : public testing::TestWithParam<double> {};
+
+TEST_P(AnImportance, IsTheShareOfThePaperThatIsCovered) {
+    const double importance = GetParam();
+    const Field field{1, 1, {importance}};
+    const std::vector<Point> points = maximal_set(field, 0.02 * std::sqrt(importance));
+    const double share = covered(points, drawing::dot_diameters(points, field, 1, 1), {0.1, 0.9});
+    EXPECT_NEAR(share, importance, 0.03) << points.size() << " dots";
+}
+
+INSTANTIATE_TEST_SUITE_P(FromLightToBlack, AnImportance,
+                         testing::Values(0.05, 0.2, 0.4, 0.55, 0.7, 0.8, 0.9, 1.0));
+
+TEST(DotDiameters, GivenTwoTonesSideBySideThenEachIsReproduced) {
+    const Field field{2, 1, {0.95, 0.25}};
+    const std::vector<Point> points = maximal_set(field, 0.025);
+    const std::vector<double> diameters = drawing::dot_diameters(points, field, 1, 1);
+    EXPECT_NEAR(covered(points, diameters, {0.1, 0.4}), 0.95, 0.03);
+    EXPECT_NEAR(covered(points, diameters, {0.6, 0.9}), 0.25, 0.03);
+}
+
+TEST(DotDiameters, GivenALightPictureThenTheDotsAreAsLargeAsItIsDarkInAll) {
+    const Field field{2, 2, {0.1, 0.3, 0.2, 0.0}};
+    const std::vector<Point> points(50, Point{1.5, 0.5});
+    double area = 0;
+    for (const double diameter : drawing::dot_diameters(points, field, 2, 1))
+        area += std::numbers::pi / 4 * diameter * diameter;
+    EXPECT_NEAR(area, 0.15 * 2 * 1, 1e-12);
+}
+
+TEST(DotDiameters, GivenADarkTopThenDotsThereAreLargerAndYGoesUpwards) {
+    const Field field{1, 2, {1.0, 0.3}};
+    const std::vector<Point> points{{0.5, 0.75}, {0.5, 0.25}, {0.5, 0.999}, {0.5, 0}};
+    const std::vector<double> diameters = drawing::dot_diameters(points, field, 1, 1);
+    EXPECT_NEAR(diameters[0] / diameters[1], 1.3, 0.01);
+    EXPECT_EQ(diameters[2], diameters[0]);
+    EXPECT_EQ(diameters[3], diameters[1]);
+}
+
+TEST(DotDiameters, GivenAllTonesThenThereAreFewSizes) {
+    Field field{256, 1, {}};
+    std::vector<Point> points;
+    for (int i = 0; i < 256; ++i) {
+        field.importance.push_back(i / 255.0);
+        points.push_back({(i + 0.5) / 256, 0.5});
+    }
+    std::vector<double> diameters = drawing::dot_diameters(points, field, 1, 1);
+    EXPECT_TRUE(std::is_sorted(diameters.begin(), diameters.end()));
+    diameters.erase(std::unique(diameters.begin(), diameters.end()), diameters.end());
+    EXPECT_GT(diameters.size(), 10U);
+    EXPECT_LT(diameters.size(), 40U);
+}
+
+}  // namespace
+}  // namespace lacuna::pen

@@ -1,0 +1,100 @@
+// Given a picture, importance is where it is dark, or with invert where it is bright.
+#include "pictures/importance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "files/point_files.h"
+#include "pictures/image.h"
+
+namespace lacuna::pictures {
+namespace {
+
+using Values = std::vector<double>;
+
+Image image_of(const Values& luminance, double white = 1) {
+    return {static_cast<std::uint32_t>(luminance.size()), 1, luminance, white, "cat.png"};
+}
+
+Values importance(const Values& luminance, const Importance& options = {}) {
+    return importance_of(image_of(luminance), options).importance;
+}
+
+TEST(Importance, IsFullAtBlackAndNoneAtWhite) {
+    const Field field = importance_of({2, 2, {0, 1, 0.25, 0.5}, 1, "file"}, {});
+    EXPECT_EQ(field.columns, 2U);
+    EXPECT_EQ(field.rows, 2U);
+    EXPECT_EQ(field.importance, (Values{1, 0, 0.75, 0.5}));
+}
+
+TEST(Importance, IsFullAtWhiteAndNoneAtBlackWithInvert) {
+    EXPECT_EQ(importance({0, 1, 0.25, 0.5}, {.invert = true}), (Values{0, 1, 0.25, 0.5}));
+}
+
+TEST(Importance, IsOfThePicturesOwnWhite) {
+    EXPECT_EQ(importance_of(image_of({0, 2, 8}, 8), {}).importance, (Values{1, 0.75, 0}));
+    EXPECT_EQ(importance_of(image_of({0, 2, 8}, 8), {.invert = true}).importance,
+              (Values{0, 0.25, 1}));
+}
+
+TEST(Importance, IsRaisedToGammaWhichLeavesNoneAndFullAsTheyAre) {
+    EXPECT_EQ(importance({0, 1, 0.25, 0.5}, {.gamma = 2}), (Values{1, 0, 0.5625, 0.25}));
+    EXPECT_EQ(importance({0, 1, 0.75}, {.gamma = 0.5}), (Values{1, 0, 0.5}));
+}
+
+TEST(Importance, IsNowhereLessThanTheLeastWhichCountsAfterGamma) {
+    EXPECT_EQ(importance({0, 1, 0.5}, {.gamma = 2, .min_importance = 0.3}), (Values{1, 0.3, 0.3}));
+    EXPECT_EQ(importance({1, 1}, {.min_importance = 0.5}), (Values{0.5, 0.5}));
+    EXPECT_EQ(importance({0, 1}, {.min_importance = 1}), (Values{1, 1}));
+}
+
+TEST(Importance, IsNeverMinusZero) {
+    for (const double value : importance({-0.0, 1}, {.invert = true}))
+        EXPECT_FALSE(std::signbit(value));
+}
+
+TEST(APictureWithoutImportance, IsRefusedByName) {
+    const auto told = [](const Values& luminance, const Importance& options) -> std::string {
+        try {
+            importance(luminance, options);
+            return "was taken";
+        } catch (const files::FileError& error) {
+            return error.what();
+        }
+    };
+    const std::string white = told({1, 1, 1}, {});
+    EXPECT_TRUE(white.starts_with("cat.png: white all over")) << white;
+    EXPECT_NE(white.find("--invert"), std::string::npos) << white;
+    const std::string black = told({0, 0}, {.invert = true});
+    EXPECT_TRUE(black.starts_with("cat.png: black all over")) << black;
+    EXPECT_EQ(told({1, 1, 0.999}, {}), "was taken");
+}
+
+TEST(AnOptionOfImportance, ThatIsNotAllowedIsRefusedByName) {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const auto option_refused = [](const Importance& options) -> std::string {
+        try {
+            importance({0, 0.5}, options);
+            return "";
+        } catch (const BadRequest& error) {
+            EXPECT_TRUE(std::string(error.what()).starts_with(error.option() + " "));
+            return error.option();
+        }
+    };
+    for (const double gamma : {0.0, -1.0, kNaN, kInfinity})
+        EXPECT_EQ(option_refused({.gamma = gamma}), "gamma") << gamma;
+    for (const double least : {-0.1, 1.1, kNaN, kInfinity})
+        EXPECT_EQ(option_refused({.min_importance = least}), "min-importance") << least;
+    EXPECT_EQ(option_refused({.gamma = 1e-9, .min_importance = 0}), "");
+    EXPECT_THROW(check({.gamma = 0}), BadRequest);
+    EXPECT_NO_THROW(check({}));
+    EXPECT_THROW(importance({0.5}, {.gamma = 1e9}), BadRequest);
+}
+
+}  // namespace
+}  // namespace lacuna::pictures

@@ -1,0 +1,78 @@
+// Draws inverted together are those inverted one by one, sorted.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "plan/plan.h"
+#include "rounds/marginal.h"
+#include "rounds/random.h"
+
+namespace {
+
+using namespace lacuna;
+
+constexpr std::uint32_t kPlaceWidth = 1000;
+
+// Section 3, word for word: from the first place on, until the weight is used up.
+Draw inverted_alone(const std::vector<std::uint32_t>& lengths, std::uint64_t total,
+                    const Plan& plan, std::uint64_t number) {
+    const auto u32 = [](std::uint64_t value) { return static_cast<std::uint32_t>(value); };
+    const RandomBits random = random_bits(plan.seed, number);
+    std::uint64_t c = scaled(random.first, total);
+    std::uint32_t place = 0;
+    const auto weight = [&] { return plan.uniform_x ? (lengths[place] != 0) : lengths[place]; };
+    for (; c >= weight(); ++place) c -= weight();
+    if (!plan.uniform_x) return {place, u32(c), u32(scaled(random.second, kPlaceWidth)), 0};
+    const std::uint64_t bits = random_bits(plan.seed, number, 1).first;
+    return {place, u32(scaled(random.second, lengths[place])), u32(scaled(bits, kPlaceWidth)), 0};
+}
+
+// Few draws in many places, many in few, and parts of more than one size.
+void expect_draws_inverted_alone(std::size_t places, std::uint32_t count, bool uniform_x) {
+    SCOPED_TRACE(testing::Message()
+                 << count << " draws, " << places << " places" << (uniform_x ? ", uniform-x" : ""));
+    constexpr std::uint64_t kFirst = 12'345;
+    Request request;
+    request.mode = Mode::lines;
+    request.radius = 0.1;
+    request.seed = 5;
+    request.uniform_x = uniform_x;
+    const Plan plan = make_plan(request);
+    std::vector<std::uint32_t> lengths(places);
+    for (std::size_t i = 0; i < places; ++i)  // empty places too, one after the other
+        lengths[i] = i % 7 < 3 ? 0 : static_cast<std::uint32_t>(1 + i * 7919 % 100);
+    lengths[places / 2] = 1'000'000;
+    Marginal marginal(plan, [] {});
+    marginal.rebuild(lengths, kPlaceWidth);
+
+    const std::span<const Draw> draws = marginal.invert(kFirst, count);
+
+    ASSERT_EQ(draws.size(), count);
+    EXPECT_TRUE(std::is_sorted(draws.begin(), draws.end(), [](const Draw& a, const Draw& b) {
+        return a.place != b.place ? a.place < b.place : a.rank < b.rank;
+    }));
+    std::vector<bool> seen(count);
+    for (const Draw& draw : draws) {
+        ASSERT_FALSE(seen.at(draw.order));
+        seen[draw.order] = true;
+        Draw expected = inverted_alone(lengths, marginal.total(), plan, kFirst + draw.order);
+        expected.order = draw.order;
+        ASSERT_EQ(draw, expected);
+    }
+}
+
+TEST(Marginal, InvertsEachDrawAsIfAlone) {
+    for (const bool uniform_x : {false, true})
+        for (const std::size_t places : {1u, 16u, 17u, 1000u})
+            for (const std::uint32_t count : {1u, 2u, 300u, 4096u, 20'000u})
+                expect_draws_inverted_alone(places, count, uniform_x);
+}
+
+TEST(Marginal, InvertsFewDrawsInManyPlaces) {
+    for (const std::uint32_t count : {1u, 7u, 100u})
+        expect_draws_inverted_alone(100'000, count, false);
+}
+
+}  // namespace
