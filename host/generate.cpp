@@ -4,37 +4,17 @@
 #include "generate.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
 
-#include "rounds/marginal.h"
+#include "plan/first_free.h"
 #include "rounds/round_policy.h"
+#include "rounds/timed_verbs.h"
 
 namespace lacuna {
-namespace {
 
-// Tells the observer where the time goes, also when a verb throws.
-class Timed {
-public:
-    Timed(Observer& observer, Verb verb) : observer_(observer), verb_(verb) {
-        observer_.begin(verb_);
-    }
-    ~Timed() { observer_.end(verb_); }
-    Timed(const Timed&) = delete;
-    Timed& operator=(const Timed&) = delete;
-
-private:
-    Observer& observer_;
-    Verb verb_;
-};
-
-template <typename Work>
-auto timed(Observer& observer, Verb verb, Work work) {
-    const Timed timing(observer, verb);
-    return work();
-}
-
-}  // namespace
-
-Outcome generate(const Plan& plan, Backend& backend, Observer& observer) {
+Outcome generate(const Plan& plan, Backend& untimed, Observer& observer) {
     Outcome outcome;
     outcome.samples.reserve(plan.expected_samples);
     const auto may_go_on = [&] {
@@ -45,31 +25,29 @@ Outcome generate(const Plan& plan, Backend& backend, Observer& observer) {
     const auto poll = [&] {
         if (!may_go_on()) throw Cancelled();
     };
+    TimedBackend backend(untimed, observer);
+    TimedMarginal marginal(plan, poll, observer);
+    RoundPolicy policy(plan);
     backend.watch(may_go_on);
     const std::vector<std::uint32_t> all_free = first_free_lengths(plan);
-    Marginal marginal(plan, poll);
     marginal.rebuild(all_free, plan.strip_width);
-    RoundPolicy policy(plan);
 
     while (marginal.total() > 0 && outcome.samples.size() < plan.limit) {
-        const std::span<const Draw> draws = timed(observer, Verb::invert, [&] {
-            return marginal.invert(outcome.draws, static_cast<std::uint32_t>(policy.size()));
-        });
-        timed(observer, Verb::locate, [&] { backend.locate(draws); });
-        timed(observer, Verb::admit, [&] { backend.admit(); });
+        const std::span<const Draw> draws = marginal.invert(outcome.draws, policy.size());
+        backend.locate(draws);
+        backend.admit();
         if (policy.refines())
-            timed(observer, Verb::refine, [&] { backend.refine(policy.halves()); });
+            backend.refine(policy.halves());
         else
-            timed(observer, Verb::subtract, [&] { backend.subtract(); });
-        const Round round = timed(observer, Verb::transfer, [&] { return backend.finish_round(); });
+            backend.subtract();
+        const Round round = backend.finish_round();
 
         outcome.samples.insert(outcome.samples.end(), round.samples.begin(), round.samples.end());
         outcome.draws += draws.size();
         outcome.rounds++;
         policy.note(round.survivors, round.samples.size(), round.free_lengths.size(),
                     round.place_width);
-        timed(observer, Verb::invert,
-              [&] { marginal.rebuild(round.free_lengths, round.place_width); });
+        marginal.rebuild(round.free_lengths, round.place_width);
         poll();
     }
     if (outcome.samples.size() > plan.limit) outcome.samples.resize(plan.limit);

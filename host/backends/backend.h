@@ -23,13 +23,6 @@ struct Draw {
     friend bool operator==(const Draw&, const Draw&) = default;
 };
 
-// A stretch of y on a line where a sample may still be placed, [begin, end).
-struct Span {
-    std::uint32_t begin;
-    std::uint32_t end;
-    friend bool operator==(const Span&, const Span&) = default;
-};
-
 // What a refinement leaves of a strip's free spans: [x, x + width) times [begin, end), all of one
 // width. None crosses the border of a row of the sample grid (portable/sample_grid.h).
 struct Box {

@@ -197,11 +197,6 @@ void check_request(const Request& request) {
                          "must be 1 with uniform-x, whose draws cannot be thinned");
 }
 
-std::vector<std::uint32_t> first_free_lengths(const Plan& plan) {
-    if (plan.radii) return plan.radii->free_lengths();
-    return std::vector<std::uint32_t>(plan.lines, plan.height);
-}
-
 double radius_for_count(const Request& request, int attempt) {
     const double count = static_cast<double>(*request.count);
     // Lines lose some points of the true maximum, in proportion to the width of their strips.

@@ -18,6 +18,13 @@ struct Sample {
     friend bool operator==(const Sample&, const Sample&) = default;
 };
 
+// A stretch of y on a line, [begin, end); mostly one where a sample may still be placed.
+struct Span {
+    std::uint32_t begin;
+    std::uint32_t end;
+    friend bool operator==(const Span&, const Span&) = default;
+};
+
 // Everything that decides where samples go. In mode cells the grid is the lattice: a line is one of
 // its columns, a strip is one unit wide, and `radius` is the least of all, rounded up. Equal plans
 // give equal samples on every backend.
@@ -40,13 +47,13 @@ struct Plan {
 
     Mode mode;
     bool is_exact() const { return mode == Mode::exact; }
-    // Mode::cells: the radius of every place; null otherwise.
-    std::shared_ptr<const RadiusMap> radii;
-    Metric metric;
+    bool is_cells() const { return mode == Mode::cells; }
+    std::shared_ptr<const RadiusMap> radii;  // in cells only: the radius of every place
+    Metric metric;                           // in cells only: of two radii
     bool snap;
     bool uniform_x;
     std::uint64_t limit;       // stop after so many samples
-    std::uint64_t round_size;  // 0: chosen by rounds.h
+    std::uint64_t round_size;  // 0: chosen by rounds/round_policy.h
     std::uint64_t seed;
 
     // The user's units for one grid unit, along x and y. They differ by less than 2^-20.
@@ -68,7 +75,7 @@ struct Plan {
     // Rounds so that no two samples at least `radius` units apart come closer than user_radius.
     // In cells samples lie in the middle of their cells.
     Point to_user(Sample sample) const {
-        const double middle = radii ? 0.5 : 0;
+        const double middle = is_cells() ? 0.5 : 0;
         return {(sample.x + middle) * unit_x, (sample.y + middle) * unit_y};
     }
 };
@@ -86,9 +93,6 @@ struct FieldSums {
 FieldSums sums_of(const Field& field);
 // make_plan for mode cells and a request that was checked (plan_cells.cpp).
 Plan make_cells_plan(const Request& request, const FieldSums& sums);
-
-// The free length of every line before the first sample.
-std::vector<std::uint32_t> first_free_lengths(const Plan& plan);
 
 // Checks all that does not depend on the radius. Throws BadRequest.
 void check_request(const Request& request);

@@ -64,18 +64,6 @@ RadiusMap::RadiusMap(const Field& field, double scale, Metric metric, std::uint3
     if (metric != Metric::min) find_widest_rows();
 }
 
-std::vector<std::uint32_t> RadiusMap::free_lengths() const {
-    std::vector<std::uint32_t> of_pixel_column(columns, 0);
-    for (std::uint32_t column = 0; column < columns; ++column)
-        for (std::uint32_t row = 0; row < rows; ++row)
-            if (radii[std::size_t{column} * rows + row] != 0)
-                of_pixel_column[column] += row_begins[row + 1] - row_begins[row];
-    std::vector<std::uint32_t> lengths(column_of.size());
-    for (std::size_t line = 0; line < lengths.size(); ++line)
-        lengths[line] = of_pixel_column[column_of[line]];
-    return lengths;
-}
-
 // With min no conflict is farther than a sample's own radius. With mean and max a larger radius
 // nearby reaches here: radii are sorted into classes that double, each with blocks as wide as its
 // largest radius, so that what reaches here lies in the nine blocks around.

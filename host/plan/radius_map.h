@@ -31,8 +31,6 @@ struct RadiusMap {
     std::uint32_t pixel_at(std::uint32_t x, std::uint32_t y) const {
         return column_of[x] * rows + row_of[y];
     }
-    // Lattice points with importance, of every line.
-    std::vector<std::uint32_t> free_lengths() const;
 
 private:
     void find_reaches(Metric metric, bool wraps);

@@ -22,7 +22,7 @@ std::uint64_t largest_round_size(const Plan& plan) {
 
 std::uint64_t first_round_size(const Plan& plan) {
     if (plan.round_size != 0) return plan.round_size;
-    if (plan.radii)
+    if (plan.is_cells())
         return std::clamp(plan.maximal_samples / 6, kSmallestRound, largest_round_size(plan));
     const std::uint64_t area = std::uint64_t{plan.width} * plan.height;
     return std::clamp(area / plan.radius_squared / 8, kSmallestRound, largest_round_size(plan));

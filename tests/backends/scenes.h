@@ -49,7 +49,7 @@ inline bool has_importance(const Plan& plan, std::uint32_t x, std::uint32_t y) {
 // Every line free from end to end, no candidates, no samples. In cells: all that has importance.
 inline Snapshot empty_memory(const Plan& plan) {
     Snapshot memory;
-    if (plan.radii) {
+    if (plan.is_cells()) {
         const std::uint32_t words = words_of_line(plan);
         memory.bits.resize(std::size_t{plan.lines} * words);
         for (std::uint32_t x = 0; x < plan.lines; ++x)
@@ -127,7 +127,7 @@ inline std::uint32_t count_places(const Plan& plan, const Snapshot& memory) {
 }
 
 inline std::uint32_t free_length_of(const Plan& plan, const Snapshot& memory, std::uint32_t place) {
-    if (plan.radii) {
+    if (plan.is_cells()) {
         const std::uint32_t words = words_of_line(plan);
         return std::accumulate(&memory.bits[std::size_t{place} * words],
                                &memory.bits[std::size_t{place} * words] + words, 0u,
@@ -176,7 +176,7 @@ inline std::vector<Candidate> random_candidates(const Plan& plan, Chance& chance
             y = chance.below(plan.height);
             if (chance.one_in(16)) x = chance.one_in(2) ? 0 : plan.width - 1;
             if (chance.one_in(16)) y = chance.one_in(2) ? 0 : plan.height - 1;
-        } while (plan.radii && !has_importance(plan, x, y));
+        } while (plan.is_cells() && !has_importance(plan, x, y));
         candidates.push_back({x, y, x / plan.strip_width, order});
     }
     return candidates;

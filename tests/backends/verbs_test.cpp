@@ -109,7 +109,7 @@ protected:
         expect_same(expected, on_device(scene, verb));
         if (has_boxes(scene)) return;
         SCOPED_TRACE("three lines a slab, three slices");
-        const std::uint64_t line_bytes = scene.plan.radii ? 4 * tests::words_of_line(scene.plan)
+        const std::uint64_t line_bytes = scene.plan.is_cells() ? 4 * tests::words_of_line(scene.plan)
                                                           : scene.memory.capacity * sizeof(Span);
         expect_same(expected, on_device(scene, verb, {3 * line_bytes, 3}));
     }

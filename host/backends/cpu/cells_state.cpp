@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "backends/columns.h"
+#include "plan/first_free.h"
 #include "portable/fate.h"
 
 namespace lacuna::cpu {
@@ -17,7 +18,7 @@ CellsState::CellsState(const Plan& the_plan)
       widest(plan.lines, 0),
       words((plan.height + std::size_t{63}) / 64),
       bits(std::make_unique_for_overwrite<std::uint64_t[]>(plan.lines * words)),
-      free_lengths(radii.free_lengths()),
+      free_lengths(first_free_lengths(plan)),
       column_begins(columns + std::size_t{1}),
       near_begins(columns + std::size_t{1}) {}
 

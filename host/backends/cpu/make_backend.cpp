@@ -130,7 +130,7 @@ private:
 }  // namespace
 
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement) {
-    if (plan.radii) return make_cells_backend(plan, placement.threads);
+    if (plan.is_cells()) return make_cells_backend(plan, placement.threads);
     return std::make_unique<CpuBackend>(plan, placement.threads);
 }
 

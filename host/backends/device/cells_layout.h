@@ -1,5 +1,4 @@
-// How a plan of mode cells is laid out on a device: the lattice's bits, and the slices of subtract.
-// No call of a device in here.
+// How the subtract of mode cells is shared out on a device. No call of a device in here.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +7,6 @@
 #include "plan/plan.h"
 
 namespace lacuna::device {
-
-// Of 32 bits, as in Snapshot::bits.
-std::uint32_t words_per_line(const Plan& plan);
-
-// The words of the lines [first_line, end_line) before the first sample: a bit for each lattice
-// point, set where there is importance.
-std::vector<std::uint32_t> first_bits(const Plan& plan, std::uint32_t first_line,
-                                      std::uint32_t end_line);
 
 // Turns that the loops of subtract_in_cells take for one sample of such a reach, at most, of one
 // line and of all that are near it.

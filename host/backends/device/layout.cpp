@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "backends/columns.h"
-#include "backends/device/cells_layout.h"
+#include "plan/first_free.h"
 #include "portable/column.h"
 #include "portable/fate.h"
 #include "rounds/round_policy.h"
@@ -189,7 +189,7 @@ void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint6
     const std::uint64_t first = first_round_size(plan);
     const std::uint64_t round =
         plan.round_size != 0 ? first : std::min(2 * first, largest_round_size(plan));
-    const Needs needs = plan.radii ? needs_of_cells(plan, round) : needs_of_lines(plan, round);
+    const Needs needs = plan.is_cells() ? needs_of_cells(plan, round) : needs_of_lines(plan, round);
     if (needs.largest > largest_buffer_bytes)
         throw Unavailable("device " + device + ": the request needs a buffer of " +
                           gigabytes(needs.largest) + ", and its largest has " +

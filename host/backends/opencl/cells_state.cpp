@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "backends/device/cells_layout.h"
+#include "plan/first_free.h"
 
 namespace lacuna::opencl {
 
@@ -21,7 +21,7 @@ CellsState::CellsState(std::shared_ptr<Program> the_program, const Plan& the_pla
                        std::uint64_t* launches)
     : RoundMemory(std::move(the_program), the_plan, launches),
       kernels(program->program),
-      words(device::words_per_line(plan)),
+      words(words_per_line(plan)),
       rows(plan.radii->rows),
       metric(static_cast<std::uint32_t>(plan.metric)),
       pixel_radii(copy_of(plan.radii->radii)),
@@ -32,7 +32,7 @@ CellsState::CellsState(std::shared_ptr<Program> the_program, const Plan& the_pla
       row_begins(copy_of(plan.radii->row_begins)),
       bits(words_on_device(std::uint64_t{plan.lines} * words)),
       widest(words_on_device(plan.lines)) {
-    free_lengths = copy_of(plan.radii->free_lengths());
+    free_lengths = copy_of(first_free_lengths(plan));
     queue.fill(widest, plan.lines, 0);
     write_first_bits();
 }
@@ -49,7 +49,7 @@ void CellsState::write_first_bits() {
     const std::uint32_t step = std::max(kPartWords / words, 1u);
     for (std::uint32_t line = 0; line < plan.lines; line += step) {
         const std::uint32_t end = line + std::min(step, plan.lines - line);
-        queue.write_words(bits, std::uint64_t{line} * words, device::first_bits(plan, line, end));
+        queue.write_words(bits, std::uint64_t{line} * words, first_bits(plan, line, end));
     }
 }
 

@@ -110,10 +110,10 @@ std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placeme
     const Found found = choose_device(placement.device);
     const DeviceEntry& entry = found.entry;
     device::refuse_if_too_large(entry.name, plan, entry.memory_bytes, entry.largest_buffer_bytes);
-    const auto source = [&] { return plan.radii ? cells_kernel_source() : kernel_source(); };
+    const auto source = [&] { return plan.is_cells() ? cells_kernel_source() : kernel_source(); };
     const auto program = compiled(found, trial.source.empty() ? source() : trial.source);
     return guarded(entry.name, program->log, [&]() -> std::unique_ptr<Backend> {
-        if (plan.radii) return make_cells_backend(program, plan, tuning, trial.launches);
+        if (plan.is_cells()) return make_cells_backend(program, plan, tuning, trial.launches);
         return std::make_unique<OpenClBackend>(program, plan, tuning, trial.launches);
     });
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "plan/first_free.h"
 #include "portable/distance.h"
 #include "portable/metric.h"
 #include "rounds/random.h"
@@ -17,7 +18,7 @@ public:
     explicit Lattice(const Plan& plan)
         : plan_(plan),
           is_free_(std::size_t{plan.lines} * plan.height),
-          free_lengths_(plan.radii->free_lengths()),
+          free_lengths_(first_free_lengths(plan)),
           widest_(*std::max_element(plan.radii->radii.begin(), plan.radii->radii.end()) / 256 + 1) {
         for (std::uint32_t x = 0; x < plan.lines; ++x)
             for (std::uint32_t y = 0; y < plan.height; ++y)

@@ -77,7 +77,7 @@ std::uint64_t admit(const std::vector<Candidate>& candidates, FreeSpace& free_sp
 
 Outcome sample(const Plan& plan, Observer& observer) {
     if (plan.is_exact()) return sample_exact(plan, observer);
-    if (plan.radii) return sample_cells(plan, observer);
+    if (plan.is_cells()) return sample_cells(plan, observer);
     Outcome outcome;
     FreeSpace free_space(plan);
     RoundPolicy policy(plan);

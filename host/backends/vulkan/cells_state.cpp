@@ -5,8 +5,8 @@
 #include <bit>
 
 #include "backends/columns.h"
-#include "backends/device/cells_layout.h"
 #include "backends/vulkan/transfer.h"
+#include "plan/first_free.h"
 
 namespace lacuna::vulkan {
 namespace {
@@ -24,9 +24,9 @@ Buffer copy_on_device(Engine& engine, const std::vector<std::uint32_t>& values) 
 CellsState::CellsState(const Plan& the_plan, Engine& the_engine)
     : RoundMemory(the_plan, the_engine),
       first_lines(lacuna::first_lines(plan, geometry.columns)),
-      words(device::words_per_line(plan)),
+      words(words_per_line(plan)),
       bits(words_on_device(engine, std::uint64_t{plan.lines} * words)),
-      free_lengths(copy_on_device(engine, plan.radii->free_lengths())),
+      free_lengths(copy_on_device(engine, first_free_lengths(plan))),
       widest(words_on_device(engine, plan.lines)),
       pixel_radii(copy_on_device(engine, plan.radii->radii)),
       pixel_reaches(copy_on_device(engine, plan.radii->reaches)),
@@ -49,7 +49,7 @@ void CellsState::set_bits() {
         engine.allocate(Engine::Memory::upload, std::uint64_t{batch} * words * kWord);
     for (std::uint32_t first = 0; first < plan.lines; first += batch) {
         const std::uint32_t end = std::min(plan.lines, first + batch);
-        const std::vector<std::uint32_t> of_lines = device::first_bits(plan, first, end);
+        const std::vector<std::uint32_t> of_lines = first_bits(plan, first, end);
         put(of_lines, staging);
         engine.copy(staging, bits, of_lines.size() * kWord, 0,
                     std::uint64_t{first} * words * kWord);

@@ -250,7 +250,7 @@ std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placeme
     const DeviceEntry& device = engine->device();
     device::refuse_if_too_large(device.name, plan, device.memory_bytes,
                                 device.largest_buffer_bytes);
-    if (plan.radii) return make_cells_backend(std::move(engine), plan, trial);
+    if (plan.is_cells()) return make_cells_backend(std::move(engine), plan, trial);
     return std::make_unique<VulkanBackend>(std::move(engine), plan, tuning, trial);
 }
 

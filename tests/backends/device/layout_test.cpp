@@ -57,22 +57,6 @@ TEST(Pending, ListsWhatIsUndecidedChunkByChunk) {
               (std::vector<std::uint32_t>{none, 1, 2, none, none, 5, none, 7}));
 }
 
-TEST(FirstBits, AreSetWhereThereIsImportance) {
-    for (const tests::Scene& scene : tests::random_cells_scenes()) {
-        const std::vector<std::uint32_t> expected = tests::empty_memory(scene.plan).bits;
-        EXPECT_EQ(words_per_line(scene.plan), tests::words_of_line(scene.plan)) << scene.name;
-        for (const std::uint32_t step : {1u, 7u, scene.plan.lines}) {
-            std::vector<std::uint32_t> bits;
-            for (std::uint32_t line = 0; line < scene.plan.lines; line += step) {
-                const std::uint32_t end = line + std::min(step, scene.plan.lines - line);
-                const std::vector<std::uint32_t> part = first_bits(scene.plan, line, end);
-                bits.insert(bits.end(), part.begin(), part.end());
-            }
-            EXPECT_TRUE(bits == expected) << scene.name << ", parts of " << step << " lines";
-        }
-    }
-}
-
 TEST(SlicesOfSample, AreSoManyThatNoneTakesMoreTurns) {
     for (const tests::Scene& scene : tests::random_cells_scenes()) {
         const std::vector<std::uint32_t>& reaches = scene.plan.radii->reaches;

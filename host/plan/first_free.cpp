@@ -1,0 +1,67 @@
+// What is free before the first sample.
+#include "plan/first_free.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "portable/bits.h"
+
+namespace lacuna {
+namespace {
+
+// In cells, lines above one column of pixels are alike; in the other modes all are.
+bool is_like_the_line_below(const Plan& plan, std::uint32_t line) {
+    return !plan.is_cells() || plan.radii->column_of[line] == plan.radii->column_of[line - 1];
+}
+
+}  // namespace
+
+std::vector<Span> first_spans(const Plan& plan, std::uint32_t line) {
+    if (!plan.is_cells()) return {{0, plan.height}};
+    const RadiusMap& map = *plan.radii;
+    const std::uint32_t* const radii = &map.radii[std::size_t{map.column_of[line]} * map.rows];
+    std::vector<Span> spans;
+    for (std::uint32_t row = 0; row < map.rows; ++row) {
+        const Span of_row = {map.row_begins[row], map.row_begins[row + 1]};
+        if (radii[row] == 0 || of_row.begin == of_row.end) continue;
+        if (!spans.empty() && spans.back().end == of_row.begin)
+            spans.back().end = of_row.end;
+        else
+            spans.push_back(of_row);
+    }
+    return spans;
+}
+
+std::vector<std::uint32_t> first_free_lengths(const Plan& plan) {
+    std::vector<std::uint32_t> lengths(plan.lines, 0);
+    for (std::uint32_t line = 0; line < plan.lines; ++line) {
+        if (line > 0 && is_like_the_line_below(plan, line))
+            lengths[line] = lengths[line - 1];
+        else
+            for (const Span span : first_spans(plan, line)) lengths[line] += span.end - span.begin;
+    }
+    return lengths;
+}
+
+std::uint32_t words_per_line(const Plan& plan) {
+    return 2 * ((plan.height + 63) / 64);
+}
+
+std::vector<std::uint32_t> first_bits(const Plan& plan, std::uint32_t first_line,
+                                      std::uint32_t end_line) {
+    const std::size_t words = words_per_line(plan);
+    std::vector<std::uint32_t> bits(words * (end_line - first_line));
+    for (std::uint32_t line = first_line; line < end_line; ++line) {
+        std::uint32_t* const of_line = &bits[words * (line - first_line)];
+        if (line > first_line && is_like_the_line_below(plan, line)) {
+            std::copy(of_line - words, of_line, of_line);
+            continue;
+        }
+        for (const Span span : first_spans(plan, line))
+            for (std::uint32_t word = span.begin / 32; word <= (span.end - 1) / 32; ++word)
+                of_line[word] |= portable::word_mask(word, span.begin, span.end);
+    }
+    return bits;
+}
+
+}  // namespace lacuna
