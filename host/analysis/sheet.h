@@ -7,6 +7,7 @@
 #include <string>
 
 #include "analysis/analyse.h"
+#include "drawing/medium.h"
 #include "files/point_files.h"
 
 namespace lacuna::analysis {
@@ -15,6 +16,6 @@ namespace lacuna::analysis {
 // several. The same analysis gives the same bytes on every call, where the same fonts are installed
 // (DejaVu Sans, or what fontconfig takes for it). Throws files::FileError if it cannot be drawn.
 std::string draw_sheet(const Analysis& analysis, std::span<const Point> points,
-                       files::Format format);
+                       drawing::Medium medium);
 
 }  // namespace lacuna::analysis

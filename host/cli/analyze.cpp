@@ -73,8 +73,8 @@ struct Input {
     std::string sides_from;  // the file that told them
 };
 
-files::Format report_format(const std::string& path) {
-    return format_among(path, ".json .svg .pdf .png");
+const files::Format& report_format(const std::string& path) {
+    return format_among(path, ".json " + files::picture_extensions());
 }
 
 // Before the work starts.
@@ -166,10 +166,10 @@ void run(const Options& options) {
 
     interruption.start_writing(!options.outputs.empty());
     for (const std::string& path : options.outputs) {
-        const files::Format format = report_format(path);
-        files::write_whole(path, files::is_picture(format)
-                                     ? analysis::draw_sheet(analysis, input.sets.front(), format)
-                                     : json_of(analysis, options.files));
+        const files::Format& format = report_format(path);
+        files::write_whole(
+            path, format.medium ? analysis::draw_sheet(analysis, input.sets.front(), *format.medium)
+                                : json_of(analysis, options.files));
     }
     files::write_whole("-", text_of(analysis));
 }
@@ -181,8 +181,7 @@ void add_analyze(CLI::App& app) {
     const auto options = std::make_shared<Options>();
     command
         .add_option("FILE", options->files,
-                    "By extension: .txt .csv .npy .ply .json .dat .rps; - is standard input, as "
-                    ".txt")
+                    "By extension: " + files::read_extensions() + "; - is standard input, as .txt")
         ->type_name("...")
         ->required();
     command
@@ -200,8 +199,8 @@ void add_analyze(CLI::App& app) {
                "What the sets were made with, for count * R^2 and distances in radii");
     command
         .add_option("-o,--output", options->outputs,
-                    "Numbers and curves as .json, or a plot sheet as .svg .pdf .png; may be given "
-                    "several times")
+                    "Numbers and curves as .json, or a plot sheet as " +
+                        files::picture_extensions() + "; may be given several times")
         ->type_name("REPORT")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -40,8 +40,8 @@ void add_place(CLI::App& command, Request& request) {
 void add_what_to_write(CLI::App& command, CommonOptions& options) {
     command
         .add_option("-o,--output", options.output,
-                    "By extension: .txt .csv .npy .ply .json .svg .pdf .png; "
-                    "- is standard output, as .txt (default)")
+                    "By extension: " + files::written_extensions() +
+                        "; - is standard output, as .txt (default)")
         ->type_name("FILE");
     command
         .add_option("--report", options.report,

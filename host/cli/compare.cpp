@@ -61,8 +61,8 @@ std::vector<std::string> split(const std::string& text) {
     return names;
 }
 
-files::Format chart_format(const std::string& path) {
-    return format_among(path, ".svg .pdf .png");
+const files::Format& chart_format(const std::string& path) {
+    return format_among(path, files::picture_extensions());
 }
 
 // Before the work starts.
@@ -116,7 +116,8 @@ Comparison compared(const Options& options, const Request& request, const Sample
 
 void write(const Options& options, const Request& request, const Comparison& comparison) {
     if (!options.chart.empty())
-        files::write_whole(options.chart, draw_chart(comparison, chart_format(options.chart)));
+        files::write_whole(options.chart,
+                           draw_chart(comparison, *chart_format(options.chart).medium));
     if (!options.json.empty()) files::write_whole(options.json, json_of(comparison, request));
     files::write_whole("-", text_of(comparison));
 }

@@ -124,13 +124,13 @@ private:
 
 }  // namespace
 
-std::string draw_chart(const Comparison& comparison, files::Format format) {
+std::string draw_chart(const Comparison& comparison, drawing::Medium medium) {
     std::vector<const Entry*> entries;
     for (const Entry& entry : comparison.entries)
         if (entry.has_run()) entries.push_back(&entry);
     const double height =
         kTop + kBetween + static_cast<double>(entries.size()) * (kBarHeight + kBetween) + kBottom;
-    const auto canvas = drawing::make_canvas(format, kWidth, height);
+    const auto canvas = drawing::make_canvas(medium, kWidth, height);
     Chart(*canvas, entries).draw();
     return canvas->finish();
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/comparison.h"
+#include "drawing/medium.h"
 #include "files/point_files.h"
 
 namespace lacuna::cli {
@@ -14,7 +15,7 @@ std::string text_of(const Comparison& comparison);
 // Every run's seconds, and the rest.
 std::string json_of(const Comparison& comparison, const Request& request);
 
-// A bar for each entry's median, with its spread, parted by verbs. Format is svg, pdf or png.
-std::string draw_chart(const Comparison& comparison, files::Format format);
+// A bar for each entry's median, with its spread, parted by verbs.
+std::string draw_chart(const Comparison& comparison, drawing::Medium medium);
 
 }  // namespace lacuna::cli

@@ -54,7 +54,7 @@ void add_how_to_draw(CLI::App& command, DrawingOptions& options) {
 }
 
 bool is_picture(const std::string& path) {
-    return files::is_picture(files::format_of(path));
+    return files::format_of(path).medium.has_value();
 }
 
 void check_drawing(const DrawingOptions& options, const std::string& output) {
@@ -64,7 +64,7 @@ void check_drawing(const DrawingOptions& options, const std::string& output) {
     const auto is_given = [&](const char* name) {
         return std::find(options.given.begin(), options.given.end(), name) != options.given.end();
     };
-    if (is_given("dpi") && files::format_of(output) != files::Format::png)
+    if (is_given("dpi") && files::format_of(output).medium != drawing::Medium::png)
         throw BadRequest("dpi", "with --output " + shown(output), "is for .png");
     if (options.margin_mm == 0) return;
     const std::string margin = fmt::format("{}mm", options.margin_mm);
@@ -98,7 +98,7 @@ drawing::Style style_of(const DrawingOptions& options, double width, double heig
 
 std::string encoded(const DrawingOptions& options, const std::string& output,
                     const files::PointSet& set, const Field& field, drawing::Style style) {
-    const files::Format format = files::format_of(output);
+    const files::Format& format = files::format_of(output);
     if (!is_picture(output)) return files::encode(set, format);
     std::vector<double> diameters;
     if (options.dot_size_mm)
@@ -107,7 +107,7 @@ std::string encoded(const DrawingOptions& options, const std::string& output,
     else
         diameters = drawing::dot_diameters(set.points, field, set.width, set.height);
     style.diameters = diameters;
-    return drawing::draw(set, format, style);
+    return drawing::draw(set, *format.medium, style);
 }
 
 }  // namespace lacuna::cli

@@ -59,7 +59,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
            fs::equivalent(folder_of(a), folder_of(b), error) && !error;
 }
 
-files::Format format_among(const std::string& path, const std::string& allowed) {
+const files::Format& format_among(const std::string& path, const std::string& allowed) {
     std::string extension = path == "-" ? "" : fs::path(path).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(), files::lower_case);
     if (extension.empty() || (allowed + " ").find(extension + " ") == std::string::npos)

@@ -13,7 +13,7 @@ void check_output(const std::string& path);
 
 // The format of an output that may only have the extensions in `allowed`, with blanks between them
 // as the message shows them. Throws BadRequest for any other.
-files::Format format_among(const std::string& path, const std::string& allowed);
+const files::Format& format_among(const std::string& path, const std::string& allowed);
 
 // Whether both paths lead to one file, there already or to be made.
 bool is_same_file(const std::string& a, const std::string& b);

@@ -62,7 +62,7 @@ struct Made {
 
     std::string picture_name() const {
         return fmt::format("{}.{}", item.name,
-                           reproduction.format == files::Format::svg ? "svg" : "png");
+                           reproduction.medium == drawing::Medium::svg ? "svg" : "png");
     }
     std::string data_name() const { return fmt::format("{}.json", item.name); }
 };

@@ -138,7 +138,7 @@ void add_verify(CLI::App& app) {
     const auto options = std::make_shared<Options>();
     command
         .add_option("FILE", options->file,
-                    "By extension: .txt .csv .npy .ply .json; - is standard input, as .txt")
+                    "By extension: " + files::read_extensions() + "; - is standard input, as .txt")
         ->type_name("")
         ->required();
     add_number(command, "radius", "R", options->radius, "The least distance promised");

@@ -61,8 +61,8 @@ private:
 
 class CairoCanvas : public Canvas {
 public:
-    CairoCanvas(files::Format format, double width, double height)
-        : is_pdf_(format == files::Format::pdf), surface_(make_surface(width, height)) {
+    CairoCanvas(Medium medium, double width, double height)
+        : is_pdf_(medium == Medium::pdf), surface_(make_surface(width, height)) {
         context_.reset(cairo_create(surface_.get()));
         check(cairo_status(context_.get()));
         if (!is_pdf_) cairo_scale(context_.get(), kPixelsPerPoint, kPixelsPerPoint);
@@ -184,9 +184,9 @@ std::string png_of(const Image& image) {
     return bytes;
 }
 
-std::unique_ptr<Canvas> make_canvas(files::Format format, double width, double height) {
-    if (format == files::Format::svg) return make_svg_canvas(width, height);
-    return std::make_unique<CairoCanvas>(format, width, height);
+std::unique_ptr<Canvas> make_canvas(Medium medium, double width, double height) {
+    if (medium == Medium::svg) return make_svg_canvas(width, height);
+    return std::make_unique<CairoCanvas>(medium, width, height);
 }
 
 }  // namespace lacuna::drawing

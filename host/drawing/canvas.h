@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "drawing/medium.h"
 #include "files/point_files.h"
 
 namespace lacuna::drawing {
@@ -77,9 +78,9 @@ public:
     virtual std::string finish() = 0;
 };
 
-// A white page, in points. files::Format is svg, pdf or png, which has two pixels a point. The same
+// A white page, in points; a png has two pixels a point. The same
 // drawing gives the same bytes on every call, where the same fonts are installed.
 // All that can throw throws files::FileError with cairo's reason.
-std::unique_ptr<Canvas> make_canvas(files::Format format, double width, double height);
+std::unique_ptr<Canvas> make_canvas(Medium medium, double width, double height);
 
 }  // namespace lacuna::drawing

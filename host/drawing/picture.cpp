@@ -102,9 +102,9 @@ std::string draw_png(const files::PointSet& set, const Style& style) {
 
 }  // namespace
 
-std::string draw(const files::PointSet& set, files::Format format, const Style& style) {
-    if (format == files::Format::svg) return draw_svg(set, style);
-    if (format == files::Format::pdf) return draw_pdf(set, style);
+std::string draw(const files::PointSet& set, Medium medium, const Style& style) {
+    if (medium == Medium::svg) return draw_svg(set, style);
+    if (medium == Medium::pdf) return draw_pdf(set, style);
     return draw_png(set, style);
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "drawing/medium.h"
 #include "files/point_files.h"
 
 namespace lacuna::drawing {
@@ -25,7 +26,7 @@ struct Style {
     double pixels_per_inch = 144;  // of png
     std::span<const double> diameters{};  // of each dot, in the domain's units; empty: as
                                           // files::PointSet has it
-    bool keeps_order = false;  // dots are drawn in their order, not size by size
+    bool keeps_order = false;             // dots are drawn in their order, not size by size
 };
 
 // How large a unit of the domain becomes.
@@ -34,6 +35,6 @@ double millimetres_per_unit(const files::PointSet& set, const Style& style);
 // The bytes of an svg, pdf or png file: encode() for these three formats. With a sheet, an svg is
 // in mm and has no background that a plotter could take for a shape. The same set gives the same
 // bytes on every call. Throws files::FileError with cairo's reason.
-std::string draw(const files::PointSet& set, files::Format format, const Style& style = {});
+std::string draw(const files::PointSet& set, Medium medium, const Style& style = {});
 
 }  // namespace lacuna::drawing

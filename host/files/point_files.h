@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-namespace lacuna::files {
+#include "files/formats.h"
 
-enum class Format { txt, csv, npy, ply, json, svg, pdf, png };
+namespace lacuna::files {
 
 // A set of points with what a picture needs to know of it.
 struct PointSet {
@@ -30,13 +30,6 @@ class FileError : public Error {
 // ASCII only: what the locale takes for a letter must not change which file is meant.
 char lower_case(char c);
 
-// The format that the extension of `path` names (any case); "-" (standard output) is txt.
-// Throws BadRequest("output", path, ...) listing the known extensions.
-Format format_of(const std::string& path);
-
-// Whether a file of that format is seen, not read: svg, pdf or png.
-bool is_picture(Format format);
-
 // The bytes of a file of that format.
 //   txt   `x y` a line, 17 significant digits, so that reading gives back the same doubles
 //   csv   the same with a header line `x,y`
@@ -45,7 +38,9 @@ bool is_picture(Format format);
 //   json  {"width":..., "height":..., "radius":..., "count":..., "points":[[x,y],...]}
 //   svg, pdf, png: black dots on white, y upwards; longer side 1024 pixels (png) or 512 points
 // The same set gives the same bytes on every call. Throws FileError if a picture cannot be drawn.
-std::string encode(const PointSet& set, Format format);
+inline std::string encode(const PointSet& set, const Format& format) {
+    return format.encode(set);
+}
 
 // Writes `bytes` to `path` ("-": standard output), whole or not at all: into a new file beside it,
 // then a rename. An older file of that name is untouched until then and hands on its permissions.

@@ -68,8 +68,8 @@ double exponent_of(const std::vector<double>& errors) {
     return (n * xy - x * y) / (n * xx - x * x);
 }
 
-std::string draw(const Curves& curves, files::Format format) {
-    const auto canvas = drawing::make_canvas(format, 640, 300);
+std::string draw(const Curves& curves, drawing::Medium medium) {
+    const auto canvas = drawing::make_canvas(medium, 640, 300);
     const auto panel = [&](double left, const std::string& title,
                            const std::vector<double>& errors) {
         Plot plot(*canvas, {left, 30, 250, 220}, {0, kLargestM, "m"}, {0, 2, "% of the area"});
@@ -113,8 +113,8 @@ Reproduction fig3(const Setting& setting) {
                  {"x_and_y", curves.cells},
                  {"exponent_x_only", exponent_of(curves.lines)},
                  {"exponent_x_and_y", exponent_of(curves.cells)}};
-    made.format = files::Format::svg;
-    made.picture = draw(curves, made.format);
+    made.medium = drawing::Medium::svg;
+    made.picture = draw(curves, made.medium);
     return made;
 }
 

@@ -86,10 +86,10 @@ void draw_row(Canvas& canvas, double top, const Row& row, Colour colour) {
     draw_anisotropy(canvas, {430, top, 190, 100}, "Anisotropy", row.analysis, colour);
 }
 
-std::string draw(const Rows& rows, files::Format format) {
+std::string draw(const Rows& rows, drawing::Medium medium) {
     constexpr double kStep = 148;
     const auto canvas =
-        drawing::make_canvas(format, 640, 20 + kStep * static_cast<double>(2 + rows.lines.size()));
+        drawing::make_canvas(medium, 640, 20 + kStep * static_cast<double>(2 + rows.lines.size()));
     double top = 24;
     const auto next = [&](const Row& row, Colour colour) {
         draw_row(*canvas, top, row, colour);
@@ -151,8 +151,8 @@ Reproduction fig4(const Setting& setting) {
     add(rows.exact);
     for (const Row& row : rows.lines) add(row);
     made.numbers = numbers_of(rows, chance);
-    made.format = files::Format::svg;
-    made.picture = draw(rows, made.format);
+    made.medium = drawing::Medium::svg;
+    made.picture = draw(rows, made.medium);
     return made;
 }
 

@@ -20,10 +20,10 @@ constexpr std::uint32_t kRuns = 40;
 constexpr double kScale = 0.012;
 constexpr std::array kMetrics{Metric::max, Metric::mean, Metric::min};  // in the paper's order
 
-std::string draw(const Field& field, Work& work, files::Format format) {
+std::string draw(const Field& field, Work& work, drawing::Medium medium) {
     constexpr double kSide = 280;
     constexpr double kUpper = 24;
-    const auto canvas = drawing::make_canvas(format, 2 * kSide + 30, 2 * kSide + 60);
+    const auto canvas = drawing::make_canvas(medium, 2 * kSide + 30, 2 * kSide + 60);
     const auto box_of = [&](std::size_t i) {
         return Rectangle{10 + (kSide + 10) * static_cast<double>(i % 2),
                          i < 2 ? kUpper : kUpper + kSide + 26, kSide, kSide};
@@ -71,8 +71,8 @@ Reproduction fig6(const Setting& setting) {
         // "samples in the sparse region do not block the samples in the dense region"
         in_words("min: missing per radius of edge", "do not block", min.value, {-kInfinite, 0})};
     made.data["runs"] = runs;
-    made.format = files::Format::png;
-    made.picture = draw(shapes(0.1), work, made.format);
+    made.medium = drawing::Medium::png;
+    made.picture = draw(shapes(0.1), work, made.medium);
     return made;
 }
 

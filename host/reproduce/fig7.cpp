@@ -33,11 +33,11 @@ Reproduction fig7(const Setting& setting) {
                  {"seconds", few.seconds[0]},
                  {"seconds_of_250000_dots", many.seconds[0]},
                  {"threads", 1}};
-    made.format = files::Format::png;
+    made.medium = drawing::Medium::png;
     const Sides sides = sides_of(image);
     // A third of the radius told is drawn: dots of 1/800 of the longer side.
     made.picture =
-        drawing::draw({few.points[0], sides.width, sides.height, 3.0 / 800}, made.format);
+        drawing::draw({few.points[0], sides.width, sides.height, 3.0 / 800}, made.medium);
     return made;
 }
 

@@ -35,11 +35,11 @@ Version make(const Field& field, std::string name, std::uint64_t dots, Metric me
 }
 
 // The bars, enlarged.
-std::string draw(std::span<const Version> versions, files::Format format) {
+std::string draw(std::span<const Version> versions, drawing::Medium medium) {
     constexpr Rectangle kPart{0.3, 0.06, 0.5, 0.36};  // of the unit square, y upwards
     constexpr double kWidth = 250;
     constexpr double kHeight = kWidth * kPart.height / kPart.width;
-    const auto canvas = drawing::make_canvas(format, 3 * (kWidth + 10) + 10, kHeight + 34);
+    const auto canvas = drawing::make_canvas(medium, 3 * (kWidth + 10) + 10, kHeight + 34);
     double left = 10;
     for (const Version& version : versions) {
         std::vector<Point> part;
@@ -74,8 +74,8 @@ Reproduction fig8(const Setting& setting) {
                  (b.error - c.error) / (b.error - a.error), {0.5, 1})};
     for (const Version& version : versions)
         made.data[version.name] = {{"dots", version.dots.size()}, {"tone_error", version.error}};
-    made.format = files::Format::png;
-    made.picture = draw(versions, made.format);
+    made.medium = drawing::Medium::png;
+    made.picture = draw(versions, made.medium);
     return made;
 }
 

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "drawing/medium.h"
 #include "files/point_files.h"
 #include "reproduce/number.h"
 
@@ -29,7 +30,7 @@ struct Setting {
 struct Reproduction {
     std::vector<Number> numbers;
     nlohmann::ordered_json data;  // what the picture shows
-    files::Format format;         // of the picture: svg or png
+    drawing::Medium medium;       // of the picture: svg or png
     std::string picture;          // its bytes
 };
 

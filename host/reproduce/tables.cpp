@@ -181,8 +181,8 @@ Reproduction reproduce_table(const Setting& setting, Boundary boundary,
                                           row.seconds[i], here.at(row.way)[i].seconds));
     add_darts(made, setting, boundary, darts);
 
-    made.format = files::Format::svg;
-    const auto canvas = drawing::make_canvas(made.format, 640, 300);
+    made.medium = drawing::Medium::svg;
+    const auto canvas = drawing::make_canvas(made.medium, 640, 300);
     draw_counts(*canvas, {52, 30, 250, 220}, rows, here, radii);
     draw_times(*canvas, {368, 30, 250, 220}, rows, here, radii);
     made.picture = canvas->finish();

@@ -14,7 +14,7 @@
 namespace lacuna::analysis {
 namespace {
 
-using files::Format;
+using drawing::Medium;
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -27,8 +27,8 @@ std::size_t occurrences(const std::string& text, const std::string& part) {
     return count;
 }
 
-std::string sheet_of(const Sets& sets, Format format, const Domain& domain = {1, 1, true}) {
-    return draw_sheet(analyse(sets, domain, {}, carry_on), sets.front(), format);
+std::string sheet_of(const Sets& sets, Medium medium, const Domain& domain = {1, 1, true}) {
+    return draw_sheet(analyse(sets, domain, {}, carry_on), sets.front(), medium);
 }
 
 Sets ten_sets() {
@@ -39,7 +39,7 @@ Sets ten_sets() {
 }
 
 TEST(SheetAsSvg, ShowsThePointsOfTheFirstSetAndTheReferenceOfSoManySets) {
-    const std::string ten = sheet_of(ten_sets(), Format::svg);
+    const std::string ten = sheet_of(ten_sets(), Medium::svg);
     EXPECT_TRUE(ten.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg "));
     EXPECT_TRUE(ten.ends_with("</svg>\n"));
     EXPECT_EQ(occurrences(ten, "h0\n"), 300U);
@@ -47,32 +47,32 @@ TEST(SheetAsSvg, ShowsThePointsOfTheFirstSetAndTheReferenceOfSoManySets) {
     EXPECT_TRUE(contains(ten, "\u221210 dB: 10 sets without direction"));
     EXPECT_TRUE(contains(ten, "data:image/png;base64,iVBORw0KGgo"));
 
-    const std::string one = sheet_of({ten_sets().front()}, Format::svg);
+    const std::string one = sheet_of({ten_sets().front()}, Medium::svg);
     EXPECT_TRUE(contains(one, ">300 points, torus"));
     EXPECT_TRUE(contains(one, ">0 dB: 1 set without direction"));
 }
 
 TEST(SheetAsSvg, ShowsPointsAtTheirPlacesWithYUpwards) {
     // The panel of points is 252 points wide and high, its upper left corner at (52, 66).
-    const std::string svg = sheet_of({{{0.25, 0.125}}}, Format::svg);
+    const std::string svg = sheet_of({{{0.25, 0.125}}}, Medium::svg);
     EXPECT_TRUE(contains(svg, "M115.000 286.500h0")) << svg;
 }
 
 TEST(SheetAsSvg, KeepsTheShapeOfTheDomain) {
     const std::string svg =
-        sheet_of({white_noise(50, {4, 1, false}, 1)}, Format::svg, {4, 1, false});
+        sheet_of({white_noise(50, {4, 1, false}, 1)}, Medium::svg, {4, 1, false});
     EXPECT_TRUE(contains(svg, "box 4 \u00d7 1"));
     EXPECT_TRUE(contains(svg, "width=\"252.00\" height=\"63.00\" fill=\"none\"")) << svg;
 }
 
 TEST(SheetAsPdf, IsOnePageWithoutTheTimeOfDay) {
-    const std::string pdf = sheet_of(ten_sets(), Format::pdf);
+    const std::string pdf = sheet_of(ten_sets(), Medium::pdf);
     EXPECT_TRUE(pdf.starts_with("%PDF-1."));
     EXPECT_TRUE(contains(pdf, "/CreationDate (20000101000000Z)"));
     EXPECT_TRUE(contains(pdf, "/Count 1\n"));
 }
 
-class Sheet : public testing::TestWithParam<Format> {};
+class Sheet : public testing::TestWithParam<Medium> {};
 
 TEST_P(Sheet, WhenDrawnTwiceHasTheSameBytes) {
     const Sets sets = ten_sets();
@@ -93,10 +93,10 @@ TEST_P(Sheet, OfAWhollyRegularSetOrOnePointIsStillDrawn) {
         sheet_of({white_noise(30, {1000, 1, true}, 1)}, GetParam(), {1000, 1, true}).empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, Sheet, testing::Values(Format::svg, Format::pdf, Format::png),
-                         [](const testing::TestParamInfo<Format>& format) {
-                             return format.param == Format::svg   ? "Svg"
-                                    : format.param == Format::pdf ? "Pdf"
+INSTANTIATE_TEST_SUITE_P(Formats, Sheet, testing::Values(Medium::svg, Medium::pdf, Medium::png),
+                         [](const testing::TestParamInfo<Medium>& medium) {
+                             return medium.param == Medium::svg   ? "Svg"
+                                    : medium.param == Medium::pdf ? "Pdf"
                                                                   : "Png";
                          });
 

@@ -102,9 +102,9 @@ public:
         to_y_ = static_cast<int>(std::ceil(std::log10(most_seconds)));
     }
 
-    std::string draw(files::Format format) {
+    std::string draw(drawing::Medium medium) {
         const double height = std::max(440.0, 60.0 + 16.0 * static_cast<double>(curves_.size()));
-        const auto canvas = drawing::make_canvas(format, 860, height);
+        const auto canvas = drawing::make_canvas(medium, 860, height);
         draw_axes(*canvas);
         std::size_t i = 0;
         for (const auto& [name, curve] : curves_) draw_curve(*canvas, name, curve, i++);
@@ -174,7 +174,7 @@ int run(const std::string& measurements, const std::string& picture) {
                        .c_str(),
                    stdout);
     }
-    files::write_whole(picture, Chart(curves).draw(files::format_of(picture)));
+    files::write_whole(picture, Chart(curves).draw(*files::format_of(picture).medium));
     return 0;
 }
 

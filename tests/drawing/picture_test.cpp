@@ -18,6 +18,8 @@
 namespace lacuna::files {
 namespace {
 
+using drawing::Medium;
+
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
@@ -63,9 +65,9 @@ private:
     std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface_;
 };
 
-std::string picture(const std::vector<Point>& points, Format format, double radius = 0.1,
+std::string picture(const std::vector<Point>& points, Medium medium, double radius = 0.1,
                     double width = 1, double height = 1) {
-    return encode({points, width, height, radius}, format);
+    return drawing::draw({points, width, height, radius}, medium);
 }
 
 // How many pixels are darker than half.
@@ -78,7 +80,7 @@ int dark_pixels(const Image& image) {
 }
 
 TEST(Png, GivenOnePointLowOnTheLeftThenThereIsADotAndWhiteElsewhere) {
-    const Image image(picture({{0.25, 0.125}}, Format::png));
+    const Image image(picture({{0.25, 0.125}}, Medium::png));
     ASSERT_EQ(image.width(), 1024);
     ASSERT_EQ(image.height(), 1024);
     EXPECT_EQ(image.grey(256, 1024 - 128), 0);
@@ -89,7 +91,7 @@ TEST(Png, GivenOnePointLowOnTheLeftThenThereIsADotAndWhiteElsewhere) {
 }
 
 TEST(Png, GivenARadiusThenADotsRadiusIsAThirdOfIt) {
-    const Image image(picture({{0.5, 0.5}}, Format::png, 0.3));
+    const Image image(picture({{0.5, 0.5}}, Medium::png, 0.3));
     const double dot_radius = 0.1 * 1024;
     EXPECT_EQ(image.grey(512 + 100, 512), 0);
     EXPECT_EQ(image.grey(512 + 105, 512), 255);
@@ -100,7 +102,7 @@ TEST(Png, GivenARadiusThenADotsRadiusIsAThirdOfIt) {
 
 TEST(Png, GivenMoreDotsThanOneStrokeHoldsThenEachIsDrawn) {
     const std::vector<Point> points = spread_points(10000);
-    const Image image(picture(points, Format::png, 0.008));
+    const Image image(picture(points, Medium::png, 0.008));
     for (const Point& point : points) {
         const int column = std::min(static_cast<int>(point.x * 1024), 1023);
         const int row = std::min(static_cast<int>((1 - point.y) * 1024), 1023);
@@ -109,21 +111,21 @@ TEST(Png, GivenMoreDotsThanOneStrokeHoldsThenEachIsDrawn) {
 }
 
 TEST(Png, GivenNoPointsThenAllIsWhite) {
-    const Image image(picture({}, Format::png));
+    const Image image(picture({}, Medium::png));
     for (int row = 0; row < image.height(); ++row)
         for (int column = 0; column < image.width(); ++column)
             ASSERT_EQ(image.grey(column, row), 255) << column << " " << row;
 }
 
 TEST(Png, GivenNoRadiusThenTheDotsAreSeenAndApart) {
-    const Image image(picture({{0.25, 0.25}, {0.75, 0.75}}, Format::png, 0));
+    const Image image(picture({{0.25, 0.25}, {0.75, 0.75}}, Medium::png, 0));
     EXPECT_EQ(image.grey(256, 768), 0);
     EXPECT_EQ(image.grey(768, 256), 0);
     EXPECT_EQ(image.grey(512, 512), 255);
 }
 
 TEST(Png, GivenADomainOf3By1ThenThePictureIsThreeTimesAsWideAsHigh) {
-    const Image image(picture({{2.25, 0.5}}, Format::png, 0.2, 3, 1));
+    const Image image(picture({{2.25, 0.5}}, Medium::png, 0.2, 3, 1));
     EXPECT_EQ(image.width(), 1024);
     EXPECT_EQ(image.height(), 341);
     EXPECT_EQ(image.grey(768, 170), 0);
@@ -131,13 +133,13 @@ TEST(Png, GivenADomainOf3By1ThenThePictureIsThreeTimesAsWideAsHigh) {
 }
 
 TEST(Png, GivenADomainThinnerThanAPixelThenThePictureIsOnePixelWide) {
-    const Image image(picture({{0.5, 5000}}, Format::png, 2000, 1, 10000));
+    const Image image(picture({{0.5, 5000}}, Medium::png, 2000, 1, 10000));
     EXPECT_EQ(image.width(), 1);
     EXPECT_EQ(image.height(), 1024);
 }
 
 TEST(Svg, GivenPointsThenEachIsADotWithYUpwards) {
-    const std::string svg = picture({{0.25, 0.125}, {0.5, 0.5}}, Format::svg, 0.3);
+    const std::string svg = picture({{0.25, 0.125}, {0.5, 0.5}}, Medium::svg, 0.3);
     EXPECT_TRUE(svg.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg "));
     EXPECT_TRUE(svg.ends_with("</svg>\n"));
     EXPECT_TRUE(contains(svg, "M128.0000 448.0000h0")) << svg;
@@ -146,47 +148,47 @@ TEST(Svg, GivenPointsThenEachIsADotWithYUpwards) {
 }
 
 TEST(Svg, GivenADomainOf3By1ThenThePictureIsThreeTimesAsWideAsHigh) {
-    const std::string svg = picture({{2.25, 0.5}}, Format::svg, 0.2, 3, 1);
+    const std::string svg = picture({{2.25, 0.5}}, Medium::svg, 0.2, 3, 1);
     EXPECT_TRUE(contains(svg, "viewBox=\"0 0 512 170.666667\"")) << svg;
 }
 
 TEST(Svg, GivenManyPointsThenNoneIsLeftOutAndTheFileStaysSmall) {
-    const std::string svg = picture(spread_points(10000), Format::svg, 0.008);
+    const std::string svg = picture(spread_points(10000), Medium::svg, 0.008);
     EXPECT_EQ(occurrences(svg, "h0\n"), 10000U);
     EXPECT_LT(svg.size(), 10000U * 24);
 }
 
 TEST(Pdf, GivenADomainOf3By1ThenThePageIsThreeTimesAsWideAsHigh) {
-    const std::string pdf = picture({{2.25, 0.5}}, Format::pdf, 0.2, 3, 1);
+    const std::string pdf = picture({{2.25, 0.5}}, Medium::pdf, 0.2, 3, 1);
     EXPECT_TRUE(pdf.starts_with("%PDF-1."));
     EXPECT_TRUE(contains(pdf, "/MediaBox [ 0 0 512 170.66")) << pdf;
     EXPECT_TRUE(contains(pdf, "%%EOF"));
 }
 
 TEST(Pdf, GivenADateOfCreationThenItIsNotTheTimeOfDay) {
-    const std::string pdf = picture({{0.5, 0.5}}, Format::pdf);
+    const std::string pdf = picture({{0.5, 0.5}}, Medium::pdf);
     EXPECT_TRUE(contains(pdf, "/CreationDate (20000101000000Z)")) << pdf;
     EXPECT_FALSE(contains(pdf, "/ModDate"));
 }
 
 TEST(Pdf, GivenManyPointsThenTheFileStaysSmall) {
-    const std::string pdf = picture(spread_points(10000), Format::pdf, 0.008);
+    const std::string pdf = picture(spread_points(10000), Medium::pdf, 0.008);
     EXPECT_LT(pdf.size(), 10000U * 16);
 }
 
 // On a sheet of 100 mm x 80 mm with margins of 10 mm a domain of 2 x 1 is 80 mm x 40 mm large, and
 // begins 10 mm from the left and 20 mm from the top.
-std::string on_a_sheet(const std::vector<Point>& points, Format format,
+std::string on_a_sheet(const std::vector<Point>& points, Medium medium,
                        const std::vector<double>& diameters = {}) {
     drawing::Style style;
     style.sheet = drawing::Sheet{100, 80, 10};
     style.pixels_per_inch = 254;
     style.diameters = diameters;
-    return drawing::draw({points, 2, 1, 0.3}, format, style);
+    return drawing::draw({points, 2, 1, 0.3}, medium, style);
 }
 
 TEST(ASheet, GivenSvgThenLengthsAreMillimetresAndTheDomainIsInTheMiddle) {
-    const std::string svg = on_a_sheet({{0, 0}, {2, 1}, {0.5, 0.25}}, Format::svg);
+    const std::string svg = on_a_sheet({{0, 0}, {2, 1}, {0.5, 0.25}}, Medium::svg);
     EXPECT_TRUE(contains(svg, "width=\"100mm\" height=\"80mm\" viewBox=\"0 0 100 80\"")) << svg;
     EXPECT_TRUE(contains(svg, "M10.0000 60.0000h0")) << svg;
     EXPECT_TRUE(contains(svg, "M90.0000 20.0000h0")) << svg;
@@ -196,13 +198,13 @@ TEST(ASheet, GivenSvgThenLengthsAreMillimetresAndTheDomainIsInTheMiddle) {
 }
 
 TEST(ASheet, GivenPdfThenThePageIsAsLargeInPoints) {
-    const std::string pdf = on_a_sheet({{0, 0}}, Format::pdf);
+    const std::string pdf = on_a_sheet({{0, 0}}, Medium::pdf);
     EXPECT_TRUE(contains(pdf, "/MediaBox [ 0 0 283.46")) << pdf;
     EXPECT_TRUE(contains(pdf, " 226.77")) << pdf;
 }
 
 TEST(ASheet, GivenPngThenItHasAsManyPixelsAsTheResolutionSays) {
-    const Image image(on_a_sheet({{0.5, 0.25}}, Format::png));
+    const Image image(on_a_sheet({{0.5, 0.25}}, Medium::png));
     ASSERT_EQ(image.width(), 1000);
     ASSERT_EQ(image.height(), 800);
     EXPECT_EQ(image.grey(300, 500), 0);
@@ -219,7 +221,7 @@ TEST(ASheet, GivenATallDomainThenTheHeightDecidesItsSize) {
 }
 
 TEST(Diameters, GivenPngThenEachDotHasItsOwn) {
-    const Image image(on_a_sheet({{0.5, 0.5}, {1.5, 0.5}}, Format::png, {0.1, 0.3}));
+    const Image image(on_a_sheet({{0.5, 0.5}, {1.5, 0.5}}, Medium::png, {0.1, 0.3}));
     EXPECT_EQ(image.grey(300 + 18, 400), 0);
     EXPECT_EQ(image.grey(300 + 22, 400), 255);
     EXPECT_EQ(image.grey(700 + 58, 400), 0);
@@ -233,21 +235,21 @@ TEST(Diameters, GivenSvgThenDotsOfASizeAreOnePathUnlessTheirOrderIsKept) {
     drawing::Style style;
     style.sheet = drawing::Sheet{20, 10};
     style.diameters = diameters;
-    const std::string sizes = drawing::draw({points, 2, 1}, Format::svg, style);
+    const std::string sizes = drawing::draw({points, 2, 1}, Medium::svg, style);
     EXPECT_TRUE(contains(sizes,
                          "<path stroke-width=\"1\" d=\"M10.0000 10.0000h0\nM0.0000 0.0000h0\n"
                          "\"/>\n<path stroke-width=\"2\" d=\"M0.0000 10.0000h0\n"
                          "M20.0000 10.0000h0\n\"/>"))
         << sizes;
     style.keeps_order = true;
-    const std::string ordered = drawing::draw({points, 2, 1}, Format::svg, style);
+    const std::string ordered = drawing::draw({points, 2, 1}, Medium::svg, style);
     EXPECT_EQ(occurrences(ordered, "<path"), 4U);
     EXPECT_LT(ordered.find("M0.0000 10.0000"), ordered.find("M10.0000 10.0000"));
     EXPECT_LT(ordered.find("M10.0000 10.0000"), ordered.find("M20.0000 10.0000"));
     EXPECT_LT(ordered.find("M20.0000 10.0000"), ordered.find("M0.0000 0.0000"));
 }
 
-class Picture : public testing::TestWithParam<Format> {};
+class Picture : public testing::TestWithParam<Medium> {};
 
 TEST_P(Picture, WhenDrawnTwiceThenTheBytesAreEqual) {
     const std::vector<Point> points = spread_points(5000);
@@ -263,10 +265,10 @@ TEST_P(Picture, WhenThereIsNoPointThenItIsNotThePictureOfOne) {
     EXPECT_NE(picture({}, GetParam()), picture({{0.5, 0.5}}, GetParam()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, Picture, testing::Values(Format::svg, Format::pdf, Format::png),
-                         [](const testing::TestParamInfo<Format>& format) {
-                             return format.param == Format::svg   ? "Svg"
-                                    : format.param == Format::pdf ? "Pdf"
+INSTANTIATE_TEST_SUITE_P(Formats, Picture, testing::Values(Medium::svg, Medium::pdf, Medium::png),
+                         [](const testing::TestParamInfo<Medium>& medium) {
+                             return medium.param == Medium::svg   ? "Svg"
+                                    : medium.param == Medium::pdf ? "Pdf"
                                                                   : "Png";
                          });
 

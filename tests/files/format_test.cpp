@@ -11,24 +11,23 @@ namespace lacuna::files {
 namespace {
 
 TEST(Format, GivenAKnownExtensionThenItsFormatIsFound) {
-    const std::vector<std::pair<std::string, Format>> expected = {
-        {"a.txt", Format::txt}, {"a.csv", Format::csv},   {"a.npy", Format::npy},
-        {"a.ply", Format::ply}, {"a.json", Format::json}, {"a.svg", Format::svg},
-        {"a.pdf", Format::pdf}, {"a.png", Format::png}};
-    for (const auto& [path, format] : expected) EXPECT_EQ(format_of(path), format) << path;
+    const std::vector<std::pair<std::string, std::string>> expected = {
+        {"a.txt", "txt"},   {"a.csv", "csv"}, {"a.npy", "npy"}, {"a.ply", "ply"},
+        {"a.json", "json"}, {"a.svg", "svg"}, {"a.pdf", "pdf"}, {"a.png", "png"}};
+    for (const auto& [path, name] : expected) EXPECT_EQ(format_of(path).name(), name) << path;
 }
 
 TEST(Format, GivenCapitalsThenTheExtensionIsTheSame) {
-    EXPECT_EQ(format_of("POINTS.NPY"), Format::npy);
-    EXPECT_EQ(format_of("points.JsOn"), Format::json);
+    EXPECT_EQ(format_of("POINTS.NPY").name(), "npy");
+    EXPECT_EQ(format_of("points.JsOn").name(), "json");
 }
 
 TEST(Format, GivenSeveralDotsThenTheLastOneCounts) {
-    EXPECT_EQ(format_of("a.txt/b.svg.csv"), Format::csv);
+    EXPECT_EQ(format_of("a.txt/b.svg.csv").name(), "csv");
 }
 
 TEST(Format, GivenStandardOutputThenTheFormatIsTxt) {
-    EXPECT_EQ(format_of("-"), Format::txt);
+    EXPECT_EQ(format_of("-").name(), "txt");
 }
 
 TEST(Format, GivenAnUnknownExtensionOrNoneThenTheErrorNamesThePathAndTheKnownOnes) {

@@ -11,8 +11,13 @@
 
 namespace lacuna::files {
 
-inline constexpr Format kReadable[] = {Format::txt, Format::csv, Format::npy, Format::ply,
-                                       Format::json};
+// The formats that are both written and read.
+inline std::vector<Format> readable() {
+    std::vector<Format> both;
+    for (const Format& format : formats())
+        if (format.encode != nullptr && format.decode != nullptr) both.push_back(format);
+    return both;
+}
 
 inline std::string npy(int major, const std::string& header, const std::string& data) {
     std::string bytes = "\x93NUMPY";

@@ -70,7 +70,7 @@ TEST_F(ReadSets, OfThisProgramsFormatsAreWhatWasWritten) {
 }
 
 TEST_F(ReadSets, OfAJsonFileComeWithItsDomainAndRadius) {
-    const auto file = read("a.json", encode({kThree, 2.5, 1, 0.125}, Format::json));
+    const auto file = read("a.json", encode({kThree, 2.5, 1, 0.125}, format_of("a.json")));
     EXPECT_EQ(file.width, 2.5);
     EXPECT_EQ(file.height, 1);
     EXPECT_EQ(file.radius, 0.125);

@@ -1,4 +1,4 @@
-// Points of NumPy's format .npy.
+// The format .npy of NumPy: N x 2 numbers.
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -7,8 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "files/little_endian.h"
 #include "files/npy.h"
-#include "files/read_points_formats.h"
+#include "files/parse.h"
+#include "files/point_files.h"
+#include "files/read_sets.h"
 
 namespace lacuna::files {
 namespace {
@@ -35,14 +38,42 @@ std::vector<Point> load_points(std::string_view data, const NpyHeader& header,
     return points;
 }
 
+// NumPy's .npy format, version 1.0: magic, version, length of the header, header, data.
+std::string npy_header(std::size_t count) {
+    constexpr std::size_t kAlignment = 64;  // of the data, so that a reader may map the file
+    constexpr std::size_t kBeforeText = 10;
+    std::string text =
+        fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, 2), }}", count);
+    const std::size_t unpadded = kBeforeText + text.size() + 1;
+    text.append((kAlignment - unpadded % kAlignment) % kAlignment, ' ');
+    text.push_back('\n');
+
+    std::string header = "\x93NUMPY";
+    header.push_back('\x01');
+    header.push_back('\x00');
+    header.push_back(static_cast<char>(text.size() & 0xffU));
+    header.push_back(static_cast<char>(text.size() >> 8U));
+    return header + text;
+}
+
 }  // namespace
 
-std::vector<Point> decode_npy(std::string_view bytes, const std::string& name) {
+std::string encode_npy(const PointSet& set) {
+    std::string bytes = npy_header(set.points.size());
+    bytes.reserve(bytes.size() + set.points.size() * 2 * sizeof(double));
+    for (const Point& point : set.points) {
+        append_little_endian(bytes, point.x);
+        append_little_endian(bytes, point.y);
+    }
+    return bytes;
+}
+
+SetsOfFile decode_npy(std::string_view bytes, const std::string& name) {
     const NpyHeader header = take_npy_header(bytes, name);
     if (header.shape.size() != 2 || header.shape[1] != 2)
         refuse(name, fmt::format("an array of shape {}: must be N x 2", shape_text(header.shape)));
-    if (header.descr == "<f8") return load_points<double>(bytes, header, name);
-    if (header.descr == "<f4") return load_points<float>(bytes, header, name);
+    if (header.descr == "<f8") return one_set(load_points<double>(bytes, header, name));
+    if (header.descr == "<f4") return one_set(load_points<float>(bytes, header, name));
     refuse(name, fmt::format("numbers of type {}: must be '<f8' or '<f4', little-endian floats",
                              excerpt(header.descr)));
 }

@@ -1,8 +1,12 @@
-// JSON point sets, read as a stream: a tree of millions of values would take gigabytes.
+// The format .json, written and read as a stream: a tree of millions of values would take
+// gigabytes.
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -10,7 +14,10 @@
 #include <utility>
 #include <vector>
 
-#include "files/read_points_formats.h"
+#include "files/parse.h"
+#include "files/point_files.h"
+#include "files/read_sets.h"
+#include "files/text_lines.h"
 
 namespace lacuna::files {
 namespace {
@@ -151,21 +158,47 @@ private:
     bool has_points_ = false;
 };
 
-}  // namespace
-
-std::vector<Point> decode_json(std::string_view bytes, const std::string& name) {
-    PointsHandler handler(name);
-    Json::sax_parse(bytes, &handler);
-    return handler.take_points();
+// The shortest digits that give back `value`, with ".0" after whole numbers: readers which tell 1
+// from 1.0 then see a float, and -0.0 keeps its sign.
+void append_json_number(std::string& bytes, double value) {
+    const std::size_t begin = bytes.size();
+    fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{}"), value);
+    if (bytes.find_first_of(".e", begin) == std::string::npos) bytes += ".0";
 }
 
-SetsOfFile decode_json_with_header(std::string_view bytes, const std::string& name) {
+}  // namespace
+
+std::string encode_json(const PointSet& set) {
+    std::string bytes = with_room_for("{\"width\":", set.points.size());
+    append_json_number(bytes, set.width);
+    bytes += ",\"height\":";
+    append_json_number(bytes, set.height);
+    bytes += ",\"radius\":";
+    append_json_number(bytes, set.radius);
+    bytes += fmt::format(",\"count\":{},\"points\":[", set.points.size());
+    const char* separator = "\n[";
+    for (const Point& point : set.points) {
+        bytes += separator;
+        append_json_number(bytes, point.x);
+        bytes += ',';
+        append_json_number(bytes, point.y);
+        bytes += ']';
+        separator = ",\n[";
+    }
+    return bytes + "]}\n";
+}
+
+SetsOfFile decode_json(std::string_view bytes, const std::string& name) {
     PointsHandler handler(name);
     Json::sax_parse(bytes, &handler);
+    SetsOfFile file = one_set(handler.take_points());
     const auto [width, height, radius] = handler.header();
     if (width.has_value() != height.has_value())
         refuse(name, R"("width" and "height" must be there both or neither)");
-    return {{handler.take_points()}, width, height, radius};
+    file.width = width;
+    file.height = height;
+    file.radius = radius;
+    return file;
 }
 
 }  // namespace lacuna::files

@@ -1,16 +1,24 @@
-// PLY: a header that lists elements and their properties, then the elements, as text or binary.
+// The format .ply: a header that lists elements and their properties, then the elements, as text or
+// binary.
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "files/read_points_formats.h"
+#include "files/parse.h"
+#include "files/point_files.h"
+#include "files/read_sets.h"
+#include "files/text_lines.h"
 
 namespace lacuna::files {
 namespace {
@@ -251,7 +259,23 @@ void skip(Rest& rest, const Element& element, bool is_binary) {
 
 }  // namespace
 
-std::vector<Point> decode_ply(std::string_view bytes, const std::string& name) {
+std::string encode_ply(const PointSet& set) {
+    std::string bytes = with_room_for(fmt::format("ply\n"
+                                                  "format ascii 1.0\n"
+                                                  "element vertex {}\n"
+                                                  "property double x\n"
+                                                  "property double y\n"
+                                                  "property double z\n"
+                                                  "end_header\n",
+                                                  set.points.size()),
+                                      set.points.size());
+    for (const Point& point : set.points)
+        fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{:.17g} {:.17g} 0\n"), point.x,
+                       point.y);
+    return bytes;
+}
+
+SetsOfFile decode_ply(std::string_view bytes, const std::string& name) {
     Rest rest{bytes, 0, name};
     const Header header = read_header(rest);
     for (const Element& element : header.elements) {
@@ -268,7 +292,7 @@ std::vector<Point> decode_ply(std::string_view bytes, const std::string& name) {
             points.push_back({values[axes.x], values[axes.y]});
             check_finite(points.back(), points.size() - 1, name);
         }
-        return points;
+        return one_set(std::move(points));
     }
     refuse(name, "there is no element vertex");
 }

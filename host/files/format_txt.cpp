@@ -1,0 +1,94 @@
+// The format .txt: `x y` a line, 17 significant digits. Read are also PSA's files, whose first line
+// is the count.
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "files/parse.h"
+#include "files/point_files.h"
+#include "files/read_sets.h"
+#include "files/text_lines.h"
+
+namespace lacuna::files {
+namespace {
+
+// One whole number alone.
+std::optional<std::uint64_t> count_of(std::string_view line) {
+    skip_blanks(line);
+    std::uint64_t count = 0;
+    if (take_number(line, count) != std::errc{}) return std::nullopt;
+    skip_blanks(line);
+    return line.empty() ? std::optional(count) : std::nullopt;
+}
+
+bool is_bare_separator(std::string_view line) {
+    skip_blanks(line);
+    if (!line.starts_with('#')) return false;
+    line.remove_prefix(1);
+    skip_blanks(line);
+    return line.empty();
+}
+
+// Finds what could be the end of a set in a file that can hold but one.
+class Separator {
+public:
+    void see(std::string_view line, std::size_t number, bool has_points) {
+        if (has_points && at_ == 0 && is_bare_separator(line)) at_ = number;
+    }
+    void refuse_before_point(const std::string& name) const {
+        if (at_ != 0)
+            refuse(fmt::format("{}:{}", name, at_),
+                   "a line of # alone ends a set in a .dat file and is skipped in a .txt: name the "
+                   "file .dat if several sets are in it, else take the line out");
+    }
+
+private:
+    std::size_t at_ = 0;  // the first such line
+};
+
+}  // namespace
+
+std::string encode_txt(const PointSet& set) {
+    std::string bytes = with_room_for("", set.points.size());
+    for (const Point& point : set.points)
+        fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{:.17g} {:.17g}\n"), point.x,
+                       point.y);
+    return bytes;
+}
+
+SetsOfFile decode_txt(std::string_view bytes, const std::string& name) {
+    bytes = without_byte_order_mark(bytes);
+    std::vector<Point> points;
+    std::optional<std::uint64_t> count;
+    Separator separator;
+    bool is_first = true;
+    for (std::size_t number = 1; !bytes.empty(); ++number) {
+        const std::string_view line = take_line(bytes);
+        separator.see(line, number, !points.empty());
+        if (is_skipped(line)) continue;
+        if (std::exchange(is_first, false)) {
+            count = count_of(line);
+            if (count) continue;
+        }
+        Point point{};
+        if (!read_line(line, Between::blanks, point))
+            refuse_line(name, number, line, Between::blanks);
+        separator.refuse_before_point(name);
+        points.push_back(point);
+    }
+    if (count && *count != points.size())
+        refuse(name, fmt::format("{} point{}: the first line says {}", points.size(),
+                                 points.size() == 1 ? "" : "s", *count));
+    return one_set(std::move(points));
+}
+
+}  // namespace lacuna::files

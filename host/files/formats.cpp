@@ -1,0 +1,110 @@
+// The table of formats, and finding one in it.
+#include "files/formats.h"
+
+#include <lacuna/lacuna.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "drawing/picture.h"
+#include "files/parse.h"
+#include "files/point_files.h"
+#include "files/read_points.h"
+
+namespace lacuna::files {
+
+// Each format's own file, format_txt.cpp and so on, has these.
+std::string encode_txt(const PointSet& set);
+std::string encode_csv(const PointSet& set);
+std::string encode_npy(const PointSet& set);
+std::string encode_ply(const PointSet& set);
+std::string encode_json(const PointSet& set);
+SetsOfFile decode_txt(std::string_view bytes, const std::string& name);
+SetsOfFile decode_csv(std::string_view bytes, const std::string& name);
+SetsOfFile decode_npy(std::string_view bytes, const std::string& name);
+SetsOfFile decode_ply(std::string_view bytes, const std::string& name);
+SetsOfFile decode_json(std::string_view bytes, const std::string& name);
+SetsOfFile decode_dat(std::string_view bytes, const std::string& name);
+SetsOfFile decode_rps(std::string_view bytes, const std::string& name);
+
+namespace {
+
+template <drawing::Medium kMedium>
+std::string draw(const PointSet& set) {
+    return drawing::draw(set, kMedium);
+}
+
+using drawing::Medium;
+
+constexpr std::array<Format, 10> kFormats{{
+    {".txt", encode_txt, decode_txt},
+    {".csv", encode_csv, decode_csv},
+    {".npy", encode_npy, decode_npy},
+    {".ply", encode_ply, decode_ply},
+    {".json", encode_json, decode_json},
+    {".dat", nullptr, decode_dat},
+    {".rps", nullptr, decode_rps},
+    {".svg", draw<Medium::svg>, nullptr, Medium::svg},
+    {".pdf", draw<Medium::pdf>, nullptr, Medium::pdf},
+    {".png", draw<Medium::png>, nullptr, Medium::png},
+}};
+
+std::string in_lower_case(std::string_view text) {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(), lower_case);
+    return result;
+}
+
+}  // namespace
+
+char lower_case(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+std::span<const Format> formats() {
+    return kFormats;
+}
+
+const Format* find_format(std::string_view name) {
+    const std::string wanted = in_lower_case(name);
+    const auto* const found =
+        std::find_if(kFormats.begin(), kFormats.end(),
+                     [&](const Format& format) { return format.name() == wanted; });
+    return found == kFormats.end() ? nullptr : found;
+}
+
+const Format* find_format_of(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    return extension.empty() ? nullptr : find_format(extension.substr(1));
+}
+
+const Format& format_of(const std::string& path) {
+    const Format* const format = path == "-" ? find_format("txt") : find_format_of(path);
+    if (format == nullptr || format->encode == nullptr)
+        throw BadRequest("output", path, "the extension must be one of " + written_extensions());
+    return *format;
+}
+
+std::string extensions(const std::function<bool(const Format&)>& is_wanted) {
+    std::string list;
+    for (const Format& format : kFormats)
+        if (is_wanted(format)) list.append(list.empty() ? "" : " ").append(format.extension);
+    return list;
+}
+
+std::string written_extensions() {
+    return extensions([](const Format& format) { return format.encode != nullptr; });
+}
+
+std::string read_extensions() {
+    return extensions([](const Format& format) { return format.decode != nullptr; });
+}
+
+std::string picture_extensions() {
+    return extensions([](const Format& format) { return format.medium.has_value(); });
+}
+
+}  // namespace lacuna::files
