@@ -1,34 +1,35 @@
-// The free spans of every line: f_{Y|X} of the paper's section 4.1, the bottom of its figure 1.
+// What the loop of reference.cpp asks of a mode: where samples may still be placed, and what one
+// takes from that. A file each: lines.cpp, exact.cpp, cells.cpp.
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <memory>
+#include <span>
 
-#include "backends/backend.h"
 #include "plan/plan.h"
+#include "rounds/round_policy.h"
 
 namespace lacuna::reference {
 
 class FreeSpace {
 public:
-    explicit FreeSpace(const Plan& plan);
+    virtual ~FreeSpace() = default;
 
-    // Total length of the line's free spans.
-    std::uint32_t free_length(std::uint32_t line) const { return free_lengths_[line]; }
-    // The rank-th free y of the line, counting from below. rank < free_length(line).
-    std::uint32_t y_at_rank(std::uint32_t line, std::uint32_t rank) const;
-    bool is_free(std::uint32_t line, std::uint32_t y) const;
-    // Takes the sample's disk out of every line that crosses it.
-    void subtract_disk(Sample sample);
+    // Of the places that draws fall on: lines or boxes, all of one width.
+    virtual std::span<const std::uint32_t> free_lengths() const = 0;
+    virtual std::uint32_t place_width() const = 0;
+    // The rank-th free y of the place, counted from below, at this offset from its low x.
+    virtual Sample at(std::uint32_t place, std::uint32_t rank, std::uint32_t offset) const = 0;
 
-    const std::vector<Span>& spans(std::uint32_t line) const { return spans_[line]; }
-
-private:
-    void subtract_chord(std::uint32_t line, std::int64_t begin, std::int64_t end);
-
-    const Plan& plan_;
-    std::vector<std::vector<Span>> spans_;  // of each line: sorted, disjoint, none empty
-    std::vector<std::uint32_t> free_lengths_;
+    // Whether no sample so far covers the candidate.
+    virtual bool is_free(Sample candidate) const = 0;
+    virtual void add(Sample sample) = 0;
+    // Where add() leaves the places as they are: cuts or refines them once the round is over.
+    virtual void end_round(std::span<const Sample> samples, const RoundPolicy& policy);
 };
+
+std::unique_ptr<FreeSpace> make_lines(const Plan& plan);
+std::unique_ptr<FreeSpace> make_exact(const Plan& plan);
+std::unique_ptr<FreeSpace> make_cells(const Plan& plan);
 
 }  // namespace lacuna::reference

@@ -1,0 +1,53 @@
+// The free spans of every line: f_{Y|X} of the paper's section 4.1, the bottom of its figure 1.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "plan/plan.h"
+#include "portable/chord.h"
+#include "portable/distance.h"
+
+namespace lacuna::reference {
+
+class FreeSpans {
+public:
+    explicit FreeSpans(const Plan& plan);
+
+    const std::vector<Span>& of_line(std::uint32_t line) const { return spans_[line]; }
+    // The total length of every line's.
+    std::span<const std::uint32_t> lengths() const { return lengths_; }
+    // The rank-th free y of the line, counted from below. rank < lengths()[line].
+    std::uint32_t y_at_rank(std::uint32_t line, std::uint32_t rank) const;
+    bool is_free(std::uint32_t line, std::uint32_t y) const;
+    // Takes the sample's disk out of every line that crosses it.
+    void subtract_disk(Sample sample);
+
+private:
+    void subtract(std::uint32_t line, Span chord);
+
+    const Plan& plan_;
+    std::vector<std::vector<Span>> spans_;  // of each line: sorted, disjoint, none empty
+    std::vector<std::uint32_t> lengths_;
+};
+
+// Visits what the sample's disk covers of a line at x or, with a margin, of the strip that reaches
+// as far to both sides of x: nothing, a chord, or a chord and what of it wraps around a torus.
+template <typename Visit>
+void for_each_chord(const Plan& plan, Sample sample, std::uint32_t x, std::uint32_t margin,
+                    Visit visit) {
+    const std::uint32_t dx = portable::axis_distance(sample.x, x, plan.period_x) + margin;
+    const std::uint32_t reach = portable::chord_reach(dx, plan.radius_squared);
+    if (reach == 0) return;
+    const std::uint32_t height = plan.height;
+    visit(
+        Span{portable::chord_begin(sample.y, reach), portable::chord_end(sample.y, reach, height)});
+    if (plan.period_y == 0) return;
+    const Span bottom = {0, portable::chord_wrapped_end(sample.y, reach, height)};
+    const Span top = {portable::chord_wrapped_begin(sample.y, reach, height), height};
+    if (bottom.begin < bottom.end) visit(bottom);
+    if (top.begin < top.end) visit(top);
+}
+
+}  // namespace lacuna::reference
