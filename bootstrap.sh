@@ -9,11 +9,11 @@ packages=(
     g++ cmake ninja-build pkg-config
     librandom123-dev libcli11-dev libfmt-dev libtbb-dev libcairo2-dev nlohmann-json3-dev libssl-dev
     libeigen3-dev libnanoflann-dev
-    libpng-dev libjpeg-dev
+    libpng-dev libjpeg-dev zlib1g-dev
     libgtest-dev libbenchmark-dev librapidcheck-dev
     pocl-opencl-icd opencl-headers opencl-clhpp-headers ocl-icd-opencl-dev clinfo
     mesa-vulkan-drivers libvulkan-dev vulkan-validationlayers glslang-tools spirv-tools oclgrind
-    clang-format clang-tidy valgrind help2man
+    clang-format clang-tidy valgrind help2man python3-venv
 )
 
 usage() {
@@ -105,8 +105,24 @@ run() {
     echo "$picture"
 }
 
+# Programs that show what others see in our pictures, in a Python of their own: tests that want them
+# are skipped where they cannot be installed.
+install_viewers() {
+    local viewers=$build/viewers
+    [[ -f $viewers/complete ]] && return 0
+    if python3 -m venv "$viewers" &&
+        "$viewers/bin/pip" install -q vpype==1.15.0 pypdfium2==5.15.2 numpy </dev/null; then
+        touch "$viewers/complete"
+    else
+        rm -rf "$viewers"
+        [[ -z ${CI:-} ]] || die "vpype and pypdfium2 could not be installed from PyPI"
+        echo "bootstrap: vpype and pypdfium2 could not be installed from PyPI: their tests are skipped"
+    fi
+}
+
 run_tests() {
     build
+    install_viewers
     # PoCL lists no device, and says nothing, when it cannot write its cache.
     export POCL_CACHE_DIR=$build/pocl-cache
     mkdir -p "$POCL_CACHE_DIR"

@@ -158,7 +158,7 @@ void run(const Options& options) {
     const Field field = read_field(options.picture, request);
     request.field = &field;
     drawing::Style style = style_of(options.drawing, request.width, request.height);
-    style.keeps_order = options.pen_path;
+    style.for_a_pen = options.pen_path;
     work.read_seconds = stopwatch.seconds_so_far();
 
     Interruption interruption;

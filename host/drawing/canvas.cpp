@@ -8,11 +8,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <numbers>
 #include <string>
 #include <utility>
 
 #include "drawing/cairo_surface.h"
 #include "drawing/canvas_svg.h"
+#include "drawing/picture.h"
+#include "drawing/png.h"
 
 namespace lacuna::drawing {
 namespace {
@@ -89,11 +92,10 @@ public:
         cairo_set_line_cap(context_.get(), CAIRO_LINE_CAP_ROUND);
         cairo_set_line_width(context_.get(), 2 * radius);
         for (std::size_t i = 0; i < centres.size(); ++i) {
-            cairo_move_to(context_.get(), centres[i].x, centres[i].y);
-            cairo_line_to(context_.get(), centres[i].x, centres[i].y);
-            if (i % kDotsPerStroke == kDotsPerStroke - 1) cairo_stroke(context_.get());
+            add_dot(centres[i], radius);
+            if (i % kDotsPerStroke == kDotsPerStroke - 1) draw_dots();
         }
-        cairo_stroke(context_.get());
+        draw_dots();
         check(cairo_status(context_.get()));
     }
 
@@ -141,8 +143,7 @@ public:
             cairo_surface_finish(surface_.get());
             check(cairo_surface_status(surface_.get()));
         } else {
-            check(cairo_surface_write_to_png_stream(surface_.get(), drawing::append_to_string,
-                                                    &bytes_));
+            bytes_ = drawing::png_of(surface_.get(), kPixelsPerPoint * kPointsPerInch);
         }
         return std::move(bytes_);
     }
@@ -159,6 +160,25 @@ private:
         cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
                                        "2000-01-01T00:00:00Z");
         return surface;
+    }
+
+    // A circle in pdf, as some viewers draw lines of no length as ovals; such a line in png.
+    void add_dot(Position centre, double radius) {
+        if (is_pdf_) {
+            cairo_new_sub_path(context_.get());
+            cairo_arc(context_.get(), centre.x, centre.y, radius, 0, 2 * std::numbers::pi);
+        } else {
+            cairo_move_to(context_.get(), centre.x, centre.y);
+            cairo_line_to(context_.get(), centre.x, centre.y);
+        }
+    }
+
+    void draw_dots() {
+        if (is_pdf_) {
+            cairo_fill(context_.get());
+        } else {
+            cairo_stroke(context_.get());
+        }
     }
 
     void use(const Pen& pen) {

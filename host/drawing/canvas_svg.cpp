@@ -75,7 +75,7 @@ public:
         add("<path clip-path=\"url(#{})\" fill=\"none\" stroke=\"black\" stroke-linecap=\"round\" "
             "stroke-width=\"{:.4g}\" d=\"",
             clip_for(clip), 2 * radius);
-        for (const Position& centre : centres) add("M{:.3f} {:.3f}h0\n", centre.x, centre.y);
+        for (const Position& centre : centres) add("M{:.3f} {:.3f}h0.01\n", centre.x, centre.y);
         bytes_ += "\"/>\n";
     }
 

@@ -45,7 +45,7 @@ void for_each_stroke(const files::PointSet& set, const Style& style, const Strok
     if (style.diameters.empty()) return for_each_stroke(set.points, dot_diameter(set), stroke);
     std::vector<std::size_t> order(set.points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    if (!style.keeps_order)
+    if (!style.for_a_pen)
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
             return style.diameters[a] < style.diameters[b];
         });

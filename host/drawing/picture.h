@@ -26,15 +26,18 @@ struct Style {
     double pixels_per_inch = 144;  // of png
     std::span<const double> diameters{};  // of each dot, in the domain's units; empty: as
                                           // files::PointSet has it
-    bool keeps_order = false;             // dots are drawn in their order, not size by size
+    // For a plotter's pen: dots are drawn in their order, not size by size, and an svg has no
+    // background, which a plotter would take for a shape.
+    bool for_a_pen = false;
 };
 
 // How large a unit of the domain becomes.
 double millimetres_per_unit(const files::PointSet& set, const Style& style);
 
 // The bytes of an svg, pdf or png file: encode() for these three formats. With a sheet, an svg is
-// in mm and has no background that a plotter could take for a shape. The same set gives the same
-// bytes on every call. Throws files::FileError with cairo's reason.
+// in mm and has no background either. Dots are lines of at most 0.01 mm or pt with round caps in an
+// svg and filled circles in a pdf; a png tells its resolution. The same set gives the same bytes on
+// every call. Throws files::FileError with cairo's reason.
 std::string draw(const files::PointSet& set, Medium medium, const Style& style = {});
 
 }  // namespace lacuna::drawing

@@ -142,8 +142,8 @@ TEST(Svg, GivenPointsThenEachIsADotWithYUpwards) {
     const std::string svg = picture({{0.25, 0.125}, {0.5, 0.5}}, Medium::svg, 0.3);
     EXPECT_TRUE(svg.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg "));
     EXPECT_TRUE(svg.ends_with("</svg>\n"));
-    EXPECT_TRUE(contains(svg, "M128.0000 448.0000h0")) << svg;
-    EXPECT_TRUE(contains(svg, "M256.0000 256.0000h0")) << svg;
+    EXPECT_TRUE(contains(svg, "M128.0000 448.0000h0.01\n")) << svg;
+    EXPECT_TRUE(contains(svg, "M256.0000 256.0000h0.01\n")) << svg;
     EXPECT_TRUE(contains(svg, "stroke-width=\"102.4\"")) << svg;
 }
 
@@ -154,8 +154,38 @@ TEST(Svg, GivenADomainOf3By1ThenThePictureIsThreeTimesAsWideAsHigh) {
 
 TEST(Svg, GivenManyPointsThenNoneIsLeftOutAndTheFileStaysSmall) {
     const std::string svg = picture(spread_points(10000), Medium::svg, 0.008);
-    EXPECT_EQ(occurrences(svg, "h0\n"), 10000U);
-    EXPECT_LT(svg.size(), 10000U * 24);
+    EXPECT_EQ(occurrences(svg, "h0.01\n"), 10000U);
+    EXPECT_LT(svg.size(), 10000U * 27);
+}
+
+TEST(Svg, GivenATinyDotThenItsLineIsShorterThanItIsWide) {
+    const std::string svg = picture({{0.5, 0.5}}, Medium::svg, 3.0 / 512 * 0.01);  // 0.02 pt wide
+    EXPECT_TRUE(contains(svg, "M256.0000 256.0000h0.002\n")) << svg;
+}
+
+TEST(Svg, GivenAPenThenThereIsNoBackgroundThatAPlotterWouldDraw) {
+    drawing::Style style;
+    EXPECT_TRUE(contains(drawing::draw({{}, 1, 1, 0.1}, Medium::svg, style), "<rect"));
+    style.for_a_pen = true;
+    EXPECT_FALSE(contains(drawing::draw({{}, 1, 1, 0.1}, Medium::svg, style), "<rect"));
+}
+
+// Of the chunk pHYs, which must stand before the first IDAT: pixels a metre, across and down, and
+// the unit.
+std::string resolution_of(const std::string& png) {
+    const std::size_t at = png.find("pHYs");
+    EXPECT_LT(at, png.find("IDAT"));
+    return png.substr(at + 4, 9);
+}
+
+TEST(Png, GivenItsResolutionThenTheFileTellsIt) {
+    using namespace std::string_literals;
+    // 144 and 300 pixels an inch are 5,669 and 11,811 a metre.
+    EXPECT_EQ(resolution_of(picture({}, Medium::png)), "\0\0\x16\x25\0\0\x16\x25\1"s);
+    drawing::Style style;
+    style.pixels_per_inch = 300;
+    EXPECT_EQ(resolution_of(drawing::draw({{}, 1, 1, 0.1}, Medium::png, style)),
+              "\0\0\x2e\x23\0\0\x2e\x23\1"s);
 }
 
 TEST(Pdf, GivenADomainOf3By1ThenThePageIsThreeTimesAsWideAsHigh) {
@@ -173,7 +203,7 @@ TEST(Pdf, GivenADateOfCreationThenItIsNotTheTimeOfDay) {
 
 TEST(Pdf, GivenManyPointsThenTheFileStaysSmall) {
     const std::string pdf = picture(spread_points(10000), Medium::pdf, 0.008);
-    EXPECT_LT(pdf.size(), 10000U * 16);
+    EXPECT_LT(pdf.size(), 10000U * 80);
 }
 
 // On a sheet of 100 mm x 80 mm with margins of 10 mm a domain of 2 x 1 is 80 mm x 40 mm large, and
@@ -190,9 +220,9 @@ std::string on_a_sheet(const std::vector<Point>& points, Medium medium,
 TEST(ASheet, GivenSvgThenLengthsAreMillimetresAndTheDomainIsInTheMiddle) {
     const std::string svg = on_a_sheet({{0, 0}, {2, 1}, {0.5, 0.25}}, Medium::svg);
     EXPECT_TRUE(contains(svg, "width=\"100mm\" height=\"80mm\" viewBox=\"0 0 100 80\"")) << svg;
-    EXPECT_TRUE(contains(svg, "M10.0000 60.0000h0")) << svg;
-    EXPECT_TRUE(contains(svg, "M90.0000 20.0000h0")) << svg;
-    EXPECT_TRUE(contains(svg, "M30.0000 50.0000h0")) << svg;
+    EXPECT_TRUE(contains(svg, "M10.0000 60.0000h0.01\n")) << svg;
+    EXPECT_TRUE(contains(svg, "M90.0000 20.0000h0.01\n")) << svg;
+    EXPECT_TRUE(contains(svg, "M30.0000 50.0000h0.01\n")) << svg;
     EXPECT_TRUE(contains(svg, "stroke-width=\"8\"")) << svg;
     EXPECT_FALSE(contains(svg, "<rect")) << "a plotter would drawing::draw it";
 }
@@ -237,11 +267,11 @@ TEST(Diameters, GivenSvgThenDotsOfASizeAreOnePathUnlessTheirOrderIsKept) {
     style.diameters = diameters;
     const std::string sizes = drawing::draw({points, 2, 1}, Medium::svg, style);
     EXPECT_TRUE(contains(sizes,
-                         "<path stroke-width=\"1\" d=\"M10.0000 10.0000h0\nM0.0000 0.0000h0\n"
-                         "\"/>\n<path stroke-width=\"2\" d=\"M0.0000 10.0000h0\n"
-                         "M20.0000 10.0000h0\n\"/>"))
+                         "<path stroke-width=\"1\" d=\"M10.0000 10.0000h0.01\nM0.0000 "
+                         "0.0000h0.01\n\"/>\n<path stroke-width=\"2\" d=\"M0.0000 "
+                         "10.0000h0.01\nM20.0000 10.0000h0.01\n\"/>"))
         << sizes;
-    style.keeps_order = true;
+    style.for_a_pen = true;
     const std::string ordered = drawing::draw({points, 2, 1}, Medium::svg, style);
     EXPECT_EQ(occurrences(ordered, "<path"), 4U);
     EXPECT_LT(ordered.find("M0.0000 10.0000"), ordered.find("M10.0000 10.0000"));
