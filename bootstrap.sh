@@ -5,14 +5,19 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build=$root/build
 
+# What the command is made of, with every backend.
 packages=(
     g++ cmake ninja-build pkg-config
     librandom123-dev libcli11-dev libfmt-dev libtbb-dev libcairo2-dev nlohmann-json3-dev libssl-dev
     libeigen3-dev libnanoflann-dev
     libpng-dev libjpeg-dev zlib1g-dev
+    opencl-headers opencl-clhpp-headers ocl-icd-opencl-dev
+    libvulkan-dev glslang-tools spirv-tools
+)
+# What tests, benchmarks, checks and man pages need besides, with drivers that need no graphics card.
+more_packages=(
     libgtest-dev libbenchmark-dev librapidcheck-dev
-    pocl-opencl-icd opencl-headers opencl-clhpp-headers ocl-icd-opencl-dev clinfo
-    mesa-vulkan-drivers libvulkan-dev vulkan-validationlayers glslang-tools spirv-tools oclgrind
+    pocl-opencl-icd clinfo oclgrind mesa-vulkan-drivers vulkan-validationlayers
     clang-format clang-tidy valgrind help2man python3-venv
 )
 
@@ -20,9 +25,9 @@ usage() {
     cat <<'END'
 usage: ./bootstrap.sh COMMAND
 
-  run           build, then make a first maximal set and a picture of it
+  run           build the command alone, then make a first maximal set and a picture of it
   test [ARG...] build, then run the tests; arguments go to ctest, for example -R NAME
-  build         install what is missing, configure and build into build/
+  build         install what is missing, configure and build everything into build/
   clean         remove build/
   help          print this
 
@@ -75,29 +80,42 @@ cached() {
     sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt" 2>/dev/null || true
 }
 
+# configure TESTS: makes build/ ready, with the tests and benchmarks where TESTS is ON. A build/ that
+# has them keeps them; one without them gets them, and nothing that is built is built again.
 configure() {
-    local options=() source
+    local options=("-DLACUNA_TESTS=$1" "-DLACUNA_BENCHMARKS=$1") source tests
     source=$(cached CMAKE_HOME_DIRECTORY)
     [[ -z $source || $source == "$root" ]] ||
         die "build/ was configured for $source, not for $root: run './bootstrap.sh clean' first"
-    [[ -z ${CI:-} ]] || options=(-DLACUNA_WERROR=ON)
+    tests=$(cached LACUNA_TESTS)
     # build.ninja is written last, so it stands for a configuration that succeeded.
-    if [[ -f $build/build.ninja && (-z ${CI:-} || $(cached LACUNA_WERROR) == ON) ]]; then
+    if [[ -f $build/build.ninja && (-z ${CI:-} || $(cached LACUNA_WERROR) == ON) &&
+        ($1 == OFF || $tests == ON) ]]; then
         return 0
     fi
+    [[ $1 == ON || $tests != ON ]] || options=()
+    [[ -z ${CI:-} ]] || options+=(-DLACUNA_WERROR=ON)
     (cd "$root" && cmake --preset release "${options[@]}") ||
         die "configuring failed: the first 'CMake Error' above says why"
 }
 
+# build_targets [OPTION...]: with cmake's own options, all targets where there are none.
+build_targets() {
+    cmake --build "$build" "$@" || die "building failed: the first 'error:' above says why"
+}
+
 build() {
+    packages+=("${more_packages[@]}")
     install_packages
-    configure
-    cmake --build "$build" || die "building failed: the first 'error:' above says why"
+    configure ON
+    build_targets
 }
 
 run() {
     local picture
-    build
+    install_packages
+    configure OFF
+    build_targets --target lacuna_command
     for picture in "$build/first.png" "$build/first.svg"; do
         "$build/lacuna" sample --radius 0.02 --torus -o "$picture" </dev/null ||
             die "the program could not make $picture: its message stands above"

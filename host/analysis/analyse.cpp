@@ -1,7 +1,7 @@
 // Set by set, then the means.
 #include "analysis/analyse.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

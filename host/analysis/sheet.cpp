@@ -1,7 +1,7 @@
 // Lays the four panels out.
 #include "analysis/sheet.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Writes the numbers of an analysis.
 #include "cli/analysis_report.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cstddef>

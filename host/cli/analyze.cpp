@@ -1,9 +1,10 @@
 // The options of `lacuna analyze`, and its run.
 #include "cli/analyze.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <lacuna/lacuna.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <iterator>
 #include <memory>

@@ -1,7 +1,7 @@
 // `lacuna analyze`: spectrum and statistics of point sets, as numbers and as a plot sheet.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/app_fwd.h"
 
 namespace lacuna::cli {
 

@@ -1,7 +1,7 @@
 // Runs a command line.
 #include "cli/commands.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <signal.h>
 
 #include <lacuna/lacuna.h>

@@ -1,8 +1,9 @@
 // Options that both makers of point sets have.
 #include "cli/common_options.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include <CLI/App.hpp>
 #include <cstdio>
 
 #include "cli/observers.h"

@@ -3,9 +3,9 @@
 
 #include <lacuna/lacuna.h>
 
-#include <CLI/CLI.hpp>
 #include <string>
 
+#include "cli/app_fwd.h"
 #include "cli/interruption.h"
 #include "cli/stopwatch.h"
 

@@ -1,9 +1,10 @@
 // The options of `lacuna compare`, and its run.
 #include "cli/compare.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <lacuna/lacuna.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <memory>

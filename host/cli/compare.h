@@ -1,8 +1,7 @@
 // `lacuna compare`: one request on every backend and device: the same bytes, and at what cost?
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "cli/app_fwd.h"
 #include "cli/comparison.h"
 
 namespace lacuna::cli {

@@ -1,5 +1,5 @@
 // Draws a comparison: a bar for each entry, parted by verbs.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Writes a comparison as text and as JSON.
 #include "cli/comparison_report.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

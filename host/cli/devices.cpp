@@ -1,9 +1,10 @@
 // `lacuna devices`: every backend's devices, and why one cannot be used.
 #include "cli/devices.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <lacuna/lacuna.h>
 
+#include <CLI/App.hpp>
 #include <cstdio>
 #include <string>
 

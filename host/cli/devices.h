@@ -1,7 +1,7 @@
 // `lacuna devices`: every backend's devices, and why one cannot be used.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/app_fwd.h"
 
 namespace lacuna::cli {
 

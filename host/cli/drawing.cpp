@@ -1,8 +1,9 @@
 // How pictures are drawn: options, checks and sizes.
 #include "cli/drawing.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cmath>
 

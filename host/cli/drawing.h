@@ -3,11 +3,11 @@
 
 #include <lacuna/lacuna.h>
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/app_fwd.h"
 #include "cli/paper.h"
 #include "drawing/picture.h"
 #include "files/point_files.h"

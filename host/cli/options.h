@@ -1,10 +1,12 @@
 // Options whose values are read strictly: the whole text counts, and a bad one is a BadRequest.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+
+#include "cli/app_fwd.h"
 
 namespace lacuna::cli {
 
@@ -25,15 +27,17 @@ void read(const std::string& option, const std::string& text, std::optional<Valu
 // A domain as WIDTHxHEIGHT.
 void read_domain(const std::string& option, const std::string& text, double& width, double& height);
 
-// CLI11's own conversions let through octal, hexadecimal and blanks, so options come as text.
+// Adds an option whose text goes to `take`. CLI11's own conversions let through octal, hexadecimal
+// and blanks, so options come as text.
+void add_text(CLI::App& command, const std::string& option, const std::string& symbol,
+              std::function<void(const std::string&)> take, const std::string& help);
+
 template <class Value>
 void add_number(CLI::App& command, const std::string& option, const std::string& symbol,
                 Value& value, const std::string& help) {
-    command
-        .add_option_function<std::string>(
-            "--" + option, [option, &value](const std::string& text) { read(option, text, value); },
-            help)
-        ->type_name(symbol);
+    add_text(
+        command, option, symbol,
+        [option, &value](const std::string& text) { read(option, text, value); }, help);
 }
 
 }  // namespace lacuna::cli

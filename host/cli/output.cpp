@@ -1,7 +1,7 @@
 // Checks paths before the work starts.
 #include "cli/output.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Paper: units and names.
 #include "cli/paper.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <lacuna/lacuna.h>
 

@@ -1,8 +1,9 @@
 // Options of a picture, and its field.
 #include "cli/picture_field.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <utility>
 

@@ -3,9 +3,9 @@
 
 #include <lacuna/lacuna.h>
 
-#include <CLI/CLI.hpp>
 #include <string>
 
+#include "cli/app_fwd.h"
 #include "pictures/importance.h"
 
 namespace lacuna::cli {

@@ -53,6 +53,10 @@ std::int64_t peak_memory_bytes() {
 
 }  // namespace
 
+std::string report_of(const Request& request, const Made& made) {
+    return report_of(request, made, Json::object());
+}
+
 std::string report_of(const Request& request, const Made& made, const Json& more) {
     const Result& result = made.result;
     Json report{{"program", "lacuna"},

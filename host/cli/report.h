@@ -3,7 +3,7 @@
 
 #include <lacuna/lacuna.h>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "cli/common_options.h"
@@ -14,6 +14,7 @@ using Json = nlohmann::ordered_json;
 
 // Seconds are those of the sampling, without the writing of files. `more` is merged into what there
 // is to say of every set.
-std::string report_of(const Request& request, const Made& made, const Json& more = Json::object());
+std::string report_of(const Request& request, const Made& made);
+std::string report_of(const Request& request, const Made& made, const Json& more);
 
 }  // namespace lacuna::cli

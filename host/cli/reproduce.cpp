@@ -1,9 +1,10 @@
 // The options of `lacuna reproduce`, and its run.
 #include "cli/reproduce.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <lacuna/lacuna.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>

@@ -1,7 +1,7 @@
 // `lacuna reproduce`: the paper's tables and figures, made anew and held against it.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/app_fwd.h"
 
 namespace lacuna::cli {
 

@@ -3,6 +3,7 @@
 
 #include <lacuna/lacuna.h>
 
+#include <CLI/App.hpp>
 #include <memory>
 #include <string>
 

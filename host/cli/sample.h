@@ -3,7 +3,7 @@
 
 #include <lacuna/lacuna.h>
 
-#include <CLI/CLI.hpp>
+#include "cli/app_fwd.h"
 
 namespace lacuna::cli {
 

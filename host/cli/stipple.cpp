@@ -1,13 +1,15 @@
 // The options of `lacuna stipple`, and its run.
 #include "cli/stipple.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <lacuna/lacuna.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>

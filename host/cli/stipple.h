@@ -1,7 +1,7 @@
 // `lacuna stipple`: a picture in, as many dots as it is dark out.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/app_fwd.h"
 
 namespace lacuna::cli {
 

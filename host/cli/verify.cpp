@@ -1,9 +1,10 @@
 // The options of `lacuna verify`, and what it prints.
 #include "cli/verify.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <lacuna/lacuna.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <memory>
 #include <optional>

@@ -1,7 +1,7 @@
 // `lacuna verify`: proves or refutes that the points of a file are a maximal Poisson-disk set.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/app_fwd.h"
 
 namespace lacuna::cli {
 

@@ -1,7 +1,7 @@
 // SVG as text.
 #include "drawing/canvas_svg.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <openssl/evp.h>
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Draws axes and curves.
 #include "drawing/plot.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

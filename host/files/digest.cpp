@@ -1,11 +1,10 @@
 // The SHA-256 of a point set, which names its bytes whatever the format of the file.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <openssl/evp.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <memory>
 #include <span>
 #include <string>
@@ -50,7 +49,7 @@ std::string sha256_of(std::span<const Point> points) {
 
     std::string hex;
     for (const unsigned char byte : std::span(digest).first(length))
-        fmt::format_to(std::back_inserter(hex), "{:02x}", byte);
+        hex += fmt::format("{:02x}", byte);
     return hex;
 }
 

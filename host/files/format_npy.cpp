@@ -1,5 +1,5 @@
 // The format .npy of NumPy: N x 2 numbers.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstddef>
 #include <cstdint>

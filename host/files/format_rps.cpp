@@ -1,6 +1,6 @@
 // The format .rps of PSA, Schloemer & Deussen's point set analysis, which is only read: x y x y ...
 // as float32, little-endian.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstddef>
 #include <string>

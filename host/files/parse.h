@@ -1,7 +1,7 @@
 // What readers of files share: refusals, lines, words and numbers.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

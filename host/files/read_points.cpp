@@ -1,7 +1,7 @@
 // The one set of a file.
 #include "files/read_points.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string>
 #include <string_view>

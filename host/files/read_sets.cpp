@@ -1,7 +1,7 @@
 // Which reader a file of sets is for.
 #include "files/read_sets.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string>
 #include <string_view>

@@ -2,7 +2,7 @@
 // formats, and those of other programs that analyse point sets.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <lacuna/lacuna.h>
 
 #include <cmath>

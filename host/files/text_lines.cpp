@@ -1,7 +1,7 @@
 // Lines of two numbers.
 #include "files/text_lines.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <string>

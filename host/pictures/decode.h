@@ -1,7 +1,7 @@
 // The readers of the several formats, and what they share.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstddef>
 #include <cstdint>

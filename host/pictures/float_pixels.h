@@ -1,7 +1,7 @@
 // Luminance of pictures in floats: checked number by number, white found at the end.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Radiance HDR: three mantissas and a common exponent a pixel, usually in runs.
 // After freadcolrs and oldreadcolrs in Radiance's src/common/color.c.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>

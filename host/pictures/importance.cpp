@@ -1,7 +1,7 @@
 // Importance of a picture's luminance.
 #include "pictures/importance.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <jpeglib.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <jerror.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Netpbm's PGM and PPM, in text (P2, P3) and in bytes (P5, P6).
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Pictures as NumPy arrays, in .npy.
 #include "files/npy.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <bit>

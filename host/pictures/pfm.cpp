@@ -1,5 +1,5 @@
 // PFM: floats after three lines of text, rows from the bottom up.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <bit>

@@ -1,5 +1,5 @@
 // PNG, by libpng.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <png.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Which format a picture has, by its first bytes, and how large it may be.
 #include "pictures/image.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 // approximate circle areas", averaged over 10,000 samples, and gives it as curves over m, without
 // a figure in print. Here a sample lies anywhere between two lines (section 4.1 interpolates x),
 // or between four lattice points. What is taken from the paper is what it says of the curves.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <cstdint>

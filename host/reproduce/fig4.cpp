@@ -5,7 +5,7 @@
 // against mode exact, dart throwing carried on until no room is left. How far a spectrum is off
 // another is the root of the mean of (P / P of exact - 1)^2 over all frequencies of |k| r <= 1.6,
 // P being the mean power of an annulus, less what two groups of exact sets are apart by chance.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 // r = 0.01 on the torus, 6,000 of approximately 6,900 samples. Uniform-x biases the density along
 // x, which shows in the periodogram where ky = 0. The paper's picture has this line upright, so
 // that its axes must be the other way round; here kx is drawn upwards too.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <limits>
 

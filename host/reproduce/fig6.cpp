@@ -2,7 +2,7 @@
 //
 // The paper's field is not given in numbers. The picture's is shapes.h, 10 : 1; what the caption
 // says of the metrics is measured on a straight edge of the same contrast, see edge.h.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <limits>

@@ -3,7 +3,7 @@
 // (a) min, (b) max, (c) min with radii for some 22,000 dots, of which the first 20,000 are kept, so
 // that the set is not maximal. The paper's image is not free; here it is shapes.h, 50 : 1. How good
 // a set is, is told by tone_error (stipple.h), 32 squares across.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <limits>

@@ -1,7 +1,7 @@
 // Numbers as lines of text.
 #include "reproduce/number.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Draws the parts.
 #include "reproduce/picture.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

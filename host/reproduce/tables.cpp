@@ -1,7 +1,7 @@
 // Makes the sets of a table, way by way, and compares them row by row.
 #include "reproduce/tables.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

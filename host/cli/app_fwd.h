@@ -1,0 +1,8 @@
+// CLI11's types by name alone: its header takes the compiler two seconds, and a file that only
+// passes a command on does without it.
+#pragma once
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
