@@ -1,6 +1,6 @@
 // THE LOOP. The free space is a probability density: draw from it, keep what does not conflict,
 // take the new disks out of it, until nothing is left (Kalantari & Sen 2011, sections 3 and 4.1).
-// In exact, what is left too thin for its strips to show is refined (DESIGN section 4).
+// In exact, what is left too thin for its strips to show is refined (docs/design.md, section 4).
 #include "generate.h"
 
 #include <algorithm>

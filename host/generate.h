@@ -1,4 +1,4 @@
-// The loop: rounds of draws until the free space is gone (DESIGN section 3).
+// The loop: rounds of draws until the free space is gone (docs/design.md, section 3).
 #pragma once
 
 #include <lacuna/lacuna.h>

@@ -62,8 +62,9 @@ Pilot run_pilot(const Request& request, const FieldSums& sums, double scale,
     return pilot;
 }
 
-// From DESIGN's formula, on a coarse lattice. Where a field is so rough that this misses the count
-// by far, again at the scale that it tells, on the request's own lattice.
+// From the formula of docs/design.md, section 5, on a coarse lattice. Where a field is so rough
+// that this misses the count by far, again at the scale that it tells, on the request's own
+// lattice.
 Pilot find_pilot(const Request& request, const FieldSums& sums, Observer& observer) {
     constexpr std::uint32_t kCoarse = 4;  // cells a radius; a sixth of the work of 10
     constexpr int kCorrections = 3;

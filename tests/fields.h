@@ -95,7 +95,8 @@ inline Field raccoon_field(std::uint32_t columns) {
 }
 #endif
 
-// DESIGN section 5: the scale at which the integral of the importance lets so many be expected.
+// docs/design.md, section 5: the scale at which the integral of the importance lets so many be
+// expected.
 inline double scale_of(const Field& field, double area, double count) {
     const double sum = std::accumulate(field.importance.begin(), field.importance.end(), 0.0);
     return std::sqrt(0.6966 * area * sum / static_cast<double>(field.importance.size()) / count);

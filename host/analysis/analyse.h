@@ -54,7 +54,8 @@ struct Analysis {
     Counts counts;
 
     std::optional<double> radius;  // the sets' mean, if it is known of all
-    // The mean of count * radius^2 / area: 0.6966 for maximal sets on a torus (DESIGN section 5).
+    // The mean of count * radius^2 / area: 0.6966 for maximal sets on a torus (docs/design.md,
+    // section 5).
     std::optional<double> count_times_squared_radius;
 
     std::optional<Distances> distances;

@@ -66,7 +66,8 @@ struct Round {
 };
 
 // Serves one plan. A backend may queue the verbs and do them at finish_round. Whatever the order
-// of its work, the outcome is that of DESIGN sections 3 and 4, whole number for whole number:
+// of its work, the outcome is that of docs/design.md, sections 3 and 4, whole number for whole
+// number:
 //   locate    a draw becomes a candidate: its rank is walked to a y through its place's free length
 //   admit     a candidate becomes a sample unless an earlier sample covers it. In lines: one of the
 //             round, with its chord on the candidate's own line. In exact: any sample closer than

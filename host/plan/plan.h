@@ -1,4 +1,4 @@
-// A request, checked and turned into whole numbers (DESIGN section 2: units of the grid).
+// A request, checked and turned into whole numbers (docs/design.md, section 2: units of the grid).
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -103,7 +103,8 @@ std::uint64_t machine_memory_bytes();
 // The radius at which a maximal set holds request.count points and some to spare; more to spare
 // with every attempt. Throws BadRequest.
 double radius_for_count(const Request& request, int attempt);
-// The same for mode cells: the scale g at which DESIGN's formula expects a maximal set of so many.
+// The same for mode cells: the scale g at which the formula of docs/design.md, section 5, expects a
+// maximal set of so many.
 // Throws BadRequest where its lattice would be too large.
 double scale_for_count(const Request& request, const FieldSums& sums, std::uint64_t count);
 // And corrected by a pilot, a maximal set of the same field: where a field is rough, min lets in

@@ -13,7 +13,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kMostLatticeSteps = 1 << 17;  // along a side: squares of radii fit 64 bits
-constexpr double kDensity = 0.69656;           // DESIGN section 5
+constexpr double kDensity = 0.69656;           // docs/design.md, section 5
 // The share of samples that a lattice of m steps to the radius loses, times m: measured with
 // constant fields, m from 3 to 40 (docs/cells.md).
 constexpr double kLatticeLoss = 0.47;
@@ -28,7 +28,8 @@ std::uint32_t cells_per_radius(const Request& request) {
 }
 
 // Samples to be expected at a least radius of 1: the density times the integral of the importance
-// in units of the greatest (DESIGN section 5), less what the lattice loses where radii are small.
+// in units of the greatest (docs/design.md, section 5), less what the lattice loses where radii are
+// small.
 double samples_at_radius_one(const Request& request, const FieldSums& sums) {
     const double sum =
         sums.shares - kLatticeLoss / cells_per_radius(request) * sums.shares_and_half;

@@ -79,7 +79,7 @@ Measurements measure(const Setting& setting, Boundary boundary, std::size_t radi
 }
 
 Number count_of(const PublishedRow& row, std::size_t i, const Measured& here) {
-    // DESIGN section 5: a count's standard deviation is 0.244 sqrt(N).
+    // docs/design.md, section 5: a count's standard deviation is 0.244 sqrt(N).
     const double error = 0.244 / std::sqrt(row.samples[i] * here.runs);
     return printed(fmt::format("r = {}, {}: samples", kRadii[i], row.name), row.samples[i],
                    here.samples, std::max(0.5, 300 * error));

@@ -1,4 +1,4 @@
-// Given maximal Poisson-disk sets, all numbers are those of DESIGN section 5.
+// Given maximal Poisson-disk sets, all numbers are those of docs/design.md, section 5.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 

@@ -92,19 +92,19 @@ Request large_request(Mode mode) {
 }
 
 TEST_P(Equality, OnALargeSetInLines) {
-    // DESIGN section 5: 0.3 to 0.4 % fewer than the true maximum.
+    // docs/design.md, section 5: 0.3 to 0.4 % fewer than the true maximum.
     EXPECT_NEAR(expect_equal_on_a_large_set(large_request(Mode::lines), GetParam()), 691'900,
                 1'500);
 }
 
 TEST_P(Equality, OnALargeSetInExact) {
-    // DESIGN section 5, and five standard deviations.
+    // docs/design.md, section 5, and five standard deviations.
     EXPECT_NEAR(expect_equal_on_a_large_set(large_request(Mode::exact), GetParam()), 696'560,
                 1'020);
 }
 
 TEST_P(Equality, OnALargeSetInCells) {
-    // DESIGN section 5: within 2 %; and what the lattice loses (docs/cells.md).
+    // docs/design.md, section 5: within 2 %; and what the lattice loses (docs/cells.md).
     const tests::CellsRequest made = tests::large_cells_request();
     EXPECT_NEAR(expect_equal_on_a_large_set(made.request, GetParam()), 49'000, 1'500);
 }

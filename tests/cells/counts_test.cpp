@@ -1,4 +1,5 @@
-// A count is met exactly; and how far the scale by DESIGN's formula alone would miss it.
+// A count is met exactly; and how far the scale by the formula of docs/design.md,
+// section 5, alone would miss it.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
@@ -108,7 +109,7 @@ double over_at(double scale, const Field& field, std::uint64_t count) {
 
 // A maximal set at the scale chosen has few more than asked for: what is left out thins it little.
 TEST(CellsCounts, AreNearTheMaximalSetsAtTheScaleChosen) {
-    std::printf("| field | N | DESIGN's formula | less the lattice's loss | as chosen |\n");
+    std::printf("| field | N | formula of design.md | less the lattice's loss | as chosen |\n");
     for (const auto& [name, field] : fields()) {
         for (const std::uint64_t count : {1000u, 20'000u}) {
             const Request request = count_request(field, count);

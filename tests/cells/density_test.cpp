@@ -16,7 +16,8 @@ namespace {
 
 using namespace lacuna;
 
-constexpr double kJamming = 0.69656;  // DESIGN section 5: N r^2 of a maximal set on the torus
+// docs/design.md, section 5: N r^2 of a maximal set on the torus.
+constexpr double kJamming = 0.69656;
 
 struct Mean {
     double value;

@@ -101,7 +101,7 @@ TEST(Stipple, GivenAScaleThenTheSetIsMaximalAndItsLeastDistanceIsTheScale) {
         }
     EXPECT_GE(closest, 0.03);
     EXPECT_LT(closest, 0.0305);
-    // DESIGN section 5, less what a lattice of 10 steps to the radius loses.
+    // docs/design.md, section 5, less what a lattice of 10 steps to the radius loses.
     EXPECT_NEAR(static_cast<double>(points.size()), 0.66 / (0.03 * 0.03), 30);
     const auto json = nlohmann::json::parse(content_of(report));
     EXPECT_EQ(json.at("maximal"), true);

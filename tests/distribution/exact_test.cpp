@@ -1,6 +1,6 @@
 // Exact sets are as many and as they should be: counts against random sequential adsorption's
-// jamming limit (DESIGN section 5), the points against dart throwing's. And the tests have teeth:
-// they notice admission in spatial order, which looks just as good.
+// jamming limit (docs/design.md, section 5), the points against dart throwing's. And the tests have
+// teeth: they notice admission in spatial order, which looks just as good.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -73,7 +73,7 @@ TEST_P(ExactCounts, AreTheJammingLimits) {
     std::printf("%s: m %u, round size %lu, N r^2 = %.5f +- %.5f, z %+.2f\n", LACUNA_VARIANT,
                 GetParam().m, GetParam().round_size, count.value * unit, count.error * unit, z);
     EXPECT_EQ(std::abs(z) < 3, kIsRight) << z;
-    // DESIGN section 5: 0.244 sqrt(N), which 100 seeds show within 7 %.
+    // docs/design.md, section 5: 0.244 sqrt(N), which 100 seeds show within 7 %.
     const double deviation = count.error * std::sqrt(kSeeds) / std::sqrt(count.value);
     if (kIsRight) {
         EXPECT_NEAR(deviation, 0.244, 0.06);

@@ -1,4 +1,4 @@
-// refine: what all samples leave of the places, in boxes (DESIGN section 4, "exact").
+// refine: what all samples leave of the places, in boxes (docs/design.md, section 4, "exact").
 #include <algorithm>
 #include <array>
 #include <span>

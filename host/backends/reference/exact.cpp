@@ -1,5 +1,5 @@
 // Mode exact: places that hold all of the free space, candidates that count only where they are
-// truly free, and ever finer places until none is left (DESIGN section 4).
+// truly free, and ever finer places until none is left (docs/design.md, section 4).
 #include <algorithm>
 #include <span>
 #include <utility>

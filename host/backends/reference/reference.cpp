@@ -1,9 +1,9 @@
 // The loop of the paper, written to be read beside it: build the cdf, invert it for x, pick y on
 // that line, subtract the disk (sections 3, 4.1 and 4.2).
 //
-// A round (DESIGN section 3) does the first three several times from one cdf and keeps, in the
-// order of the draws, what no sample kept before it covers. What is free, and what a sample takes
-// from that, is the mode's: lines.cpp, exact.cpp, cells.cpp.
+// A round (docs/design.md, section 3) does the first three several times from one cdf and keeps, in
+// the order of the draws, what no sample kept before it covers. What is free, and what a sample
+// takes from that, is the mode's: lines.cpp, exact.cpp, cells.cpp.
 #include "backends/reference/reference.h"
 
 #include <algorithm>

@@ -67,13 +67,17 @@ struct Request {
     double height = 1.0;  // of the domain, > 0; neither side over 1000 times the other
     Boundary boundary = Boundary::box;
 
-    std::optional<double> radius;        // least distance between two points; not in cells
+    // Least distance between two points, in the unit of width and height; not in cells. At least
+    // 2^-20 of the longer side, at most the shorter side of a torus or the diagonal of a box.
+    std::optional<double> radius;
     std::optional<std::uint64_t> count;  // exactly this many points, at a radius chosen to fit
 
     Mode mode = Mode::exact;
     // In mode cells only. The field is stretched over the domain; it must outlive the call.
     const Field* field = nullptr;
-    std::optional<double> scale;  // the paper's g: the radius is g / sqrt(importance)
+    // The paper's g (section 4.2): the radius of a place is g / sqrt(importance there), in the unit
+    // of width and height. Where the importance is 1 it is the radius itself.
+    std::optional<double> scale;
     Metric metric = Metric::min;
     // The paper's m, 1 to 1000. Unset: 6 in exact, where it decides nothing but the speed, the
     // paper's 30 in lines, and 10 to the least radius in cells.
@@ -86,9 +90,11 @@ struct Request {
     std::uint64_t round_size = 0;        // draws a round; 0 chooses, 1 is the paper's algorithm
     std::uint64_t seed = 0;
 
-    std::string backend = "auto";  // a name from backends(), or "auto"
-    std::string device;            // for backends with devices: a number or part of a name
-    std::uint32_t threads = 0;     // 0: as many as the machine has
+    // A Device::backend of devices(); "auto" is what the environment variable LACUNA_BACKEND names
+    // or, where it is unset or empty, the first of them.
+    std::string backend = "auto";
+    std::string device;         // for backends with devices: a number or part of a name
+    std::uint32_t threads = 0;  // 0: as many as the machine has
 
     std::uint64_t memory_limit_bytes = 0;  // refuse a larger set; 0: the machine's memory
 };
@@ -101,6 +107,9 @@ struct Result {
     double scale = 0;                    // in cells: the g asked for, or chosen for Request::count
     std::uint32_t lines_per_radius = 0;  // the m asked for, or the mode's own
     bool maximal = false;  // false when a limit or a count stopped it before the room ran out
+    // Of the run that made the set, not of those that chose a radius for Request::count: rounds of
+    // draws from one cdf (docs/design.md, section 3), and inversions of the cdf, whether a point
+    // came of them or not.
     std::uint64_t rounds = 0;
     std::uint64_t draws = 0;
     std::string backend;  // the name of the backend that did the work
@@ -114,7 +123,7 @@ std::string_view name_of(Verb verb);
 struct Progress {
     std::uint64_t points;           // admitted so far
     std::uint64_t expected_points;  // an estimate, at least `points`
-    std::uint64_t rounds;
+    std::uint64_t rounds;           // finished so far
 };
 
 // Watches a run from the calling thread. The library has no clock: an observer that wants times
@@ -146,10 +155,12 @@ struct Device {
 
 // Every backend's devices: backends in order of preference, the devices of one by number, which is
 // what Request::device may name. A backend that this build lacks has one entry that says so.
+// Throws DeviceError where a driver is there but fails.
 std::vector<Device> devices();
 
-// The number of points to expect of a maximal set: DESIGN's 0.69656 per squared radius on the
-// torus (random sequential adsorption's jamming limit), with the edge term on the box.
+// The number of points to expect of a maximal set, all lengths in one unit: 0.69656 to a squared
+// radius on the torus (random sequential adsorption's jamming limit), with an edge term on the box
+// (docs/design.md, section 5). Counts have a standard deviation of 0.244 sqrt(count) around it.
 double expected_count(double width, double height, Boundary boundary, double radius);
 
 // ---------------------------------------------------------------------------------------- errors
