@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "backends/requests.h"
 #include "verify/exact_sets.h"
@@ -38,12 +39,26 @@ struct Made {
     std::mt19937_64 random;
 };
 
+// Made once in a process, in which ctest runs all tests of small sets.
+const std::vector<Made>& small_sets() {
+    static const std::vector<Made> sets = [] {
+        std::vector<Made> all;
+        all.reserve(kSets);
+        for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + kSets; ++seed)
+            all.emplace_back(seed);
+        return all;
+    }();
+    return sets;
+}
+
+// Each test gets sets, and their random numbers, as they were made.
 template <typename Test>
 void for_each_set(Test test) {
     std::printf("seeds %lu to %lu\n", kFirstSeed, kFirstSeed + kSets - 1);
-    for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + kSets; ++seed) {
-        Made set(seed);
-        SCOPED_TRACE("seed " + std::to_string(seed) + ": " + tests::describe(set.request));
+    for (std::size_t i = 0; i < small_sets().size(); ++i) {
+        Made set = small_sets()[i];
+        SCOPED_TRACE("seed " + std::to_string(kFirstSeed + i) + ": " +
+                     tests::describe(set.request));
         test(set);
         if (testing::Test::HasFailure()) return;
     }
