@@ -5,10 +5,17 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lacuna)
 set_target_properties(lacuna PROPERTIES
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 
-install(TARGETS lacuna EXPORT lacuna-targets)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/host/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(EXPORT lacuna-targets NAMESPACE lacuna:: DESTINATION ${package_dir})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# The command needs a shared library; all else is for those who build programs with it.
+install(TARGETS lacuna EXPORT lacuna-targets
+    LIBRARY COMPONENT command NAMELINK_COMPONENT development
+    ARCHIVE COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/host/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+    COMPONENT development)
+install(EXPORT lacuna-targets NAMESPACE lacuna:: DESTINATION ${package_dir} COMPONENT development)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/lacuna
+    RENAME copyright COMPONENT command)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/liblacuna-dev
+    RENAME copyright COMPONENT development)
 
 # Whoever links a static library links what it uses privately too, and so must find it first.
 set(lacuna_packages)
@@ -32,11 +39,32 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/lacuna-config.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/lacuna-config-version.cmake
     COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/lacuna-config.cmake
-    ${PROJECT_BINARY_DIR}/lacuna-config-version.cmake DESTINATION ${package_dir})
+    ${PROJECT_BINARY_DIR}/lacuna-config-version.cmake DESTINATION ${package_dir}
+    COMPONENT development)
+
+# For pkg-config, which knows these packages by other names.
+set(lacuna_pc_requires ${lacuna_packages})
+list(TRANSFORM lacuna_pc_requires REPLACE "^TBB$" tbb)
+set(lacuna_pc_libs)
+if(Threads IN_LIST lacuna_packages)
+    list(REMOVE_ITEM lacuna_pc_requires Threads)
+    set(lacuna_pc_libs -pthread)
+endif()
+list(JOIN lacuna_pc_requires " " lacuna_pc_requires)
+string(REGEX REPLACE "^.+$" "Requires: \\0" lacuna_pc_requires "${lacuna_pc_requires}")
+file(RELATIVE_PATH lib_to_include ${CMAKE_INSTALL_FULL_LIBDIR} ${CMAKE_INSTALL_FULL_INCLUDEDIR})
+configure_file(${CMAKE_CURRENT_LIST_DIR}/lacuna.pc.in ${PROJECT_BINARY_DIR}/lacuna.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/lacuna.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+    COMPONENT development)
 
 if(LACUNA_COMMAND)
     # So that the command finds a shared library wherever the whole tree was installed to.
     file(RELATIVE_PATH bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
     set_target_properties(lacuna_command PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
-    install(TARGETS lacuna_command)
+    install(TARGETS lacuna_command COMPONENT command)
+    if(man_pages)
+        install(FILES ${man_pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command)
+    endif()
+    install(FILES ${PROJECT_SOURCE_DIR}/host/cli/completion.bash RENAME lacuna
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT command)
 endif()

@@ -42,6 +42,19 @@ if(NOT output MATCHES "^2[5-9][0-9] points\n([0-9.e-]+ [0-9.e-]+)\n$")
 endif()
 set(first "${CMAKE_MATCH_1}")
 
+# pkg-config leads to the same program.
+find_program(PKG_CONFIG pkg-config REQUIRED)
+file(GLOB_RECURSE pc ${prefix}/lacuna.pc)
+cmake_path(GET pc PARENT_PATH pc_folder)
+set(ENV{PKG_CONFIG_PATH} ${pc_folder})
+run("asking pkg-config" ${PKG_CONFIG} --cflags --libs lacuna)
+separate_arguments(flags UNIX_COMMAND "${output} -Wl,-rpath,${pc_folder}/.. ${CXX_FLAGS}")
+run("building by pkg-config" ${COMPILER} -std=c++20 ${EXAMPLE}/main.cpp -o ${SCRATCH}/by_pkg_config ${flags})
+run("running what pkg-config led to" ${SCRATCH}/by_pkg_config)
+if(NOT output MATCHES "^2[5-9][0-9] points\n${first}\n$")
+    message(FATAL_ERROR "built by pkg-config the example printed:\n${output}")
+endif()
+
 # The installed command, asked for the same, starts with the same point.
 if(EXISTS ${prefix}/bin/lacuna)
     run("running the installed command" ${prefix}/bin/lacuna sample --radius 0.05 --torus -o -)

@@ -13,5 +13,14 @@ if(LACUNA_SANITIZE)
     set(example_flags "-fsanitize=${LACUNA_SANITIZE}")
 endif()
 lacuna_install_test(as_built -D BUILD=${PROJECT_BINARY_DIR} -D CXX_FLAGS=${example_flags})
+# As a part of another project, and where a package is missing.
+add_test(NAME install.configuring COMMAND ${CMAKE_COMMAND}
+    -D SCRATCH=${PROJECT_BINARY_DIR}/install-test/configuring -D SOURCE=${PROJECT_SOURCE_DIR}
+    -D COMPILER=${CMAKE_CXX_COMPILER} -P ${PROJECT_SOURCE_DIR}/tests/install/configuring.cmake)
+if(LACUNA_COMMAND AND HELP2MAN)
+    add_test(NAME install.man_pages COMMAND ${CMAKE_COMMAND}
+        -D PROGRAM=$<TARGET_FILE:lacuna_command> -D MAN=${PROJECT_BINARY_DIR}/man
+        -P ${PROJECT_SOURCE_DIR}/tests/install/man_pages.cmake)
+endif()
 lacuna_install_test(shared -D BUILD=${PROJECT_BINARY_DIR}/install-test/shared/library
     -D SHARED_SOURCE=${PROJECT_SOURCE_DIR})

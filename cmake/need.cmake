@@ -1,0 +1,18 @@
+# What Lacuna cannot be built without: whoever lacks it is told the Debian package that has it.
+include_guard()
+
+# lacuna_need(PACKAGE DEBIAN [find_package's ARGUMENT...])
+macro(lacuna_need package debian)
+    find_package(${package} ${ARGN} QUIET)
+    if(NOT ${package}_FOUND)
+        message(FATAL_ERROR "Lacuna: ${package} is missing (Debian: ${debian})")
+    endif()
+endmacro()
+
+# lacuna_need_header(VARIABLE HEADER DEBIAN) sets VARIABLE to the folder that has HEADER.
+function(lacuna_need_header variable header debian)
+    find_path(${variable} ${header})
+    if(NOT ${variable})
+        message(FATAL_ERROR "Lacuna: the header ${header} is missing (Debian: ${debian})")
+    endif()
+endfunction()
