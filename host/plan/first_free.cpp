@@ -21,13 +21,17 @@ std::vector<Span> first_spans(const Plan& plan, std::uint32_t line) {
     const RadiusMap& map = *plan.radii;
     const std::uint32_t* const radii = &map.radii[std::size_t{map.column_of[line]} * map.rows];
     std::vector<Span> spans;
-    for (std::uint32_t row = 0; row < map.rows; ++row) {
-        const Span of_row = {map.row_begins[row], map.row_begins[row + 1]};
-        if (radii[row] == 0 || of_row.begin == of_row.end) continue;
-        if (!spans.empty() && spans.back().end == of_row.begin)
-            spans.back().end = of_row.end;
+    for (std::uint32_t row = 0; row < map.rows;) {
+        const std::uint32_t first = row;
+        while (row < map.rows && radii[row] != 0) ++row;
+        const Span above = {map.row_begins[first], map.row_begins[row]};
+        while (row < map.rows && radii[row] == 0) ++row;
+        if (above.begin == above.end) continue;
+        // Rows of pixels may be so low that no lattice point lies above those of no importance.
+        if (!spans.empty() && spans.back().end == above.begin)
+            spans.back().end = above.end;
         else
-            spans.push_back(of_row);
+            spans.push_back(above);
     }
     return spans;
 }

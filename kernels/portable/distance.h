@@ -19,6 +19,20 @@ LACUNA_FN u64 squared_length(u32 dx, u32 dy) {
     return x * x + y * y;
 }
 
+// How far `at` is from the nearest and from the farthest of the places begin .. last of an axis
+// that does not wrap between them. With one place they are alike.
+LACUNA_FN u32 near_distance(u32 at, u32 begin, u32 last) {
+    u32 below = begin > at ? begin - at : 0u;
+    u32 above = at > last ? at - last : 0u;
+    return below > above ? below : above;
+}
+
+LACUNA_FN u32 far_distance(u32 at, u32 begin, u32 last) {
+    u32 to_begin = at > begin ? at - begin : 0u;
+    u32 to_last = last > at ? last - at : 0u;
+    return to_begin > to_last ? to_begin : to_last;
+}
+
 // Two points conflict when they are strictly closer than the radius.
 LACUNA_FN bool conflicts(u32 ax, u32 ay, u32 bx, u32 by, u32 period_x, u32 period_y,
                          u64 radius_squared) {

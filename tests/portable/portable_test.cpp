@@ -1,6 +1,7 @@
 // The portable arithmetic against brute force and at its extremes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
 
@@ -57,6 +58,24 @@ TEST(AxisDistance, WrapsAtEveryEdge) {
 TEST(AxisDistance, DoesNotWrapOnABox) {
     EXPECT_EQ(axis_distance(0, 0x7fffffffu, 0), 0x7fffffffu);
     EXPECT_EQ(axis_distance(0x7fffffffu, 0, 0), 0x7fffffffu);
+}
+
+TEST(NearAndFarDistance, AreTheLeastAndTheMostToAnyPlaceOfAStretch) {
+    for (u32 at = 0; at < 12; ++at) {
+        for (u32 begin = 0; begin < 12; ++begin) {
+            for (u32 last = begin; last < 12; ++last) {
+                u32 least = ~0u;
+                u32 most = 0;
+                for (u32 place = begin; place <= last; ++place) {
+                    least = std::min(least, axis_distance(at, place, 0));
+                    most = std::max(most, axis_distance(at, place, 0));
+                }
+                EXPECT_EQ(near_distance(at, begin, last), least)
+                    << at << ' ' << begin << ' ' << last;
+                EXPECT_EQ(far_distance(at, begin, last), most) << at << ' ' << begin << ' ' << last;
+            }
+        }
+    }
 }
 
 TEST(Conflicts, IsStrictAtTheRadius) {

@@ -1,124 +1,161 @@
 // admit: a candidate becomes a sample unless an earlier sample covers it.
 //
-// "Earlier" is by the order of the draws, whatever the order of the work.
+// "Earlier" is by the order of the draws, whatever the order of the work. What covers a candidate,
+// and how far away, is the mode's: three small structs, below.
 #include <algorithm>
 #include <atomic>
+#include <span>
 
 #include "backends/cpu/precedence.h"
 #include "backends/cpu/state.h"
 #include "portable/column.h"
 #include "portable/distance.h"
 #include "portable/fate.h"
+#include "portable/metric.h"
 #include "portable/window.h"
 
 namespace lacuna::cpu {
 namespace {
 
+// A mode says where candidate i counts as being, how far to look around it, in which columns, and
+// the square of the distance that it must keep from candidate j.
+struct InExact {
+    const SpanState& state;
+    portable::Stretch columns;
+
+    InExact(const SpanState& the_state, std::uint32_t column)
+        : state(the_state),
+          columns{portable::first_neighbour(column, state.columns, state.plan.period_x),
+                  portable::neighbour_count(column, state.columns, state.plan.period_x)} {}
+    Sample place(std::uint32_t i) const { return {state.candidates[i].x, state.candidates[i].y}; }
+    std::uint32_t reach(std::uint32_t) const { return state.plan.radius; }
+    portable::Stretch near_columns(std::uint32_t) const { return columns; }
+    std::uint64_t limit_squared(std::uint32_t, std::uint32_t) const {
+        return state.plan.radius_squared;
+    }
+};
+
+// On a line, what counts is the chord on that line.
+struct InLines : InExact {
+    using InExact::InExact;
+    Sample place(std::uint32_t i) const {
+        return {state.plan.centre_of_line(state.candidates[i].line), state.candidates[i].y};
+    }
+};
+
+struct InCells {
+    const BitState& state;
+
+    InCells(const BitState& the_state, std::uint32_t) : state(the_state) {}
+    Sample place(std::uint32_t i) const { return {state.candidates[i].x, state.candidates[i].y}; }
+    std::uint32_t reach(std::uint32_t i) const { return state.reach_of(state.candidates[i]); }
+    portable::Stretch near_columns(std::uint32_t i) const {
+        const Plan& plan = state.plan;
+        return portable::near_columns(
+            portable::near_lines(state.candidates[i].x, reach(i), plan.lines, plan.period_x),
+            plan.lines, state.columns);
+    }
+    std::uint64_t limit_squared(std::uint32_t i, std::uint32_t j) const {
+        return portable::metric_squared(
+            portable::twice_metric_radius(static_cast<std::uint32_t>(state.plan.metric),
+                                          state.candidate_radii[i], state.candidate_radii[j]));
+    }
+};
+
 // Columns of one pass read each other's fates while they are decided. Whatever they see, a fate
 // once decided is the right one.
-std::uint32_t read(State& state, std::size_t i) {
+std::uint32_t read(State& state, std::uint32_t i) {
     return std::atomic_ref(state.fates[i]).load(std::memory_order_relaxed);
 }
 
-void decide(State& state, std::size_t i, std::uint32_t fate) {
+void decide(State& state, std::uint32_t i, std::uint32_t fate) {
     std::atomic_ref(state.fates[i]).store(fate, std::memory_order_relaxed);
 }
 
-// The candidates of one column within a radius in y, of one y after another in ascending order.
-class Reach {
-public:
-    Reach(State& state, std::uint32_t column)
-        : plan_(state.plan),
-          begin_(state.column_begins[column]),
-          candidates_(state.candidates_of(column)) {}
-
-    // Calls visit(index) for each until it returns true; true if it did.
-    template <typename Visit>
-    bool any(std::uint32_t y, Visit visit) {
-        const std::uint32_t low = portable::window_low(0, y, plan_.radius, plan_.height);
-        while (hint_ < candidates_.size() && candidates_[hint_].y < low) ++hint_;
-        const std::uint32_t high = portable::window_high(0, y, plan_.radius, plan_.height);
-        if (any_from(hint_, high, visit)) return true;
-        const bool is_at_edge = y < plan_.radius || high >= plan_.height;
-        return plan_.period_y != 0 && is_at_edge && (any_in(1, y, visit) || any_in(2, y, visit));
-    }
-
-private:
-    template <typename Visit>
-    bool any_in(std::uint32_t window, std::uint32_t y, Visit visit) {
-        const std::uint32_t low = portable::window_low(window, y, plan_.radius, plan_.height);
-        const std::uint32_t high = portable::window_high(window, y, plan_.radius, plan_.height);
-        if (low > high) return false;
-        const auto first = std::lower_bound(
-            candidates_.begin(), candidates_.end(), low,
-            [](const Candidate& candidate, std::uint32_t at) { return candidate.y < at; });
-        return any_from(static_cast<std::size_t>(first - candidates_.begin()), high, visit);
-    }
-
-    template <typename Visit>
-    bool any_from(std::size_t first, std::uint32_t high, Visit visit) {
-        for (std::size_t i = first; i < candidates_.size() && candidates_[i].y <= high; ++i)
-            if (visit(begin_ + i)) return true;
+// Calls visit(index) for the column's candidates within `reach` of y, until it returns true; true
+// if it did.
+template <typename Visit>
+bool any_within(const State& state, std::uint32_t column, std::uint32_t y, std::uint32_t reach,
+                Visit visit) {
+    const std::uint32_t height = state.plan.height;
+    const std::uint32_t end = state.column_begins[column + 1];
+    const auto any_in = [&](std::uint32_t low, std::uint32_t high) {
+        for (std::uint32_t i = state.first_from(column, low);
+             i < end && state.candidates[i].y <= high; ++i)
+            if (visit(i)) return true;
         return false;
+    };
+    const std::uint32_t top = portable::window_high(0, y, reach, height);
+    if (any_in(portable::window_low(0, y, reach, height), top)) return true;
+    if (state.plan.period_y == 0 || (y >= reach && top < height)) return false;
+    for (const std::uint32_t window : {1u, 2u}) {
+        const std::uint32_t low = portable::window_low(window, y, reach, height);
+        const std::uint32_t high = portable::window_high(window, y, reach, height);
+        if (low <= high && any_in(low, high)) return true;
     }
+    return false;
+}
 
-    const Plan& plan_;
-    std::size_t begin_;
-    std::span<const Candidate> candidates_;
-    std::size_t hint_ = 0;  // the first candidate not below the reach of the last y
-};
+// What becomes of candidate i, as far as the fates of those near it are known.
+template <typename Mode>
+std::uint32_t fate_of(State& state, const Mode& mode, std::uint32_t i) {
+    const Plan& plan = state.plan;
+    const Sample place = mode.place(i);
+    const std::uint32_t reach = mode.reach(i);
+    bool waits = false;
+    const auto covers = [&](std::uint32_t j) {
+        const Candidate& other = state.candidates[j];
+        if (!precedes(other, state.candidates[i]) ||
+            !portable::conflicts(other.x, other.y, place.x, place.y, plan.period_x, plan.period_y,
+                                 mode.limit_squared(i, j)))
+            return false;
+        const std::uint32_t fate = read(state, j);
+        waits = waits || fate == FATE_UNDECIDED;
+        return fate == FATE_ADMITTED;
+    };
+    const portable::Stretch near = mode.near_columns(i);
+    for (std::uint32_t k = 0; k < near.count; ++k)
+        if (any_within(state, (near.first + k) % state.columns, place.y, reach, covers))
+            return FATE_REJECTED;
+    return waits ? FATE_UNDECIDED : FATE_ADMITTED;
+}
+
+template <typename Mode>
+bool admit_in(State& state, const Mode& mode, std::uint32_t column) {
+    bool settled = true;
+    for (std::uint32_t i = state.column_begins[column]; i < state.column_begins[column + 1]; ++i) {
+        if (read(state, i) != FATE_UNDECIDED) continue;
+        const std::uint32_t fate = fate_of(state, mode, i);
+        if (fate == FATE_UNDECIDED)
+            settled = false;
+        else
+            decide(state, i, fate);
+    }
+    return settled;
+}
 
 }  // namespace
 
-void screen(State& state, std::uint32_t column) {
+bool admit(SpanState& state, std::uint32_t column) {
+    if (state.plan.is_exact()) return admit_in(state, InExact(state, column), column);
+    return admit_in(state, InLines(state, column), column);
+}
+
+bool admit(BitState& state, std::uint32_t column) {
+    return admit_in(state, InCells(state, column), column);
+}
+
+void screen(SpanState& state, std::uint32_t column) {
     constexpr std::size_t kAhead = 6;  // what memory needs; 4 to 10 are alike
     const std::span<const Candidate> candidates = state.candidates_of(column);
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const Candidate& later = candidates[std::min(k + kAhead, candidates.size() - 1)];
         state.grid->fetch_near(later.x, later.y);
-        const Candidate& candidate = candidates[k];
         const std::size_t i = state.column_begins[column] + k;
-        if (state.fates[i] == FATE_UNDECIDED && state.grid->is_covered(candidate.x, candidate.y))
+        if (state.fates[i] == FATE_UNDECIDED &&
+            state.grid->is_covered(candidates[k].x, candidates[k].y))
             state.fates[i] = FATE_COVERED;
     }
-}
-
-bool admit(State& state, std::uint32_t column) {
-    const Plan& plan = state.plan;
-    const std::uint32_t first = portable::first_neighbour(column, state.columns, plan.period_x);
-    const std::uint32_t count = portable::neighbour_count(column, state.columns, plan.period_x);
-    std::vector<Reach> neighbours;
-    for (std::uint32_t i = 0; i < count; ++i)
-        neighbours.emplace_back(state, (first + i) % state.columns);
-
-    bool settled = true;
-    for (std::size_t i = state.column_begins[column]; i < state.column_begins[column + 1]; ++i) {
-        if (read(state, i) != FATE_UNDECIDED) continue;
-        const Candidate& candidate = state.candidates[i];
-        // On a line, what counts is the chord on that line.
-        const std::uint32_t x = plan.is_exact() ? candidate.x : plan.centre_of_line(candidate.line);
-        bool waits = false;
-        const auto covers = [&](std::size_t j) {
-            const Candidate& other = state.candidates[j];
-            if (!precedes(other, candidate) ||
-                !portable::conflicts(other.x, other.y, x, candidate.y, plan.period_x, plan.period_y,
-                                     plan.radius_squared))
-                return false;
-            const std::uint32_t fate = read(state, j);
-            waits = waits || fate == FATE_UNDECIDED;
-            return fate == FATE_ADMITTED;
-        };
-        const bool covered = std::any_of(neighbours.begin(), neighbours.end(), [&](Reach& reach) {
-            return reach.any(candidate.y, covers);
-        });
-        if (covered)
-            decide(state, i, FATE_REJECTED);
-        else if (waits)
-            settled = false;
-        else
-            decide(state, i, FATE_ADMITTED);
-    }
-    return settled;
 }
 
 }  // namespace lacuna::cpu

@@ -1,35 +1,68 @@
 // locate: the rank of each draw, walked to a y through its place's free length.
 #include <algorithm>
+#include <bit>
 #include <span>
 
-#include "backends/cpu/sort_column.h"
 #include "backends/cpu/state.h"
+#include "portable/bits.h"
 #include "portable/fate.h"
 
 namespace lacuna::cpu {
 namespace {
 
-// Draws [begin, end) of lines. A line is walked once for all its draws, which ascend in rank.
-void locate_on_lines(State& state, std::span<const Draw> draws, std::uint32_t begin,
-                     std::uint32_t end) {
-    const Span* span = nullptr;
+// What a line's free length consists of: its spans, or the words of its bits.
+struct Spans {
+    const SpanState& state;
+    const Span* first_of(std::uint32_t line) const { return state.slot(line).data(); }
+    std::uint32_t length(const Span* span) const { return span->end - span->begin; }
+    std::uint32_t y_at(std::uint32_t, const Span* span, std::uint32_t rank) const {
+        return span->begin + rank;
+    }
+};
+
+struct Words {
+    const BitState& state;
+    const std::uint64_t* first_of(std::uint32_t line) const { return state.line(line).data(); }
+    std::uint32_t length(const std::uint64_t* word) const {
+        return static_cast<std::uint32_t>(std::popcount(*word));
+    }
+    std::uint32_t y_at(std::uint32_t line, const std::uint64_t* word, std::uint32_t rank) const {
+        const auto y = static_cast<std::uint32_t>(word - first_of(line)) * 64;
+        const auto low = static_cast<std::uint32_t>(*word);
+        const std::uint32_t below = portable::count_bits(low);
+        if (rank < below) return y + portable::bit_of_rank(low, rank);
+        return y + 32 +
+               portable::bit_of_rank(static_cast<std::uint32_t>(*word >> 32), rank - below);
+    }
+};
+
+// A line is walked once for all its draws, which ascend in rank.
+template <typename Pieces>
+void locate_on_lines(State& state, std::span<const Draw> draws, std::uint32_t column,
+                     Pieces pieces) {
+    const std::uint32_t begin = state.column_begins[column];
+    const std::uint32_t end = state.column_begins[column + 1];
+    decltype(pieces.first_of(0)) piece = nullptr;
     std::uint32_t passed = 0;
+    std::uint32_t length = 0;
     for (std::uint32_t i = begin; i < end; ++i) {
         const std::uint32_t line = draws[i].place;
         if (i == begin || line != draws[i - 1].place) {
-            span = state.slot(line).data();
+            piece = pieces.first_of(line);
+            length = pieces.length(piece);
             passed = 0;
         }
-        while (draws[i].rank - passed >= span->end - span->begin) {
-            passed += span->end - span->begin;
-            ++span;
+        while (draws[i].rank - passed >= length) {
+            passed += length;
+            length = pieces.length(++piece);
         }
         state.candidates[i] = {line * state.plan.strip_width + draws[i].offset,
-                               span->begin + (draws[i].rank - passed), line, draws[i].order};
+                               pieces.y_at(line, piece, draws[i].rank - passed), line,
+                               draws[i].order};
     }
 }
 
-void locate_in_boxes(State& state, std::span<const Draw> draws, std::uint32_t column) {
+void locate_in_boxes(SpanState& state, std::span<const Draw> draws, std::uint32_t column) {
     for (std::uint32_t i = state.column_begins[column]; i < state.column_begins[column + 1]; ++i) {
         const Box& box = state.boxes[column][draws[i].place - state.place_begins[column]];
         state.candidates[i] = {box.x + draws[i].offset, box.begin + draws[i].rank,
@@ -37,17 +70,27 @@ void locate_in_boxes(State& state, std::span<const Draw> draws, std::uint32_t co
     }
 }
 
+// Leaves the column's candidates as admit takes them.
+void set_undecided(State& state, std::uint32_t column) {
+    state.sort_column(column);
+    std::fill(state.fates.begin() + state.column_begins[column],
+              state.fates.begin() + state.column_begins[column + 1], FATE_UNDECIDED);
+}
+
 }  // namespace
 
-void locate(State& state, std::span<const Draw> draws, std::uint32_t column) {
-    const std::uint32_t begin = state.column_begins[column];
-    const std::uint32_t end = state.column_begins[column + 1];
-    if (state.has_boxes())
+void locate(SpanState& state, std::span<const Draw> draws, std::uint32_t column) {
+    if (state.has_boxes)
         locate_in_boxes(state, draws, column);
     else
-        locate_on_lines(state, draws, begin, end);
-    sort_column(std::span(state.candidates).subspan(begin, end - begin), state.plan.height);
-    std::fill(state.fates.begin() + begin, state.fates.begin() + end, FATE_UNDECIDED);
+        locate_on_lines(state, draws, column, Spans{state});
+    set_undecided(state, column);
+}
+
+void locate(BitState& state, std::span<const Draw> draws, std::uint32_t column) {
+    locate_on_lines(state, draws, column, Words{state});
+    set_undecided(state, column);
+    state.find_radii(state.column_begins[column], state.column_begins[column + 1]);
 }
 
 }  // namespace lacuna::cpu

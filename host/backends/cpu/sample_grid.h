@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "plan/plan.h"
 #include "portable/distance.h"
@@ -16,17 +17,19 @@ namespace lacuna::cpu {
 
 class SampleGrid {
 public:
-    // Room for the plan's samples; clear() all columns of cells before anything else.
+    // Room for the plan's samples; clear() all of it before anything else.
     explicit SampleGrid(const Plan& plan)
         : plan_(plan),
           stride_(plan.grid_rows + kMargin),
           slots_(std::make_unique_for_overwrite<Sample[]>((plan.grid_columns + kMargin) *
                                                           std::size_t{stride_})) {}
 
-    std::uint32_t columns() const { return plan_.grid_columns + kMargin; }
-    // Empties the columns of cells [begin, end).
-    void clear(std::uint32_t begin, std::uint32_t end) {
-        std::fill(column(begin), column(end), Sample{NO_SAMPLE, NO_SAMPLE});
+    // Empties a share of the cells, of so many shares.
+    void clear(std::uint32_t share, std::uint32_t shares) {
+        const std::size_t columns = plan_.grid_columns + kMargin;
+        std::fill(slots_.get() + share * columns / shares * stride_,
+                  slots_.get() + (share + 1) * columns / shares * stride_,
+                  Sample{NO_SAMPLE, NO_SAMPLE});
     }
     // The cells of one column of them, row by row.
     Sample* column(std::uint32_t index) { return &slots_[std::size_t{index} * stride_]; }
@@ -34,21 +37,32 @@ public:
         return &slots_[std::size_t{index} * stride_];
     }
 
-    // SampleGrid may be filled in parallel: no two samples share one.
+    // In parallel: no two samples share a cell.
     void insert(Sample sample) {
         column(sample.x / plan_.grid_side)[sample.y / plan_.grid_side] = sample;
     }
 
-    // Whether some sample is closer than the radius.
+    // Whether some sample is closer than the radius. A disk that touches no edge lies within 4 x 4
+    // cells, 2 sqrt(2) being less than 3, and has no branch: where a sample lies cannot be
+    // foretold.
     bool is_covered(std::uint32_t x, std::uint32_t y) const {
-        const std::uint32_t r = plan_.radius;
-        if (x >= r && y >= r && x < plan_.width - r && y < plan_.height - r && r < plan_.width &&
-            r < plan_.height)
-            return is_covered_inside(x, y);
         bool covered = false;
-        for_each_near(x, x + 1, y, y + 1, [&](Sample sample) {
-            covered |= portable::conflicts(sample.x, sample.y, x, y, plan_.period_x, plan_.period_y,
-                                           plan_.radius_squared);
+        if (is_inside(x, x + 1, y, y + 1)) {
+            const std::uint32_t grid_x = (x - plan_.radius) / plan_.grid_side;
+            const std::uint32_t grid_y = (y - plan_.radius) / plan_.grid_side;
+            for (std::uint32_t i = 0; i < 4; ++i) {
+                const Sample* const cells = column(grid_x + i) + grid_y;
+                for (std::uint32_t j = 0; j < 4; ++j)
+                    covered |= (cells[j].x != NO_SAMPLE) &
+                               portable::conflicts(x, y, cells[j].x, cells[j].y, 0, 0,
+                                                   plan_.radius_squared);
+            }
+            return covered;
+        }
+        for_each_cell_near(x, x + 1, y, y + 1, [&](Sample cell) {
+            covered |=
+                (cell.x != NO_SAMPLE) & portable::conflicts(cell.x, cell.y, x, y, plan_.period_x,
+                                                            plan_.period_y, plan_.radius_squared);
         });
         return covered;
     }
@@ -65,62 +79,44 @@ public:
         }
     }
 
-    // Visits the samples in all cells within the radius of [x_begin, x_end) x [y_begin, y_end),
-    // around the torus too. On a torus of few cells some more than once.
+    // Visits all cells within the radius of [x_begin, x_end) x [y_begin, y_end), around the torus
+    // too; there some may come twice.
     template <typename Visit>
-    void for_each_near(std::uint32_t x_begin, std::uint32_t x_end, std::uint32_t y_begin,
-                       std::uint32_t y_end, Visit visit) const {
-        const std::uint32_t x_windows = plan_.period_x != 0 ? 3 : 1;
-        const std::uint32_t y_windows = plan_.period_y != 0 ? 3 : 1;
-        for (std::uint32_t i = 0; i < x_windows; ++i) {
-            const auto [x_low, x_high] = near(i, x_begin, x_end, plan_.width);
-            for (std::uint32_t grid_x = x_low; grid_x <= x_high; ++grid_x) {
-                for (std::uint32_t j = 0; j < y_windows; ++j) {
-                    const auto [y_low, y_high] = near(j, y_begin, y_end, plan_.height);
-                    for (std::uint32_t grid_y = y_low; grid_y <= y_high; ++grid_y) {
-                        const Sample sample = column(grid_x)[grid_y];
-                        if (sample.x != NO_SAMPLE) visit(sample);
-                    }
-                }
-            }
+    void for_each_cell_near(std::uint32_t x_begin, std::uint32_t x_end, std::uint32_t y_begin,
+                            std::uint32_t y_end, Visit visit) const {
+        const std::uint32_t r = plan_.radius;
+        const std::uint32_t side = plan_.grid_side;
+        if (is_inside(x_begin, x_end, y_begin, y_end)) {
+            const std::uint32_t row = (y_begin - r) / side;
+            const std::uint32_t rows = (y_end - 1 + r) / side - row + 1;
+            const std::uint32_t last = (x_end - 1 + r) / side;
+            for (std::uint32_t i = (x_begin - r) / side; i <= last; ++i)
+                for (const Sample cell : std::span(column(i) + row, rows)) visit(cell);
+            return;
+        }
+        const portable::GridStretch columns = portable::grid_stretch(
+            x_begin, x_end, r, plan_.width, plan_.period_x, side, plan_.grid_columns);
+        const portable::GridStretch rows = portable::grid_stretch(
+            y_begin, y_end, r, plan_.height, plan_.period_y, side, plan_.grid_rows);
+        for (std::uint32_t i = 0; i < columns.count; ++i) {
+            const Sample* const cells =
+                column(portable::nth_of_stretch(columns, i, plan_.grid_columns));
+            for (std::uint32_t j = 0; j < rows.count; ++j)
+                visit(cells[portable::nth_of_stretch(rows, j, plan_.grid_rows)]);
         }
     }
 
 private:
+    // Whether all within the radius of [x_begin, x_end) x [y_begin, y_end) touches no edge.
+    bool is_inside(std::uint32_t x_begin, std::uint32_t x_end, std::uint32_t y_begin,
+                   std::uint32_t y_end) const {
+        const std::uint32_t r = plan_.radius;
+        return x_begin >= r && y_begin >= r && r < plan_.width && r < plan_.height &&
+               x_end <= plan_.width - r && y_end <= plan_.height - r;
+    }
+
     // Empty rows and columns past the last, so that a block of cells needs no bounds.
     static constexpr std::uint32_t kMargin = 3;
-
-    struct Stretch {
-        std::uint32_t low;
-        std::uint32_t high;
-    };
-    Stretch near(std::uint32_t window, std::uint32_t begin, std::uint32_t end,
-                 std::uint32_t length) const {
-        const std::uint32_t r = plan_.radius;
-        const std::uint32_t side = plan_.grid_side;
-        return {portable::near_low(window, begin, end, r, length, side),
-                portable::near_high(window, begin, end, r, length, side)};
-    }
-
-    // A disk that touches no edge lies within 4 x 4 cells, 2 sqrt(2) being less than 3. No branch:
-    // where a sample lies cannot be foretold. As signed numbers the coordinates of NO_SAMPLE are
-    // -1, farther away than the radius.
-    bool is_covered_inside(std::uint32_t x, std::uint32_t y) const {
-        const std::uint32_t grid_x = (x - plan_.radius) / plan_.grid_side;
-        const std::uint32_t grid_y = (y - plan_.radius) / plan_.grid_side;
-        const auto radius_squared = static_cast<std::int64_t>(plan_.radius_squared);
-        const auto square = [](std::uint32_t a, std::uint32_t b) {
-            const std::int64_t difference = static_cast<std::int32_t>(a - b);
-            return difference * difference;
-        };
-        bool covered = false;
-        for (std::uint32_t i = 0; i < 4; ++i) {
-            const Sample* const cells = column(grid_x + i) + grid_y;
-            for (std::uint32_t j = 0; j < 4; ++j)
-                covered |= square(x, cells[j].x) + square(y, cells[j].y) < radius_squared;
-        }
-        return covered;
-    }
 
     const Plan& plan_;
     std::uint32_t stride_;

@@ -1,10 +1,9 @@
-// The order of a column's candidates, found by way of buckets (portable/column.h).
-#include "backends/cpu/sort_column.h"
-
+// The order of a column's candidates, and where the one at a height is found, by way of buckets.
 #include <algorithm>
 #include <numeric>
 #include <vector>
 
+#include "backends/cpu/state.h"
 #include "portable/column.h"
 
 namespace lacuna::cpu {
@@ -17,31 +16,40 @@ bool comes_before(const Candidate& a, const Candidate& b) {
 }  // namespace
 
 // Most of the work is to find the bucket.
-void sort_column(std::span<Candidate> candidates, std::uint32_t height) {
-    thread_local std::vector<std::uint32_t> buckets;
+void State::sort_column(std::uint32_t column) {
     thread_local std::vector<Candidate> located;
-    const auto count = static_cast<std::uint32_t>(candidates.size());
+    const std::uint32_t count = column_begins[column + 1] - column_begins[column];
+    const auto own = std::span(candidates).subspan(column_begins[column], count);
+    const auto begins = std::span(buckets).subspan(column_begins[column], count);
     const auto bucket_of = [&](const Candidate& candidate) {
-        return portable::bucket_of(candidate.y, count, height);
+        return portable::bucket_of(candidate.y, count, plan.height);
     };
 
-    // Count the draws of each bucket, and find where each begins.
-    buckets.assign(count, 0);
-    for (const Candidate& candidate : candidates) ++buckets[bucket_of(candidate)];
-    std::exclusive_scan(buckets.begin(), buckets.end(), buckets.begin(), 0u);
+    // Count the candidates of each bucket, and find where each ends.
+    std::fill(begins.begin(), begins.end(), 0);
+    for (const Candidate& candidate : own) ++begins[bucket_of(candidate)];
+    std::inclusive_scan(begins.begin(), begins.end(), begins.begin());
 
-    // Share the draws out.
-    located.assign(candidates.begin(), candidates.end());
-    for (const Candidate& candidate : located)
-        candidates[buckets[bucket_of(candidate)]++] = candidate;
+    // Share the candidates out, from each bucket's end down to its begin.
+    located.assign(own.begin(), own.end());
+    for (const Candidate& candidate : located) own[--begins[bucket_of(candidate)]] = candidate;
 
     // Order those of one bucket, which ends where the next one begins.
-    std::uint32_t begin = 0;
-    for (const std::uint32_t end : buckets) {
-        if (end - begin > 1)
-            std::sort(candidates.begin() + begin, candidates.begin() + end, comes_before);
-        begin = end;
+    std::uint32_t end = count;
+    for (std::uint32_t bucket = count; bucket-- > 0;) {
+        const std::uint32_t begin = begins[bucket];
+        if (end - begin > 1) std::sort(own.begin() + begin, own.begin() + end, comes_before);
+        end = begin;
     }
+}
+
+std::uint32_t State::first_from(std::uint32_t column, std::uint32_t y) const {
+    const std::uint32_t begin = column_begins[column];
+    const std::uint32_t end = column_begins[column + 1];
+    if (begin == end) return end;
+    std::uint32_t i = begin + buckets[begin + portable::bucket_of(y, end - begin, plan.height)];
+    while (i < end && candidates[i].y < y) ++i;
+    return i;
 }
 
 }  // namespace lacuna::cpu

@@ -2,9 +2,13 @@
 #include "backends/cpu/state.h"
 
 #include <algorithm>
+#include <bit>
+#include <utility>
 
 #include "backends/columns.h"
+#include "plan/first_free.h"
 #include "portable/column.h"
+#include "portable/fate.h"
 
 namespace lacuna::cpu {
 
@@ -12,84 +16,187 @@ State::State(const Plan& the_plan)
     : plan(the_plan),
       columns(count_columns(plan)),
       first_lines(lacuna::first_lines(plan, columns)),
-      capacity(first_capacity(plan)),
-      spans(std::make_unique_for_overwrite<Span[]>(std::size_t{plan.lines} * capacity)),
-      span_counts(plan.lines, 1),
-      boxes(plan.is_exact() ? columns : 0),
+      place_width(plan.strip_width),
       place_begins(first_lines),
-      free_lengths(plan.lines, plan.height),
-      column_begins(columns + std::size_t{1}) {
-    for (std::uint32_t line = 0; line < plan.lines; ++line) slot(line)[0] = {0, plan.height};
-    if (plan.is_exact()) grid.emplace(plan);
-}
+      free_lengths(first_free_lengths(plan)),
+      column_begins(columns + std::size_t{1}) {}
 
-void State::grow() {
-    const std::uint32_t larger = 2 * capacity;
-    auto moved = std::make_unique_for_overwrite<Span[]>(std::size_t{plan.lines} * larger);
-    for (std::uint32_t line = 0; line < plan.lines; ++line) {
-        const std::span<Span> old = slot(line).first(span_counts[line]);
-        std::copy(old.begin(), old.end(), moved.get() + std::size_t{line} * larger);
-    }
-    spans = std::move(moved);
-    capacity = larger;
+void State::begin_round(std::span<const Draw> draws) {
+    candidates.resize(draws.size());
+    fates.resize(draws.size());
+    buckets.resize(draws.size());
+    find_column_begins(place_begins, draws, column_begins);
 }
 
 Snapshot State::snapshot() const {
     Snapshot snapshot;
+    snapshot.candidates = candidates;
+    snapshot.fates = fates;
+    return snapshot;
+}
+
+void State::restore(const Snapshot& snapshot) {
+    candidates = snapshot.candidates;
+    fates = snapshot.fates;
+    buckets.resize(candidates.size());
+    find_column_begins(plan, columns, candidates, column_begins);
+    for (std::uint32_t column = 0; column < columns; ++column) sort_column(column);
+}
+
+SpanState::SpanState(const Plan& the_plan)
+    : State(the_plan),
+      capacity(first_capacity(plan)),
+      spans(std::make_unique_for_overwrite<Span[]>(std::size_t{plan.lines} * capacity)),
+      span_counts(plan.lines),
+      boxes(plan.is_exact() ? columns : 0) {
+    if (plan.is_exact()) grid.emplace(plan);
+}
+
+void SpanState::set_spans(std::uint32_t line, std::span<const Span> of_line) {
+    std::copy(of_line.begin(), of_line.end(), slot(line).begin());
+    span_counts[line] = static_cast<std::uint32_t>(of_line.size());
+}
+
+void SpanState::grow() {
+    const std::unique_ptr<Span[]> old = std::move(spans);
+    const std::uint32_t old_capacity = std::exchange(capacity, 2 * capacity);
+    spans = std::make_unique_for_overwrite<Span[]>(std::size_t{plan.lines} * capacity);
+    for (std::uint32_t line = 0; line < plan.lines; ++line)
+        set_spans(line, {old.get() + std::size_t{line} * old_capacity, span_counts[line]});
+}
+
+void SpanState::settle_boxes(std::uint32_t width) {
+    has_boxes = true;
+    place_width = width;
+    spans.reset();
+    span_counts = {};
+    free_lengths.clear();
+    for (std::uint32_t column = 0; column < columns; ++column) {
+        for (const Box box : boxes[column]) free_lengths.push_back(box.end - box.begin);
+        place_begins[column + 1] = static_cast<std::uint32_t>(free_lengths.size());
+    }
+}
+
+Snapshot SpanState::snapshot() const {
+    Snapshot snapshot = State::snapshot();
     snapshot.capacity = capacity;
-    for (std::uint32_t line = 0; line < plan.lines && !has_boxes(); ++line) {
+    for (std::uint32_t line = 0; line < plan.lines && !has_boxes; ++line) {
         const std::span<Span> of_line = slot(line).first(span_counts[line]);
         snapshot.spans.emplace_back(of_line.begin(), of_line.end());
     }
-    snapshot.candidates = candidates;
-    snapshot.fates = fates;
     for (std::uint32_t i = 0; i < plan.grid_columns && grid; ++i)
         snapshot.grid.insert(snapshot.grid.end(), grid->column(i),
                              grid->column(i) + plan.grid_rows);
-    snapshot.box_width = box_width;
+    snapshot.box_width = has_boxes ? place_width : 0;
     for (const std::vector<Box>& of_column : boxes)
         snapshot.boxes.insert(snapshot.boxes.end(), of_column.begin(), of_column.end());
     return snapshot;
 }
 
-void State::restore(const Snapshot& snapshot) {
-    capacity = snapshot.capacity;
-    box_width = snapshot.box_width;
-    if (has_boxes())
-        restore_boxes(snapshot);
-    else
-        restore_spans(snapshot);
+void SpanState::restore(const Snapshot& snapshot) {
+    State::restore(snapshot);
     for (std::uint32_t i = 0; i < plan.grid_columns && grid; ++i)
         std::copy_n(snapshot.grid.data() + std::size_t{i} * plan.grid_rows, plan.grid_rows,
                     grid->column(i));
-    candidates = snapshot.candidates;
-    fates = snapshot.fates;
-    find_column_begins(plan, columns, candidates, column_begins);
-}
-
-void State::restore_spans(const Snapshot& snapshot) {
-    spans = std::make_unique_for_overwrite<Span[]>(std::size_t{plan.lines} * capacity);
+    if (snapshot.box_width != 0) {
+        boxes.assign(columns, {});
+        for (const Box box : snapshot.boxes)
+            boxes[portable::column_of_line(box.x / plan.strip_width, plan.lines, columns)]
+                .push_back(box);
+        settle_boxes(snapshot.box_width);
+        return;
+    }
+    has_boxes = false;
+    place_width = plan.strip_width;
     place_begins = first_lines;
+    capacity = snapshot.capacity;
+    spans = std::make_unique_for_overwrite<Span[]>(std::size_t{plan.lines} * capacity);
+    span_counts.resize(plan.lines);
     free_lengths.assign(plan.lines, 0);
     for (std::uint32_t line = 0; line < plan.lines; ++line) {
-        const std::vector<Span>& from = snapshot.spans[line];
-        std::copy(from.begin(), from.end(), slot(line).begin());
-        span_counts[line] = static_cast<std::uint32_t>(from.size());
-        for (const Span span : from) free_lengths[line] += span.end - span.begin;
+        set_spans(line, snapshot.spans[line]);
+        for (const Span span : snapshot.spans[line]) free_lengths[line] += span.end - span.begin;
     }
 }
 
-void State::restore_boxes(const Snapshot& snapshot) {
-    boxes.assign(columns, {});
-    free_lengths.clear();
-    for (const Box box : snapshot.boxes) {
-        boxes[portable::column_of_line(box.x / plan.strip_width, plan.lines, columns)].push_back(
-            box);
-        free_lengths.push_back(box.end - box.begin);
+BitState::BitState(const Plan& the_plan)
+    : State(the_plan),
+      radii(*plan.radii),
+      words(words_per_line(plan) / 2),
+      bits(std::make_unique_for_overwrite<std::uint64_t[]>(plan.lines * words)),
+      widest(plan.lines),
+      near_begins(columns + std::size_t{1}) {}
+
+void BitState::begin_round(std::span<const Draw> draws) {
+    State::begin_round(draws);
+    candidate_radii.resize(draws.size());
+}
+
+void BitState::set_bits(std::uint32_t index, std::span<const std::uint32_t> of_line) {
+    for (std::size_t i = 0; i < words; ++i)
+        line(index)[i] = std::uint64_t{of_line[2 * i + 1]} << 32 | of_line[2 * i];
+}
+
+void BitState::find_radii(std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin; i < end; ++i)
+        candidate_radii[i] = radii.radii[radii.pixel_at(candidates[i].x, candidates[i].y)];
+}
+
+void BitState::find_near() {
+    // Counted, then listed.
+    const auto for_each_near = [&](auto visit) {
+        for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+            if (fates[i] != FATE_ADMITTED) continue;
+            const portable::Stretch lines = portable::near_lines(
+                candidates[i].x, reach_of(candidates[i]), plan.lines, plan.period_x);
+            const portable::Stretch reached = portable::near_columns(lines, plan.lines, columns);
+            for (std::uint32_t k = 0; k < reached.count; ++k)
+                visit((reached.first + k) % columns, i);
+        }
+    };
+    std::fill(near_begins.begin(), near_begins.end(), 0);
+    for_each_near([&](std::uint32_t column, std::uint32_t) { ++near_begins[column]; });
+    std::uint32_t sum = 0;
+    for (std::uint32_t& begin : near_begins) begin = sum += begin;
+    near.resize(sum);
+    for_each_near([&](std::uint32_t column, std::uint32_t i) { near[--near_begins[column]] = i; });
+}
+
+Snapshot BitState::snapshot() const {
+    Snapshot snapshot = State::snapshot();
+    for (std::size_t i = 0; i < plan.lines * words; ++i) {
+        snapshot.bits.push_back(static_cast<std::uint32_t>(bits[i]));
+        snapshot.bits.push_back(static_cast<std::uint32_t>(bits[i] >> 32));
     }
-    for (std::uint32_t column = 0; column < columns; ++column)
-        place_begins[column + 1] =
-            place_begins[column] + static_cast<std::uint32_t>(boxes[column].size());
+    return snapshot;
+}
+
+void BitState::restore(const Snapshot& snapshot) {
+    State::restore(snapshot);
+    const std::span<const std::uint32_t> all = snapshot.bits;
+    for (std::uint32_t i = 0; i < plan.lines; ++i) {
+        set_bits(i, all.subspan(2 * words * i, 2 * words));
+        free_lengths[i] = 0;
+        for (const std::uint64_t word : line(i))
+            free_lengths[i] += static_cast<std::uint32_t>(std::popcount(word));
+    }
+    std::fill(widest.begin(), widest.end(), 0);
+    candidate_radii.resize(candidates.size());
+    find_radii(0, static_cast<std::uint32_t>(candidates.size()));
+}
+
+void set_free(SpanState& state, std::uint32_t column) {
+    for (std::uint32_t i = state.first_lines[column]; i < state.first_lines[column + 1]; ++i)
+        state.set_spans(i, first_spans(state.plan, i));
+    if (state.grid) state.grid->clear(column, state.columns);
+}
+
+void set_free(BitState& state, std::uint32_t column) {
+    const std::uint32_t begin = state.first_lines[column];
+    const std::uint32_t end = state.first_lines[column + 1];
+    const std::vector<std::uint32_t> bits = first_bits(state.plan, begin, end);
+    for (std::uint32_t i = begin; i < end; ++i)
+        state.set_bits(i, std::span(bits).subspan(2 * state.words * (i - begin), 2 * state.words));
 }
 
 }  // namespace lacuna::cpu

@@ -1,4 +1,5 @@
-// What the cpu backend keeps: lines with free spans, then boxes; and the candidates of the round.
+// What the cpu backend keeps: in all modes columns of lines and the candidates of a round; then the
+// places of each mode, which are spans and boxes, or bits.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +21,38 @@ struct State {
     std::uint32_t columns;                   // of lines, see portable/column.h
     std::vector<std::uint32_t> first_lines;  // of each column; columns + 1
 
+    // The places draws fall on: the first of each column, columns + 1; and their free lengths.
+    std::uint32_t place_width;
+    std::vector<std::uint32_t> place_begins;
+    std::vector<std::uint32_t> free_lengths;
+
+    // The round's candidates, column by column, by y within a column, and what became of them.
+    std::vector<Candidate> candidates;
+    std::vector<std::uint32_t> column_begins;  // columns + 1
+    std::vector<std::uint32_t> fates;          // portable/fate.h
+    // A column has as many buckets as candidates (portable/column.h). Bucket b of the column begins
+    // at its candidate number buckets[column_begins[column] + b].
+    std::vector<std::uint32_t> buckets;
+
+    std::span<const Candidate> candidates_of(std::uint32_t column) const {
+        return {candidates.data() + column_begins[column],
+                column_begins[column + 1] - column_begins[column]};
+    }
+    // Makes room for the draws' candidates, and finds where each column's begin.
+    void begin_round(std::span<const Draw> draws);
+    // Sorts the column's candidates by y, and by order where y is equal.
+    void sort_column(std::uint32_t column);
+    // The column's first candidate that is not below y, or its end.
+    std::uint32_t first_from(std::uint32_t column, std::uint32_t y) const;
+
+    Snapshot snapshot() const;
+    void restore(const Snapshot& snapshot);
+};
+
+// Modes lines and exact: lines, then in exact boxes.
+struct SpanState : State {
+    explicit SpanState(const Plan& plan);
+
     // Line i's free spans are the first span_counts[i] of slot(i): sorted, disjoint, none empty.
     // Let go of at the first refinement.
     std::uint32_t capacity;
@@ -28,60 +61,89 @@ struct State {
 
     // In exact: the samples so far and, from the first refinement on, each column's boxes.
     std::optional<SampleGrid> grid;
-    std::uint32_t box_width = 0;  // 0 before
+    bool has_boxes = false;
     std::vector<std::vector<Box>> boxes;
-
-    // The places draws fall on, which are lines, then boxes: the first of each column, columns + 1;
-    // and their free lengths.
-    std::vector<std::uint32_t> place_begins;
-    std::vector<std::uint32_t> free_lengths;
-
-    // The round's candidates, column by column, by y within a column; and what became of them.
-    std::vector<Candidate> candidates;
-    std::vector<std::uint32_t> column_begins;  // columns + 1
-    std::vector<std::uint32_t> fates;          // portable/fate.h
 
     std::span<Span> slot(std::uint32_t line) const {
         return {spans.get() + std::size_t{line} * capacity, capacity};
     }
-    std::span<const Candidate> candidates_of(std::uint32_t column) const {
-        return {candidates.data() + column_begins[column],
-                column_begins[column + 1] - column_begins[column]};
-    }
-    bool has_boxes() const { return box_width != 0; }
-    std::uint32_t place_width() const { return has_boxes() ? box_width : plan.strip_width; }
+    // Sets the line's spans, for which there must be room.
+    void set_spans(std::uint32_t line, std::span<const Span> of_line);
     // Twice the room for every line.
     void grow();
+    // From now on the boxes are the places, all so wide.
+    void settle_boxes(std::uint32_t width);
     Snapshot snapshot() const;
     void restore(const Snapshot& snapshot);
+};
 
-private:
-    void restore_spans(const Snapshot& snapshot);
-    void restore_boxes(const Snapshot& snapshot);
+// Mode cells: a bit for each lattice point.
+struct BitState : State {
+    explicit BitState(const Plan& plan);
+
+    const RadiusMap& radii;
+
+    // Bit y of a line is set while its lattice point is free.
+    std::size_t words;  // of each line
+    std::unique_ptr<std::uint64_t[]> bits;
+    // With mean and max, of each line: where in RadiusMap::widest_rows of the line's pixels the
+    // first row stands that may still have a free point. Goes up as points are blocked.
+    std::vector<std::uint32_t> widest;
+
+    // The radius of each candidate.
+    std::vector<std::uint32_t> candidate_radii;
+    // The candidates admitted that may reach each column: near[near_begins[column]] and on.
+    std::vector<std::uint32_t> near_begins;
+    std::vector<std::uint32_t> near;
+
+    std::span<std::uint64_t> line(std::uint32_t index) const {
+        return {&bits[index * words], words};
+    }
+    // How far a conflict with the candidate may be, in lattice steps.
+    std::uint32_t reach_of(const Candidate& candidate) const {
+        return radii.reaches[radii.pixel_at(candidate.x, candidate.y)];
+    }
+    void begin_round(std::span<const Draw> draws);
+    // Sets the line's bits from words of 32.
+    void set_bits(std::uint32_t line, std::span<const std::uint32_t> of_line);
+    // Looks up the radii of the candidates [begin, end).
+    void find_radii(std::uint32_t begin, std::uint32_t end);
+    // For subtract: finds which candidates admitted may reach each column. Sequential.
+    void find_near();
+    Snapshot snapshot() const;
+    void restore(const Snapshot& snapshot);
 };
 
 // The verbs, a column at a time; any order, in parallel.
 
+// Before the first round: all places of the column are free.
+void set_free(SpanState& state, std::uint32_t column);
+void set_free(BitState& state, std::uint32_t column);
+
 // Turns the column's draws into candidates.
-void locate(State& state, std::span<const Draw> draws, std::uint32_t column);
+void locate(SpanState& state, std::span<const Draw> draws, std::uint32_t column);
+void locate(BitState& state, std::span<const Draw> draws, std::uint32_t column);
 
 // In exact, before the column is first admitted: settles the candidates that samples of earlier
 // rounds cover.
-void screen(State& state, std::uint32_t column);
+void screen(SpanState& state, std::uint32_t column);
 
 // Settles what can be settled of the column's undecided candidates; true when all are. Several
 // passes settle all: the earliest undecided candidate never waits for another.
-bool admit(State& state, std::uint32_t column);
+bool admit(SpanState& state, std::uint32_t column);
+bool admit(BitState& state, std::uint32_t column);
 
-// Puts the column's samples of this round into the grid.
-void insert(State& state, std::uint32_t column);
+// In exact: puts the column's samples of this round into the grid.
+void insert(SpanState& state, std::uint32_t column);
 
 // Cuts the round's chords from the column's lines. False when a line ran out of room: nothing is
 // lost, and after grow() the same call completes the work.
-bool subtract(State& state, std::uint32_t column);
+bool subtract(SpanState& state, std::uint32_t column);
+// Blocks the column's lattice points that fail the metric with a sample of the round.
+void subtract(BitState& state, std::uint32_t column);
 
 // Replaces the column's places by what all samples near them leave of them, `width` wide: its own
 // places' width, or half of it.
-void refine(State& state, std::uint32_t column, std::uint32_t width);
+void refine(SpanState& state, std::uint32_t column, std::uint32_t width);
 
 }  // namespace lacuna::cpu

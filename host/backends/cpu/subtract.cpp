@@ -11,7 +11,7 @@ namespace lacuna::cpu {
 namespace {
 
 // The samples that may cut a column's lines, in the order of y.
-void gather(State& state, std::uint32_t column, std::vector<Sample>& near) {
+void gather(SpanState& state, std::uint32_t column, std::vector<Sample>& near) {
     near.clear();
     const std::uint32_t wraps = state.plan.period_x;
     const std::uint32_t first = portable::first_neighbour(column, state.columns, wraps);
@@ -129,7 +129,7 @@ void find_chords(const Plan& plan, std::uint32_t centre, std::span<const Sample>
 
 }  // namespace
 
-bool subtract(State& state, std::uint32_t column) {
+bool subtract(SpanState& state, std::uint32_t column) {
     thread_local std::vector<Sample> near;
     thread_local std::vector<Span> chords;
     thread_local Line line;

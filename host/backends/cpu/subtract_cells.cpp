@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "backends/cpu/cells_state.h"
+#include "backends/cpu/state.h"
 #include "portable/chord.h"
 #include "portable/distance.h"
 #include "portable/metric.h"
@@ -51,7 +51,7 @@ void shrink(std::span<const std::uint64_t> line, std::uint32_t& begin, std::uint
 // One sample on one line.
 class Cut {
 public:
-    Cut(const CellsState& state, const Candidate& sample, std::uint32_t radius, std::uint32_t x)
+    Cut(const BitState& state, const Candidate& sample, std::uint32_t radius, std::uint32_t x)
         : state_(state),
           radius_(radius),
           line_(state.line(x)),
@@ -122,7 +122,7 @@ private:
         if (from < to) blocked_ += clear(line_, from, to);
     }
 
-    const CellsState& state_;
+    const BitState& state_;
     std::uint32_t radius_;
     std::span<std::uint64_t> line_;
     const std::uint32_t* pixels_;
@@ -139,7 +139,7 @@ bool any_set(std::span<const std::uint64_t> line, std::uint32_t begin, std::uint
 // How far from the sample's height a free point of line x can be that it blocks, plus 1; 0 if none.
 // With min no farther than its radius. With mean and max the widest pixels reach farthest, and they
 // are the first to be blocked.
-std::int64_t half_chord(CellsState& state, std::uint32_t reach, std::uint32_t radius,
+std::int64_t half_chord(BitState& state, std::uint32_t reach, std::uint32_t radius,
                         std::uint32_t dx, std::uint32_t x) {
     const RadiusMap& radii = state.radii;
     std::uint64_t limit = std::uint64_t{reach} * reach + 1;
@@ -164,7 +164,7 @@ std::int64_t half_chord(CellsState& state, std::uint32_t reach, std::uint32_t ra
 
 }  // namespace
 
-void subtract(CellsState& state, std::uint32_t column) {
+void subtract(BitState& state, std::uint32_t column) {
     const Plan& plan = state.plan;
     for (std::uint32_t k = state.near_begins[column]; k < state.near_begins[column + 1]; ++k) {
         const Candidate& sample = state.candidates[state.near[k]];
