@@ -19,8 +19,8 @@ constexpr double kDensity = 0.69656;           // docs/design.md, section 5
 constexpr double kLatticeLoss = 0.47;
 constexpr double kCountDeviation = 0.244;  // standard deviation of a maximal count over sqrt(N)
 
-// How much more than asked for the first attempt at a count makes room for; each of the others adds
-// once more of this than the one before it did.
+// The first attempt at a count makes room for kSpare times as many points. Attempt n, counted from
+// 0, makes room for kSpare to the power of 1 + n (n + 1) / 2 times as many.
 constexpr double kSpare = 1.015;
 
 std::uint32_t cells_per_radius(const Request& request) {

@@ -20,8 +20,10 @@ struct RadiusMap {
     std::vector<std::uint32_t> radii;    // in 1/256 of a lattice step: portable/metric.h
     std::vector<std::uint32_t> reaches;  // in lattice steps: no conflict is as far, with any sample
 
-    // With mean and max: the pixel rows of each column, those of the widest radii first, but for
-    // radii of one class (portable/metric.h) in any order. Empty with min.
+    // For the metrics mean and max, where the widest open pixel of a line tells how far away a
+    // sample may still block something on it. widest_rows[c * rows + i] is a row of pixel column c:
+    // the rows stand in descending order of their radii's classes (radius_class in
+    // portable/metric.h), and the rows of one class in any order. Empty for the metric min.
     std::vector<std::uint32_t> widest_rows;
 
     std::vector<std::uint32_t> column_of;   // the pixel column of each line

@@ -8,9 +8,13 @@
 
 namespace lacuna {
 
+// Rounds of automatic size have at least kSmallestRound draws: with fewer, what a round costs apart
+// from its draws would be most of its cost.
 inline constexpr std::uint64_t kSmallestRound = 16;
-// In lines and cells a round's arrays stay within the 128 MiB that every Vulkan driver can bind, as
-// slabs do; in exact, boxes outgrow that at fewer points than rounds this large have.
+// The largest array of a round has 24 bytes a draw (device/layout.cpp): with kLargestRoundInLines
+// draws, the most in lines and in cells, 96 MiB, which fit into the 128 MiB that every Vulkan
+// driver lets a kernel bind. In exact that would not help, because the arrays of boxes grow past
+// 128 MiB in sets whose rounds are still smaller than kLargestRoundInExact.
 inline constexpr std::uint64_t kLargestRoundInLines = std::uint64_t{1} << 22;
 inline constexpr std::uint64_t kLargestRoundInExact = std::uint64_t{1} << 25;
 

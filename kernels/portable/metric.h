@@ -40,14 +40,17 @@ LACUNA_FN u64 metric_squared(u32 twice) {
     return ((wide * wide - 1u) >> 18u) + 1u;
 }
 
-// Whether a sample's reach, in steps, is so much longer than its radius that looking for wider
-// pixels that are still open spares work.
+// With mean and max a sample may block places up to `reach` lattice steps away, farther than its
+// `radius`, but only places whose own radius is wide. Where the reach is over four times the radius,
+// it is worth while to look on each line for the widest radius that is still free
+// (RadiusMap::widest_rows), and to go no farther than that asks for.
 LACUNA_FN bool is_far_reach(u32 metric, u32 reach, u32 radius) {
     return metric != METRIC_MIN && reach / 4u > radius / 256u;
 }
 
-// How many pixel rows, and words of their points, one look for a line's widest open pixel takes at
-// most: invocations have turns to count.
+// A kernel that looks for a line's widest free radius reads at most MOST_LOOKS rows of pixels, and
+// of each at most MOST_LOOKS words of bits, because lavapipe bounds the turns that an invocation's
+// loops may take (failure.h).
 #define MOST_LOOKS 32u
 
 LACUNA_END

@@ -28,9 +28,12 @@ void gather(SpanState& state, std::uint32_t column, std::vector<Sample>& near) {
     }
 }
 
-// A line's spans with a gap that moves along: what lies below it is done, the rest is above.
-// Chords that come in the order of y move it a little at a time, and cut where it stands. A
-// sentinel at each end, and writes that may be taken back, leave two branches to a typical cut.
+// A line's spans in one buffer with a gap in it: the spans that are done lie below the gap, the
+// rest above. Chords come in the order of y, so that the gap moves a little at a time, and each
+// chord cuts where the gap is. An empty span stands at the buffer's begin and another at its end,
+// so that no loop of cut() looks for the buffer's bounds. cut() writes the piece below a chord to
+// done_ in any case, and moves done_ past it only if the piece is not empty; the next write
+// replaces an empty one. So a typical cut has two branches.
 class Line {
 public:
     // Loads the line's spans; so many cuts may follow.

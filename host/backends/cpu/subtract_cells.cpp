@@ -51,33 +51,30 @@ void shrink(std::span<const std::uint64_t> line, std::uint32_t& begin, std::uint
 // One sample on one line.
 class Cut {
 public:
-    Cut(const BitState& state, const Candidate& sample, std::uint32_t radius, std::uint32_t x)
+    Cut(const BitState& state, std::uint32_t radius, std::uint32_t dx, std::uint32_t x)
         : state_(state),
           radius_(radius),
           line_(state.line(x)),
           pixels_(&state.radii.radii[std::size_t{state.radii.column_of[x]} * state.radii.rows]),
-          dx_(portable::axis_distance(sample.x, x, state.plan.period_x)) {}
+          dx_(dx) {}
 
-    // Blocks what the sample, seen at height y, takes of [low, high).
-    void block(std::int64_t y, std::int64_t low, std::int64_t high) {
-        low = std::max<std::int64_t>(low, 0);
-        high = std::min<std::int64_t>(high, state_.plan.height);
-        if (low >= high) return;
-        auto begin = static_cast<std::uint32_t>(low);
-        auto end = static_cast<std::uint32_t>(high);
+    // Blocks what a sample at height y takes of the points [begin, end) of the line, as if they lay
+    // `shift` higher: so does the line's other end around a torus.
+    void block(std::uint32_t y, std::uint32_t begin, std::uint32_t end, std::uint32_t shift) {
+        if (begin >= end) return;
         shrink(line_, begin, end);
         const RadiusMap& radii = state_.radii;
         std::uint32_t from = begin;  // [from, begin) is blocked, but not yet cleared
         while (begin < end) {
             const std::uint32_t row = radii.row_of[begin];
             const std::uint32_t run_end = std::min(end, radii.row_begins[row + 1]);
-            const auto [run_from, run_to] = blocked_of_run(pixels_[row], y, begin, run_end);
-            if (run_from != begin) {
+            const Span run = blocked_of_run(pixels_[row], y, {begin + shift, run_end + shift});
+            if (run.begin - shift != begin) {
                 flush(from, begin);
-                from = run_from;
+                from = run.begin - shift;
             }
-            if (run_to != run_end) {
-                flush(from, run_to);
+            if (run.end - shift != run_end) {
+                flush(from, run.end - shift);
                 from = run_end;
             }
             begin = run_end;
@@ -87,35 +84,20 @@ public:
     std::uint32_t blocked() const { return blocked_; }
 
 private:
-    struct Stretch {
-        std::uint32_t from;
-        std::uint32_t to;
-    };
-
-    // What the metric of the sample and such a pixel takes of [begin, end), above which lies that
-    // pixel alone. Mostly all or nothing, which squared distances tell without a root.
-    Stretch blocked_of_run(std::uint32_t pixel, std::int64_t y, std::uint32_t begin,
-                           std::uint32_t end) {
-        if (pixel == 0) return {begin, end};  // no importance: never set
-        const std::uint64_t limit = limit_to(pixel);
-        const std::int64_t below = y - begin;                  // of the run's first point
-        const std::int64_t above = std::int64_t{end} - 1 - y;  // of its last
-        if (is_blocked(std::max(below, above), limit)) return {begin, end};
-        const std::int64_t nearest = std::max<std::int64_t>({-below, -above, 0});
-        if (!is_blocked(nearest, limit)) return {end, end};
-        const std::int64_t reach = portable::chord_reach(dx_, limit);
-        return {static_cast<std::uint32_t>(std::max<std::int64_t>(begin, y - reach + 1)),
-                static_cast<std::uint32_t>(std::min<std::int64_t>(end, y + reach))};
-    }
-
-    bool is_blocked(std::int64_t dy, std::uint64_t limit) const {
-        const auto distance = static_cast<std::uint64_t>(dy);
-        return std::uint64_t{dx_} * dx_ + distance * distance < limit;
-    }
-
-    std::uint64_t limit_to(std::uint32_t pixel) const {
-        return portable::metric_squared(portable::twice_metric_radius(
+    // What the metric of the sample and such a pixel takes of the run, above which lies that pixel
+    // alone. Mostly all or nothing, which squared distances tell without a root.
+    Span blocked_of_run(std::uint32_t pixel, std::uint32_t y, Span run) const {
+        if (pixel == 0) return run;  // no importance: never set
+        const std::uint64_t limit = portable::metric_squared(portable::twice_metric_radius(
             static_cast<std::uint32_t>(state_.plan.metric), radius_, pixel));
+        const std::uint32_t last = run.end - 1;
+        if (portable::squared_length(dx_, portable::far_distance(y, run.begin, last)) < limit)
+            return run;
+        if (portable::squared_length(dx_, portable::near_distance(y, run.begin, last)) >= limit)
+            return {run.end, run.end};
+        const std::uint32_t reach = portable::chord_reach(dx_, limit);
+        return {std::max(run.begin, portable::chord_begin(y, reach)),
+                portable::chord_end(y, reach, run.end)};
     }
 
     void flush(std::uint32_t from, std::uint32_t to) {
@@ -139,11 +121,11 @@ bool any_set(std::span<const std::uint64_t> line, std::uint32_t begin, std::uint
 // How far from the sample's height a free point of line x can be that it blocks, plus 1; 0 if none.
 // With min no farther than its radius. With mean and max the widest pixels reach farthest, and they
 // are the first to be blocked.
-std::int64_t half_chord(BitState& state, std::uint32_t reach, std::uint32_t radius,
-                        std::uint32_t dx, std::uint32_t x) {
+std::uint32_t half_chord(BitState& state, std::uint32_t reach, std::uint32_t radius,
+                         std::uint32_t dx, std::uint32_t x) {
     const RadiusMap& radii = state.radii;
-    std::uint64_t limit = std::uint64_t{reach} * reach + 1;
-    const std::uint64_t dx_squared = std::uint64_t{dx} * dx;
+    std::uint64_t limit = portable::squared_length(reach, 0) + 1;
+    const std::uint64_t dx_squared = portable::squared_length(dx, 0);
     if (dx_squared >= limit) return 0;
     const auto metric = static_cast<std::uint32_t>(state.plan.metric);
     if (!portable::is_far_reach(metric, reach, radius)) return portable::chord_reach(dx, limit);
@@ -172,14 +154,16 @@ void subtract(BitState& state, std::uint32_t column) {
         const std::uint32_t radius = state.candidate_radii[state.near[k]];
         for (std::uint32_t x = state.first_lines[column]; x < state.first_lines[column + 1]; ++x) {
             const std::uint32_t dx = portable::axis_distance(sample.x, x, plan.period_x);
-            const std::int64_t half = half_chord(state, reach, radius, dx, x);
+            const std::uint32_t half = half_chord(state, reach, radius, dx, x);
             if (half == 0) continue;
-            Cut cut(state, sample, radius, x);
-            const std::int64_t y = sample.y;
-            cut.block(y, y - half + 1, y + half);
-            for (const std::int64_t shift :
-                 {-std::int64_t{plan.period_y}, std::int64_t{plan.period_y}})
-                if (shift != 0) cut.block(y + shift, y + shift - half + 1, y + shift + half);
+            Cut cut(state, radius, dx, x);
+            const std::uint32_t y = sample.y;
+            const std::uint32_t height = plan.height;
+            cut.block(y, portable::chord_begin(y, half), portable::chord_end(y, half, height), 0);
+            if (plan.period_y != 0) {
+                cut.block(y, 0, portable::chord_wrapped_end(y, half, height), height);
+                cut.block(y + height, portable::chord_wrapped_begin(y, half, height), height, 0);
+            }
             state.free_lengths[x] -= cut.blocked();
         }
     }

@@ -16,7 +16,8 @@
 #include <thread>
 #include <utility>
 
-// For a task's closure, which oneTBB copies and hands over unseen.
+// Stands on the closure that oneTBB copies from one thread to another. ThreadSanitizer does not see
+// into oneTBB, so it would report that copy as a race.
 #define LACUNA_UNSEEN_BY_TSAN __attribute__((no_sanitize("thread"), noinline))
 
 namespace lacuna::cpu {
@@ -67,9 +68,11 @@ public:
     }
 
 private:
-    // So few draws, or places, are served faster by one thread than by waking another.
+    // Fewer draws or places than kParallelAmount take the calling thread less time than it takes to
+    // wake another thread.
     static constexpr std::size_t kParallelAmount = 128;
-    // A column of the largest sets takes some milliseconds; asking takes a tenth of a microsecond.
+    // The calling thread asks may_go_on_ at one column in kColumnsPerPoll. A column of the largest
+    // sets takes some milliseconds, and asking takes a tenth of a microsecond.
     static constexpr std::uint32_t kColumnsPerPoll = 4;
 
     template <typename Work>
@@ -81,8 +84,8 @@ private:
         work(column);
     }
 
-    // oneTBB hands memory over between threads by itself. It is said once more here because a
-    // ThreadSanitizer that does not see into the library cannot know.
+    // oneTBB orders the memory of the threads that it hands columns to. handover_ orders it once
+    // more, for ThreadSanitizer alone, which does not see into oneTBB.
     template <typename Work>
     void hand_over(std::uint32_t column, std::thread::id caller, Work& work) {
         handover_.load(std::memory_order_acquire);
