@@ -16,8 +16,13 @@
 LACUNA_BEGIN
 using u32 = std::uint32_t;
 using u64 = std::uint64_t;
-inline u32 to_u32(u64 a) {
+using i64 = std::int64_t;
+template <typename T>
+inline u32 to_u32(T a) {
     return static_cast<u32>(a);
+}
+inline i64 to_i64(u64 a) {
+    return static_cast<i64>(a);
 }
 inline u32 count_bits(u32 a) {
     return static_cast<u32>(std::popcount(a));
@@ -38,6 +43,8 @@ LACUNA_END
 #define LACUNA_TYPEDEF(name) typedef struct name name;
 typedef uint u32;
 typedef ulong u64;
+typedef long i64;
+#define to_i64(a) ((i64)(a))
 #define to_u32(a) ((u32)(a))
 #define count_bits(a) popcount(a)
 #define leading_zeros(a) clz(a)
@@ -57,6 +64,8 @@ typedef ulong u64;
 #define LACUNA_TYPEDEF(name)
 #define u32 uint
 #define u64 uint64_t
+#define i64 int64_t
+#define to_i64(a) int64_t(a)
 #define to_u32(a) uint(a)
 #define count_bits(a) uint(bitCount(a))
 #define leading_zeros(a) uint(31 - findMSB(a))

@@ -15,27 +15,8 @@ LACUNA_FN u32 count_grid(u32 length, u32 side) {
     return (length - 1u) / side + 1u;
 }
 
-// The cells of one axis that lie within `radius` of [begin, end): one stretch of cells on a box, up
-// to three on a torus, numbered like windows (window.h). Both ends belong to a stretch; it is empty
-// when the low end is above the high one.
-LACUNA_FN u32 near_low(u32 window, u32 begin, u32 end, u32 radius, u32 length, u32 side) {
-    u64 around = radius;
-    bool is_all = around * 2u + (end - begin) >= length;
-    if (window == 0u) return is_all || begin <= radius ? 0u : (begin - radius) / side;
-    if (window == 1u) return !is_all && begin < radius ? (begin + (length - radius)) / side : 1u;
-    return is_all || end + radius <= length ? 1u : 0u;
-}
-
-LACUNA_FN u32 near_high(u32 window, u32 begin, u32 end, u32 radius, u32 length, u32 side) {
-    u64 around = radius;
-    bool is_all = around * 2u + (end - begin) >= length;
-    u64 high = around + (end - 1u);
-    if (window == 0u) return (is_all || high >= length ? length - 1u : to_u32(high)) / side;
-    if (window == 1u) return !is_all && begin < radius ? (length - 1u) / side : 0u;
-    return !is_all && high >= length ? to_u32(high - length) / side : 0u;
-}
-
-// The same stretches as one run, which on a torus may go on from the last cell to the first.
+// The cells of one axis within a radius of [begin, end), as one run, which on a torus may go on from
+// the last cell to the first.
 struct GridStretch {
     u32 first;
     u32 count;
@@ -44,7 +25,7 @@ LACUNA_TYPEDEF(GridStretch)
 
 // The axis has `count` cells, and wraps after `period` units, 0: it does not wrap.
 LACUNA_FN GridStretch grid_stretch(u32 begin, u32 end, u32 radius, u32 length, u32 period, u32 side,
-                               u32 count) {
+                                   u32 count) {
     u64 around = radius;
     bool is_all = around * 2u + (end - begin) >= length;
     bool is_below = begin < radius;

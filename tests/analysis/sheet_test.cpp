@@ -42,7 +42,7 @@ TEST(SheetAsSvg, ShowsThePointsOfTheFirstSetAndTheReferenceOfSoManySets) {
     const std::string ten = sheet_of(ten_sets(), Medium::svg);
     EXPECT_TRUE(ten.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg "));
     EXPECT_TRUE(ten.ends_with("</svg>\n"));
-    EXPECT_EQ(occurrences(ten, "h0\n"), 300U);
+    EXPECT_EQ(occurrences(ten, "h0.01\n"), 300U);
     EXPECT_TRUE(contains(ten, "10 sets of 300 points, torus 1 \u00d7 1"));
     EXPECT_TRUE(contains(ten, "\u221210 dB: 10 sets without direction"));
     EXPECT_TRUE(contains(ten, "data:image/png;base64,iVBORw0KGgo"));

@@ -90,17 +90,6 @@ std::vector<Sample> samples_by_order(const Snapshot& snapshot) {
     return samples;
 }
 
-std::vector<std::uint32_t> pending_of(std::span<const std::uint32_t> fates, std::uint32_t chunk) {
-    const auto count = static_cast<std::uint32_t>(fates.size());
-    std::vector<std::uint32_t> all(count, NO_SAMPLE);
-    std::uint32_t left = 0;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        if (i % chunk == 0) left = i;
-        if (fates[i] == FATE_UNDECIDED) all[left++] = i;
-    }
-    return all;
-}
-
 std::vector<Span> pack(const Slab& slab, const Snapshot& snapshot) {
     std::vector<Span> slots(std::size_t{slab.lines()} * snapshot.capacity);
     for (std::uint32_t i = 0; i < slab.lines(); ++i) {
@@ -135,9 +124,8 @@ struct Needs {
     std::uint64_t largest;
 };
 
-// Of draws, located, candidates; buckets, fates, pending; samples; and three samples near for each
-// draw.
-constexpr std::uint64_t kBytesPerDraw = 48 + 12 + 8 + 24;
+// Of draws, located, candidates; buckets, fates; samples; and three samples near for each draw.
+constexpr std::uint64_t kBytesPerDraw = 48 + 8 + 8 + 24;
 constexpr std::uint64_t kLargestPerDraw = 24;  // of one buffer: the samples near
 
 // Of a cell, and of a box and the two that it may become; in exact.
@@ -159,8 +147,8 @@ Needs needs_of_lines(const Plan& plan, std::uint64_t round) {
                       cells * kBytesPerCell / 2, boxes * 2 * std::uint64_t{4}})};
 }
 
-// Mode cells. Of draws, located, candidates; buckets, fates, pending, radii; samples.
-constexpr std::uint64_t kCellsBytesPerDraw = 48 + 16 + 8;
+// Mode cells. Of draws, located, candidates; buckets, fates, radii, todo, left; samples.
+constexpr std::uint64_t kCellsBytesPerDraw = 48 + 20 + 8;
 constexpr std::uint64_t kCellsLargestPerDraw = 16;
 
 Needs needs_of_cells(const Plan& plan, std::uint64_t round) {

@@ -56,10 +56,6 @@ std::uint64_t take_admitted(std::span<const Sample> by_order, std::vector<Sample
 // The same the other way round: what a snapshot's fates make of its candidates, by order.
 std::vector<Sample> samples_by_order(const Snapshot& snapshot);
 
-// What admit has yet to decide of each chunk of draws: their indices from its begin on, then
-// NO_SAMPLE.
-std::vector<std::uint32_t> pending_of(std::span<const std::uint32_t> fates, std::uint32_t chunk);
-
 // A slab's spans as the device holds them, `capacity` a line, from a snapshot and back into one.
 std::vector<Span> pack(const Slab& slab, const Snapshot& snapshot);
 void unpack(const Slab& slab, std::span<const Span> slots,

@@ -4,11 +4,8 @@
 #include <CL/cl_ext.h>
 
 #include <algorithm>
-#include <bit>
 #include <iterator>
 #include <utility>
-
-#include "portable/failure.h"
 
 namespace lacuna::opencl {
 namespace {
@@ -107,18 +104,6 @@ DeviceError device_error(const cl::Error& error, const std::string& device, Log&
     return DeviceError("backend opencl, device " + device + ": " + error.what() + " failed with " +
                        error_name(error.err()) +
                        (said.empty() ? "" : "; the driver says: " + said));
-}
-
-DeviceError kernel_error(std::uint32_t failure, const std::string& device) {
-    // In the order of the flags; of several the first, since the others follow from it.
-    constexpr const char* kJobs[] = {"locate",   "sort_columns", "admit", "gather",
-                                     "subtract", "refine",       "refine"};
-    const auto job = static_cast<std::size_t>(std::countr_zero(failure)) % std::size(kJobs);
-    const char* const what = (failure & FAILED_CHORDS) != 0
-                                 ? ": more samples near a box than there is room for"
-                                 : ": a loop was ended early by the driver";
-    return DeviceError("backend opencl, device " + device + ": " + kJobs[job] + what +
-                       ": use fewer points, or another backend");
 }
 
 }  // namespace lacuna::opencl

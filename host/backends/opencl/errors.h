@@ -29,10 +29,6 @@ private:
 // Names the call, the error, the device and the driver's log, in one line.
 DeviceError device_error(const cl::Error& error, const std::string& device, Log& log);
 
-// Names the kernel that could not finish its work, by what it left in the word `failure`, which is
-// not 0 (portable/failure.h), and what to do.
-DeviceError kernel_error(std::uint32_t failure, const std::string& device);
-
 // Calls work(); OpenCL's errors become Lacuna's.
 template <typename Work>
 auto guarded(const std::string& device, Log& log, Work work) {

@@ -9,6 +9,7 @@
 #include "backends/backend.h"
 #include "backends/device/choice.h"
 #include "backends/device/layout.h"
+#include "backends/device/queue.h"
 
 namespace lacuna::opencl {
 
@@ -24,6 +25,8 @@ struct Trial {
 };
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement,
                                       const device::Tuning& tuning, const Trial& trial = {});
+std::unique_ptr<device::Queue> open_queue(const Placement& placement, Mode mode,
+                                          const Trial& trial = {});
 
 // The OpenCL C source of the kernels, includes expanded: of modes lines and exact, of mode cells.
 std::string kernel_source();

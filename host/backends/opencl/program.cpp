@@ -20,8 +20,12 @@ std::shared_ptr<Program> compile(const Found& found, const std::string& source) 
         made->context =
             cl::Context(made->device, nullptr, add_to_log, static_cast<void*>(&made->log));
         made->program = cl::Program(made->context, source);
+        // See kernels/bodies/prelude.h.
+        const bool is_oclgrind = found.entry.name.find("Oclgrind") != std::string::npos;
+        const char* const options =
+            is_oclgrind ? "-cl-std=CL1.2 -DLACUNA_ATOMIC_LOOKS" : "-cl-std=CL1.2";
         try {
-            made->program.build(made->device, "-cl-std=CL1.2");
+            made->program.build(made->device, options);
         } catch (const cl::BuildError& error) {
             for (const auto& [device, text] : error.getBuildLog()) made->log.add(text.c_str());
             throw;

@@ -1,90 +1,142 @@
-// The opencl backend's queue.
+// The queue of an OpenCL device.
 #include "backends/opencl/queue.h"
 
-#include <lacuna/lacuna.h>
-
 #include <algorithm>
-#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
+
+#include "backends/opencl/errors.h"
 
 namespace lacuna::opencl {
 namespace {
 
+using device::Buffer;
+using device::KernelShape;
+
 constexpr std::uint32_t kProcessorChunks = 32;  // a core: short ones, to share out evenly
-constexpr std::uint32_t kLongestChunk = 8192;   // a few milliseconds
+constexpr std::uint32_t kLongestChunk = 1024;   // so that a slice of a launch has many
 constexpr std::uint32_t kGraphicsGroup = 64;
-constexpr std::uint32_t kSmallestBlock = 256;
-
-// Draws that two cores serve in some 15 ms; with two slices on their way, a run is cancelled in a
-// fraction of 0.2 s.
-constexpr std::uint64_t kSlice = std::uint64_t{1} << 17;
-
 constexpr std::size_t kFillWords = std::size_t{1} << 16;
+
+class Queue : public device::Queue {
+public:
+    explicit Queue(std::shared_ptr<Program> program) : program_(std::move(program)) {
+        guard([&] {
+            queue_ = cl::CommandQueue(program_->context, program_->device);
+            const bool processor = program_->entry.kind == "cpu";
+            const auto largest = program_->device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+            const auto units = program_->device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+            // One size for all launches: PoCL compiles a kernel anew for each.
+            if (!processor)
+                group_size_ =
+                    static_cast<std::uint32_t>(std::min<std::size_t>(kGraphicsGroup, largest));
+            chunks_ = processor ? units * kProcessorChunks : 0;
+        });
+    }
+
+    const DeviceEntry& device() const override { return program_->entry; }
+
+    Buffer make(std::uint64_t bytes) override {
+        return guard([&] {
+            const auto size = static_cast<std::size_t>(std::max<std::uint64_t>(bytes, 4));
+            return Buffer(std::make_shared<cl::Buffer>(program_->context, CL_MEM_READ_WRITE, size),
+                          bytes);
+        });
+    }
+
+    void fill(const Buffer& buffer, std::uint32_t value, std::uint64_t words) override {
+        // Not clEnqueueFillBuffer: Oclgrind takes what it fills for uninitialized.
+        const auto& some = filling_.emplace_back(std::min<std::uint64_t>(words, kFillWords), value);
+        for (std::uint64_t at = 0; at < words; at += some.size()) {
+            const std::uint64_t count = std::min<std::uint64_t>(some.size(), words - at);
+            upload(buffer, std::as_bytes(std::span(some).first(count)), at * device::kWord);
+        }
+    }
+
+    void upload(const Buffer& to, std::span<const std::byte> from, std::uint64_t offset) override {
+        if (from.empty()) return;
+        guard(
+            [&] { queue_.enqueueWriteBuffer(of(to), CL_FALSE, offset, from.size(), from.data()); });
+    }
+
+    void download(const Buffer& from, std::span<std::byte> to) override {
+        if (to.empty()) return;
+        guard([&] { queue_.enqueueReadBuffer(of(from), CL_FALSE, 0, to.size(), to.data()); });
+    }
+
+    std::uint32_t run_of(std::uint32_t amount) const override {
+        return chunks_ == 0 ? 1 : std::clamp(amount / chunks_, 1u, kLongestChunk);
+    }
+    bool runs_in_lockstep() const override { return chunks_ == 0; }
+
+    void drain() noexcept override {
+        try {
+            queue_.finish();
+        } catch (const cl::Error&) {  // of the run, and told by it
+        }
+    }
+
+protected:
+    std::uint32_t group_size() const override { return group_size_; }
+    std::uint64_t most_groups() const override {
+        return std::numeric_limits<std::uint32_t>::max() / group_size_;
+    }
+
+    void enqueue(const KernelShape& shape, std::span<const std::byte> arguments,
+                 std::span<const Buffer> buffers, std::uint32_t groups) override {
+        guard([&] {
+            cl::Kernel& kernel = kernels_[shape.name];
+            if (kernel() == nullptr)
+                kernel = cl::Kernel(program_->program, std::string(shape.name).c_str());
+            kernel.setArg(0, arguments.size(), arguments.data());
+            for (cl_uint i = 0; i < buffers.size(); ++i) kernel.setArg(i + 1, of(buffers[i]));
+            queue_.enqueueNDRangeKernel(kernel, cl::NullRange,
+                                        cl::NDRange(std::size_t{groups} * group_size_),
+                                        cl::NDRange(group_size_), nullptr, &last_);
+        });
+    }
+
+    // One slice is left to work at.
+    void pause() override {
+        guard([&] {
+            queue_.flush();
+            if (before_pause_() != nullptr) before_pause_.wait();
+            before_pause_ = last_;
+        });
+    }
+
+    void finish() override {
+        guard([&] { queue_.finish(); });
+        filling_.clear();
+        before_pause_ = cl::Event();
+    }
+
+private:
+    static const cl::Buffer& of(const Buffer& buffer) {
+        return *static_cast<const cl::Buffer*>(buffer.handle());
+    }
+
+    template <typename Work>
+    std::invoke_result_t<Work> guard(Work work) const {
+        return guarded(program_->entry.name, program_->log, work);
+    }
+
+    std::shared_ptr<Program> program_;
+    cl::CommandQueue queue_;
+    std::uint32_t group_size_ = 1;
+    std::uint32_t chunks_ = 0;  // 0: as many as there are units of work
+    std::map<std::string_view, cl::Kernel> kernels_;
+    cl::Event last_, before_pause_;
+    std::vector<std::vector<std::uint32_t>> filling_;  // what fill() has on its way
+};
 
 }  // namespace
 
-Queue::Queue(const Program& program, std::uint64_t* launches)
-    : queue_(program.context, program.device), launches_(launches) {
-    const bool processor = program.entry.kind == "cpu";
-    const auto largest = program.device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
-    const auto units = program.device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
-    // One size for all launches: PoCL compiles a kernel anew for each.
-    group_size_ =
-        processor ? 1 : static_cast<std::uint32_t>(std::min<std::size_t>(kGraphicsGroup, largest));
-    chunks_ = processor ? units * kProcessorChunks : 0;
-}
-
-std::uint32_t Queue::chunk_of(std::uint32_t amount) const {
-    return chunks_ == 0 ? 1 : std::clamp(amount / chunks_, 1u, kLongestChunk);
-}
-
-std::uint32_t Queue::block_of(std::uint32_t amount) const {
-    const auto root = static_cast<std::uint32_t>(std::sqrt(amount));
-    return std::max(kSmallestBlock, chunks_ == 0 ? root : amount / chunks_);
-}
-
-void Queue::ask() const {
-    if (may_go_on_ && !may_go_on_()) throw Cancelled();
-}
-
-void Queue::launch_all(const cl::Kernel& kernel, std::uint32_t items, std::uint64_t work) {
-    // Slices are whole groups.
-    const std::uint64_t slices = std::max<std::uint64_t>(work / kSlice, 1);
-    const std::uint64_t groups_of_slice = items / slices / group_size_ + 1;
-    const std::uint64_t slice = groups_of_slice * group_size_;
-    cl::Event last;
-    for (std::uint64_t first = 0; first < items; first += slice) {
-        const std::uint64_t count = std::min<std::uint64_t>(slice, items - first);
-        const std::uint64_t groups = (count + group_size_ - 1) / group_size_;
-        cl::Event done;
-        queue_.enqueueNDRangeKernel(kernel, cl::NDRange(first), cl::NDRange(groups * group_size_),
-                                    cl::NDRange(group_size_), nullptr, &done);
-        if (launches_ != nullptr) ++*launches_;
-        if (slice >= items) return;
-        queue_.flush();
-        if (last() != nullptr) {
-            ask();
-            last.wait();  // one slice is left to work at
-        }
-        last = done;
-    }
-}
-
-void Queue::fill(const cl::Buffer& buffer, std::uint64_t words, std::uint32_t value) {
-    // Not clEnqueueFillBuffer: Oclgrind takes what it fills for uninitialized.
-    const std::vector<std::uint32_t> some(std::min<std::uint64_t>(words, kFillWords), value);
-    for (std::uint64_t at = 0; at < words; at += some.size()) {
-        const std::uint64_t count = std::min<std::uint64_t>(some.size(), words - at);
-        queue_.enqueueWriteBuffer(buffer, CL_FALSE, at * sizeof(cl_uint), count * sizeof(cl_uint),
-                                  some.data());
-    }
-    queue_.finish();
-}
-
-void Queue::finish() {
-    queue_.flush();
-    ask();
-    queue_.finish();
+std::unique_ptr<device::Queue> make_queue(std::shared_ptr<Program> program) {
+    return std::make_unique<Queue>(std::move(program));
 }
 
 }  // namespace lacuna::opencl

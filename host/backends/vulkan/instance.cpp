@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 #include <string_view>
 
-#include "backends/vulkan/engine.h"
+#include "backends/device/kernels.h"
 #include "backends/vulkan/make_backend.h"
 
 namespace lacuna::vulkan {
@@ -125,6 +126,15 @@ Instance::Instance(const Validation* validation) : context_(load()) {
     }
 }
 
+std::shared_ptr<const Instance> kept_instance() {
+    static std::mutex mutex;
+    // Never destroyed: by the end of the process a driver may have destroyed itself.
+    static auto& kept = *std::make_unique<std::shared_ptr<const Instance>>().release();
+    const std::lock_guard lock(mutex);
+    if (kept == nullptr) kept = std::make_shared<const Instance>(nullptr);
+    return kept;
+}
+
 std::optional<std::uint32_t> compute_family(const vk::raii::PhysicalDevice& device) {
     const auto families = device.getQueueFamilyProperties();
     for (std::uint32_t i = 0; i < families.size(); ++i)
@@ -168,10 +178,10 @@ DeviceEntry describe(const vk::raii::PhysicalDevice& device) {
         entry.unusable = "has Vulkan " + version(properties.apiVersion) + ", 1.2 is needed";
     else if (!entry.has_int64)
         entry.unusable = "has no 64-bit integers in shaders (shaderInt64)";
-    else if (properties.limits.maxPerStageDescriptorStorageBuffers < kMostBuffers)
+    else if (properties.limits.maxPerStageDescriptorStorageBuffers < device::kMostBuffers)
         entry.unusable = "allows a shader " +
                          std::to_string(properties.limits.maxPerStageDescriptorStorageBuffers) +
-                         " buffers, " + std::to_string(kMostBuffers) + " are needed";
+                         " buffers, " + std::to_string(device::kMostBuffers) + " are needed";
     else if (!compute_family(device))
         entry.unusable = "has no queue for compute";
     return entry;
@@ -180,8 +190,7 @@ DeviceEntry describe(const vk::raii::PhysicalDevice& device) {
 std::vector<DeviceEntry> list_devices() {
     std::vector<DeviceEntry> entries;
     try {
-        const Instance instance(nullptr);
-        for (const auto& device : instance.devices()) entries.push_back(describe(device));
+        for (const auto& device : kept_instance()->devices()) entries.push_back(describe(device));
     } catch (const Unavailable& unavailable) {
         DeviceEntry none;
         none.name = "Vulkan";

@@ -1,7 +1,8 @@
 // The Vulkan loader, its devices, and the validation layer. Includes all of Vulkan's C++ headers,
-// which cost seconds: only for instance.cpp and engine.cpp.
+// which cost seconds: only for this folder's .cpp files.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +29,9 @@ private:
     std::optional<vk::raii::DebugUtilsMessengerEXT> messenger_;
     std::vector<vk::raii::PhysicalDevice> devices_;
 };
+
+// The one that all of the process share, made at its first use.
+std::shared_ptr<const Instance> kept_instance();
 
 DeviceEntry describe(const vk::raii::PhysicalDevice& device);
 

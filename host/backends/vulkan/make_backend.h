@@ -3,14 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "backends/backend.h"
 #include "backends/device/choice.h"
 #include "backends/device/layout.h"
-#include "backends/vulkan/programs.h"
+#include "backends/device/queue.h"
 #include "backends/vulkan/validation.h"
 
 namespace lacuna::vulkan {
@@ -22,11 +23,13 @@ std::vector<DeviceEntry> list_devices();
 
 // For tests, which must be able to tell that these shaders do the work, and do it by the rules.
 struct Trial {
-    std::optional<Programs> programs;        // in place of embedded_programs()
+    // Words in place of an embedded shader's, by the name of its kernel.
+    std::map<std::string, std::vector<std::uint32_t>, std::less<>> shaders{};
     const Validation* validation = nullptr;  // must outlive the backend
-    std::uint64_t* dispatches = nullptr;     // counts them
+    std::uint64_t* launches = nullptr;       // counts the kernels launched
 };
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement,
                                       const device::Tuning& tuning, const Trial& trial = {});
+std::unique_ptr<device::Queue> open_queue(const Placement& placement, const Trial& trial = {});
 
 }  // namespace lacuna::vulkan

@@ -46,17 +46,6 @@ TEST(NearBegins, LeaveRoomForAllDrawsNearAColumn) {
     EXPECT_EQ(begins, (std::vector<std::uint32_t>{0, 11, 122, 1232, 2332}));
 }
 
-TEST(Pending, ListsWhatIsUndecidedChunkByChunk) {
-    const std::vector<std::uint32_t> fates = {FATE_ADMITTED, FATE_UNDECIDED, FATE_UNDECIDED,
-                                              FATE_REJECTED, FATE_REJECTED,  FATE_UNDECIDED,
-                                              FATE_REJECTED, FATE_UNDECIDED};
-    const std::uint32_t none = NO_SAMPLE;
-    EXPECT_EQ(pending_of(fates, 3),
-              (std::vector<std::uint32_t>{1, 2, none, 5, none, none, 7, none}));
-    EXPECT_EQ(pending_of(fates, 1),
-              (std::vector<std::uint32_t>{none, 1, 2, none, none, 5, none, 7}));
-}
-
 TEST(SlicesOfSample, AreSoManyThatNoneTakesMoreTurns) {
     for (const tests::Scene& scene : tests::random_cells_scenes()) {
         const std::vector<std::uint32_t>& reaches = scene.plan.radii->reaches;
@@ -89,7 +78,7 @@ TEST(Requests, ThatDoNotFitAreRefusedWithWhatTheyNeed) {
     EXPECT_NO_THROW(refuse_if_too_large("Toy", plan, much, much));
     // 30,000 lines with room for 508 spans of 8 bytes, and the draws.
     EXPECT_EQ(refusal(plan, 100'000'000, much),
-              "device Toy: the request needs 0.145 GB of memory, and it has 0.1 GB");
+              "device Toy: the request needs 0.144 GB of memory, and it has 0.1 GB");
     EXPECT_EQ(refusal(plan, much, 1'000'000),
               "device Toy: the request needs a buffer of 0.006 GB, and its largest has 0.001 GB");
 }
@@ -103,7 +92,7 @@ TEST(Requests, OfModeCellsThatDoNotFitAreRefusedToo) {
     EXPECT_EQ(refusal(plan, much, 12'000'000),
               "device Toy: the request needs a buffer of 0.0126 GB, and its largest has 0.012 GB");
     EXPECT_EQ(refusal(plan, 20'000'000, much),
-              "device Toy: the request needs 0.0287 GB of memory, and it has 0.02 GB");
+              "device Toy: the request needs 0.0296 GB of memory, and it has 0.02 GB");
 }
 
 }  // namespace

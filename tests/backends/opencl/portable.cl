@@ -47,10 +47,14 @@ kernel void portable(global const Input* inputs, global u64* outputs) {
     out[21] = count_grid(in.height, in.radius);
     const u32 begin = min(in.ay, in.by);
     const u32 end = max(in.ay, in.by) + 1u;
-    for (u32 window = 0u; window < 3u; ++window) {
-        const u64 low = near_low(window, begin, end, in.reach, in.height, in.radius);
-        out[22u + window] =
-            low << 32 | near_high(window, begin, end, in.reach, in.height, in.radius);
+    for (u32 i = 0u; i < 2u; ++i) {
+        const u32 period = i == 0u ? 0u : in.height;
+        const u32 count = count_grid(in.height, in.radius);
+        const GridStretch run =
+            grid_stretch(begin, end, in.reach, in.height, period, in.radius, count);
+        const u64 first = run.first;
+        out[22u + i] = first << 32 | run.count;
+        out[24] = nth_of_stretch(run, run.count - 1u, count);
     }
     out[25] = has_turns_left(in.ay);
     out[26] = word_mask((end - 1u) / 32u, begin, end);

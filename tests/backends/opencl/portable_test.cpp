@@ -63,9 +63,14 @@ Output on_host(const Input& in) {
     out[21] = count_grid(in.height, in.radius);
     const u32 begin = std::min(in.ay, in.by);
     const u32 end = std::max(in.ay, in.by) + 1;
-    for (u32 window = 0; window < 3; ++window)
-        out[22 + window] = u64{near_low(window, begin, end, in.reach, in.height, in.radius)} << 32 |
-                           near_high(window, begin, end, in.reach, in.height, in.radius);
+    for (u32 i = 0; i < 2; ++i) {
+        const u32 period = i == 0 ? 0 : in.height;
+        const u32 count = count_grid(in.height, in.radius);
+        const GridStretch run =
+            grid_stretch(begin, end, in.reach, in.height, period, in.radius, count);
+        out[22 + i] = u64{run.first} << 32 | run.count;
+        out[24] = nth_of_stretch(run, run.count - 1, count);
+    }
     out[25] = has_turns_left(in.ay) ? 1 : 0;
     out[26] = word_mask((end - 1) / 32, begin, end);
     out[27] = bit_of_rank(in.radius, (in.ax | in.ay) % count_bits(in.radius));

@@ -55,8 +55,6 @@ struct Answers {
     u32 cells;
     u32 near_first;
     u32 near_count;
-    u32 near_low_1;
-    u32 near_high_2;
     u32 turns_left;
     u32 twice;
     u32 mask;
@@ -96,8 +94,6 @@ LACUNA_FN Answers answer(Numbers q) {
         grid_stretch(q.by, q.by + 1u, q.radius, q.height, q.period_y, q.side, a.cells);
     a.near_first = near.first;
     a.near_count = near.count;
-    a.near_low_1 = near_low(1u, q.by, q.by + 1u, q.radius, q.height, q.side);
-    a.near_high_2 = near_high(2u, q.by, q.by + 1u, q.radius, q.height, q.side);
     a.turns_left = has_turns_left(q.ax) ? 1u : 0u;
     a.twice = twice_metric_radius(q.line % 3u, q.ax + 1u, q.bx + 1u);
     a.metric_squared = metric_squared(a.twice);

@@ -5,18 +5,19 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "backends/available.h"
-#include "backends/vulkan/engine.h"
+#include "backends/vulkan/make_backend.h"
 
 namespace {
 
 using namespace lacuna;
 using namespace lacuna::portable;
-using vulkan::Buffer;
-using vulkan::Engine;
+using device::Buffer;
 
 #include "arithmetic.spv.h"
 
@@ -90,25 +91,36 @@ protected:
 
 TEST_F(Arithmetic, IsTheSameOnTheDeviceAsInCpp) {
     std::mt19937_64 random(11);
-    Engine engine("", nullptr);
-    const auto kernel = engine.make_kernel({"arithmetic", arithmetic_spirv, 3, sizeof(Arguments)});
-    const Buffer questions = engine.allocate(Engine::Memory::upload, kItems * sizeof(Numbers));
-    const Buffer replies = engine.allocate(Engine::Memory::download, kItems * sizeof(Answers));
-    const Buffer off_by = engine.allocate(Engine::Memory::download, kItems * sizeof(u32));
-    for (Numbers& q : questions.as<Numbers>()) q = any_numbers(random);
+    std::uint64_t launches = 0;
+    vulkan::Trial trial;
+    trial.shaders["arithmetic"].assign(std::begin(arithmetic_spirv), std::end(arithmetic_spirv));
+    trial.launches = &launches;
+    const auto queue = vulkan::open_queue({}, trial);
+    std::vector<Numbers> questions(kItems);
+    std::vector<Answers> replies(kItems);
+    std::vector<u32> off_by(kItems);
+    for (Numbers& q : questions) q = any_numbers(random);
+    const std::vector<Buffer> buffers = {queue->make(kItems * sizeof(Numbers)),
+                                         queue->make(kItems * sizeof(Answers)),
+                                         queue->make(kItems * sizeof(u32))};
 
-    engine.dispatch(kernel, {questions, replies, off_by}, Arguments{0, kItems}, kItems);
-    engine.wait();
+    Arguments arguments{0, kItems};
+    queue->upload(buffers[0], std::as_bytes(std::span(questions)), 0);
+    queue->launch({"arithmetic", 3, sizeof(Arguments)},
+                  std::as_writable_bytes(std::span(&arguments, 1)), buffers, kItems, 1);
+    queue->download(buffers[1], std::as_writable_bytes(std::span(replies)));
+    queue->download(buffers[2], std::as_writable_bytes(std::span(off_by)));
+    queue->wait();
 
-    EXPECT_GT(engine.dispatches(), 1u) << "so many items are served in parts";
+    EXPECT_GT(launches, 1u) << "so many items are served in parts";
     for (u32 i = 0; i < kItems; ++i) {
-        const Numbers& q = questions.as<Numbers>()[i];
+        const Numbers& q = questions[i];
         const Answers expected = answer(q);
-        const Answers& got = replies.as<Answers>()[i];
+        const Answers& got = replies[i];
         ASSERT_EQ(got.root, expected.root) << "of " << q.n;
         ASSERT_EQ(got.reach, expected.reach) << got.distance << ", " << q.radius_squared;
         ASSERT_EQ(std::memcmp(&got, &expected, sizeof(Answers)), 0) << "set " << i;
-        ASSERT_LE(off_by.as<u32>()[i], 2u) << "the estimate of the root of " << q.n;
+        ASSERT_LE(off_by[i], 2u) << "the estimate of the root of " << q.n;
     }
 }
 

@@ -63,7 +63,7 @@ protected:
         scene_.spans.resize(plan_.lines);
         for (std::uint32_t i = 0; i < kTurns; ++i) scene_.spans[0].push_back({4 * i, 4 * i + 1});
         scene_.grid.assign(std::size_t{plan_.grid_columns} * plan_.grid_rows,
-                            {NO_SAMPLE, NO_SAMPLE});
+                           {NO_SAMPLE, NO_SAMPLE});
     }
     static Plan make() {
         Request request;
@@ -83,7 +83,7 @@ TEST_F(ManySpans, AreAnErrorOfLocateOrSortedAsByTheCpu) {
     scene_.spans[0] = {{0, kTurns}};
     std::vector<Draw> draws;
     for (std::uint32_t i = 0; i < kTurns; ++i) draws.push_back({0, i, 0, kTurns - 1 - i});
-    expect_right_or_failed("locate", [&](Backend& backend) { backend.locate(draws); });
+    expect_right_or_failed("sort_columns", [&](Backend& backend) { backend.locate(draws); });
 }
 
 TEST_F(ManySpans, AreAnErrorOfSubtractOrSubtractedAsByTheCpu) {
@@ -114,7 +114,7 @@ TEST_F(ManyPixels, AreAnErrorOfLocateOrSortedAsByTheCpu) {
     ASSERT_EQ(count_columns(plan_), 1u);
     std::vector<Draw> draws;
     for (std::uint32_t i = 0; i < kTurns; ++i) draws.push_back({0, i / 2, 0, kTurns - 1 - i});
-    expect_right_or_failed("locate", [&](Backend& backend) { backend.locate(draws); });
+    expect_right_or_failed("sort_columns", [&](Backend& backend) { backend.locate(draws); });
 }
 
 TEST_F(ManyPixels, AreAnErrorOfSubtractOrSubtractedAsByTheCpu) {

@@ -10,7 +10,8 @@
 #include "backends/cells_requests.h"
 #include "backends/cells_scenes.h"
 #include "backends/columns.h"
-#include "backends/vulkan/engine.h"
+#include "backends/device/kernels.h"
+#include "backends/vulkan/device.h"
 #include "backends/vulkan/make_backend.h"
 #include "generate.h"
 #include "portable/fate.h"
@@ -18,9 +19,8 @@
 namespace {
 
 using namespace lacuna;
-using vulkan::Buffer;
+using device::Buffer;
 using vulkan::Checks;
-using vulkan::Engine;
 
 class Validated : public testing::TestWithParam<Checks> {
 protected:
@@ -28,7 +28,7 @@ protected:
         tests::skip_or_fail_without("vulkan");
         if (IsSkipped() || HasFatalFailure()) return;
         try {
-            const Engine engine("", &validation_);
+            vulkan::open_queue({}, {{}, &validation_, nullptr});
         } catch (const Unavailable& reason) {
             if (tests::is_required("vulkan")) FAIL() << reason.what();
             GTEST_SKIP() << reason.what();
@@ -172,19 +172,31 @@ INSTANTIATE_TEST_SUITE_P(Vulkan, ValidatedCalls, testing::Values(Checks::core_an
                          name_of_checks);
 
 TEST_P(ValidatedCalls, TellOfACopyBeyondTheEnd) {
-    Engine engine("", &validation_);
-    const Buffer small = engine.allocate(Engine::Memory::device, 64);
-    const Buffer large = engine.allocate(Engine::Memory::device, 128);
-    engine.copy(large, small, 128);
+    const auto queue = vulkan::open_queue({}, {{}, &validation_, nullptr});
+    const Buffer small = queue->make(64);
+    const std::vector<std::byte> bytes(128);
+    queue->upload(small, bytes, 0);
     EXPECT_NE(messages().find("VUID-vkCmdCopyBuffer"), std::string::npos) << messages();
 }
 
+// The queue puts a barrier before every command: this test records two itself, without one.
 TEST_P(ValidatedCalls, TellOfAMissingBarrier) {
-    Engine engine("", &validation_);
-    const Buffer a = engine.allocate(Engine::Memory::device, 64);
-    const Buffer b = engine.allocate(Engine::Memory::device, 64);
-    engine.fill(a, 1, 64);
-    engine.copy(a, b, 64);
+    const auto instance = std::make_shared<const vulkan::Instance>(&validation_);
+    const vulkan::Device device(instance, vulkan::choose_device(*instance, ""), &validation_, {});
+    const vk::raii::Device& handle = device.handle();
+    const vk::raii::CommandPool pool(handle, vk::CommandPoolCreateInfo({}, device.family()));
+    const vk::raii::CommandBuffers all(handle, {*pool, vk::CommandBufferLevel::ePrimary, 1});
+    const vk::raii::CommandBuffer& commands = all.front();
+    const auto usage =
+        vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst;
+    const vk::raii::Buffer a(handle, vk::BufferCreateInfo({}, 64, usage));
+    const vk::raii::Buffer b(handle, vk::BufferCreateInfo({}, 64, usage));
+    const vk::raii::DeviceMemory memory(handle, vk::MemoryAllocateInfo(4096, 0));
+    a.bindMemory(*memory, 0);
+    b.bindMemory(*memory, 1024);
+    commands.begin(vk::CommandBufferBeginInfo());
+    commands.fillBuffer(*a, 0, 64, 1);
+    commands.copyBuffer(*a, *b, vk::BufferCopy(0, 0, 64));
     EXPECT_NE(messages().find("SYNC-HAZARD-READ-AFTER-WRITE"), std::string::npos) << messages();
 }
 
@@ -193,19 +205,18 @@ INSTANTIATE_TEST_SUITE_P(Vulkan, ValidatedShaders, testing::Values(Checks::gpu_a
                          name_of_checks);
 
 TEST_P(ValidatedShaders, TellOfAReadBeyondTheEnd) {
-    Engine engine("", &validation_);
-    const auto kernel = engine.make_kernel(vulkan::embedded_programs().grow);
-    const Buffer counts = engine.allocate(Engine::Memory::device, 64);
-    const Buffer small = engine.allocate(Engine::Memory::device, 64);
-    const Buffer large = engine.allocate(Engine::Memory::device, 4096);
-    engine.fill(counts, 1, 64);
-    engine.barrier();
-    vulkan::GrowArguments arguments{};
+    const auto queue = vulkan::open_queue({}, {{}, &validation_, nullptr});
+    device::Memory memory;
+    memory.span_counts = queue->make(64);
+    memory.spans = queue->make(64);
+    memory.new_spans = queue->make(4096);
+    queue->fill(memory.span_counts, 1, 16);
+    portable::SlabArguments arguments{};
     arguments.g.capacity = 16;
     arguments.end_line = 16;
     arguments.larger = 16;
-    engine.dispatch(kernel, {counts, small, large}, arguments, 16);
-    engine.wait();
+    device::launch<device::kernels::grow>(*queue, memory, arguments, 16);
+    queue->wait();
     EXPECT_NE(messages().find("out of bounds"), std::string::npos) << messages();
 }
 

@@ -1,0 +1,241 @@
+// The places of mode cells: the lattice's bits, and the radius map that says what a sample blocks.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "backends/columns.h"
+#include "backends/device/cells_layout.h"
+#include "backends/device/places.h"
+#include "plan/first_free.h"
+
+namespace lacuna::device {
+namespace {
+
+// Turns of all its loops that an item is given work for: lavapipe grants 65,535.
+constexpr std::uint64_t kMostTurns = 1u << 14;
+// Of subtract, as cells_layout.h counts them. For each it takes up to 9: lavapipe goes through the
+// roots' loops also where no root is needed, runs end with their words, and where a reach is longer
+// than a torus, the chord is seen from three heights. And a look takes up to 64 a line.
+constexpr std::uint64_t kMostTurnsOfSlice = kMostTurns / 4;
+// Neighbouring items, which lavapipe runs in lockstep, serve neighbouring lines.
+constexpr std::uint32_t kLeastSlices = 16;
+// Candidates of one item of subtract: a sample is much more work than a draw.
+constexpr std::uint32_t kLongestChunk = 64;
+
+// See Queue::launch.
+constexpr std::uint64_t kWordsPerWork = 32;
+constexpr std::uint64_t kFirstPassWork = 6;
+constexpr std::uint64_t kTurnsPerWork = 8;
+
+constexpr std::uint32_t kPartWords = 1 << 20;  // of bits on their way up
+
+class Lattice : public Places {
+public:
+    Lattice(RoundMemory& round, const Tuning& tuning)
+        : Places(round),
+          first_lines_(first_lines(round.plan, round.geometry.columns)),
+          words_(words_per_line(round.plan)),
+          serves_chunks_(!round.queue.runs_in_lockstep()),
+          free_lengths_(first_free_lengths(round.plan)) {
+        const Plan& plan = round_.plan;
+        const RadiusMap& map = *plan.radii;
+        Memory& m = round_.memory;
+        m.free_lengths = round_.copy_of(free_lengths_);
+        m.pixel_radii = round_.copy_of(map.radii);
+        m.pixel_reaches = round_.copy_of(map.reaches);
+        m.widest_rows = round_.copy_of(map.widest_rows);
+        m.column_of = round_.copy_of(map.column_of);
+        m.row_of = round_.copy_of(map.row_of);
+        m.row_begins = round_.copy_of(map.row_begins);
+        round_.make_room(m.bits, std::uint64_t{plan.lines} * words_);
+        round_.make_room(m.widest, plan.lines);
+        round_.make_room(m.left_count, 1);
+        round_.queue.fill(m.widest, 0, plan.lines);
+        upload_first_bits();
+        find_reaches(tuning);
+    }
+
+    std::span<const std::uint32_t> begins() const override { return first_lines_; }
+
+    void begin_round() override {
+        Memory& m = round_.memory;
+        for (Buffer* const one : {&m.candidate_radii, &m.todo, &m.left})
+            round_.make_room(*one, round_.draw_count);
+        round_.queue.fill(m.left_count, 0, 1);
+        is_subtracting_ = false;
+    }
+
+    void locate(std::span<const Draw>) override {
+        portable::DrawArguments arguments = arguments_of(kPasses - 1);
+        arguments.chunk = chunk_of(words_);  // a draw may walk the whole line
+        round_.launch_over_draws<kernels::locate_in_cells>(arguments, words_ / kWordsPerWork + 1);
+    }
+
+    void look_up() override {
+        round_.launch_over_draws<kernels::look_up_radii>(arguments_of(kPasses - 1), 1);
+    }
+
+    void admit(std::uint32_t pass) override {
+        // A candidate looks at all columns within its reach, and at their candidates.
+        constexpr double kTurnsOfColumn = 4;
+        const double near =
+            kTurnsOfColumn * share_of_lines_ * round_.geometry.columns + share_ * round_.draw_count;
+        portable::DrawArguments arguments = arguments_of(pass);
+        arguments.chunk = chunk_of(static_cast<std::uint64_t>(near) + 16);
+        round_.launch_over_draws<kernels::admit_in_cells>(arguments,
+                                                          pass == 0 ? kFirstPassWork : 1);
+    }
+
+    void subtract() override {
+        is_subtracting_ = true;
+        served_reach_ = short_reach_;
+        queue_cuts(round_.draw_count, false, mean_reach_);
+    }
+
+    void refine(bool) override { throw std::logic_error("mode cells has nothing to refine"); }
+
+    void start_download() override {
+        round_.get<std::uint32_t>(round_.memory.free_lengths, free_lengths_);
+        round_.get<std::uint32_t>(round_.memory.left_count, left_);
+    }
+
+    // What reaches farther than the samples that were served comes after, twice as far at a time.
+    bool queue_rest() override {
+        if (!is_subtracting_ || left_.front() == 0) return false;
+        std::swap(round_.memory.todo, round_.memory.left);
+        served_reach_ = std::min(2 * served_reach_, widest_);
+        queue_cuts(left_.front(), true, served_reach_);
+        return true;
+    }
+
+    std::span<const std::uint32_t> free_lengths() const override { return free_lengths_; }
+    std::uint32_t width() const override { return 1; }
+
+    void snapshot(Snapshot& snapshot) override {
+        snapshot.bits.resize(std::size_t{round_.plan.lines} * words_);
+        round_.get<std::uint32_t>(round_.memory.bits, snapshot.bits);
+        round_.queue.wait();
+    }
+
+    void restore(const Snapshot& snapshot) override {
+        std::vector<std::uint32_t> lengths(round_.plan.lines, 0);
+        for (std::size_t i = 0; i < snapshot.bits.size(); ++i)
+            lengths[i / words_] += static_cast<std::uint32_t>(std::popcount(snapshot.bits[i]));
+        round_.put<std::uint32_t>(round_.memory.bits, snapshot.bits);
+        round_.put<std::uint32_t>(round_.memory.free_lengths, lengths);
+        round_.queue.fill(round_.memory.widest, 0, round_.plan.lines);
+        round_.queue.wait();
+    }
+
+private:
+    // Some lines at a time: a lattice may have as many points as the device has room for.
+    void upload_first_bits() {
+        const std::uint32_t lines = round_.plan.lines;
+        const std::uint32_t step = std::max(kPartWords / words_, 1u);
+        for (std::uint32_t line = 0; line < lines; line += step) {
+            const std::uint32_t end = line + std::min(step, lines - line);
+            const std::vector<std::uint32_t> bits = first_bits(round_.plan, line, end);
+            round_.put<std::uint32_t>(round_.memory.bits, bits, std::uint64_t{line} * words_);
+            round_.queue.wait();
+        }
+    }
+
+    // On a processor that runs items one by one, an item serves samples whole. Elsewhere an item
+    // serves a slice of the lines near a sample, and reaches for which the least number of slices
+    // will not do are left for later launches.
+    void find_reaches(const Tuning& tuning) {
+        const RadiusMap& map = *round_.plan.radii;
+        widest_ = *std::max_element(map.reaches.begin(), map.reaches.end());
+        if (serves_chunks_) fixed_slices_ = std::max(tuning.slices_of_sample, 1u);
+        short_reach_ = fixed_slices_ != 0 ? widest_ : 1;
+        while (short_reach_ < widest_ && slices_of(short_reach_ + 1) == kLeastSlices)
+            ++short_reach_;
+
+        const double side = 2.0 * widest_ + 1;
+        share_of_lines_ = std::min(side / round_.plan.lines, 1.0);
+        share_ = share_of_lines_ * std::min(side / round_.plan.height, 1.0);
+
+        // Of a sample anywhere: samples are as dense as their reaches are short, squared.
+        double density = 0;
+        double pixels = 0;
+        for (const std::uint32_t reach : map.reaches) {
+            if (reach == 0) continue;
+            density += 1 / (static_cast<double>(reach) * reach);
+            ++pixels;
+        }
+        mean_reach_ =
+            std::min(static_cast<std::uint32_t>(std::sqrt(pixels / density)), short_reach_);
+    }
+
+    // Into how many slices the lines near a sample are cut that reaches so far.
+    std::uint32_t slices_of(std::uint32_t reach) const {
+        if (fixed_slices_ != 0) return fixed_slices_;
+        const std::uint64_t lines_of_slice =
+            std::max<std::uint64_t>(kMostTurnsOfSlice / turns_of_line(round_.plan, reach), 1);
+        const std::uint64_t lines =
+            std::min(2 * std::uint64_t{reach} + 1, std::uint64_t{round_.plan.lines});
+        return std::max(kLeastSlices, static_cast<std::uint32_t>(items_of(
+                                          lines, static_cast<std::uint32_t>(lines_of_slice))));
+    }
+
+    // Draws that one item serves, of so many turns each.
+    std::uint32_t chunk_of(std::uint64_t turns) const {
+        const std::uint32_t chunk = round_.queue.run_of(round_.draw_count);
+        if (serves_chunks_) return chunk;
+        return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(kMostTurns / turns, 1, chunk));
+    }
+
+    portable::DrawArguments arguments_of(std::uint32_t pass) const {
+        portable::DrawArguments arguments = round_.arguments(pass);
+        arguments.words = words_;
+        arguments.rows = round_.plan.radii->rows;
+        arguments.metric = static_cast<std::uint32_t>(round_.plan.metric);
+        return arguments;
+    }
+
+    void queue_cuts(std::uint32_t count, bool is_listed, std::uint32_t usual_reach) {
+        const std::uint32_t chunk = std::min(round_.queue.chunk_of(count), kLongestChunk);
+        const std::uint64_t items = items_of(count, chunk);
+        // Fewer slices where there would be more items than can be counted: then there are enough.
+        const std::uint64_t most = std::numeric_limits<std::uint32_t>::max() / 2;
+        const auto slices = static_cast<std::uint32_t>(std::min<std::uint64_t>(
+            slices_of(served_reach_),
+            std::max<std::uint64_t>(most / std::max<std::uint64_t>(items, 1), 1)));
+        const std::uint64_t turns = turns_of_sample(round_.plan, usual_reach) / slices;
+        round_.queue.fill(round_.memory.left_count, 0, 1);
+        launch<kernels::subtract_in_cells>(
+            round_.queue, round_.memory,
+            {0, chunk, round_.geometry, count, kPasses - 1, words_, round_.plan.radii->rows,
+             static_cast<std::uint32_t>(round_.plan.metric), slices, served_reach_,
+             is_listed ? 1u : 0u},
+            items * slices, chunk * (turns / kTurnsPerWork + 1));
+    }
+
+    std::vector<std::uint32_t> first_lines_;
+    std::uint32_t words_;  // of a line's bits
+    bool serves_chunks_;
+    std::vector<std::uint32_t> free_lengths_;
+    std::array<std::uint32_t, 1> left_{};
+
+    std::uint32_t widest_ = 0;       // reach of all
+    std::uint32_t short_reach_ = 0;  // for which the least number of slices will do
+    std::uint32_t mean_reach_ = 0;
+    std::uint32_t served_reach_ = 0;  // of subtract, so far
+    std::uint32_t fixed_slices_ = 0;
+    double share_of_lines_ = 0;  // that the widest reach spans of the lattice
+    double share_ = 0;
+    bool is_subtracting_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Places> make_lattice(RoundMemory& round, const Tuning& tuning) {
+    return std::make_unique<Lattice>(round, tuning);
+}
+
+}  // namespace lacuna::device

@@ -1,0 +1,57 @@
+// The places of a mode on the device: where draws fall, and what samples take from them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "backends/backend.h"
+#include "backends/device/layout.h"
+#include "backends/device/round_memory.h"
+
+namespace lacuna::device {
+
+// Every call but the last few queues work on the round's memory.
+class Places {
+public:
+    explicit Places(RoundMemory& round) : round_(round) {}
+    virtual ~Places() = default;
+    Places(const Places&) = delete;
+    Places& operator=(const Places&) = delete;
+
+    // The first place of each column; columns + 1.
+    virtual std::span<const std::uint32_t> begins() const = 0;
+    // After the round's draws were uploaded, or its candidates restored.
+    virtual void begin_round() = 0;
+    virtual void locate(std::span<const Draw> draws) = 0;
+    // After the candidates were sorted: what admit looks up of each.
+    virtual void look_up() {}
+    // Before the first pass: settles what samples of earlier rounds cover.
+    virtual void screen() {}
+    virtual void admit(std::uint32_t pass) = 0;
+    virtual void subtract() = 0;
+    // What refine must know before it can be queued, see there; false: nothing.
+    virtual bool queue_before_refine() { return false; }
+    virtual void refine(bool halve) = 0;
+
+    // What a round hands back on its way down, with flags.
+    virtual void start_download() = 0;
+    // By these flags, what else the round takes once admission is settled; false: nothing.
+    virtual bool queue_rest() = 0;
+    // Once that is nothing.
+    virtual void end_round() {}
+
+    virtual std::span<const std::uint32_t> free_lengths() const = 0;
+    virtual std::uint32_t width() const = 0;
+    virtual void snapshot(Snapshot& snapshot) = 0;
+    virtual void restore(const Snapshot& snapshot) = 0;
+
+protected:
+    RoundMemory& round_;
+};
+
+// Those of the plan's mode.
+std::unique_ptr<Places> make_spans(RoundMemory& round, const Tuning& tuning);    // lines, exact
+std::unique_ptr<Places> make_lattice(RoundMemory& round, const Tuning& tuning);  // cells
+
+}  // namespace lacuna::device

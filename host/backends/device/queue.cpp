@@ -1,0 +1,51 @@
+// Launches, cut into slices, and waits.
+#include "backends/device/queue.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace lacuna::device {
+namespace {
+
+// Some 26 ms of a thread, and 13 of two: a desktop's driver gives up on a launch after two seconds.
+constexpr std::uint64_t kWorkPerSlice = std::uint64_t{1} << 18;
+// Between pauses: with two slices on their way, a run is cancelled in a fraction of 0.2 s.
+constexpr std::uint64_t kWorkPerPause = std::uint64_t{1} << 19;
+
+}  // namespace
+
+void Queue::ask() {
+    if (!may_go_on_ || may_go_on_()) return;
+    discard();
+    queued_ = 0;
+    throw Cancelled();
+}
+
+void Queue::launch(const KernelShape& kernel, std::span<std::byte> arguments,
+                   std::span<const Buffer> buffers, std::uint64_t items, std::uint64_t work) {
+    const std::uint64_t group = group_size();
+    const std::uint64_t groups = std::clamp<std::uint64_t>(
+        kWorkPerSlice / group / std::max<std::uint64_t>(work, 1), 1, most_groups());
+    for (std::uint64_t first = 0; first < items; first += groups * group) {
+        if (queued_ >= kWorkPerPause) {
+            ask();
+            pause();
+            queued_ = 0;
+        }
+        const auto first_item = static_cast<std::uint32_t>(first);
+        std::memcpy(arguments.data(), &first_item, sizeof(first_item));
+        const std::uint64_t served = std::min(groups * group, items - first);
+        enqueue(kernel, arguments, buffers,
+                static_cast<std::uint32_t>((served + group - 1) / group));
+        queued_ += served * work;
+        if (launches_ != nullptr) ++*launches_;
+    }
+}
+
+void Queue::wait() {
+    ask();
+    finish();
+    queued_ = 0;
+}
+
+}  // namespace lacuna::device

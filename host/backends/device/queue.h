@@ -1,0 +1,105 @@
+// What a device is to Lacuna: memory, and a queue of a few commands. OpenCL and Vulkan implement
+// it.
+#pragma once
+
+#include <lacuna/lacuna.h>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "backends/device/choice.h"
+
+namespace lacuna::device {
+
+inline constexpr std::uint64_t kWord = sizeof(std::uint32_t);
+
+// Memory on the device. Copies mean the same memory; a queue holds on to what its commands need.
+class Buffer {
+public:
+    Buffer() = default;
+    Buffer(std::shared_ptr<void> handle, std::uint64_t bytes)
+        : handle_(std::move(handle)), bytes_(bytes) {}
+
+    std::uint64_t bytes() const { return bytes_; }
+    // Room for words; none before the buffer is made.
+    std::uint64_t words() const { return bytes_ / kWord; }
+    void* handle() const { return handle_.get(); }
+
+private:
+    std::shared_ptr<void> handle_;
+    std::uint64_t bytes_ = 0;
+};
+
+// A kernel of portable/kernels.h.
+struct KernelShape {
+    std::string_view name;
+    std::uint32_t buffers;
+    std::uint32_t argument_bytes;
+};
+
+// Commands run in order: each sees what those before it have done. They may wait for wait() before
+// they begin. All calls throw DeviceError, which names the device, the call and the driver's log.
+class Queue {
+public:
+    virtual ~Queue() = default;
+
+    virtual const DeviceEntry& device() const = 0;
+    // At least so many bytes; what is in them is anything.
+    virtual Buffer make(std::uint64_t bytes) = 0;
+    // Sets the first words.
+    virtual void fill(const Buffer& buffer, std::uint32_t value, std::uint64_t words) = 0;
+    // `from` must stay as it is until wait() returns.
+    virtual void upload(const Buffer& to, std::span<const std::byte> from,
+                        std::uint64_t offset) = 0;
+    // `to` is filled when wait() returns.
+    virtual void download(const Buffer& from, std::span<std::byte> to) = 0;
+
+    // How many units of work in a row, of so many, an item serves where one goes on from where the
+    // last one was: long runs on a processor, 1 on a graphics card.
+    virtual std::uint32_t run_of(std::uint32_t amount) const = 0;
+    // Whether neighbouring items run in lockstep, so that they should do alike work.
+    virtual bool runs_in_lockstep() const = 0;
+    // How many units of work an item serves where each is for itself.
+    std::uint32_t chunk_of(std::uint32_t amount) const {
+        return runs_in_lockstep() ? 1 : run_of(amount);
+    }
+
+    // Runs the kernel for items 0, 1, ... and perhaps some more. `work` is about how many steps of
+    // a tenth of a microsecond an item takes: long work is cut into slices, between which the run
+    // can be cancelled. `arguments` begin with the number of the first item, which is filled in.
+    void launch(const KernelShape& kernel, std::span<std::byte> arguments,
+                std::span<const Buffer> buffers, std::uint64_t items, std::uint64_t work);
+    // Does what is queued. Throws Cancelled.
+    void wait();
+    // Waits for what has begun, whatever became of it: no transfer is on its way afterwards.
+    virtual void drain() noexcept = 0;
+    // Asked before each wait and between slices; false cancels the run.
+    void watch(std::function<bool()> may_go_on) { may_go_on_ = std::move(may_go_on); }
+    // For tests: counts the kernels that are launched.
+    void count_launches(std::uint64_t* launches) { launches_ = launches; }
+
+protected:
+    // Items come in groups of this size.
+    virtual std::uint32_t group_size() const = 0;
+    virtual std::uint64_t most_groups() const = 0;
+    virtual void enqueue(const KernelShape& kernel, std::span<const std::byte> arguments,
+                         std::span<const Buffer> buffers, std::uint32_t groups) = 0;
+    // Begins what is queued, and waits for all of it but perhaps what came after the last pause.
+    virtual void pause() = 0;
+    virtual void finish() = 0;
+    // Forgets what is queued and has not begun.
+    virtual void discard() {}
+
+private:
+    void ask();
+
+    std::function<bool()> may_go_on_;
+    std::uint64_t* launches_ = nullptr;
+    std::uint64_t queued_ = 0;  // work since the last pause
+};
+
+}  // namespace lacuna::device

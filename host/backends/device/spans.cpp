@@ -1,0 +1,254 @@
+// The places of modes lines and exact: the free spans of lines, in slabs, until exact refines them.
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "backends/columns.h"
+#include "backends/device/boxes.h"
+#include "backends/device/places.h"
+#include "plan/first_free.h"
+
+namespace lacuna::device {
+namespace {
+
+// See Queue::launch.
+constexpr std::uint64_t kLocateWork = 4;
+constexpr std::uint64_t kFirstPassWork = 6;
+constexpr std::uint64_t kGrowWork = 2;
+
+class Spans : public Places {
+public:
+    Spans(RoundMemory& round, const Tuning& tuning)
+        : Places(round),
+          largest_slab_(tuning.largest_slab_bytes != 0 ? tuning.largest_slab_bytes
+                                                       : round.queue.device().largest_buffer_bytes),
+          first_lines_(first_lines(round.plan, round.geometry.columns)) {
+        const Plan& plan = round_.plan;
+        Memory& m = round_.memory;
+        round_.make_room(m.span_counts, plan.lines);
+        round_.make_room(m.free_lengths, plan.lines);
+        round_.make_room(m.near_begins, round_.geometry.columns + std::uint64_t{1});
+        round_.make_room(m.near_counts, round_.geometry.columns);
+        round_.make_room(m.overflow, 1);
+        round_.queue.fill(m.overflow, 0, 1);
+        if (plan.is_exact()) boxes_.emplace(round_);
+        make_lines();
+    }
+
+    std::span<const std::uint32_t> begins() const override {
+        return has_boxes() ? boxes_->begins() : first_lines_;
+    }
+
+    void begin_round() override {
+        find_near_begins(round_.plan, round_.geometry.columns, round_.column_begins, near_begins_);
+        round_.make_room(round_.memory.near, 2 * std::uint64_t{near_begins_.back()});
+        round_.put<std::uint32_t>(round_.memory.near_begins, near_begins_);
+    }
+
+    void locate(std::span<const Draw> draws) override {
+        if (has_boxes()) return boxes_->locate();
+        const std::uint32_t chunk = round_.queue.run_of(round_.draw_count);
+        for (std::size_t i = 0; i < slabs_.size(); ++i) {
+            const Range range = draws_of(slabs_[i], draws);
+            portable::SlabArguments arguments = arguments_of(i);
+            arguments.chunk = chunk;
+            arguments.first_draw = range.begin;
+            arguments.end_draw = range.end;
+            launch<kernels::locate>(round_.queue, memory_of(i), arguments,
+                                    items_of(range.end - range.begin, chunk), kLocateWork * chunk);
+        }
+    }
+
+    void screen() override {
+        if (boxes_) boxes_->screen();
+    }
+
+    void admit(std::uint32_t pass) override {
+        portable::DrawArguments arguments = round_.arguments(pass);
+        arguments.chunk = round_.queue.run_of(round_.draw_count);
+        round_.launch_over_draws<kernels::admit>(arguments, pass == 0 ? kFirstPassWork : 1);
+    }
+
+    void subtract() override {
+        if (boxes_) boxes_->insert();
+        cut_spans();
+    }
+
+    bool queue_before_refine() override {
+        if (!boxes_) throw std::logic_error("mode lines has nothing to refine");
+        if (has_boxes()) return false;
+        boxes_->make_room_to_count();
+        for (std::size_t i = 0; i < slabs_.size(); ++i)
+            boxes_->unfold(memory_of(i), arguments_of(i), slabs_[i], true);
+        boxes_->scan_lines();
+        return true;
+    }
+
+    void refine(bool halve) override {
+        if (!has_boxes()) {
+            boxes_->make_room_for_lines();
+            for (std::size_t i = 0; i < slabs_.size(); ++i)
+                boxes_->unfold(memory_of(i), arguments_of(i), slabs_[i], false);
+            slabs_.clear();
+            spans_.clear();
+        }
+        boxes_->insert();
+        boxes_->refine(halve);
+    }
+
+    void start_download() override {
+        if (boxes_) boxes_->start_download();
+        if (has_boxes()) return;
+        free_lengths_.resize(round_.plan.lines);
+        round_.get<std::uint32_t>(round_.memory.free_lengths, free_lengths_);
+        round_.get<std::uint32_t>(round_.memory.overflow, overflow_);
+    }
+
+    bool queue_rest() override {
+        if (has_boxes()) return boxes_->queue_rest();
+        if (overflow_.front() == 0) return false;
+        grow(2 * round_.geometry.capacity);
+        cut_spans();
+        return true;
+    }
+
+    void end_round() override {
+        if (has_boxes()) boxes_->end_round();
+    }
+
+    std::span<const std::uint32_t> free_lengths() const override {
+        return has_boxes() ? boxes_->free_lengths() : free_lengths_;
+    }
+    std::uint32_t width() const override {
+        return has_boxes() ? boxes_->width() : round_.plan.strip_width;
+    }
+
+    void snapshot(Snapshot& snapshot) override {
+        if (boxes_) boxes_->snapshot(snapshot);
+        if (has_boxes()) return;
+        std::vector<std::uint32_t> counts(round_.plan.lines);
+        round_.get<std::uint32_t>(round_.memory.span_counts, counts);
+        for (std::size_t i = 0; i < slabs_.size(); ++i) {
+            std::vector<Span> slots(std::size_t{slabs_[i].lines()} * round_.geometry.capacity);
+            round_.get<Span>(spans_[i], slots);
+            round_.queue.wait();
+            unpack(slabs_[i], slots, counts, snapshot);
+        }
+    }
+
+    void restore(const Snapshot& snapshot) override {
+        if (boxes_) boxes_->restore(snapshot);
+        slabs_.clear();
+        spans_.clear();
+        if (has_boxes()) return;
+        make_slabs(snapshot.capacity);
+        for (std::size_t i = 0; i < slabs_.size(); ++i) {
+            const std::vector<Span> slots = pack(slabs_[i], snapshot);
+            round_.put<Span>(spans_[i], slots);
+            round_.queue.wait();
+        }
+        std::vector<std::uint32_t> counts, lengths;
+        for (const std::vector<Span>& of_line : snapshot.spans) {
+            counts.push_back(static_cast<std::uint32_t>(of_line.size()));
+            lengths.push_back(0);
+            for (const Span span : of_line) lengths.back() += span.end - span.begin;
+        }
+        round_.put<std::uint32_t>(round_.memory.span_counts, counts);
+        round_.put<std::uint32_t>(round_.memory.free_lengths, lengths);
+        round_.queue.wait();
+    }
+
+private:
+    bool has_boxes() const { return boxes_ && boxes_->are_places(); }
+
+    // Of one span each, written in a row, then spread out.
+    void make_lines() {
+        const Plan& plan = round_.plan;
+        const std::vector<std::uint32_t> free = first_free_lengths(plan);
+        round_.queue.fill(round_.memory.span_counts, 1, plan.lines);
+        round_.put<std::uint32_t>(round_.memory.free_lengths, free);
+        make_slabs(1);
+        const std::vector<Span> whole(slabs_.front().lines(), Span{0, plan.height});
+        for (std::size_t i = 0; i < slabs_.size(); ++i)
+            round_.put(spans_[i], std::span(whole).first(slabs_[i].lines()));
+        grow(first_capacity(plan));
+        round_.queue.wait();
+    }
+
+    void make_slabs(std::uint32_t capacity) {
+        round_.geometry.capacity = capacity;
+        slabs_ = share_out(round_.plan.lines, capacity, largest_slab_);
+        spans_.assign(slabs_.size(), {});
+        for (std::size_t i = 0; i < slabs_.size(); ++i)
+            round_.make_room(spans_[i], 2 * std::uint64_t{slabs_[i].lines()} * capacity);
+    }
+
+    // Room for so many spans a line, with those it has.
+    void grow(std::uint32_t larger) {
+        const std::vector<Slab> old_slabs = std::move(slabs_);
+        const std::vector<Buffer> old_spans = std::move(spans_);
+        portable::SlabArguments arguments{};
+        arguments.g = round_.geometry;
+        arguments.larger = larger;
+        make_slabs(larger);
+        Memory memory = round_.memory;
+        for (std::size_t from = 0; from < old_slabs.size(); ++from) {
+            for (std::size_t to = 0; to < slabs_.size(); ++to) {
+                arguments.slab_begin = old_slabs[from].first_line;
+                arguments.to_begin = slabs_[to].first_line;
+                arguments.first_line = std::max(arguments.slab_begin, arguments.to_begin);
+                arguments.end_line = std::min(old_slabs[from].end_line, slabs_[to].end_line);
+                if (arguments.first_line >= arguments.end_line) continue;
+                memory.spans = old_spans[from];
+                memory.new_spans = spans_[to];
+                launch<kernels::grow>(round_.queue, memory, arguments,
+                                      arguments.end_line - arguments.first_line, kGrowWork);
+            }
+        }
+    }
+
+    void cut_spans() {
+        const std::uint32_t columns = round_.geometry.columns;
+        const std::uint64_t near = 3 * std::uint64_t{round_.draws_per_column()};
+        round_.queue.fill(round_.memory.overflow, 0, 1);
+        launch<kernels::gather>(round_.queue, round_.memory, {0, kPasses - 1, round_.geometry, 0},
+                                columns, near);
+        for (std::size_t i = 0; i < slabs_.size(); ++i)
+            launch<kernels::subtract>(round_.queue, memory_of(i), arguments_of(i),
+                                      slabs_[i].lines(), near);
+    }
+
+    Memory memory_of(std::size_t slab) const {
+        Memory memory = round_.memory;
+        memory.spans = spans_[slab];
+        return memory;
+    }
+    portable::SlabArguments arguments_of(std::size_t slab) const {
+        portable::SlabArguments arguments{};
+        arguments.chunk = 1;
+        arguments.g = round_.geometry;
+        arguments.first_line = arguments.slab_begin = slabs_[slab].first_line;
+        arguments.end_line = slabs_[slab].end_line;
+        arguments.last_pass = kPasses - 1;
+        return arguments;
+    }
+
+    std::uint64_t largest_slab_;
+    std::vector<std::uint32_t> first_lines_;
+    std::optional<Boxes> boxes_;  // in exact
+    std::vector<Slab> slabs_;
+    std::vector<Buffer> spans_;  // of each slab; let go of at the first refinement
+    std::vector<std::uint32_t> near_begins_;
+    std::vector<std::uint32_t> free_lengths_;
+    std::array<std::uint32_t, 1> overflow_{};
+};
+
+}  // namespace
+
+std::unique_ptr<Places> make_spans(RoundMemory& round, const Tuning& tuning) {
+    return std::make_unique<Spans>(round, tuning);
+}
+
+}  // namespace lacuna::device

@@ -1,0 +1,88 @@
+// A Vulkan device with its queue and pipelines: made once a process and kept. Includes all of
+// Vulkan's C++ headers, which cost seconds: only for this folder's .cpp files.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+#include <vulkan/vulkan_raii.hpp>
+
+#include "backends/device/choice.h"
+#include "backends/device/queue.h"
+#include "backends/vulkan/instance.h"
+
+namespace lacuna::vulkan {
+
+// Lavapipe runs a group on one thread; graphics cards want a few subgroups in one.
+inline constexpr std::uint32_t kGroupSize = 64;
+
+// The words of a shader that a test has in place of the embedded one, by the kernel's name.
+using Shaders = std::map<std::string, std::vector<std::uint32_t>, std::less<>>;
+
+struct Pipeline {
+    vk::raii::DescriptorSetLayout set_layout;
+    vk::raii::PipelineLayout layout;
+    vk::raii::Pipeline pipeline;
+};
+
+class Device {
+public:
+    Device(std::shared_ptr<const Instance> instance, std::size_t number,
+           const Validation* validation, Shaders shaders);
+
+    const DeviceEntry& entry() const { return entry_; }
+    const vk::raii::Device& handle() const { return device_; }
+    std::uint32_t family() const { return family_; }
+    const vk::PhysicalDeviceMemoryProperties& memory() const { return memory_; }
+    std::uint64_t most_groups() const { return most_groups_; }
+
+    // Made at its first use; stays where it is. May be called from any thread, as may run().
+    const Pipeline& pipeline(const device::KernelShape& kernel);
+    // Submits the commands and waits for them.
+    void run(const vk::raii::CommandBuffer& commands);
+
+    // Vulkan's errors become Lacuna's.
+    template <typename Work>
+    std::invoke_result_t<Work> guarded(Work work) const {
+        try {
+            return work();
+        } catch (const vk::SystemError& error) {
+            throw DeviceError("device " + entry_.name + ": " + error.what());
+        }
+    }
+
+private:
+    Pipeline make_pipeline(const device::KernelShape& kernel) const;
+
+    std::shared_ptr<const Instance> instance_;
+    const vk::raii::PhysicalDevice& physical_;
+    DeviceEntry entry_;
+    std::uint32_t family_;
+    vk::PhysicalDeviceMemoryProperties memory_;
+    std::uint64_t most_groups_;
+    vk::raii::Device device_;
+    vk::raii::Queue queue_;
+    Shaders shaders_;
+
+    std::mutex pipelines_mutex_;
+    std::map<std::string_view, Pipeline> pipelines_;
+    std::mutex queue_mutex_;
+};
+
+// The device that is wanted, the same one on every call. Throws Unavailable, DeviceError.
+std::shared_ptr<Device> kept_device(std::string_view wanted);
+
+// The queue of one backend on the device.
+std::unique_ptr<device::Queue> make_queue(std::shared_ptr<Device> device);
+
+// The words of the shader that cmake/vulkan.cmake has compiled for the kernel.
+std::span<const std::uint32_t> embedded_shader(std::string_view kernel);
+
+}  // namespace lacuna::vulkan

@@ -1,0 +1,281 @@
+// The queue of one backend on a Vulkan device: commands are recorded, then submitted and waited
+// for.
+#include <algorithm>
+#include <cstring>
+#include <deque>
+#include <utility>
+#include <vector>
+
+#include "backends/vulkan/device.h"
+
+namespace lacuna::vulkan {
+namespace {
+
+using device::Buffer;
+using device::KernelShape;
+
+constexpr std::uint32_t kServedTogether = 32;  // units of work on a processor, see run_of
+constexpr std::uint32_t kSetsPerPool = 64;
+constexpr std::uint32_t kMostBuffers = 16;
+// Of the host's memory that transfers go through, kept from one wait to the next.
+constexpr std::uint64_t kStagingBytes = std::uint64_t{1} << 22;
+
+constexpr auto kStages =
+    vk::PipelineStageFlagBits::eComputeShader | vk::PipelineStageFlagBits::eTransfer;
+constexpr auto kWrites = vk::AccessFlagBits::eShaderWrite | vk::AccessFlagBits::eTransferWrite;
+constexpr auto kReads = vk::AccessFlagBits::eShaderRead | vk::AccessFlagBits::eTransferRead;
+
+using Properties = vk::MemoryPropertyFlags;
+using PropertyBit = vk::MemoryPropertyFlagBits;
+constexpr Properties kHost = PropertyBit::eHostVisible | PropertyBit::eHostCoherent;
+
+struct Allocation {
+    vk::raii::DeviceMemory memory;  // goes last
+    vk::raii::Buffer buffer;
+};
+
+// A stretch of the host's memory that the device copies to or from.
+struct Staged {
+    vk::Buffer buffer;
+    std::uint64_t offset;
+    std::byte* bytes;
+};
+
+class Queue : public device::Queue {
+public:
+    explicit Queue(std::shared_ptr<Device> the_device)
+        : device_(std::move(the_device)),
+          pool_(device_->guarded([&] {
+              return vk::raii::CommandPool(device_->handle(),
+                                           vk::CommandPoolCreateInfo({}, device_->family()));
+          })),
+          commands_(device_->guarded([&] {
+              return std::move(vk::raii::CommandBuffers(
+                                   device_->handle(), {*pool_, vk::CommandBufferLevel::ePrimary, 1})
+                                   .front());
+          })) {}
+
+    const DeviceEntry& device() const override { return device_->entry(); }
+
+    Buffer make(std::uint64_t bytes) override {
+        return Buffer(allocate(bytes, PropertyBit::eDeviceLocal, {}), bytes);
+    }
+
+    void fill(const Buffer& buffer, std::uint32_t value, std::uint64_t words) override {
+        if (words == 0) return;
+        device_->guarded(
+            [&] { recording().fillBuffer(of(buffer), 0, words * device::kWord, value); });
+        in_use_.push_back(buffer);
+    }
+
+    void upload(const Buffer& to, std::span<const std::byte> from, std::uint64_t offset) override {
+        if (from.empty()) return;
+        const Staged staged = up_.take(*this, from.size());
+        std::memcpy(staged.bytes, from.data(), from.size());
+        device_->guarded([&] {
+            recording().copyBuffer(staged.buffer, of(to),
+                                   vk::BufferCopy(staged.offset, offset, from.size()));
+        });
+        in_use_.push_back(to);
+    }
+
+    void download(const Buffer& from, std::span<std::byte> to) override {
+        if (to.empty()) return;
+        const Staged staged = down_.take(*this, to.size());
+        device_->guarded([&] {
+            recording().copyBuffer(of(from), staged.buffer,
+                                   vk::BufferCopy(0, staged.offset, to.size()));
+        });
+        in_use_.push_back(from);
+        arriving_.push_back({staged.bytes, to});
+    }
+
+    std::uint32_t run_of(std::uint32_t) const override {
+        return device().kind == "cpu" ? kServedTogether : 1;
+    }
+    bool runs_in_lockstep() const override { return true; }
+    void drain() noexcept override {}  // what has been submitted has been waited for
+
+protected:
+    std::uint32_t group_size() const override { return kGroupSize; }
+    std::uint64_t most_groups() const override { return device_->most_groups(); }
+
+    void enqueue(const KernelShape& kernel, std::span<const std::byte> arguments,
+                 std::span<const Buffer> buffers, std::uint32_t groups) override {
+        in_use_.insert(in_use_.end(), buffers.begin(), buffers.end());
+        const Pipeline& pipeline = device_->pipeline(kernel);
+        device_->guarded([&] {
+            constexpr auto kCompute = vk::PipelineBindPoint::eCompute;
+            const vk::DescriptorSet set = make_set(pipeline, buffers);
+            vk::raii::CommandBuffer& commands = recording();
+            commands.bindPipeline(kCompute, *pipeline.pipeline);
+            commands.bindDescriptorSets(kCompute, *pipeline.layout, 0, set, {});
+            commands.pushConstants<std::byte>(*pipeline.layout, vk::ShaderStageFlagBits::eCompute,
+                                              0, arguments);
+            commands.dispatch(groups, 1, 1);
+        });
+    }
+
+    void pause() override { submit(); }
+
+    void finish() override {
+        submit();
+        for (const auto& [from, to] : arriving_) std::memcpy(to.data(), from, to.size());
+        let_go();
+    }
+
+    void discard() override {
+        device_->guarded([&] { pool_.reset(); });
+        is_recording_ = false;
+        let_go();
+    }
+
+private:
+    // Memory that is handed out piece by piece and all given back at once.
+    class Staging {
+    public:
+        explicit Staging(Properties preferred) : preferred_(preferred) {}
+
+        Staged take(Queue& queue, std::uint64_t bytes) {
+            if (blocks_.empty() || blocks_.back().used + bytes > blocks_.back().bytes) {
+                const std::uint64_t size = std::max(bytes, kStagingBytes);
+                auto allocation = queue.allocate(size, kHost, preferred_);
+                void* const mapped = allocation->memory.mapMemory(0, VK_WHOLE_SIZE);
+                blocks_.push_back({std::move(allocation), static_cast<std::byte*>(mapped), size});
+            }
+            Block& block = blocks_.back();
+            const Staged staged{*block.allocation->buffer, block.used, block.mapped + block.used};
+            block.used += (bytes + 15) / 16 * 16;
+            return staged;
+        }
+
+        // Keeps the block that was needed last, which is as large as any.
+        void give_back() {
+            while (blocks_.size() > 1) blocks_.pop_front();
+            if (!blocks_.empty()) blocks_.front().used = 0;
+        }
+
+    private:
+        struct Block {
+            std::shared_ptr<Allocation> allocation;
+            std::byte* mapped;
+            std::uint64_t bytes;
+            std::uint64_t used = 0;
+        };
+        Properties preferred_;
+        std::deque<Block> blocks_;
+    };
+
+    struct Arriving {
+        const std::byte* from;
+        std::span<std::byte> to;
+    };
+
+    static vk::Buffer of(const Buffer& buffer) {
+        return *static_cast<const Allocation*>(buffer.handle())->buffer;
+    }
+
+    std::shared_ptr<Allocation> allocate(std::uint64_t bytes, Properties needed,
+                                         Properties preferred) {
+        return device_->guarded([&] {
+            using Usage = vk::BufferUsageFlagBits;
+            const auto usage = Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst;
+            const auto size = std::max<std::uint64_t>(bytes, 16);  // none may be empty
+            vk::raii::Buffer buffer(device_->handle(), vk::BufferCreateInfo({}, size, usage));
+            const vk::MemoryRequirements needs = buffer.getMemoryRequirements();
+            const auto& types = device_->memory();
+            auto type = find_type(types, needs.memoryTypeBits, needed | preferred);
+            if (!type) type = find_type(types, needs.memoryTypeBits, needed);
+            if (!type)
+                throw DeviceError("device " + device().name + ": no memory is " +
+                                  vk::to_string(needed));
+            vk::raii::DeviceMemory memory(device_->handle(),
+                                          vk::MemoryAllocateInfo(needs.size, *type));
+            buffer.bindMemory(*memory, 0);
+            return std::make_shared<Allocation>(Allocation{std::move(memory), std::move(buffer)});
+        });
+    }
+
+    static std::optional<std::uint32_t> find_type(const vk::PhysicalDeviceMemoryProperties& memory,
+                                                  std::uint32_t allowed, Properties wanted) {
+        for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i)
+            if ((allowed >> i & 1u) != 0 &&
+                (memory.memoryTypes[i].propertyFlags & wanted) == wanted)
+                return i;
+        return std::nullopt;
+    }
+
+    // Ready for the next command, which sees what all before it have done.
+    vk::raii::CommandBuffer& recording() {
+        if (!is_recording_) commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+        is_recording_ = true;
+        record_barrier(kStages, kReads | kWrites);
+        return commands_;
+    }
+    void record_barrier(vk::PipelineStageFlags stages, vk::AccessFlags to) {
+        commands_.pipelineBarrier(kStages, stages, {}, vk::MemoryBarrier(kWrites, to), {}, {});
+    }
+
+    vk::DescriptorSet make_set(const Pipeline& pipeline, std::span<const Buffer> buffers) {
+        if (sets_used_ == set_pools_.size() * kSetsPerPool) {
+            const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer,
+                                              kSetsPerPool * kMostBuffers);
+            set_pools_.emplace_back(device_->handle(),
+                                    vk::DescriptorPoolCreateInfo({}, kSetsPerPool, size));
+        }
+        const vk::DescriptorSetAllocateInfo info(*set_pools_[sets_used_ / kSetsPerPool],
+                                                 *pipeline.set_layout);
+        ++sets_used_;
+        const vk::raii::Device& device = device_->handle();
+        const vk::DescriptorSet set =
+            (*device).allocateDescriptorSets(info, *device.getDispatcher()).front();
+        std::vector<vk::DescriptorBufferInfo> infos;
+        for (const Buffer& buffer : buffers) infos.emplace_back(of(buffer), 0, VK_WHOLE_SIZE);
+        device.updateDescriptorSets(
+            vk::WriteDescriptorSet(set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, infos), {});
+        return set;
+    }
+
+    // Runs what is recorded, and waits for it.
+    void submit() {
+        device_->guarded([&] {
+            recording();
+            record_barrier(vk::PipelineStageFlagBits::eHost, vk::AccessFlagBits::eHostRead);
+            commands_.end();
+            is_recording_ = false;
+            device_->run(commands_);
+            pool_.reset();
+        });
+    }
+
+    void let_go() {
+        device_->guarded([&] {
+            for (const auto& pool : set_pools_) pool.reset();
+        });
+        sets_used_ = 0;
+        in_use_.clear();
+        arriving_.clear();
+        up_.give_back();
+        down_.give_back();
+    }
+
+    std::shared_ptr<Device> device_;
+    vk::raii::CommandPool pool_;
+    vk::raii::CommandBuffer commands_;
+    bool is_recording_ = false;
+
+    std::vector<vk::raii::DescriptorPool> set_pools_;
+    std::uint32_t sets_used_ = 0;
+    std::vector<Buffer> in_use_;  // by commands that have not run yet
+    Staging up_{Properties{}};
+    Staging down_{PropertyBit::eHostCached};
+    std::vector<Arriving> arriving_;
+};
+
+}  // namespace
+
+std::unique_ptr<device::Queue> make_queue(std::shared_ptr<Device> device) {
+    return std::make_unique<Queue>(std::move(device));
+}
+
+}  // namespace lacuna::vulkan

@@ -1,0 +1,74 @@
+// The body of admit: a candidate becomes a sample unless an earlier sample of its round conflicts
+// with it. Earlier is by the order of the draws, whatever the order of the work. Comes after
+// limit.h or limit_in_cells.h, which say what conflicts.
+#include "portable/distance.h"
+#include "portable/window.h"
+
+// A candidate of the column [begin, end) that is not above the first whose y is at least low, but
+// seldom far below it.
+BODY u32 lower_bound(MEMORY const u32 begin, const u32 end, const u32 low, const u32 height) {
+    const u32 bucket = bucket_of(low, end - begin, height);
+    return bucket > 0u ? AT(buckets, begin + bucket - 1u) : begin;
+}
+
+// What can be said of candidate i now. Items of one pass read each other's fates while they are
+// decided; whatever they see, a fate once decided is the right one.
+BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate) {
+    const u32 height = a.g.height;
+    const u32 x = place_of(a, candidate);
+    const u32 reach = reach_of(ON a, candidate);
+    const Stretch columns = columns_near(a, candidate, reach);
+    const bool is_at_edge = candidate.y < reach || height - candidate.y <= reach;
+    const u32 windows = a.g.period_y != 0u && is_at_edge ? 3u : 1u;
+
+    // Look at all earlier candidates within reach.
+    bool waits = false;
+    for (u32 k = 0u; k < columns.count; ++k) {
+        const u32 column = (columns.first + k) % a.g.columns;
+        const u32 begin = AT(column_begins, column);
+        const u32 end = AT(column_begins, column + 1u);
+        for (u32 window = 0u; window < windows; ++window) {
+            const u32 low = window_low(window, candidate.y, reach, height);
+            const u32 high = window_high(window, candidate.y, reach, height);
+            u32 j = low > high ? end : lower_bound(ON begin, end, low, height);
+            for (; j < end; ++j) {
+                const u32x4 other = AT(candidates, j);
+                if (other.y > high) break;
+                if (other.y < low || other.w >= candidate.w) continue;
+                if (!conflicts(other.x, other.y, x, candidate.y, a.g.period_x, a.g.period_y,
+                               limit_of(ON a, i, j)))
+                    continue;
+                // A sample covers this candidate for good; an undecided one may yet.
+                const u32 fate = ATOMIC_OR(fates, j, 0u);
+                if (fate == FATE_ADMITTED) return FATE_REJECTED;
+                waits = waits || fate == FATE_UNDECIDED;
+            }
+        }
+    }
+    return waits ? FATE_UNDECIDED : FATE_ADMITTED;
+}
+
+// One pass over all candidates. undecided[pass] counts those it leaves; a pass after one that left
+// none has nothing to do. samples[order] is where the host looks for what became of that draw.
+BODY void serve_admit(MEMORY const DrawArguments a, const u32 item) {
+    if (a.pass > 0u && AT(undecided, a.pass - 1u) == 0u) return;
+    const u32 begin = item * a.chunk;
+    const u32 end = min(begin + a.chunk, a.count);
+    u32 left = 0u;
+    for (u32 i = begin; i < end; ++i) {
+        // Items in lockstep look for work together.
+        while (i < end && LOOK_AT(fates, i) != FATE_UNDECIDED) ++i;
+        if (i == end) break;
+        const u32x4 candidate = AT(candidates, i);
+        const u32 fate = decide(ON a, i, candidate);
+        if (fate == FATE_UNDECIDED) {
+            ++left;
+            continue;
+        }
+        ATOMIC_SET(fates, i, fate);
+        AT(samples, candidate.w) =
+            fate == FATE_ADMITTED ? U32X2(candidate.x, candidate.y) : U32X2(NO_SAMPLE, fate);
+    }
+    if (left > 0u) ATOMIC_ADD(undecided, a.pass, left);
+    CHECK_TURNS(a.g.height, FAILED_ADMIT);
+}

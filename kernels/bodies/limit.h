@@ -1,0 +1,24 @@
+// What conflicts in lines and exact: limit and reach are the radius.
+#include "portable/column.h"
+
+// In lines what counts is the chord on the candidate's own line.
+BODY u32 place_of(const DrawArguments a, const u32x4 candidate) {
+    return a.g.is_exact != 0u ? candidate.x : candidate.z * a.g.strip_width + a.g.strip_width / 2u;
+}
+
+BODY u32 reach_of(MEMORY const DrawArguments a, const u32x4 candidate) {
+    return a.g.radius;
+}
+
+BODY Stretch columns_near(const DrawArguments a, const u32x4 candidate, const u32 reach) {
+    const u32 column = column_of_line(candidate.z, a.g.lines, a.g.columns);
+    Stretch near;
+    near.first = first_neighbour(column, a.g.columns, a.g.period_x);
+    near.count = neighbour_count(column, a.g.columns, a.g.period_x);
+    return near;
+}
+
+// The square of how far candidates i and j must be apart.
+BODY u64 limit_of(MEMORY const DrawArguments a, const u32 i, const u32 j) {
+    return a.g.radius_squared;
+}

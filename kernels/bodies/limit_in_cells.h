@@ -1,0 +1,23 @@
+// What conflicts in mode cells: the limit is the metric of two radii (section 4.2.1), and the reach
+// is how far any sample may be that conflicts with one on this pixel.
+#include "portable/column.h"
+#include "portable/metric.h"
+
+BODY u32 place_of(const DrawArguments a, const u32x4 candidate) {
+    return candidate.x;
+}
+
+BODY u32 reach_of(MEMORY const DrawArguments a, const u32x4 candidate) {
+    return AT(pixel_reaches, AT(column_of, candidate.x) * a.rows + AT(row_of, candidate.y));
+}
+
+BODY Stretch columns_near(const DrawArguments a, const u32x4 candidate, const u32 reach) {
+    return near_columns(near_lines(candidate.x, reach, a.g.lines, a.g.period_x), a.g.lines,
+                        a.g.columns);
+}
+
+// The square of how far candidates i and j must be apart.
+BODY u64 limit_of(MEMORY const DrawArguments a, const u32 i, const u32 j) {
+    return metric_squared(
+        twice_metric_radius(a.metric, AT(candidate_radii, i), AT(candidate_radii, j)));
+}

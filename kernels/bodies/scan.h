@@ -1,0 +1,16 @@
+// The body of scan: prefix sums within blocks. Each of the counts becomes the sum of those before
+// it in its block, and sums[block] that of all of them.
+
+BODY void serve_scan(MEMORY const ScanArguments a, const u32 item) {
+    const u32 begin = item * a.block;
+    if (begin >= a.count) return;
+    const u32 end = begin + min(a.block, a.count - begin);
+    u32 sum = 0u;
+    for (u32 i = begin; i < end; ++i) {
+        const u32 value = AT(counts, i);
+        AT(counts, i) = sum;
+        sum += value;
+    }
+    AT(sums, item) = sum;
+    CHECK_TURNS(a.count, FAILED_REFINE);
+}

@@ -1,0 +1,31 @@
+// The body of unfold: at the first refinement, a line's free spans, cut where a row of the sample
+// grid ends, become boxes as wide as the strips.
+
+// First only their number is asked for, which goes to counts[line]; then, with prefix sums in its
+// place (scan.h), they are written.
+BODY void serve_unfold(MEMORY const SlabArguments a, const u32 item) {
+    const u32 line = a.first_line + item;
+    if (line >= a.end_line) return;
+    const u32 side = a.g.grid_side;
+    const u32 slot = (line - a.slab_begin) * a.g.capacity;
+    const u32 count = AT(span_counts, line);
+    u32 next = a.is_counting != 0u ? 0u : AT(counts, line) + AT(sums, line / a.block);
+    for (u32 i = 0u; i < count; ++i) {
+        const u32x2 span = AT(spans, slot + i);
+        if (a.is_counting != 0u) {
+            next += (span.y - 1u) / side - span.x / side + 1u;
+            continue;
+        }
+        u32 begin = span.x;
+        while (begin < span.y) {
+            const u32 end = begin + min(span.y - begin, side - begin % side);
+            AT(box_x, next) = line * a.g.strip_width;
+            AT(box_begin, next) = begin;
+            AT(box_end, next) = end;
+            ++next;
+            begin = end;
+        }
+    }
+    if (a.is_counting != 0u) AT(counts, line) = next;
+    CHECK_TURNS(a.g.height, FAILED_REFINE);
+}

@@ -1,0 +1,194 @@
+// The kernels' arguments and buffers, each named once for the host, OpenCL C and GLSL.
+//
+// A kernel X takes one struct of arguments and the buffers of X_BINDINGS: (number, access, type,
+// name). `first_item` is the first item of a launch, and `chunk` how many of its units of work an
+// item serves: many on a processor, 1 on a graphics card.
+#ifndef LACUNA_PORTABLE_KERNELS_H
+#define LACUNA_PORTABLE_KERNELS_H
+#include "geometry.h"
+
+LACUNA_BEGIN
+
+// Of kernels that serve the round's draws or candidates.
+struct DrawArguments {
+    u32 first_item;
+    u32 chunk;
+    Geometry g;
+    u32 count;   // of draws
+    u32 pass;    // of admit; elsewhere the last pass, which tells whether admission is settled
+    u32 words;   // of a line's bits
+    u32 rows;    // of pixels in a column of them
+    u32 metric;  // see metric.h
+};
+LACUNA_TYPEDEF(DrawArguments)
+
+// Of kernels that serve columns of lines, one an item.
+struct ColumnArguments {
+    u32 first_item;
+    u32 last_pass;
+    Geometry g;
+    u32 room;  // of the new boxes
+};
+LACUNA_TYPEDEF(ColumnArguments)
+
+// Of kernels that serve the lines [first_line, end_line), whose spans one slab holds.
+struct SlabArguments {
+    u32 first_item;
+    u32 chunk;
+    Geometry g;
+    u32 first_line;
+    u32 end_line;
+    u32 slab_begin;  // the slab's first line
+    u32 to_begin;    // of grow: the first line of the slab that spans are moved to
+    u32 larger;      // of grow: the capacity there
+    u32 first_draw;  // of locate: the draws of these lines are [first_draw, end_draw)
+    u32 end_draw;
+    u32 last_pass;    // of subtract
+    u32 block;        // of unfold: the counts of so many lines have a sum of their own
+    u32 is_counting;  // of unfold: 1 where boxes are only counted
+};
+LACUNA_TYPEDEF(SlabArguments)
+
+// Of kernels that cut boxes into strips, `width` wide: each box is one, or two where is_halved is 1.
+struct StripArguments {
+    u32 first_item;
+    u32 chunk;
+    Geometry g;
+    u32 boxes;
+    u32 is_halved;
+    u32 width;
+    u32 last_pass;
+    u32 block;  // the counts of so many strips have a sum of their own
+    u32 room;   // of the new boxes
+};
+LACUNA_TYPEDEF(StripArguments)
+
+struct ScanArguments {
+    u32 first_item;
+    u32 count;  // of values
+    u32 block;  // so many an item
+};
+LACUNA_TYPEDEF(ScanArguments)
+
+// An item serves one of so many `slices` of the lines near each of its samples.
+struct LatticeArguments {
+    u32 first_item;
+    u32 chunk;
+    Geometry g;
+    u32 count;  // of candidates
+    u32 last_pass;
+    u32 words;
+    u32 rows;
+    u32 metric;
+    u32 slices;
+    u32 most_reach;  // samples that reach farther are left for the next launch
+    u32 is_listed;   // 1 where the candidates to serve are those of `todo`
+};
+LACUNA_TYPEDEF(LatticeArguments)
+
+LACUNA_END
+
+// What draws and candidates hold: place, rank, offset, order; x, y, line, order.
+#define LOCATE_BINDINGS(B)                                                        \
+    B(0, READ, u32x2, spans) B(1, READ, u32x4, draws) B(2, WRITE, u32x4, located) \
+    B(3, SHARED, u32, failure)
+#define LOCATE_IN_BOXES_BINDINGS(B)                                            \
+    B(0, READ, u32, box_x) B(1, READ, u32, box_begin) B(2, READ, u32x4, draws) \
+    B(3, WRITE, u32x4, located)
+#define LOCATE_IN_CELLS_BINDINGS(B)                                            \
+    B(0, READ, u32, bits) B(1, READ, u32x4, draws) B(2, WRITE, u32x4, located) \
+    B(3, SHARED, u32, failure)
+#define SORT_COLUMNS_BINDINGS(B)                                                       \
+    B(0, READ, u32, column_begins) B(1, READ, u32x4, located) B(2, BOTH, u32, buckets) \
+    B(3, BOTH, u32x4, candidates) B(4, WRITE, u32, fates) B(5, SHARED, u32, failure)
+#define LOOK_UP_RADII_BINDINGS(B)                                                    \
+    B(0, READ, u32x4, candidates) B(1, READ, u32, column_of) B(2, READ, u32, row_of) \
+    B(3, READ, u32, pixel_radii) B(4, WRITE, u32, candidate_radii)
+#define SCREEN_BINDINGS(B)                                                        \
+    B(0, READ, u32x4, candidates) B(1, READ, u32, grid_x) B(2, READ, u32, grid_y) \
+    B(3, BOTH, u32, fates) B(4, WRITE, u32x2, samples)
+#define ADMIT_BINDINGS(B)                                    \
+    B(0, READ, u32, column_begins) B(1, READ, u32, buckets)  \
+    B(2, READ, u32x4, candidates) B(3, SHARED, u32, fates)   \
+    B(4, SHARED, u32, undecided) B(5, WRITE, u32x2, samples) \
+    B(6, SHARED, u32, failure)
+#define ADMIT_IN_CELLS_BINDINGS(B)                                                \
+    ADMIT_BINDINGS(B) B(7, READ, u32, candidate_radii) B(8, READ, u32, column_of) \
+    B(9, READ, u32, row_of) B(10, READ, u32, pixel_reaches)
+#define INSERT_BINDINGS(B)                                                          \
+    B(0, READ, u32, undecided) B(1, READ, u32x4, candidates) B(2, READ, u32, fates) \
+    B(3, WRITE, u32, grid_x) B(4, WRITE, u32, grid_y)
+#define GATHER_BINDINGS(B)                                                            \
+    B(0, READ, u32, undecided) B(1, READ, u32, column_begins)                         \
+    B(2, READ, u32, near_begins) B(3, READ, u32x4, candidates) B(4, READ, u32, fates) \
+    B(5, WRITE, u32, near_counts) B(6, WRITE, u32x2, near) B(7, SHARED, u32, failure)
+#define SUBTRACT_BINDINGS(B)                                                      \
+    B(0, READ, u32, undecided) B(1, READ, u32, near_begins)                       \
+    B(2, READ, u32, near_counts) B(3, READ, u32x2, near) B(4, BOTH, u32x2, spans) \
+    B(5, BOTH, u32, span_counts) B(6, BOTH, u32, free_lengths)                    \
+    B(7, SHARED, u32, overflow) B(8, SHARED, u32, failure)
+#define GROW_BINDINGS(B)                                  \
+    B(0, READ, u32, span_counts) B(1, READ, u32x2, spans) \
+    B(2, WRITE, u32x2, new_spans)
+#define UNFOLD_BINDINGS(B)                                                        \
+    B(0, READ, u32x2, spans) B(1, READ, u32, span_counts) B(2, BOTH, u32, counts) \
+    B(3, READ, u32, sums) B(4, WRITE, u32, box_x) B(5, WRITE, u32, box_begin)     \
+    B(6, WRITE, u32, box_end) B(7, SHARED, u32, failure)
+#define CUT_BINDINGS(B)                                                             \
+    B(0, READ, u32, undecided) B(1, READ, u32, grid_x) B(2, READ, u32, grid_y)      \
+    B(3, READ, u32, box_x) B(4, READ, u32, box_begin) B(5, READ, u32, box_end)      \
+    B(6, SHARED, u32, failure) B(7, BOTH, u32, counts) B(8, BOTH, u32, piece_begin) \
+    B(9, BOTH, u32, piece_end)
+#define KEEP_BINDINGS(B)                                            \
+    CUT_BINDINGS(B) B(10, READ, u32, sums) B(11, WRITE, u32, new_x) \
+    B(12, WRITE, u32, new_begin) B(13, WRITE, u32, new_end)         \
+    B(14, WRITE, u32, free_lengths)
+#define SCAN_BINDINGS(B) \
+    B(0, BOTH, u32, counts) B(1, WRITE, u32, sums) B(2, SHARED, u32, failure)
+#define FIND_PLACE_BEGINS_BINDINGS(B) \
+    B(0, READ, u32, new_x) B(1, READ, u32, total) B(2, WRITE, u32, place_begins)
+#define SUBTRACT_IN_CELLS_BINDINGS(B)                                               \
+    B(0, READ, u32, undecided) B(1, READ, u32x4, candidates) B(2, READ, u32, fates) \
+    B(3, READ, u32, column_of) B(4, READ, u32, row_of) B(5, READ, u32, row_begins)  \
+    B(6, READ, u32, pixel_radii) B(7, READ, u32, pixel_reaches)                     \
+    B(8, READ, u32, widest_rows) B(9, SHARED, u32, widest) B(10, SHARED, u32, bits) \
+    B(11, SHARED, u32, free_lengths) B(12, READ, u32, todo) B(13, WRITE, u32, left) \
+    B(14, SHARED, u32, left_count) B(15, SHARED, u32, failure)
+
+// All buffers, of which a kernel has those that its bindings name.
+#define LACUNA_BUFFERS(B)                                                                          \
+    B(u32x4, draws)                                                                                \
+    B(u32x4, located) B(u32, column_begins) B(u32, buckets) B(u32x4, candidates) B(u32, fates)     \
+        B(u32, undecided) B(u32x2, samples) B(u32, failure) B(u32, free_lengths) B(u32x2, spans)   \
+            B(u32x2, new_spans) B(u32, span_counts) B(u32, near_begins) B(u32, near_counts)        \
+                B(u32x2, near) B(u32, overflow) B(u32, grid_x) B(u32, grid_y) B(u32, box_x)        \
+                    B(u32, box_begin) B(u32, box_end) B(u32, new_x) B(u32, new_begin)              \
+                        B(u32, new_end) B(u32, counts) B(u32, sums) B(u32, total)                  \
+                            B(u32, piece_begin) B(u32, piece_end) B(u32, place_begins)             \
+                                B(u32, bits) B(u32, widest) B(u32, widest_rows) B(u32, column_of)  \
+                                    B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii)          \
+                                        B(u32, pixel_reaches) B(u32, candidate_radii) B(u32, todo) \
+                                            B(u32, left) B(u32, left_count)
+
+// All kernels: name, arguments, bindings.
+#define LACUNA_KERNELS(K)                                             \
+    K(locate, SlabArguments, LOCATE_BINDINGS)                         \
+    K(locate_in_boxes, DrawArguments, LOCATE_IN_BOXES_BINDINGS)       \
+    K(locate_in_cells, DrawArguments, LOCATE_IN_CELLS_BINDINGS)       \
+    K(sort_columns, ColumnArguments, SORT_COLUMNS_BINDINGS)           \
+    K(look_up_radii, DrawArguments, LOOK_UP_RADII_BINDINGS)           \
+    K(screen, DrawArguments, SCREEN_BINDINGS)                         \
+    K(admit, DrawArguments, ADMIT_BINDINGS)                           \
+    K(admit_in_cells, DrawArguments, ADMIT_IN_CELLS_BINDINGS)         \
+    K(insert, DrawArguments, INSERT_BINDINGS)                         \
+    K(gather, ColumnArguments, GATHER_BINDINGS)                       \
+    K(subtract, SlabArguments, SUBTRACT_BINDINGS)                     \
+    K(grow, SlabArguments, GROW_BINDINGS)                             \
+    K(unfold, SlabArguments, UNFOLD_BINDINGS)                         \
+    K(cut, StripArguments, CUT_BINDINGS)                              \
+    K(keep, StripArguments, KEEP_BINDINGS)                            \
+    K(scan, ScanArguments, SCAN_BINDINGS)                             \
+    K(find_place_begins, ColumnArguments, FIND_PLACE_BEGINS_BINDINGS) \
+    K(subtract_in_cells, LatticeArguments, SUBTRACT_IN_CELLS_BINDINGS)
+
+#endif

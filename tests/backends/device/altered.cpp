@@ -1,0 +1,155 @@
+// Kernels with a fault planted, on both devices.
+#include "backends/device/altered.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "backends/available.h"
+
+namespace lacuna::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw std::runtime_error("cannot read " + path.string());
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void replace_first(std::string& text, std::size_t from_here, const Fault& fault) {
+    const std::string from = fault.from;
+    const std::size_t at = from_here == std::string::npos ? from_here : text.find(from, from_here);
+    if (at == std::string::npos)
+        throw std::runtime_error(std::string(fault.file) + " no longer has: " + from);
+    text.replace(at, from.size(), fault.to);
+}
+
+#ifdef LACUNA_OPENCL
+std::unique_ptr<Backend> make_faulty_opencl(const Plan& plan, const Fault& fault) {
+    const bool is_cells = plan.mode == Mode::cells;
+    std::string source = is_cells ? opencl::cells_kernel_source() : opencl::kernel_source();
+    replace_first(source, source.find("#line 1 \"kernels/" + std::string(fault.file) + "\""),
+                  fault);
+    return opencl::make_backend(plan, {}, {}, {source, nullptr});
+}
+#endif
+
+#ifdef LACUNA_VULKAN
+// Whether the text includes the file, itself or by what it includes.
+bool includes(const std::string& text, const std::string& file) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const std::string word = "#include \"";
+        if (!line.starts_with(word)) continue;
+        std::string name = line.substr(word.size(), line.rfind('"') - word.size());
+        const fs::path kernels = fs::path(LACUNA_SOURCE) / "kernels";
+        if (!fs::exists(kernels / name)) name = "portable/" + name;
+        if (name == file || includes(read(kernels / name), file)) return true;
+    }
+    return false;
+}
+
+// Of each entry of a shader's file, the text between its #ifdef and its #endif.
+std::map<std::string, std::string> entries_of(const std::string& text) {
+    std::map<std::string, std::string> entries;
+    const std::string word = "#ifdef ENTRY_";
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+        const std::size_t name = at + word.size();
+        const std::size_t line_end = text.find('\n', at);
+        entries[text.substr(name, line_end - name)] =
+            text.substr(line_end, text.find("#endif", at) - line_end);
+    }
+    return entries;
+}
+
+std::vector<std::uint32_t> compiled(const fs::path& shader, const std::string& entry,
+                                    const fs::path& kernels) {
+    const fs::path spirv = kernels / (entry + ".spv");
+    const std::string command = std::string("'") + LACUNA_GLSLANG +
+                                "' -V --target-env vulkan1.2 --quiet '-I" + kernels.string() +
+                                "' -DENTRY_" + entry + " -o '" + spirv.string() + "' '" +
+                                shader.string() + "'";
+    if (std::system(command.c_str()) != 0) throw std::runtime_error(command + " failed");
+    const std::string bytes = read(spirv);
+    std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+    std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(words.data()));
+    return words;
+}
+
+std::unique_ptr<Backend> make_faulty_vulkan(const Plan& plan, const Fault& fault) {
+    const fs::path source = LACUNA_SOURCE;
+    const fs::path copy =
+        fs::path(testing::TempDir()) / ("lacuna-faulty-" + std::to_string(::getpid()));
+    fs::remove_all(copy);
+    fs::copy(source / "kernels", copy, fs::copy_options::recursive);
+    std::string text = read(copy / fault.file);
+    replace_first(text, 0, fault);
+    std::ofstream(copy / fault.file, std::ios::binary) << text;
+
+    vulkan::Trial trial;
+    for (const fs::directory_entry& shader : fs::directory_iterator(source / "shaders"))
+        for (const auto& [entry, body] : entries_of(read(shader.path())))
+            if (includes(body, fault.file) ||
+                includes("#include \"bodies/prelude.h\"\n", fault.file))
+                trial.shaders[entry] = compiled(shader.path(), entry, copy);
+    fs::remove_all(copy);
+    if (trial.shaders.empty())
+        throw std::runtime_error("no shader includes " + std::string(fault.file));
+    return vulkan::make_backend(plan, {}, {}, trial);
+}
+#endif
+
+struct SomeRounds : Observer {
+    explicit SomeRounds(std::uint64_t most) : most_(most) {}
+    bool keep_going(const Progress& progress) override { return progress.rounds <= most_; }
+    std::uint64_t most_;
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_faulty(const std::string& backend, [[maybe_unused]] const Plan& plan,
+                                     [[maybe_unused]] const Fault& fault) {
+#ifdef LACUNA_OPENCL
+    if (backend == "opencl") return make_faulty_opencl(plan, fault);
+#endif
+#ifdef LACUNA_VULKAN
+    if (backend == "vulkan") return make_faulty_vulkan(plan, fault);
+#endif
+    throw Unavailable("backend " + backend + ": this build was made without it");
+}
+
+std::unique_ptr<Backend> make_counted(const std::string& backend, [[maybe_unused]] const Plan& plan,
+                                      [[maybe_unused]] const device::Tuning& tuning,
+                                      [[maybe_unused]] std::uint64_t* launches) {
+#ifdef LACUNA_OPENCL
+    if (backend == "opencl") return opencl::make_backend(plan, {}, tuning, {"", launches});
+#endif
+#ifdef LACUNA_VULKAN
+    if (backend == "vulkan") return vulkan::make_backend(plan, {}, tuning, {{}, nullptr, launches});
+#endif
+    throw Unavailable("backend " + backend + ": this build was made without it");
+}
+
+Outcome run_rounds(const Plan& plan, Backend& backend, std::uint64_t most) {
+    SomeRounds observer(most);
+    try {
+        return generate(plan, backend, observer);
+    } catch (const Cancelled&) {
+        return {};
+    }
+}
+
+Outcome run_on_cpu(const Plan& plan) {
+    Observer nobody;
+    return generate(plan, *cpu::make_backend(plan, {}), nobody);
+}
+
+}  // namespace lacuna::tests

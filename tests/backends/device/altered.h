@@ -1,0 +1,35 @@
+// Kernels with a fault planted, on both devices: the same text of kernels/ changed, compiled anew.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "backends/backend.h"
+#include "backends/device/layout.h"
+#include "generate.h"
+#include "plan/plan.h"
+
+namespace lacuna::tests {
+
+// In a file of kernels/, the first `from` becomes `to`.
+struct Fault {
+    const char* file;
+    const char* from;
+    const char* to;
+};
+
+// The device backend with the fault in all its kernels that include the file. Throws
+// std::runtime_error where the text is not there or does not compile.
+std::unique_ptr<Backend> make_faulty(const std::string& backend, const Plan& plan,
+                                     const Fault& fault);
+
+// The backend as it is; counts the kernels that it launches.
+std::unique_ptr<Backend> make_counted(const std::string& backend, const Plan& plan,
+                                      const device::Tuning& tuning, std::uint64_t* launches);
+
+// Nothing where a set is not done after so many rounds: wrong kernels need not come to an end.
+Outcome run_rounds(const Plan& plan, Backend& backend, std::uint64_t most = 30);
+Outcome run_on_cpu(const Plan& plan);
+
+}  // namespace lacuna::tests

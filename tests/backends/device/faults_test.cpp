@@ -1,0 +1,206 @@
+// The kernels do the work, and nothing else does: faults planted in the bodies and in the portable
+// arithmetic are noticed on OpenCL and on Vulkan.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "backends/available.h"
+#include "backends/cells_scenes.h"
+#include "backends/device/altered.h"
+#include "backends/scenes.h"
+
+namespace lacuna {
+namespace {
+
+using tests::Fault;
+
+class Faults : public tests::OnBackend {
+protected:
+    // A fault is noticed when it changes the set, or is an error.
+    void expect_noticed(const Plan& plan, const std::vector<Fault>& faults) {
+        const std::vector<Sample> right = tests::run_on_cpu(plan).samples;
+        ASSERT_FALSE(right.empty());
+        for (const Fault& fault : faults) {
+            const auto faulty = tests::make_faulty(GetParam(), plan, fault);
+            try {
+                EXPECT_TRUE(tests::run_rounds(plan, *faulty).samples != right)
+                    << fault.file << ": " << fault.from << " became " << fault.to;
+            } catch (const DeviceError&) {
+            }
+        }
+    }
+
+    void expect_ended_early(const Plan& plan, const Fault& fault, const std::string& job) {
+        const auto faulty = tests::make_faulty(GetParam(), plan, fault);
+        try {
+            tests::run_rounds(plan, *faulty);
+            ADD_FAILURE() << job << " went unnoticed";
+        } catch (const DeviceError& error) {
+            const std::string what = error.what();
+            EXPECT_NE(what.find(": " + job + ": a loop was ended early by the driver"),
+                      std::string::npos)
+                << what;
+        }
+    }
+
+    const Plan lines_ = tests::plan_of(0.03, 6, Boundary::torus);
+    const Plan exact_ = tests::plan_of(0.03, 6, Boundary::torus, 1, 1, Mode::exact);
+    const Plan cells_ =
+        tests::cells_plan(tests::noise_field(40, 30, 5), 0.02, 5, Metric::mean, Boundary::torus);
+};
+
+INSTANTIATE_TEST_SUITE_P(Device, Faults, tests::kDeviceBackends, tests::name_of_parameter);
+
+TEST_P(Faults, InLinesAreNoticed) {
+    expect_noticed(
+        lines_,
+        {{"bodies/locate.h", "span.x + (draw.y - passed), line", "span.x, line"},
+         {"bodies/admit.h", "other.w >= candidate.w) continue;",
+          "other.w <= candidate.w) continue;"},
+         {"bodies/admit.h", "return waits ? FATE_UNDECIDED", "return false ? FATE_UNDECIDED"},
+         {"bodies/admit.h", "window < windows", "window < 1u"},
+         {"bodies/admit.h", "return bucket > 0u ?", "return bucket > 1u ? end : bucket > 0u ?"},
+         {"bodies/sort_columns.h", "comes_before(moved,", "false && comes_before(moved,"},
+         {"bodies/gather.h", "count > 2u", "count > 3u"},
+         {"bodies/subtract.h", "if (bottom > 0u) gap", "if (false) gap"},
+         {"bodies/subtract.h", "if (top < g.height && gap.fits)", "if (false)"},
+         {"bodies/subtract.h", "gap.above.y > end;", "false;"},
+         {"bodies/limit.h", "? candidate.x :", "? 0u : candidate.x + 0u *"},
+         {"portable/chord.h", "y - reach + 1u : 0u", "y - reach + 1000u : 0u"}});
+}
+
+TEST_P(Faults, InExactAreNoticed) {
+    // The last few take many refinements, of more and more boxes where a kernel leaves room.
+    Plan nearly_all = exact_;
+    nearly_all.limit = nearly_all.expected_samples * 19 / 20;
+    expect_noticed(
+        nearly_all,
+        {{"bodies/locate_in_boxes.h", "AT(box_begin, draw.x) + draw.y,", "AT(box_begin, draw.x),"},
+         {"bodies/limit.h", "? candidate.x", "? candidate.x / a.g.strip_width * a.g.strip_width"},
+         {"bodies/screen.h", "return covered != 0u;", "return false;"},
+         {"bodies/screen.h", "i < columns.count", "i < 1u"},
+         {"bodies/insert.h", "AT(grid_y, cell) = admitted.y", "AT(grid_y, cell) = admitted.x"},
+         {"bodies/subtract.h", "g.period_x) + g.chord_margin", "g.period_x)"},
+         {"bodies/unfold.h", "side - begin % side", "side"},
+         {"bodies/strips.h", "i < near.columns.count", "i < 1u"},
+         {"bodies/strips.h", "is_at_edge ? -1 : 0", "is_at_edge ? 0 : 0"},
+         {"bodies/strips.h", "squared_length(dx, farthest)", "squared_length(dx, nearest)"},
+         {"bodies/strips.h", "+ strip.width / 2u;", ";"},
+         {"bodies/keep.h", "= piece.y - piece.x;", "= 1u;"},
+         {"bodies/scan.h", "sum += value;", "sum = value;"},
+         {"bodies/find_place_begins.h", "a.g.strip_width < line", "a.g.strip_width < line / 2u"},
+         {"portable/sample_grid.h", "is_above ? (is_wrapped", "is_above ? (false"}});
+}
+
+TEST_P(Faults, InCellsAreNoticed) {
+    expect_noticed(
+        cells_,
+        {{"bodies/locate_in_cells.h", "draw.y - passed), line", "(draw.y - passed) / 2u), line"},
+         {"bodies/locate_in_cells.h", "at * 32u +", "at * 31u +"},
+         {"bodies/look_up_radii.h", "+ AT(row_of, candidate.y)", ""},
+         {"bodies/admit.h", "other.w >= candidate.w) continue;",
+          "other.w <= candidate.w) continue;"},
+         {"bodies/admit.h", "return waits ? FATE_UNDECIDED", "return false ? FATE_UNDECIDED"},
+         {"bodies/admit.h", "k < columns.count", "k < 1u"},
+         {"bodies/admit.h", "window < windows", "window < 1u"},
+         {"bodies/admit.h", "candidate.y, a.g.period_x, a.g.period_y,", "candidate.y, 0u, 0u,"},
+         {"bodies/limit_in_cells.h", "AT(candidate_radii, j)", "AT(candidate_radii, i)"},
+         {"bodies/subtract_in_cells.h", "cut.radius, pixel)", "cut.radius, cut.radius)"},
+         {"bodies/subtract_in_cells.h", "(cut.dx, farthest) < limit", "(cut.dx, nearest) < limit"},
+         {"bodies/subtract_in_cells.h", "nearest) >= limit", "nearest) > limit + 20u"},
+         {"bodies/subtract_in_cells.h", "y - reach + 1)), ", "y - reach + 2)), "},
+         {"bodies/subtract_in_cells.h", "min(to_i64(end), y + reach)",
+          "min(to_i64(end), y + reach - 1)"},
+         {"bodies/subtract_in_cells.h", "+ image * to_i64(a.g.height)", ""},
+         {"bodies/subtract_in_cells.h", "k < lines.count", "k < lines.count / 2u"},
+         {"bodies/subtract_in_cells.h", "any_set(ON a, cut.line, begin, end)",
+          "any_set(ON a, cut.line, begin, begin)"},
+         {"bodies/subtract_in_cells.h", "class_bound(AT(pixel_radii, cut.pixel_begin + row))",
+          "1u"},
+         {"portable/bits.h", "lowest_bit(rest)", "lowest_bit(word)"}});
+}
+
+// Thin boxes near the rims of two disks, each of which takes a chord out of their middle.
+Snapshot boxes_between_disks(const Plan& plan) {
+    Snapshot scene = tests::empty_memory(plan);
+    scene.spans.clear();
+    scene.box_width = plan.strip_width / 64;
+    const std::uint32_t row_begin = plan.grid_rows / 2 * plan.grid_side;
+    const std::uint32_t middle = plan.width / 2;
+    const auto put = [&](Sample sample) {
+        scene.grid[std::size_t{sample.x / plan.grid_side} * plan.grid_rows +
+                   sample.y / plan.grid_side] = sample;
+    };
+    put({middle, row_begin + plan.grid_side / 3});
+    put({middle + plan.radius / 100 * 194, row_begin + plan.grid_side / 2});
+    for (std::uint32_t percent = 940; percent < 1000; percent += 2) {
+        const std::uint32_t x = middle + plan.radius / 1000 * percent;
+        scene.boxes.push_back({x - x % scene.box_width, row_begin, row_begin + plan.grid_side});
+    }
+    return scene;
+}
+
+TEST_P(Faults, OfBoxesInSeveralPiecesAreNoticed) {
+    const Snapshot scene = boxes_between_disks(exact_);
+    const auto boxes_of = [&](Backend& backend) {
+        backend.restore(scene);
+        backend.refine(true);
+        return backend.snapshot().boxes;
+    };
+    const std::vector<Box> right = boxes_of(*tests::make_backend("cpu", exact_));
+    ASSERT_GT(right.size(), 2 * scene.boxes.size());
+    ASSERT_TRUE(boxes_of(*tests::make_backend(GetParam(), exact_)) == right);
+    const Fault faults[] = {
+        {"bodies/strips.h", "end = to_u32(y - reach + 1)", "end = rest.high"},
+        {"bodies/strips.h", "begin = piece.low;", "begin = rest.high;"},
+        {"bodies/cut.h", "count > 1u ? NO_SAMPLE :", "false ? NO_SAMPLE :"},
+        {"bodies/keep.h", "keep_piece(ON a, strip.x, piece, place)",
+         "keep_piece(ON a, 0u, piece, place)"},
+    };
+    for (const Fault& fault : faults)
+        EXPECT_TRUE(boxes_of(*tests::make_faulty(GetParam(), exact_, fault)) != right)
+            << fault.file << ": " << fault.from << " became " << fault.to;
+}
+
+// What a driver that ends loops early would leave behind, kernel by kernel.
+TEST_P(Faults, ThatEndLoopsEarlyAreAnErrorAndNeverASet) {
+    const struct {
+        const char* file;
+        const char* number;
+        const char* flag;
+        const char* job;
+    } checks[] = {
+        {"bodies/locate.h", "a.g.height", "FAILED_LOCATE", "locate"},
+        {"bodies/sort_columns.h", "a.g.height", "FAILED_SORT_COLUMNS", "sort_columns"},
+        {"bodies/admit.h", "a.g.height", "FAILED_ADMIT", "admit"},
+        {"bodies/gather.h", "a.g.height", "FAILED_GATHER", "gather"},
+        {"bodies/subtract.h", "g.height", "FAILED_SUBTRACT", "subtract"},
+        {"bodies/unfold.h", "a.g.height", "FAILED_REFINE", "refine"},
+        {"bodies/cut.h", "a.g.height", "FAILED_REFINE", "refine"},
+        {"bodies/keep.h", "a.g.height", "FAILED_REFINE", "refine"},
+        {"bodies/scan.h", "a.count", "FAILED_REFINE", "refine"},
+        {"bodies/locate_in_cells.h", "a.g.height", "FAILED_LOCATE", "locate"},
+        {"bodies/subtract_in_cells.h", "a.g.height", "FAILED_SUBTRACT", "subtract"},
+    };
+    for (const auto& check : checks) {
+        const std::string from =
+            "CHECK_TURNS(" + std::string(check.number) + ", " + check.flag + ");";
+        const std::string to = "ATOMIC_OR(failure, 0, " + std::string(check.flag) + ");";
+        const bool is_cells = std::string(check.file).find("_in_cells") != std::string::npos;
+        expect_ended_early(is_cells ? cells_ : exact_, {check.file, from.c_str(), to.c_str()},
+                           check.job);
+    }
+}
+
+TEST_P(Faults, OfADriverThatEndsAllLoopsEarlyAreAnError) {
+    const Fault fault = {"portable/failure.h", "while (rest != 0u) rest = rest >> 16;",
+                         "rest = rest >> 16;"};
+    for (const Plan& plan : {lines_, exact_, cells_}) {
+        const auto faulty = tests::make_faulty(GetParam(), plan, fault);
+        EXPECT_THROW(tests::run_rounds(plan, *faulty), DeviceError);
+    }
+}
+
+}  // namespace
+}  // namespace lacuna
