@@ -64,10 +64,11 @@ LACUNA_FN Stretch near_columns(Stretch near, u32 lines, u32 columns) {
     return touched;
 }
 
-// A column's `count` candidates are sorted by y by way of `count` buckets, and found by their height
-// again: bucket_of tells the bucket of a height below `height`. All buckets are equally high. Heights
-// are shifted up until `height` fills 32 bits, and then scaled by a multiplication, because devices
-// take long to divide: of the `count` buckets at least the lower half has heights, the others none.
+// A column's `count` candidates are sorted by y by way of `count` buckets, and found by their
+// height again: bucket_of tells the bucket of a height below `height`. All buckets are equally
+// high. Heights are shifted up until `height` fills 32 bits, and then scaled by a multiplication,
+// because devices take long to divide: of the `count` buckets at least the lower half has heights,
+// the others none.
 LACUNA_FN u32 bucket_of(u32 y, u32 count, u32 height) {
     u64 scaled = y << leading_zeros(height);
     return to_u32(scaled * count >> 32u);

@@ -49,7 +49,8 @@ struct SlabArguments {
 };
 LACUNA_TYPEDEF(SlabArguments)
 
-// Of kernels that cut boxes into strips, `width` wide: each box is one, or two where is_halved is 1.
+// Of kernels that cut boxes into strips, `width` wide: each box is one, or two where is_halved
+// is 1.
 struct StripArguments {
     u32 first_item;
     u32 chunk;
@@ -88,7 +89,8 @@ LACUNA_TYPEDEF(LatticeArguments)
 
 LACUNA_END
 
-// What draws and candidates hold: place, rank, offset, order; x, y, line, order.
+// The bindings of each kernel. A draw is place, rank, offset, order; a candidate x, y, line, order.
+// clang-format off
 #define LOCATE_BINDINGS(B)                                                        \
     B(0, READ, u32x2, spans) B(1, READ, u32x4, draws) B(2, WRITE, u32x4, located) \
     B(3, SHARED, u32, failure)
@@ -190,5 +192,6 @@ LACUNA_END
     K(scan, ScanArguments, SCAN_BINDINGS)                             \
     K(find_place_begins, ColumnArguments, FIND_PLACE_BEGINS_BINDINGS) \
     K(subtract_in_cells, LatticeArguments, SUBTRACT_IN_CELLS_BINDINGS)
+// clang-format on
 
 #endif

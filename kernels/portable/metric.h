@@ -41,8 +41,8 @@ LACUNA_FN u64 metric_squared(u32 twice) {
 }
 
 // With mean and max a sample may block places up to `reach` lattice steps away, farther than its
-// `radius`, but only places whose own radius is wide. Where the reach is over four times the radius,
-// it is worth while to look on each line for the widest radius that is still free
+// `radius`, but only places whose own radius is wide. Where the reach is over four times the
+// radius, it is worth while to look on each line for the widest radius that is still free
 // (RadiusMap::widest_rows), and to go no farther than that asks for.
 LACUNA_FN bool is_far_reach(u32 metric, u32 reach, u32 radius) {
     return metric != METRIC_MIN && reach / 4u > radius / 256u;

@@ -15,8 +15,8 @@ LACUNA_FN u32 count_grid(u32 length, u32 side) {
     return (length - 1u) / side + 1u;
 }
 
-// The cells of one axis within a radius of [begin, end), as one run, which on a torus may go on from
-// the last cell to the first.
+// The cells of one axis within a radius of [begin, end), as one run, which on a torus may go on
+// from the last cell to the first.
 struct GridStretch {
     u32 first;
     u32 count;

@@ -109,8 +109,9 @@ protected:
         expect_same(expected, on_device(scene, verb));
         if (has_boxes(scene)) return;
         SCOPED_TRACE("three lines a slab, three slices");
-        const std::uint64_t line_bytes = scene.plan.is_cells() ? 4 * tests::words_of_line(scene.plan)
-                                                          : scene.memory.capacity * sizeof(Span);
+        const std::uint64_t line_bytes = scene.plan.is_cells()
+                                             ? 4 * tests::words_of_line(scene.plan)
+                                             : scene.memory.capacity * sizeof(Span);
         expect_same(expected, on_device(scene, verb, {3 * line_bytes, 3}));
     }
 };
