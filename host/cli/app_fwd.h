@@ -2,7 +2,7 @@
 // passes a command on does without it.
 #pragma once
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): not ours to name
 class App;
 class Option;
 }  // namespace CLI

@@ -68,9 +68,8 @@ void read_domain(const std::string& option, const std::string& text, double& wid
 }
 
 void add_text(CLI::App& command, const std::string& option, const std::string& symbol,
-              std::function<void(const std::string&)> take, const std::string& help) {
-    command.add_option_function<std::string>("--" + option, std::move(take), help)
-        ->type_name(symbol);
+              const std::function<void(const std::string&)>& take, const std::string& help) {
+    command.add_option_function<std::string>("--" + option, take, help)->type_name(symbol);
 }
 
 }  // namespace lacuna::cli

@@ -30,7 +30,7 @@ void read_domain(const std::string& option, const std::string& text, double& wid
 // Adds an option whose text goes to `take`. CLI11's own conversions let through octal, hexadecimal
 // and blanks, so options come as text.
 void add_text(CLI::App& command, const std::string& option, const std::string& symbol,
-              std::function<void(const std::string&)> take, const std::string& help);
+              const std::function<void(const std::string&)>& take, const std::string& help);
 
 template <class Value>
 void add_number(CLI::App& command, const std::string& option, const std::string& symbol,
