@@ -18,13 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read(const fs::path& path) {
+[[maybe_unused]] std::string read(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) throw std::runtime_error("cannot read " + path.string());
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-void replace_first(std::string& text, std::size_t from_here, const Fault& fault) {
+[[maybe_unused]] void replace_first(std::string& text, std::size_t from_here, const Fault& fault) {
     const std::string from = fault.from;
     const std::size_t at = from_here == std::string::npos ? from_here : text.find(from, from_here);
     if (at == std::string::npos)
