@@ -123,6 +123,12 @@ std::string_view name_of(Verb verb) {
             return "transfer";
         case Verb::first_use:
             return "first_use";
+        case Verb::own:
+            return "own";
+        case Verb::gather:
+            return "gather";
+        case Verb::settle:
+            return "settle";
     }
     return "";
 }

@@ -10,6 +10,7 @@ namespace lacuna::cli {
 
 inline constexpr std::array kVerbs{Verb::invert, Verb::locate,   Verb::admit,    Verb::subtract,
                                    Verb::refine, Verb::transfer, Verb::first_use};
+inline constexpr std::array kRelaxVerbs{Verb::own, Verb::gather, Verb::settle};
 
 class Stopwatch : public Observer {
 public:
@@ -25,11 +26,12 @@ private:
     using Clock = std::chrono::steady_clock;
     using Seconds = std::chrono::duration<double>;
 
+    static constexpr std::size_t kCount = 1 + static_cast<std::size_t>(Verb::settle);
     static std::size_t index_of(Verb verb) { return static_cast<std::size_t>(verb); }
 
     Clock::time_point start_ = Clock::now();
-    std::array<Clock::time_point, kVerbs.size()> begun_{};
-    std::array<Seconds, kVerbs.size()> spent_{};
+    std::array<Clock::time_point, kCount> begun_{};
+    std::array<Seconds, kCount> spent_{};
 };
 
 }  // namespace lacuna::cli

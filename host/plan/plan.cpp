@@ -106,22 +106,7 @@ void check_field(const Request& request) {
         throw BadRequest("radius", shortest(*request.radius),
                          "is not for mode cells: give a scale or a count");
     if (request.field == nullptr) throw BadRequest("field", "missing", "mode cells needs one");
-    const Field& field = *request.field;
-    if (field.importance.size() != std::size_t{field.columns} * field.rows ||
-        field.importance.empty())
-        throw BadRequest("field",
-                         std::to_string(field.columns) + "x" + std::to_string(field.rows) +
-                             " with " + std::to_string(field.importance.size()) + " values",
-                         "needs columns * rows values, at least one");
-    for (std::size_t i = 0; i < field.importance.size(); ++i)
-        if (!std::isfinite(field.importance[i]) || field.importance[i] < 0)
-            throw BadRequest("field",
-                             shortest(field.importance[i]) + " at row " +
-                                 std::to_string(i / field.columns) + ", column " +
-                                 std::to_string(i % field.columns),
-                             "importance must be a finite number of at least 0");
-    if (*std::max_element(field.importance.begin(), field.importance.end()) <= 0)
-        throw BadRequest("field", "of zeros", "some importance must be greater than 0");
+    check_importance(*request.field);
 }
 
 // The larger root q = 1 / r of density * (W q + edge) (H q + edge) = count.
@@ -160,6 +145,24 @@ std::uint64_t machine_memory_bytes() {
 double expected_count(double width, double height, Boundary boundary, double radius) {
     if (boundary == Boundary::torus) return kTorusDensity * (width / radius) * (height / radius);
     return kBoxDensity * (width / radius + kBoxEdge) * (height / radius + kBoxEdge);
+}
+
+void check_importance(const Field& field) {
+    if (field.importance.size() != std::size_t{field.columns} * field.rows ||
+        field.importance.empty())
+        throw BadRequest("field",
+                         std::to_string(field.columns) + "x" + std::to_string(field.rows) +
+                             " with " + std::to_string(field.importance.size()) + " values",
+                         "needs columns * rows values, at least one");
+    for (std::size_t i = 0; i < field.importance.size(); ++i)
+        if (!std::isfinite(field.importance[i]) || field.importance[i] < 0)
+            throw BadRequest("field",
+                             shortest(field.importance[i]) + " at row " +
+                                 std::to_string(i / field.columns) + ", column " +
+                                 std::to_string(i % field.columns),
+                             "importance must be a finite number of at least 0");
+    if (*std::max_element(field.importance.begin(), field.importance.end()) <= 0)
+        throw BadRequest("field", "of zeros", "some importance must be greater than 0");
 }
 
 void check_request(const Request& request) {

@@ -96,6 +96,9 @@ Plan make_cells_plan(const Request& request, const FieldSums& sums);
 
 // Checks all that does not depend on the radius. Throws BadRequest.
 void check_request(const Request& request);
+// That a field has a value for each pixel, all finite and at least 0, and some importance. Throws
+// BadRequest.
+void check_importance(const Field& field);
 
 // What a set may take unless the request says otherwise.
 std::uint64_t machine_memory_bytes();

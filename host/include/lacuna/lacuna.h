@@ -24,6 +24,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -116,8 +117,19 @@ struct Result {
     std::string device;   // the name of its device
 };
 
-// The parts of a round, for those who time them.
-enum class Verb { invert, locate, admit, subtract, refine, transfer, first_use };
+// The parts of a round, and of an iteration of relax, for those who time them.
+enum class Verb {
+    invert,
+    locate,
+    admit,
+    subtract,
+    refine,
+    transfer,
+    first_use,
+    own,
+    gather,
+    settle
+};
 std::string_view name_of(Verb verb);
 
 struct Progress {
@@ -142,6 +154,49 @@ public:
 // Throws BadRequest, Unavailable, DeviceError, Cancelled.
 Result sample(const Request& request);
 Result sample(const Request& request, Observer& observer);
+
+// How points are relaxed: see relax.
+struct RelaxOptions {
+    double width = 1.0;  // of the domain, as in Request
+    double height = 1.0;
+    Boundary boundary = Boundary::box;
+
+    std::uint32_t iterations = 15;  // 0 to 10,000; 0 leaves the points as they are
+
+    // A name from backends(), or "auto"; see Request.
+    std::string backend = "auto";
+    std::string device;
+    std::uint32_t threads = 0;
+
+    bool measure = false;  // fill in Relaxed::evenness, which costs two more looks at the lattice
+};
+
+// How equal the points' shares of the importance are: coefficients of variation, the standard
+// deviation over the mean. 0 when all shares are equal.
+struct Evenness {
+    double before;         // of the importance in the points' Voronoi cells
+    double after;          // in the power cells that relax ends with
+    double after_voronoi;  // in the Voronoi cells of the points that it ends with
+};
+
+struct Relaxed {
+    std::vector<Point> points;  // in the order given
+    std::uint64_t lattice_columns = 0;
+    std::uint64_t lattice_rows = 0;
+    std::optional<Evenness> evenness;
+    std::string backend;
+    std::string device;
+};
+
+// Moves points until each owns an equal share of the importance and sits in its middle: a
+// centroidal power diagram with equal capacities, found on a lattice in whole numbers, so that the
+// same points come back on every backend and any number of threads. Without a field importance is
+// the same everywhere. What is promised: as many points as were given, each in the domain; and,
+// once anything moves, none where importance is 0. A least distance is not promised.
+// Progress counts points times iterations. Throws what sample throws.
+Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOptions& options);
+Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOptions& options,
+              Observer& observer);
 
 // A device that a backend can run on, or what stands where one was hoped for.
 struct Device {

@@ -1,0 +1,246 @@
+// Relaxation on threads: a tile of the lattice is a task.
+#include "relax/cpu/make_backend.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "backends/cpu/workers.h"
+#include "relax/cpu/nearest_own.h"
+#include "relax/cpu/site_tree.h"
+#include "relax/cpu/tile.h"
+
+namespace lacuna::relaxing::cpu {
+namespace {
+
+// Where a place lies along Hilbert's curve through the square of 2^30 units.
+std::uint64_t hilbert_rank(std::uint32_t x, std::uint32_t y) {
+    std::uint64_t rank = 0;
+    for (std::uint32_t side = 1u << 29; side > 0; side /= 2) {
+        const bool right = (x & side) != 0;
+        const bool upper = (y & side) != 0;
+        rank = 4 * rank + (right ? (upper ? 2u : 3u) : (upper ? 1u : 0u));
+        if (upper) continue;
+        if (right) {
+            x = ~x;
+            y = ~y;
+        }
+        std::swap(x, y);
+    }
+    return rank;
+}
+
+// So that sites near each other are near each other in memory.
+std::vector<std::uint32_t> hilbert_order(std::span<const Site> sites) {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> ranked(sites.size());
+    for (std::uint32_t i = 0; i < sites.size(); ++i)
+        ranked[i] = {hilbert_rank(sites[i].x, sites[i].y), i};
+    std::sort(ranked.begin(), ranked.end());
+    std::vector<std::uint32_t> order(sites.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = ranked[i].second;
+    return order;
+}
+
+// Pixel of each lattice point of an axis.
+std::vector<std::uint32_t> pixels(std::uint32_t count, std::uint32_t cut) {
+    std::vector<std::uint32_t> all(count);
+    for (std::uint32_t i = 0; i < count; ++i) all[i] = i / cut;
+    return all;
+}
+
+void add(std::uint64_t& sum, std::uint64_t more) {
+    std::atomic_ref<std::uint64_t>(sum).fetch_add(more, std::memory_order_relaxed);
+}
+
+class CpuRelax : public RelaxBackend {
+public:
+    CpuRelax(const Lattice& lattice, std::span<const Site> sites, const Placement& placement)
+        : lattice_(lattice),
+          numbers_(lattice.numbers),
+          workers_(placement.threads),
+          indices_(hilbert_order(sites)),
+          sites_(sites.size()),
+          moved_(sites.size()),
+          shares_(sites.size()),
+          pixel_of_column_(pixels(numbers_.columns, numbers_.cut_x)),
+          pixel_of_row_(pixels(numbers_.rows, numbers_.cut_y)) {
+        restore(sites);
+        find_tiles();
+        likely_.assign(tiles_.size(), kNoImage);
+    }
+
+    std::string device() const override { return workers_.name(); }
+
+    // Gathers too, so that nobody need write down who owns which lattice point.
+    void own() override { own_tiles({}); }
+    void gather() override {}
+
+    void settle() override {
+        move();
+        sites_.swap(moved_);
+    }
+
+    void rest() override {
+        move();
+        const Scene scene = this->scene();
+        for_chunks([&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                if (lattice_.mass_under(moved_[i]) == 0)
+                    moved_[i] = nearest_own(scene, static_cast<std::uint32_t>(i),
+                                            shares_[i].mass != 0, moved_[i]);
+        });
+        sites_.swap(moved_);
+    }
+
+    std::vector<Site> sites() override { return by_index(sites_); }
+    std::vector<Share> shares() override { return by_index(shares_); }
+
+    void restore(std::span<const Site> sites) override {
+        for (std::size_t i = 0; i < indices_.size(); ++i) sites_[i] = sites[indices_[i]];
+    }
+
+    void watch(std::function<bool()> may_go_on) override { workers_.watch(std::move(may_go_on)); }
+
+    std::vector<std::uint32_t> owners() override {
+        std::vector<std::uint32_t> owners(std::size_t{numbers_.columns} * numbers_.rows, NO_OWNER);
+        own_tiles(owners);
+        return owners;
+    }
+
+private:
+    Scene scene() const {
+        return {lattice_, tree_, sites_, indices_, pixel_of_column_, pixel_of_row_};
+    }
+
+    // Those with importance.
+    void find_tiles() {
+        for (std::uint32_t y = 0; y < numbers_.rows; y += Tile::kSide) {
+            for (std::uint32_t x = 0; x < numbers_.columns; x += Tile::kSide) {
+                const Box box{x, y, std::min(x + Tile::kSide, numbers_.columns),
+                              std::min(y + Tile::kSide, numbers_.rows)};
+                if (has_importance(box)) tiles_.push_back(box);
+            }
+        }
+    }
+
+    bool has_importance(const Box& box) const {
+        for (std::uint32_t row = pixel_of_row_[box.bottom]; row <= pixel_of_row_[box.top - 1];
+             ++row) {
+            const auto first =
+                lattice_.mass.begin() + static_cast<std::ptrdiff_t>(row) * numbers_.pixel_columns;
+            if (std::any_of(first + pixel_of_column_[box.left],
+                            first + pixel_of_column_[box.right - 1] + 1,
+                            [](std::uint16_t mass) { return mass != 0; }))
+                return true;
+        }
+        return false;
+    }
+
+    void own_tiles(std::span<std::uint32_t> owners) {
+        for_chunks([&](std::size_t begin, std::size_t end) {
+            std::fill(shares_.begin() + static_cast<std::ptrdiff_t>(begin),
+                      shares_.begin() + static_cast<std::ptrdiff_t>(end), Share{});
+        });
+        tree_.look_at(sites_, workers_);
+        const Scene scene = this->scene();
+        workers_.for_columns(static_cast<std::uint32_t>(tiles_.size()), lattice_.points,
+                             [&](std::uint32_t i) {
+                                 Tile& tile = tile_of_thread_.local();
+                                 tile.own(scene, tiles_[i], likely_[i], owners);
+                                 for (const Tile::Part& part : tile.parts()) add(part, tiles_[i]);
+                             });
+    }
+
+    void add(const Tile::Part& part, const Box& box) {
+        if (part.points == 0) return;
+        const Site& site = sites_[part.image.site];
+        Share& share = shares_[part.image.site];
+        // portable::moment_offset of the box's lowest lattice point.
+        const auto offset = [](std::uint32_t low, std::uint32_t at, std::uint32_t step,
+                               std::uint32_t count, std::int32_t shift) {
+            return static_cast<std::uint64_t>(std::int64_t{low} + count - at / step -
+                                              std::int64_t{shift} * count);
+        };
+        cpu::add(share.points, part.points);
+        cpu::add(share.mass, part.mass);
+        cpu::add(share.moment_x,
+                 part.moment_x + part.mass * offset(box.left, site.x, numbers_.step_x,
+                                                    numbers_.columns, part.image.shift_x));
+        cpu::add(share.moment_y,
+                 part.moment_y + part.mass * offset(box.bottom, site.y, numbers_.step_y,
+                                                    numbers_.rows, part.image.shift_y));
+    }
+
+    // Where sites go, into moved_.
+    void move() {
+        std::atomic<std::uint64_t> least{std::numeric_limits<std::uint64_t>::max()};
+        for_chunks([&](std::size_t begin, std::size_t end) {
+            std::uint64_t own_least = std::numeric_limits<std::uint64_t>::max();
+            for (std::size_t i = begin; i < end; ++i) {
+                moved_[i] = moved_to_centre(numbers_, sites_[i], shares_[i]);
+                moved_[i].lift =
+                    portable::moved_lift(numbers_, sites_[i].lift, shares_[i].mass,
+                                         static_cast<std::uint32_t>(shares_[i].points));
+                own_least = std::min(own_least, moved_[i].lift);
+            }
+            std::uint64_t seen = least.load(std::memory_order_relaxed);
+            while (own_least < seen &&
+                   !least.compare_exchange_weak(seen, own_least, std::memory_order_relaxed)) {
+            }
+        });
+        for_chunks([&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                moved_[i].lift = portable::settled_lift(moved_[i].lift, least, numbers_.farthest);
+        });
+    }
+
+    // Calls work(begin, end) for runs of sites, in parallel.
+    template <typename Work>
+    void for_chunks(Work work) {
+        constexpr std::size_t kSitesPerChunk = 1024;
+        const std::size_t chunks = (sites_.size() + kSitesPerChunk - 1) / kSitesPerChunk;
+        workers_.for_columns(static_cast<std::uint32_t>(chunks), sites_.size(),
+                             [&](std::uint32_t chunk) {
+                                 const std::size_t begin = chunk * kSitesPerChunk;
+                                 work(begin, std::min(begin + kSitesPerChunk, sites_.size()));
+                             });
+    }
+
+    template <typename Value>
+    std::vector<Value> by_index(const std::vector<Value>& values) const {
+        std::vector<Value> sorted(values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) sorted[indices_[i]] = values[i];
+        return sorted;
+    }
+
+    const Lattice& lattice_;
+    const portable::RelaxLattice& numbers_;
+    lacuna::cpu::Workers workers_;
+    std::vector<std::uint32_t> indices_;  // of the sites below, which lie along Hilbert's curve
+    std::vector<Site> sites_;
+    std::vector<Site> moved_;
+    std::vector<Share> shares_;
+    SiteTree tree_;
+    std::vector<std::uint32_t> pixel_of_column_;
+    std::vector<std::uint32_t> pixel_of_row_;
+    std::vector<Box> tiles_;
+    std::vector<Image> likely_;  // who won in the middle of each tile
+    tbb::enumerable_thread_specific<Tile> tile_of_thread_;
+};
+
+}  // namespace
+
+std::unique_ptr<RelaxBackend> make_backend(const Lattice& lattice, std::span<const Site> sites,
+                                           const Placement& placement) {
+    return std::make_unique<CpuRelax>(lattice, sites, placement);
+}
+
+}  // namespace lacuna::relaxing::cpu

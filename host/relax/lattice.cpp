@@ -1,0 +1,161 @@
+// Chooses the lattice: pixels cut so finely that a sample has enough lattice points.
+#include "relax/lattice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "plan/plan.h"
+#include "relax/take_apart.h"
+
+namespace lacuna::relaxing {
+namespace {
+
+// Lattice points that a sample has on average, at least: of importance, and without a field.
+constexpr double kPointsOfField = 24;
+constexpr double kPointsWithoutField = 64;
+
+// What portable/power.h asks for.
+constexpr double kMostPoints = 2147483648;  // 2^31
+constexpr double kMostOfSide = 2097152;     // 2^21
+constexpr double kMostPointsTimesSide = 0x1p46;
+constexpr std::uint32_t kUnitsPerStep = 256;
+constexpr std::uint32_t kMostMass = 65535;
+
+struct Cut {
+    double x;
+    double y;
+};
+
+// How finely pixels of `aspect`, width over height, are cut for at least so many lattice points a
+// pixel: into pieces as nearly square as can be.
+Cut cut_of(double aspect, double points_per_pixel) {
+    const double stretch = std::max(aspect, 1 / aspect);
+    const auto longer_cut = [&](double shorter_cut) {
+        return std::max(1.0, std::round(stretch * shorter_cut));
+    };
+    double cut = std::max(1.0, std::floor(std::sqrt(points_per_pixel / stretch)));
+    while (cut * longer_cut(cut) < points_per_pixel) ++cut;
+    return aspect >= 1 ? Cut{longer_cut(cut), cut} : Cut{cut, longer_cut(cut)};
+}
+
+// In units: the shorter step has 256.
+std::uint32_t step_of(double step, double other) {
+    return static_cast<std::uint32_t>(
+        std::lround(std::max(1.0, step / other) * double{kUnitsPerStep}));
+}
+
+std::uint64_t pixels_of_importance(const Field& field) {
+    return static_cast<std::uint64_t>(std::count_if(
+        field.importance.begin(), field.importance.end(), [](double one) { return one > 0; }));
+}
+
+// In 65535ths of the greatest importance, rounded; at least 1 where there is any.
+std::vector<std::uint16_t> masses_of(const Field& field) {
+    const double greatest = *std::max_element(field.importance.begin(), field.importance.end());
+    std::vector<std::uint16_t> masses;
+    masses.reserve(field.importance.size());
+    for (std::uint32_t row = field.rows; row-- > 0;)
+        for (std::uint32_t column = 0; column < field.columns; ++column) {
+            const double one = field.importance[std::size_t{row} * field.columns + column];
+            const double mass = std::max(1.0, std::round(one / greatest * kMostMass));
+            masses.push_back(one > 0 ? static_cast<std::uint16_t>(mass) : std::uint16_t{0});
+        }
+    return masses;
+}
+
+bool fits(const Field& field, const Cut& cut) {
+    const double columns = field.columns * cut.x;
+    const double rows = field.rows * cut.y;
+    const double longer = std::max(columns, rows);
+    return columns * rows <= kMostPoints && longer <= kMostOfSide &&
+           columns * rows * longer <= kMostPointsTimesSide;
+}
+
+// As finely as wanted, or as is possible.
+Cut possible_cut(const Field& field, double aspect, double points_per_pixel) {
+    for (double wanted = points_per_pixel;; wanted /= 2) {
+        const Cut cut = cut_of(aspect, wanted);
+        if (fits(field, cut)) return cut;
+        if (wanted < 1)
+            throw BadRequest("field",
+                             std::to_string(field.columns) + "x" + std::to_string(field.rows),
+                             "must have at most 2^31 pixels, 2^21 to a side, each as nearly "
+                             "square as that allows");
+    }
+}
+
+portable::RelaxLattice numbers_of(const Field& field, const Cut& cut, const RelaxOptions& options) {
+    const double columns = field.columns * cut.x;
+    const double rows = field.rows * cut.y;
+    portable::RelaxLattice numbers{};
+    numbers.columns = static_cast<std::uint32_t>(columns);
+    numbers.rows = static_cast<std::uint32_t>(rows);
+    numbers.step_x = step_of(options.width / columns, options.height / rows);
+    numbers.step_y = step_of(options.height / rows, options.width / columns);
+    const bool wraps = options.boundary == Boundary::torus;
+    numbers.period_x = wraps ? numbers.columns * numbers.step_x : 0;
+    numbers.period_y = wraps ? numbers.rows * numbers.step_y : 0;
+    numbers.cut_x = static_cast<std::uint32_t>(cut.x);
+    numbers.cut_y = static_cast<std::uint32_t>(cut.y);
+    numbers.pixel_columns = field.columns;
+    numbers.pixel_rows = field.rows;
+    numbers.farthest =
+        portable::squared_length(numbers.columns * numbers.step_x, numbers.rows * numbers.step_y);
+    return numbers;
+}
+
+// Of one axis, from the user's coordinate. An upper edge that wraps is the lower one.
+std::uint32_t unit_of(double coordinate, double side, std::uint32_t length, bool wraps) {
+    const auto unit = static_cast<std::uint32_t>(coordinate / side * length);
+    return unit < length ? unit : wraps ? 0 : length - 1;
+}
+
+}  // namespace
+
+Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions& options) {
+    static const Field nothing{1, 1, {1.0}};
+    const Field& importance = field != nullptr ? *field : nothing;
+    const double pixels = static_cast<double>(pixels_of_importance(importance));
+    const double aspect = options.width / importance.columns / (options.height / importance.rows);
+    const double wanted = field != nullptr ? kPointsOfField : kPointsWithoutField;
+    const Cut cut = possible_cut(importance, aspect, wanted * static_cast<double>(points) / pixels);
+
+    Lattice lattice{numbers_of(importance, cut, options), 0, masses_of(importance), 0, 0};
+    portable::RelaxLattice& numbers = lattice.numbers;
+    const std::uint64_t points_per_pixel = std::uint64_t{numbers.cut_x} * numbers.cut_y;
+    std::uint64_t mass = 0;
+    for (const std::uint16_t one : lattice.mass) mass += one * points_per_pixel;
+    lattice.points = pixels_of_importance(importance) * points_per_pixel;
+    numbers.samples = static_cast<std::uint32_t>(points);
+    numbers.mean_mass = mass / points;
+    // A quarter of a sample's mean area, as for one that owns much too little (eta / 2).
+    numbers.lonely_step =
+        lattice.points * numbers.step_x * numbers.step_y / (4 * std::uint64_t{points}) + 1;
+    lattice.unit_x = options.width / (numbers.columns * numbers.step_x);
+    lattice.unit_y = options.height / (numbers.rows * numbers.step_y);
+    return lattice;
+}
+
+std::vector<Site> sites_of(std::span<const Point> points, const Lattice& lattice,
+                           const RelaxOptions& options) {
+    const portable::RelaxLattice& numbers = lattice.numbers;
+    const bool wraps = options.boundary == Boundary::torus;
+    std::vector<Site> sites;
+    sites.reserve(points.size());
+    for (const Point& point : points) {
+        // Also false for what is no number.
+        if (!(point.x >= 0 && point.x <= options.width && point.y >= 0 &&
+              point.y <= options.height))
+            throw BadRequest("points", "(" + shortest(point.x) + ", " + shortest(point.y) + ")",
+                             "must lie in the domain, [0, " + shortest(options.width) + "] x [0, " +
+                                 shortest(options.height) + "]");
+        sites.push_back({unit_of(point.x, options.width, numbers.columns * numbers.step_x, wraps),
+                         unit_of(point.y, options.height, numbers.rows * numbers.step_y, wraps),
+                         0});
+    }
+    take_apart(sites, numbers);
+    return sites;
+}
+
+}  // namespace lacuna::relaxing

@@ -1,0 +1,70 @@
+// The lattice that points are relaxed on: a request turned into whole numbers (DESIGN section 9).
+#pragma once
+
+#include <lacuna/lacuna.h>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "portable/power.h"
+
+namespace lacuna::relaxing {
+
+// A sample that is being relaxed. Places and lifts: see portable/power.h.
+struct Site {
+    std::uint32_t x;
+    std::uint32_t y;
+    std::uint64_t lift;
+    friend bool operator==(const Site&, const Site&) = default;
+};
+
+// What a sample owns: gathered from the lattice points of importance that are its own.
+struct Share {
+    std::uint64_t points;
+    std::uint64_t mass;
+    std::uint64_t moment_x;  // masses times moment_offset
+    std::uint64_t moment_y;
+    friend bool operator==(const Share&, const Share&) = default;
+};
+
+// Where its lattice points' mass puts a sample; where it is, without any.
+inline Site moved_to_centre(const portable::RelaxLattice& numbers, Site site, const Share& share) {
+    if (share.mass == 0) return site;
+    site.x = portable::centre_of_mass(share.moment_x, share.mass, site.x, numbers.step_x,
+                                      numbers.columns, numbers.period_x);
+    site.y = portable::centre_of_mass(share.moment_y, share.mass, site.y, numbers.step_y,
+                                      numbers.rows, numbers.period_y);
+    return site;
+}
+
+// Equal lattices and sites give equal sites on every backend.
+struct Lattice {
+    portable::RelaxLattice numbers;
+    std::uint64_t points = 0;  // of importance
+    std::vector<std::uint16_t>
+        mass;  // of each pixel's lattice points, row by row from the lowest y
+
+    // The user's units for one unit.
+    double unit_x;
+    double unit_y;
+
+    std::uint32_t mass_at(std::uint32_t column, std::uint32_t row) const {
+        return mass[std::size_t{row / numbers.cut_y} * numbers.pixel_columns +
+                    column / numbers.cut_x];
+    }
+    // Of the lattice point around a place.
+    std::uint32_t mass_under(const Site& site) const {
+        return mass_at(site.x / numbers.step_x, site.y / numbers.step_y);
+    }
+    Point to_user(const Site& site) const { return {site.x * unit_x, site.y * unit_y}; }
+};
+
+// For so many points, at least one. Throws BadRequest.
+Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions& options);
+
+// Where points start: on distinct spots as long as there are any. Throws BadRequest for one that
+// lies outside of the domain.
+std::vector<Site> sites_of(std::span<const Point> points, const Lattice& lattice,
+                           const RelaxOptions& options);
+
+}  // namespace lacuna::relaxing

@@ -1,0 +1,144 @@
+// Relaxation written to be read, never to be fast: every lattice point looks at every sample.
+#include "relax/reference.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lacuna::relaxing::reference {
+namespace {
+
+constexpr std::uint64_t kFarther = std::numeric_limits<std::uint64_t>::max();
+
+class Reference : public RelaxBackend {
+public:
+    Reference(const Lattice& lattice, std::span<const Site> sites)
+        : lattice_(lattice),
+          numbers_(lattice.numbers),
+          sites_(sites.begin(), sites.end()),
+          owners_(std::size_t{numbers_.columns} * numbers_.rows, NO_OWNER),
+          shares_(sites.size()) {}
+
+    std::string device() const override { return "1 thread"; }
+
+    void own() override {
+        for (std::uint32_t row = 0; row < numbers_.rows; ++row)
+            for (std::uint32_t column = 0; column < numbers_.columns; ++column)
+                if (lattice_.mass_at(column, row) != 0)
+                    owners_[index_of(column, row)] = owner_of(column, row);
+    }
+
+    void gather() override {
+        std::fill(shares_.begin(), shares_.end(), Share{});
+        for (std::uint32_t row = 0; row < numbers_.rows; ++row)
+            for (std::uint32_t column = 0; column < numbers_.columns; ++column) add(column, row);
+    }
+
+    void settle() override {
+        std::uint64_t least = kFarther;
+        for (std::size_t i = 0; i < sites_.size(); ++i) {
+            const Share& share = shares_[i];
+            sites_[i].lift = portable::moved_lift(numbers_, sites_[i].lift, share.mass,
+                                                  static_cast<std::uint32_t>(share.points));
+            least = std::min(least, sites_[i].lift);
+            sites_[i] = moved_to_centre(numbers_, sites_[i], share);
+        }
+        for (Site& site : sites_)
+            site.lift = portable::settled_lift(site.lift, least, numbers_.farthest);
+    }
+
+    void rest() override {
+        settle();
+        for (std::uint32_t i = 0; i < sites_.size(); ++i)
+            if (lattice_.mass_under(sites_[i]) == 0) go_to_importance(i);
+    }
+
+    std::vector<Site> sites() override { return sites_; }
+    std::vector<Share> shares() override { return shares_; }
+    std::vector<std::uint32_t> owners() override { return owners_; }
+    void restore(std::span<const Site> sites) override {
+        sites_.assign(sites.begin(), sites.end());
+    }
+    void watch(std::function<bool()> may_go_on) override { may_go_on_ = std::move(may_go_on); }
+
+private:
+    std::size_t index_of(std::uint32_t column, std::uint32_t row) const {
+        return std::size_t{row} * numbers_.columns + column;
+    }
+
+    std::uint64_t power_of(std::uint32_t column, std::uint32_t row, const Site& site) const {
+        return portable::power_of(portable::lattice_place(column, numbers_.step_x),
+                                  portable::lattice_place(row, numbers_.step_y), site.x, site.y,
+                                  site.lift, numbers_.period_x, numbers_.period_y);
+    }
+
+    std::uint32_t owner_of(std::uint32_t column, std::uint32_t row) {
+        ask_now_and_then();
+        std::uint32_t owner = NO_OWNER;
+        std::uint64_t least = kFarther;
+        for (std::uint32_t i = 0; i < sites_.size(); ++i) {
+            const std::uint64_t power = power_of(column, row, sites_[i]);
+            if (power >= least) continue;
+            least = power;
+            owner = i;
+        }
+        return owner;
+    }
+
+    void add(std::uint32_t column, std::uint32_t row) {
+        const std::uint32_t owner = owners_[index_of(column, row)];
+        if (owner == NO_OWNER) return;
+        const Site& site = sites_[owner];
+        const std::uint64_t mass = lattice_.mass_at(column, row);
+        Share& share = shares_[owner];
+        share.points += 1;
+        share.mass += mass;
+        share.moment_x += mass * portable::moment_offset(column, site.x, numbers_.step_x,
+                                                         numbers_.columns, numbers_.period_x);
+        share.moment_y += mass * portable::moment_offset(row, site.y, numbers_.step_y,
+                                                         numbers_.rows, numbers_.period_y);
+    }
+
+    // Among the sample's own lattice points, or among all where it has none: the nearest.
+    void go_to_importance(std::uint32_t i) {
+        const Site from{sites_[i].x, sites_[i].y, 0};
+        std::uint64_t least = kFarther;
+        for (std::uint32_t row = 0; row < numbers_.rows; ++row) {
+            for (std::uint32_t column = 0; column < numbers_.columns; ++column) {
+                const std::uint32_t owner = owners_[index_of(column, row)];
+                if (owner == NO_OWNER || (shares_[i].points != 0 && owner != i)) continue;
+                const std::uint64_t distance = power_of(column, row, from);
+                if (distance >= least) continue;
+                least = distance;
+                sites_[i].x = portable::lattice_place(column, numbers_.step_x);
+                sites_[i].y = portable::lattice_place(row, numbers_.step_y);
+            }
+        }
+    }
+
+    void ask_now_and_then() {
+        constexpr std::uint32_t kPointsPerPoll = 64;
+        if (asked_++ % kPointsPerPoll == 0 && may_go_on_ && !may_go_on_()) throw Cancelled();
+    }
+
+    const Lattice& lattice_;
+    const portable::RelaxLattice& numbers_;
+    std::vector<Site> sites_;
+    std::vector<std::uint32_t> owners_;
+    std::vector<Share> shares_;
+    std::function<bool()> may_go_on_;
+    std::uint32_t asked_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<RelaxBackend> make_backend(const Lattice& lattice, std::span<const Site> sites,
+                                           const Placement&) {
+    return std::make_unique<Reference>(lattice, sites);
+}
+
+}  // namespace lacuna::relaxing::reference

@@ -1,0 +1,147 @@
+// lacuna::relax: own, gather, settle, as often as asked for (DESIGN section 9).
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lacuna/lacuna.h"
+#include "plan/plan.h"
+#include "relax/lattice.h"
+#include "relax/relax_backends.h"
+#include "verify/verify.h"
+
+namespace lacuna {
+namespace {
+
+using relaxing::Lattice;
+using relaxing::RelaxBackend;
+using relaxing::Share;
+using relaxing::Site;
+
+constexpr std::uint32_t kMostIterations = 10000;
+
+void check_options(const RelaxOptions& options, const Field* field) {
+    verify::check_domain(options.width, options.height);
+    if (options.iterations > kMostIterations)
+        throw BadRequest("iterations", std::to_string(options.iterations),
+                         "must be at most " + std::to_string(kMostIterations));
+    if (field != nullptr) check_importance(*field);
+}
+
+// Coefficient of variation of the masses.
+double variation(const std::vector<Share>& shares) {
+    double sum = 0;
+    double squares = 0;
+    for (const Share& share : shares) {
+        const auto mass = static_cast<double>(share.mass);
+        sum += mass;
+        squares += mass * mass;
+    }
+    const auto count = static_cast<double>(shares.size());
+    return std::sqrt(std::max(0.0, squares * count / (sum * sum) - 1));
+}
+
+// An iteration, or the last, told to the observer verb by verb.
+class Run {
+public:
+    Run(RelaxBackend& backend, Observer& observer, std::uint64_t points, std::uint32_t iterations)
+        : backend_(backend), observer_(observer), points_(points), iterations_(iterations) {
+        backend_.watch([this] { return keep_going(); });
+    }
+
+    void iterate() {
+        look();
+        observer_.begin(Verb::settle);
+        if (done_ + 1 == iterations_)
+            backend_.rest();
+        else
+            backend_.settle();
+        observer_.end(Verb::settle);
+        ++done_;
+        if (!keep_going()) throw Cancelled();
+    }
+
+    void look() {
+        observer_.begin(Verb::own);
+        backend_.own();
+        observer_.end(Verb::own);
+        observer_.begin(Verb::gather);
+        backend_.gather();
+        observer_.end(Verb::gather);
+    }
+
+    double variation_without_lifts() {
+        std::vector<Site> plain = backend_.sites();
+        for (Site& site : plain) site.lift = 0;
+        backend_.restore(plain);
+        look();
+        return variation(backend_.shares());
+    }
+
+private:
+    bool keep_going() {
+        return observer_.keep_going(
+            {points_ * done_, points_ * std::max<std::uint32_t>(iterations_, 1), done_});
+    }
+
+    RelaxBackend& backend_;
+    Observer& observer_;
+    std::uint64_t points_;
+    std::uint32_t iterations_;
+    std::uint32_t done_ = 0;
+};
+
+// All iterations; returns where the sites end. Looks of which nothing but numbers comes are done
+// after that, from the same lifts and without them.
+std::vector<Site> iterate(Run& run, RelaxBackend& backend, const RelaxOptions& options,
+                          Relaxed& relaxed) {
+    Evenness evenness{};
+    for (std::uint32_t i = 0; i < options.iterations; ++i) {
+        run.iterate();
+        if (i == 0 && options.measure) evenness.before = variation(backend.shares());
+    }
+    std::vector<Site> sites = backend.sites();
+    if (options.measure) {
+        run.look();
+        evenness.after = variation(backend.shares());
+        if (options.iterations == 0) evenness.before = evenness.after;
+        evenness.after_voronoi = run.variation_without_lifts();
+        relaxed.evenness = evenness;
+    }
+    return sites;
+}
+
+}  // namespace
+
+Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOptions& options,
+              Observer& observer) {
+    check_options(options, field);
+    Relaxed relaxed;
+    relaxed.points.assign(points.begin(), points.end());
+    if (points.empty()) return relaxed;
+    const Lattice lattice = relaxing::make_lattice(points.size(), field, options);
+    const std::vector<Site> start = relaxing::sites_of(points, lattice, options);
+    observer.begin(Verb::first_use);
+    const relaxing::Chosen chosen = relaxing::make_relax_backend(options, lattice, start);
+    observer.end(Verb::first_use);
+    relaxed.backend = chosen.name;
+    relaxed.device = chosen.backend->device();
+    relaxed.lattice_columns = lattice.numbers.columns;
+    relaxed.lattice_rows = lattice.numbers.rows;
+
+    Run run(*chosen.backend, observer, points.size(), options.iterations);
+    const std::vector<Site> sites = iterate(run, *chosen.backend, options, relaxed);
+    if (options.iterations == 0) return relaxed;
+    for (std::size_t i = 0; i < sites.size(); ++i) relaxed.points[i] = lattice.to_user(sites[i]);
+    return relaxed;
+}
+
+Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOptions& options) {
+    Observer nobody;
+    return relax(points, field, options, nobody);
+}
+
+}  // namespace lacuna

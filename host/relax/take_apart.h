@@ -1,0 +1,14 @@
+// Sites on one spot go to free spots around it.
+#pragma once
+
+#include <vector>
+
+#include "relax/lattice.h"
+
+namespace lacuna::relaxing {
+
+// Sites on one spot would stay together for ever, as one of them owns all that is nearest to both:
+// those after the first, by index, go to the nearest free spots around it, a unit apart.
+void take_apart(std::vector<Site>& sites, const portable::RelaxLattice& numbers);
+
+}  // namespace lacuna::relaxing

@@ -1,0 +1,138 @@
+// The arithmetic of relaxation: right at small numbers, and free of overflow at the largest
+// allowed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+
+#include "portable/power.h"
+
+namespace {
+
+using namespace lacuna::portable;
+__extension__ using Wide = unsigned __int128;
+__extension__ using SignedWide = __int128;
+
+constexpr u64 kMostPoints = u64{1} << 31;
+constexpr u64 kMostMass = 65535 * kMostPoints;
+constexpr u32 kMostOfSide = u32{1} << 21;
+constexpr u32 kLongestStep = 511;
+constexpr u64 kMostPointsTimesSide = u64{1} << 46;
+
+Wide growth_of(Wide mass, Wide mean) {
+    const Wide off = mass > mean ? mass - mean : mean - mass;
+    return std::min<Wide>(std::min<Wide>(off * 37, mean * 32) * 512 / mass, MOST_GROWTH);
+}
+
+u64 random_below(std::mt19937_64& random, u64 end) {
+    return (random() >> (random() % 60)) % end;
+}
+
+TEST(Power, growth_and_step_equal_those_of_128_bits) {
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 200000; ++i) {
+        const u64 mass = i % 5 == 0 ? kMostMass : 1 + random_below(random, kMostMass);
+        const u64 mean = i % 7 == 0 ? kMostMass : random_below(random, kMostMass);
+        const u64 growth = weight_growth(mass, mean);
+        ASSERT_EQ(growth, static_cast<u64>(growth_of(mass, mean))) << mass << " " << mean;
+        const u32 points =
+            static_cast<u32>(i % 3 == 0 ? kMostPoints : random_below(random, kMostPoints));
+        const Wide step = Wide{growth} * points * kLongestStep / 256;
+        ASSERT_EQ(weight_step(growth, points, 256, kLongestStep), static_cast<u64>(step));
+    }
+}
+
+TEST(Power, growth_is_that_of_the_design) {
+    // eta (mean - m) / (1.73 m) and eta mean / (2 m), eta = 1/2, in 65536ths.
+    const auto formula = [](double m, double mean) {
+        return 65536 * std::min(0.5 * std::abs(mean - m) / (1.73 * m), 0.5 * mean / (2 * m));
+    };
+    for (const double m : {700e3, 900e3, 999e3, 1001e3, 1.2e6, 1.9e6, 5e6, 3e8})
+        EXPECT_NEAR(static_cast<double>(weight_growth(static_cast<u64>(m), 1000000)),
+                    formula(m, 1e6), 1 + 0.0005 * formula(m, 1e6))
+            << m;
+    EXPECT_EQ(weight_growth(1000000, 1000000), 0u);
+    EXPECT_EQ(weight_growth(1, 1000000), MOST_GROWTH);
+    EXPECT_EQ(weight_growth(1, 0), 0u);
+}
+
+RelaxLattice largest_lattice() {
+    RelaxLattice lattice{};
+    lattice.farthest = squared_length(kMostOfSide * kLongestStep, kMostOfSide * kLongestStep);
+    lattice.mean_mass = kMostMass / 2;
+    lattice.lonely_step = kMostPoints * kLongestStep * 256 / 4 + 1;
+    lattice.step_x = 256;
+    lattice.step_y = kLongestStep;
+    return lattice;
+}
+
+TEST(Power, lifts_stay_below_two_to_the_63_and_above_zero) {
+    const RelaxLattice lattice = largest_lattice();
+    EXPECT_LT(lattice.farthest, u64{1} << 61);
+    for (const u64 lift : {u64{0}, lattice.farthest / 2, lattice.farthest}) {
+        for (const u64 mass : {u64{0}, u64{1}, lattice.mean_mass, kMostMass}) {
+            for (const u32 points : {0u, 1u, 0x80000000u}) {
+                const u64 moved = moved_lift(lattice, lift, mass, points);
+                EXPECT_LE(moved, 3 * lattice.farthest);
+                EXPECT_LT(moved, u64{1} << 63);
+                EXPECT_LE(settled_lift(moved, 0, lattice.farthest), lattice.farthest);
+            }
+        }
+    }
+    EXPECT_EQ(settled_lift(17, 17, lattice.farthest), 0u);
+}
+
+TEST(Power, powers_stay_below_two_to_the_62) {
+    const RelaxLattice lattice = largest_lattice();
+    const u32 corner = kMostOfSide * kLongestStep - 1;
+    EXPECT_LT(power_of(0, 0, corner, corner, lattice.farthest, 0, 0), u64{1} << 62);
+}
+
+// All lattice points of the largest lattice belong to one sample in a corner.
+TEST(Power, sums_of_moments_do_not_overflow) {
+    const u64 columns = kMostPointsTimesSide / kMostPoints;
+    Wide offset = 0;
+    for (u32 i = 0; i < columns; ++i)
+        for (const u32 at : {0u, static_cast<u32>(columns) * 256 - 1})
+            offset =
+                std::max<Wide>(offset, moment_offset(i, at, 256, static_cast<u32>(columns), 0));
+    EXPECT_LE(offset, 2 * columns);
+    EXPECT_LT(Wide{65535} * kMostPoints * offset, Wide{1} << 63);
+}
+
+TEST(Power, offset_is_the_shortest_way_round) {
+    for (u32 at = 0; at < 10 * 256; at += 37) {
+        for (u32 index = 0; index < 10; ++index) {
+            const int way = static_cast<int>(moment_offset(index, at, 256, 10, 2560)) - 10;
+            const int place = static_cast<int>(at / 256) + way;
+            EXPECT_EQ((place + 10) % 10, static_cast<int>(index));
+            EXPECT_LE(std::abs(place * 256 + 128 - static_cast<int>(at)), 1280);
+            EXPECT_EQ(moment_offset(index, at, 256, 10, 0), 10 + index - at / 256);
+        }
+    }
+}
+
+TEST(Power, centre_of_mass_is_the_nearest_unit) {
+    std::mt19937_64 random(2);
+    for (int i = 0; i < 100000; ++i) {
+        const u32 count = 1 + static_cast<u32>(random_below(random, kMostOfSide));
+        const u32 step = 256 + static_cast<u32>(random() % 256);
+        const u32 at = static_cast<u32>(random() % (u64{count} * step));
+        const u64 mass =
+            1 + random_below(random, std::min(kMostMass, (u64{1} << 63) / (2 * u64{count})) - 1);
+        // Between the first and the last lattice point, as seen from `at`.
+        const u64 low = count - at / step;
+        const u64 moment = mass * low + static_cast<u64>(Wide{random()} * (count - 1) * mass >> 64);
+        const Wide twice = 2 * (Wide{moment} - Wide{mass} * low) * step;
+        const u64 expected = static_cast<u64>((twice / mass + 1) / 2) + step / 2;
+        const u64 got = centre_of_mass(moment, mass, at, step, count, 0);
+        ASSERT_LE(got > expected ? got - expected : expected - got, 1u);
+        const SignedWide error = SignedWide(got - step / 2) * mass * 2 - SignedWide(twice);
+        ASSERT_LE(error < 0 ? -error : error, SignedWide(mass) + 1);
+        ASSERT_LT(got, u64{count} * step);
+        ASSERT_EQ(centre_of_mass(moment, mass, at, step, count, count * step), got);
+    }
+}
+
+}  // namespace

@@ -1,0 +1,172 @@
+// lacuna::relax keeps its promises: as many points, in the domain, on importance, the same always.
+#include <gtest/gtest.h>
+
+#include <lacuna/lacuna.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "relax/available.h"
+#include "relax/scenes.h"
+
+namespace lacuna::relaxing::tests {
+namespace {
+
+double importance_under(const Field& field, const Point& point, const RelaxOptions& options) {
+    const auto column = static_cast<std::size_t>(point.x / options.width * field.columns);
+    const auto row = static_cast<std::size_t>(point.y / options.height * field.rows);
+    return field.importance[(field.rows - 1 - row) * field.columns + column];
+}
+
+double least_distance(const std::vector<Point>& points, const RelaxOptions& options) {
+    double least = std::numeric_limits<double>::max();
+    const bool wraps = options.boundary == Boundary::torus;
+    const auto along = [&](double a, double b, double side) {
+        const double straight = std::abs(a - b);
+        return wraps ? std::min(straight, side - straight) : straight;
+    };
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            least = std::min(least, std::hypot(along(points[i].x, points[j].x, options.width),
+                                               along(points[i].y, points[j].y, options.height)));
+    return least;
+}
+
+// In units of the hexagonal lattice's of as many points.
+double relative_least_distance(const std::vector<Point>& points, const RelaxOptions& options) {
+    const double area = options.width * options.height / static_cast<double>(points.size());
+    return least_distance(points, options) / std::sqrt(area * 2 / std::sqrt(3.0));
+}
+
+class Relax : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(All, Relax, kRelaxBackends, name_of_parameter);
+
+TEST_P(Relax, gives_the_points_of_the_reference) {
+    for (Scene scene : scenes()) {
+        scene.options.iterations = 5;
+        scene.options.backend = "reference";
+        const Relaxed expected = relax(scene.points, scene.field_or_null(), scene.options);
+        scene.options.backend = GetParam();
+        const Relaxed relaxed = relax(scene.points, scene.field_or_null(), scene.options);
+        EXPECT_EQ(relaxed.points, expected.points) << scene;
+        EXPECT_EQ(relaxed.backend, GetParam());
+    }
+}
+
+TEST_P(Relax, leaves_no_point_outside_of_the_domain_or_on_white) {
+    for (Scene scene : scenes()) {
+        scene.options.backend = GetParam();
+        for (const std::uint32_t iterations : {1u, 4u, 15u}) {
+            scene.options.iterations = iterations;
+            const Relaxed relaxed = relax(scene.points, scene.field_or_null(), scene.options);
+            ASSERT_EQ(relaxed.points.size(), scene.points.size()) << scene;
+            for (const Point& point : relaxed.points) {
+                EXPECT_TRUE(point.x >= 0 && point.x < scene.options.width && point.y >= 0 &&
+                            point.y < scene.options.height)
+                    << scene << " (" << point.x << ", " << point.y << ")";
+                if (scene.field) {
+                    EXPECT_GT(importance_under(*scene.field, point, scene.options), 0)
+                        << scene << " (" << point.x << ", " << point.y << ")";
+                }
+            }
+        }
+    }
+}
+
+TEST_P(Relax, takes_points_on_one_spot_apart) {
+    for (const std::size_t which : {2u, 3u}) {
+        Scene scene = scenes()[which];
+        scene.options.backend = GetParam();
+        scene.options.iterations = 60;
+        const Relaxed relaxed = relax(scene.points, nullptr, scene.options);
+        EXPECT_GT(relative_least_distance(relaxed.points, scene.options), 0.5) << scene;
+    }
+}
+
+TEST_P(Relax, evens_shares_out_on_a_torus) {
+    Request request;
+    request.count = 1024;
+    request.boundary = Boundary::torus;
+    RelaxOptions options = on(1, 1, Boundary::torus);
+    options.backend = GetParam();
+    options.measure = true;
+    const std::vector<Point> start = sample(request).points;
+    options.iterations = 10;
+    const Relaxed ten = relax(start, nullptr, options);
+    EXPECT_NEAR(ten.evenness->before, 0.142, 0.02);
+    EXPECT_LT(ten.evenness->after, 0.045);
+    options.iterations = 30;
+    const Relaxed thirty = relax(start, nullptr, options);
+    EXPECT_LT(thirty.evenness->after, 0.033);
+    EXPECT_LT(thirty.evenness->after_voronoi, 0.05);
+    EXPECT_GT(relative_least_distance(thirty.points, options), 0.65);
+}
+
+TEST_P(Relax, is_asked_whether_to_go_on_and_stops) {
+    class Stop : public Observer {
+    public:
+        bool keep_going(const Progress& progress) override {
+            EXPECT_EQ(progress.expected_points, 20u * 2000);
+            iterations = progress.rounds;
+            return progress.rounds < 3;
+        }
+        std::uint64_t iterations = 0;
+    } stop;
+    RelaxOptions options = on(1, 1, Boundary::torus);
+    options.backend = GetParam();
+    options.iterations = 20;
+    EXPECT_THROW(relax(random_points(2000, 1, 1, 1), nullptr, options, stop), Cancelled);
+    EXPECT_EQ(stop.iterations, 3u);
+}
+
+TEST(RelaxOptionsGiven, zero_iterations_change_no_bit) {
+    RelaxOptions options;
+    options.iterations = 0;
+    const std::vector<Point> points = random_points(100, 1, 1, 1);
+    EXPECT_EQ(relax(points, nullptr, options).points, points);
+}
+
+TEST(RelaxOptionsGiven, no_points_stay_no_points) {
+    EXPECT_TRUE(relax({}, nullptr, {}).points.empty());
+}
+
+template <typename Act>
+std::string refusal(Act act) {
+    try {
+        act();
+    } catch (const BadRequest& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(RelaxOptionsGiven, are_refused_when_they_cannot_be_met) {
+    const std::vector<Point> points{{0.5, 0.5}};
+    RelaxOptions options;
+    options.iterations = 10001;
+    EXPECT_EQ(refusal([&] { relax(points, nullptr, options); }),
+              "iterations 10001: must be at most 10000");
+    options = {};
+    options.width = -1;
+    EXPECT_NE(refusal([&] { relax(points, nullptr, options); }).find("domain"), std::string::npos);
+    options = {};
+    options.backend = "abacus";
+    EXPECT_EQ(refusal([&] { relax(points, nullptr, options); }),
+              "backend abacus: must be one of auto, cpu, reference");
+    options = {};
+    const std::vector<Point> outside{{0.5, 1.5}};
+    EXPECT_EQ(refusal([&] { relax(outside, nullptr, options); }),
+              "points (0.5, 1.5): must lie in the domain, [0, 1] x [0, 1]");
+    const std::vector<Point> nowhere{{std::nan(""), 0.5}};
+    EXPECT_NE(refusal([&] { relax(nowhere, nullptr, options); }), "");
+    const Field white{2, 1, {0, 0}};
+    EXPECT_EQ(refusal([&] { relax(points, &white, options); }),
+              "field of zeros: some importance must be greater than 0");
+}
+
+}  // namespace
+}  // namespace lacuna::relaxing::tests

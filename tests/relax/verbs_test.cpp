@@ -1,0 +1,180 @@
+// Each verb of each backend leaves what the reference leaves, on hostile scenes, whole number for
+// whole number.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "relax/available.h"
+#include "relax/scenes.h"
+
+namespace lacuna::relaxing::tests {
+namespace {
+
+std::string text(const Site& site) {
+    std::ostringstream out;
+    out << "(" << site.x << ", " << site.y << ") lift " << site.lift;
+    return out.str();
+}
+
+std::string text(const Share& share) {
+    std::ostringstream out;
+    out << share.points << " points, mass " << share.mass << ", moments " << share.moment_x << ", "
+        << share.moment_y;
+    return out.str();
+}
+
+std::string text(std::uint32_t owner) {
+    return std::to_string(owner);
+}
+
+// Names the first that differs; empty where none does.
+template <typename Value>
+std::string difference(const char* what, const std::vector<Value>& expected,
+                       const std::vector<Value>& got) {
+    if (expected.size() != got.size()) return std::string("another number of ") + what;
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        if (!(expected[i] == got[i])) {
+            std::ostringstream out;
+            out << what << " " << i << ": " << text(got[i]) << " instead of " << text(expected[i]);
+            return out.str();
+        }
+    return "";
+}
+
+// After own and gather.
+std::string difference_of_looks(RelaxBackend& expected, RelaxBackend& got) {
+    expected.own();
+    got.own();
+    const std::string owners = difference("owner", expected.owners(), got.owners());
+    if (!owners.empty()) return owners;
+    expected.gather();
+    got.gather();
+    return difference("share", expected.shares(), got.shares());
+}
+
+class Verbs : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(All, Verbs, kRelaxBackends, name_of_parameter);
+
+TEST_P(Verbs, leave_what_the_references_do) {
+    for (const Scene& scene : scenes()) {
+        const Lattice lattice = scene.lattice();
+        const std::vector<Site> start = scene.sites(lattice);
+        const auto reference = make_backend("reference", lattice, start);
+        const auto backend = make_backend(GetParam(), lattice, start);
+        for (int iteration = 0; iteration < 6; ++iteration) {
+            ASSERT_EQ(difference_of_looks(*reference, *backend), "") << scene << ", " << iteration;
+            // Resting from every state, though a run does so once.
+            const std::vector<Site> before = reference->sites();
+            reference->rest();
+            backend->rest();
+            ASSERT_EQ(difference("rested", reference->sites(), backend->sites()), "")
+                << scene << ", " << iteration;
+            reference->restore(before);
+            backend->restore(before);
+            difference_of_looks(*reference, *backend);
+            reference->settle();
+            backend->settle();
+            ASSERT_EQ(difference("site", reference->sites(), backend->sites()), "")
+                << scene << ", " << iteration;
+        }
+    }
+}
+
+TEST_P(Verbs, do_the_same_from_extreme_lifts) {
+    for (const Scene& scene : scenes()) {
+        const Lattice lattice = scene.lattice();
+        std::vector<Site> start = scene.sites(lattice);
+        std::mt19937_64 random(1);
+        for (std::size_t i = 1; i < start.size(); ++i)
+            start[i].lift = i % 3 == 0
+                                ? lattice.numbers.farthest
+                                : random() % ((lattice.numbers.farthest >> (random() % 20)) + 1);
+        const auto reference = make_backend("reference", lattice, start);
+        const auto backend = make_backend(GetParam(), lattice, start);
+        for (int iteration = 0; iteration < 2; ++iteration) {
+            ASSERT_EQ(difference_of_looks(*reference, *backend), "") << scene << ", " << iteration;
+            reference->settle();
+            backend->settle();
+            ASSERT_EQ(difference("site", reference->sites(), backend->sites()), "")
+                << scene << ", " << iteration;
+        }
+    }
+}
+
+TEST_P(Verbs, do_the_same_where_samples_share_their_spot) {
+    for (const Scene& scene : scenes()) {
+        const Lattice lattice = scene.lattice();
+        std::vector<Site> start = scene.sites(lattice);
+        for (std::size_t i = 1; i < start.size(); i += 2) start[i] = start[i / 3];
+        const auto reference = make_backend("reference", lattice, start);
+        const auto backend = make_backend(GetParam(), lattice, start);
+        ASSERT_EQ(difference_of_looks(*reference, *backend), "") << scene;
+        reference->rest();
+        backend->rest();
+        ASSERT_EQ(difference("rested", reference->sites(), backend->sites()), "") << scene;
+    }
+}
+
+TEST_P(Verbs, do_the_same_at_any_number_of_threads) {
+    for (const Scene& scene : scenes()) {
+        const Lattice lattice = scene.lattice();
+        std::vector<std::vector<Site>> ends;
+        for (const std::uint32_t threads : {1u, 2u, 3u, 8u}) {
+            const auto backend = make_backend(GetParam(), lattice, scene.sites(lattice), threads);
+            for (int i = 0; i < 3; ++i) {
+                backend->own();
+                backend->gather();
+                backend->settle();
+            }
+            ends.push_back(backend->sites());
+            EXPECT_EQ(difference("site", ends.front(), ends.back()), "")
+                << scene << ", " << threads << " threads";
+        }
+    }
+}
+
+TEST_P(Verbs, give_every_lattice_point_of_importance_to_somebody) {
+    for (const Scene& scene : scenes()) {
+        const Lattice lattice = scene.lattice();
+        const auto backend = make_backend(GetParam(), lattice, scene.sites(lattice));
+        backend->own();
+        backend->gather();
+        std::uint64_t points = 0;
+        for (const Share& share : backend->shares()) points += share.points;
+        EXPECT_EQ(points, lattice.points) << scene;
+    }
+}
+
+// What the tests above would say of a backend that is off by little.
+TEST(Difference, is_found_in_one_step_of_one_site) {
+    const Scene scene = scenes()[6];
+    const Lattice lattice = scene.lattice();
+    const std::vector<Site> start = scene.sites(lattice);
+    std::vector<Site> moved = start;
+    moved[7].x += lattice.numbers.step_x;
+    const auto reference = make_backend("reference", lattice, start);
+    const auto backend = make_backend("cpu", lattice, moved);
+    EXPECT_EQ(difference("site", reference->sites(), backend->sites()),
+              std::string("site 7: ")
+                  .append(text(moved[7]))
+                  .append(" instead of ")
+                  .append(text(start[7])));
+    EXPECT_NE(difference_of_looks(*reference, *backend), "");
+}
+
+TEST(Ties, go_to_the_lowest_index) {
+    const Scene scene = scenes()[6];
+    const Lattice lattice = scene.lattice();
+    const std::vector<Site> start(5, scene.sites(lattice)[0]);
+    for (const char* const name : {"reference", "cpu"}) {
+        const auto backend = make_backend(name, lattice, start);
+        backend->own();
+        for (const std::uint32_t owner : backend->owners()) ASSERT_EQ(owner, 0u) << name;
+    }
+}
+
+}  // namespace
+}  // namespace lacuna::relaxing::tests
