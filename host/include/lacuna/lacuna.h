@@ -163,7 +163,7 @@ struct RelaxOptions {
 
     std::uint32_t iterations = 15;  // 0 to 10,000; 0 leaves the points as they are
 
-    // A name from backends(), or "auto"; see Request.
+    // As in Request: "auto", cpu or reference; no device relaxes yet.
     std::string backend = "auto";
     std::string device;
     std::uint32_t threads = 0;
