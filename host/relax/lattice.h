@@ -1,4 +1,5 @@
-// The lattice that points are relaxed on: a request turned into whole numbers (DESIGN section 9).
+// The lattice that points are relaxed on: a request turned into whole numbers (docs/design.md,
+// section 9).
 #pragma once
 
 #include <lacuna/lacuna.h>

@@ -1,4 +1,4 @@
-// lacuna::relax: own, gather, settle, as often as asked for (DESIGN section 9).
+// lacuna::relax: own, gather, settle, as often as asked for (docs/design.md, section 9).
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

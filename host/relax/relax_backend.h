@@ -13,7 +13,8 @@
 namespace lacuna::relaxing {
 
 // Serves one lattice and its sites. A backend may queue the verbs, or do two at once. Whatever the
-// order of its work, the outcome is that of DESIGN section 9, whole number for whole number:
+// order of its work, the outcome is that of docs/design.md, section 9, whole number
+// for whole number:
 //   own     each lattice point of importance belongs to the sample of least power; ties go to the
 //           lowest index. Lattice points without importance belong to nobody.
 //   gather  each sample's share: how many lattice points it owns, their mass and its moments

@@ -1,4 +1,5 @@
-// Relaxation (DESIGN section 9) on a lattice: powers, centres of mass, and steps of the weights.
+// Relaxation on a lattice (docs/design.md, section 9): powers, centres of mass, and steps of the
+// weights.
 //
 // A unit is 1/256 of the lattice's shorter step. A sample has a place in units and a lift: how much
 // its weight is below the greatest of all weights, in squared units. So lifts are whole numbers of
