@@ -74,7 +74,7 @@ public:
           pixel_of_row_(pixels(numbers_.rows, numbers_.cut_y)) {
         restore(sites);
         find_tiles();
-        likely_.assign(tiles_.size(), kNoImage);
+        hints_.resize(tiles_.size());
     }
 
     std::string device() const override { return workers_.name(); }
@@ -154,7 +154,7 @@ private:
         workers_.for_columns(static_cast<std::uint32_t>(tiles_.size()), lattice_.points,
                              [&](std::uint32_t i) {
                                  Tile& tile = tile_of_thread_.local();
-                                 tile.own(scene, tiles_[i], likely_[i], owners);
+                                 tile.own(scene, tiles_[i], hints_[i], owners);
                                  for (const Tile::Part& part : tile.parts()) add(part, tiles_[i]);
                              });
     }
@@ -232,7 +232,7 @@ private:
     std::vector<std::uint32_t> pixel_of_column_;
     std::vector<std::uint32_t> pixel_of_row_;
     std::vector<Box> tiles_;
-    std::vector<Image> likely_;  // who won in the middle of each tile
+    std::vector<Hint> hints_;  // of each tile
     tbb::enumerable_thread_specific<Tile> tile_of_thread_;
 };
 

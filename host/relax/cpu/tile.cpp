@@ -23,14 +23,14 @@ std::int64_t place(std::uint32_t index, std::uint32_t step) {
 
 }  // namespace
 
-void Tile::own(const Scene& scene, const Box& box, Image& likely, std::span<std::uint32_t> owners) {
+void Tile::own(const Scene& scene, const Box& box, Hint& hint, std::span<std::uint32_t> owners) {
     scene_ = &scene;
     left_ = box.left;
     bottom_ = box.bottom;
     owners_ = owners;
-    find_candidates(box, likely);
+    find_candidates(box, hint);
     const Box all{0, 0, box.right - box.left, box.top - box.bottom};
-    likely = parts_[candidates_[winner_in_middle(all)].part].image;
+    hint.site = parts_[candidates_[winner_in_middle(all)].part].image.site;
     for (std::uint32_t v = 0; v < all.top; v += kLeaf) {
         for (std::uint32_t u = 0; u < all.right; u += kLeaf) {
             const Box leaf{u, v, std::min(u + kLeaf, all.right), std::min(v + kLeaf, all.top)};
@@ -49,26 +49,31 @@ Rectangle Tile::image_of(const Box& box, const Image& image) const {
             place(box.bottom, numbers.step_y) - y, place(box.top - 1, numbers.step_y) - y};
 }
 
-void Tile::find_candidates(const Box& box, const Image& likely) {
+void Tile::find_candidates(const Box& box, Hint& hint) {
     const SiteTree& tree = scene_->tree;
     candidates_.clear();
     parts_.clear();
     const int most = scene_->lattice.numbers.period_x != 0 ? 1 : 0;
     std::array<Image, 9> images;
+    std::array<Rectangle, 9> boxes;
     std::size_t count = 0;
-    images[count++] = {0, 0, 0};
-    for (int x = -most; x <= most; ++x)
-        for (int y = -most; y <= most; ++y)
-            if (x != 0 || y != 0)
-                images[count++] = {0, static_cast<std::int16_t>(x), static_cast<std::int16_t>(y)};
+    for (int x = -most; x <= most; ++x) {
+        for (int y = -most; y <= most; ++y) {
+            images[count] = {0, static_cast<std::int16_t>(x), static_cast<std::int16_t>(y)};
+            boxes[count] = image_of(box, images[count]);
+            ++count;
+        }
+    }
     std::uint64_t bound = std::numeric_limits<std::uint64_t>::max();
-    if (likely.site != NO_OWNER)
-        bound = SiteTree::worst_power(scene_->sites[likely.site], image_of(box, likely));
-    else
+    if (hint.site != NO_OWNER)
         for (std::size_t i = 0; i < count; ++i)
-            bound = tree.least_worst_power(image_of(box, images[i]), bound);
+            bound = std::min(bound, SiteTree::worst_power(scene_->sites[hint.site], boxes[i]));
+    // Sites move little, as a rule; after a leap the bound would let far too many in.
+    if (bound / 2 > hint.bound)
+        for (std::size_t i = 0; i < count; ++i) bound = tree.least_worst_power(boxes[i], bound);
+    hint.bound = bound;
     for (std::size_t i = 0; i < count; ++i)
-        tree.find(image_of(box, images[i]), bound, [&](std::uint32_t site) {
+        tree.find(boxes[i], bound, [&](std::uint32_t site) {
             add_candidate({site, images[i].shift_x, images[i].shift_y});
         });
 }

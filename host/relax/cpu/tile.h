@@ -36,18 +36,22 @@ struct Image {
     std::int16_t shift_x;
     std::int16_t shift_y;
 };
-constexpr Image kNoImage{NO_OWNER, 0, 0};
+
+// What the last look at a tile tells the next: who won in its middle, and within which power all
+// that could win lay.
+struct Hint {
+    std::uint32_t site = NO_OWNER;
+    std::uint64_t bound = 0;
+};
 
 // Works on one tile after the other, of at most kSide lattice points a side.
 class Tile {
 public:
     static constexpr std::uint32_t kSide = 16;
 
-    // `likely` is who may win in the tile's middle, or kNoImage, and becomes who does. Leaves who
-    // owns each lattice point behind in `owners`, unless it is empty: indices row by row of the
-    // whole lattice.
-    void own(const Scene& scene, const Box& box, Image& likely,
-             std::span<std::uint32_t> owners = {});
+    // `hint` makes it fast and is brought up to date. Leaves who owns each lattice point behind in
+    // `owners`, unless it is empty: indices row by row of the whole lattice.
+    void own(const Scene& scene, const Box& box, Hint& hint, std::span<std::uint32_t> owners = {});
 
     // What one image got. Moments are from the tile's lowest lattice point.
     struct Part {
@@ -77,7 +81,7 @@ private:
         }
     };
 
-    void find_candidates(const Box& box, const Image& likely);
+    void find_candidates(const Box& box, Hint& hint);
     void add_candidate(const Image& image);
     Rectangle image_of(const Box& box, const Image& image) const;
     // Boxes are in lattice points of the tile from here on.
