@@ -38,6 +38,14 @@ CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request) 
         ->type_name("METRIC");
     command.add_flag("--invert", picture.importance.invert, "Bright is dense")
         ->disable_flag_override();
+    add_number(command, "black", "L", picture.importance.black,
+               "Luminance, 0 to 1, that counts as black, and all under it (default 0)");
+    add_number(command, "white", "L", picture.importance.white,
+               "Luminance that counts as white, and all over it (default 1)");
+    command
+        .add_flag("--auto-levels", picture.importance.auto_levels,
+                  "Black and white such that half a percent of the pixels are beyond each")
+        ->disable_flag_override();
     add_number(command, "gamma", "X", picture.importance.gamma,
                "Importance is raised to this power: over 1 lightens middle tones (default 1)");
     add_number(command, "min-importance", "I", picture.importance.min_importance,

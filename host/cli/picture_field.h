@@ -15,7 +15,8 @@ struct Picture {
     pictures::Importance importance;
 };
 
-// Adds IMAGE, --scale, --metric, --invert, --gamma and --min-importance. Returns IMAGE's option.
+// Adds IMAGE, --scale, --metric, --invert, --black, --white,
+// --auto-levels, --gamma and --min-importance. Returns IMAGE's option.
 CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request);
 
 // Reads the picture, and gives the request its shape: the longer side is 1. Throws BadRequest and

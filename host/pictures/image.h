@@ -23,17 +23,20 @@ struct Image {
 // The picture in the file, or on standard input for "-". The format is told by the content, never
 // by the name:
 //   PNG     every colour type, 1 to 16 bits, interlaced or not
-//   JPEG    grey or colour, baseline or progressive, 8 bits, Huffman coded; Exif's orientation is
+//   JPEG    grey, colour or CMYK (without a printer's profile: 1 - ink, times 1 - black), baseline
+//   or progressive, 8 bits, Huffman coded; Exif's orientation is
 //           applied, but not that of other formats
 //   PGM, PPM   P2, P3, P5 and P6, of any maxval; of several pictures in one file the first
 //   PFM     Pf and PF, both byte orders; the size of the scale factor is not used
 //   HDR     Radiance, 32-bit_rle_rgbe and 32-bit_rle_xyze, rows from top to bottom (-Y n +X n)
-//   npy     NumPy, rows x columns or rows x columns x 1, 3 or 4; u1, u2, f4 and f8; row 0 on top
+//   npy     NumPy, rows x columns or rows x columns x 1, 3 or 4; bool, whole
+//           numbers and floats of every size; row 0 on top
 // Luminance of colour is 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709) and alpha is composited
 // over white, both on the numbers as they are stored: no colour profile or transfer curve is
 // undone, since importance is a wish and not a measure of light, and what is seen as half grey
 // should count half. Samples of 8 or 16 bits (of PGM and PPM: up to maxval) count as sample /
-// largest possible sample, correctly rounded, and white is 1. Floats count as they are; white is
+// largest possible sample, correctly rounded, and white is 1. Other numbers, of .npy, PFM and HDR,
+// count as they are; white is
 // the largest luminance in the picture if that is over 1, and otherwise 1.
 //
 // Refused, by a FileError of one line that names the file, what was found and what is allowed:

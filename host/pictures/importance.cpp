@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,9 +28,42 @@ bool is_zero_all_over(const std::vector<double>& values) {
                         "somewhere, or give --invert or a --min-importance over 0");
 }
 
+struct Levels {
+    double black;
+    double white;
+};
+
+// Half a percent of the pixels are at most as dark, and half a percent at least as light. Those of
+// a picture of one tone are as they were.
+Levels auto_levels_of(const Image& image) {
+    constexpr std::size_t kOneIn = 200;
+    std::vector<double> values = image.luminance;
+    const std::size_t beyond = (values.size() - 1) / kOneIn;
+    const auto at = [&](std::size_t index) {
+        const auto place = values.begin() + static_cast<std::ptrdiff_t>(index);
+        std::nth_element(values.begin(), place, values.end());
+        return *place / image.white;
+    };
+    const Levels levels{at(beyond), at(values.size() - 1 - beyond)};
+    return levels.black < levels.white ? levels : Levels{0, 1};
+}
+
+double stretched(double brightness, const Levels& levels) {
+    return std::clamp((brightness - levels.black) / (levels.white - levels.black), 0.0, 1.0);
+}
+
 }  // namespace
 
 void check(const Importance& options) {
+    if (!(options.black >= 0 && options.black < 1))
+        throw BadRequest("black", fmt::format("{}", options.black),
+                         "must be at least 0 and under 1, the picture's white");
+    if (!(options.white > options.black && options.white <= 1))
+        throw BadRequest("white", fmt::format("{}", options.white),
+                         fmt::format("must be over --black, {}, and at most 1, the picture's white",
+                                     options.black));
+    if (options.auto_levels && (options.black != 0 || options.white != 1))
+        throw BadRequest("auto-levels", "with --black or --white", "chooses both");
     if (!(options.gamma > 0) || !std::isfinite(options.gamma))
         throw BadRequest("gamma", fmt::format("{}", options.gamma),
                          "must be a finite number over 0");
@@ -41,8 +75,12 @@ void check(const Importance& options) {
 Field importance_of(Image image, const Importance& options) {
     check(options);
     std::vector<double>& values = image.luminance;
+    const Levels levels =
+        options.auto_levels ? auto_levels_of(image) : Levels{options.black, options.white};
+    const bool stretches = levels.black != 0 || levels.white != 1;
     for (double& value : values) {
-        const double brightness = value / image.white;
+        double brightness = value / image.white;
+        if (stretches) brightness = stretched(brightness, levels);
         value = options.invert ? brightness : 1 - brightness;
     }
     if (options.min_importance == 0 && is_zero_all_over(values))

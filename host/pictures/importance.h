@@ -9,6 +9,11 @@ namespace lacuna::pictures {
 
 // How luminance becomes importance.
 struct Importance {
+    // Luminance / white that becomes 0 and 1, 0 <= black < white <= 1; what is between is
+    // stretched.
+    double black = 0;
+    double white = 1;
+    bool auto_levels = false;   // instead: what half a percent of the pixels are darker, or lighter
     bool invert = false;        // bright is dense
     double gamma = 1;           // the power that importance is raised to, > 0
     double min_importance = 0;  // where importance would be less it is this, 0 to 1
@@ -17,12 +22,12 @@ struct Importance {
 // Throws BadRequest if a value is not allowed; what importance_of() checks, without a picture.
 void check(const Importance& options);
 
-// I = max(min_importance, d^gamma), where d = 1 - luminance / white, or luminance / white with
-// invert. So every value lies in [0, 1], and white (black with invert) stays 0, which means no
-// sample there, unless min_importance is over 0. With gamma 1 the result is the same to the last
-// bit on every machine; other powers are those of the C library's pow.
-// Takes the picture's memory. Throws BadRequest as above, or where gamma rounds all importance to
-// 0, and FileError naming the picture if no pixel has any importance.
+// I = max(min_importance, d^gamma), where d = 1 - l, or l with invert, and l is luminance / white
+// of the picture, stretched from black to white of the options. So every value lies in [0, 1], and
+// white (black with invert) stays 0, which means no sample there, unless min_importance is over 0.
+// With gamma 1 the result is the same to the last bit on every machine; other powers are those of
+// the C library's pow. Takes the picture's memory. Throws BadRequest as above, or where gamma
+// rounds all importance to 0, and FileError naming the picture if no pixel has any importance.
 Field importance_of(Image image, const Importance& options);
 
 }  // namespace lacuna::pictures

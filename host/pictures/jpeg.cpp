@@ -60,7 +60,9 @@ public:
         check_size(file_, size());
         check_kind();
         check_that_pixels_fit();
-        jpeg_.out_color_space = jpeg_.jpeg_color_space == JCS_GRAYSCALE ? JCS_GRAYSCALE : JCS_RGB;
+        jpeg_.out_color_space = jpeg_.jpeg_color_space == JCS_GRAYSCALE ? JCS_GRAYSCALE
+                                : is_cmyk()                             ? JCS_CMYK
+                                                                        : JCS_RGB;
         guarded([&] { jpeg_start_decompress(&jpeg_); });
         Image image = make_image(file_, size());
         read_rows(image);
@@ -110,13 +112,15 @@ private:
         return 1;
     }
 
+    bool is_cmyk() const {
+        return jpeg_.jpeg_color_space == JCS_CMYK || jpeg_.jpeg_color_space == JCS_YCCK;
+    }
+
     void check_kind() const {
         const J_COLOR_SPACE space = jpeg_.jpeg_color_space;
-        if (space != JCS_GRAYSCALE && space != JCS_RGB && space != JCS_YCbCr)
-            file_.refuse(
-                fmt::format("a JPEG of {} colour components: must be grey or RGB, as "
-                            "CMYK needs a printer's profile",
-                            jpeg_.num_components));
+        if (space != JCS_GRAYSCALE && space != JCS_RGB && space != JCS_YCbCr && !is_cmyk())
+            file_.refuse(fmt::format("a JPEG of {} colour components: must be grey, RGB or CMYK",
+                                     jpeg_.num_components));
         // No limit could be told below, and hardly any program writes it.
         if (jpeg_.arith_code != FALSE)
             file_.refuse("a JPEG in arithmetic coding: must be Huffman coded");
@@ -134,14 +138,31 @@ private:
                                      file_.bytes.size(), size().columns, size().rows));
     }
 
+    // Cyan, magenta, yellow and black to red, green and blue, in place, three bytes a pixel.
+    // Adobe's files, which nearly all are, hold paper instead of ink. Without a printer's profile.
+    void without_ink(std::vector<JSAMPLE>& row) const {
+        const bool has_paper = jpeg_.saw_Adobe_marker != FALSE;
+        const auto paper = [&](JSAMPLE value) {
+            return std::int32_t{has_paper ? value : static_cast<JSAMPLE>(MAXJSAMPLE - value)};
+        };
+        for (std::size_t from = 0, to = 0; from < row.size(); from += 4, to += 3) {
+            const std::int32_t black = paper(row[from + 3]);
+            for (std::size_t i = 0; i < 3; ++i)
+                row[to + i] = static_cast<JSAMPLE>((paper(row[from + i]) * black + MAXJSAMPLE / 2) /
+                                                   MAXJSAMPLE);
+        }
+    }
+
     void read_rows(Image& image) {
-        const auto channels = static_cast<unsigned>(jpeg_.output_components);
-        std::vector<JSAMPLE> bytes(std::size_t{image.columns} * channels);
+        const auto components = static_cast<unsigned>(jpeg_.output_components);
+        const unsigned channels = is_cmyk() ? 3 : components;
+        std::vector<JSAMPLE> bytes(std::size_t{image.columns} * components);
         const std::span<double> all = image.luminance;
         guarded([&] {
             JSAMPROW row = bytes.data();
             for (std::size_t y = 0; y < image.rows; ++y) {
                 jpeg_read_scanlines(&jpeg_, &row, 1);
+                if (is_cmyk()) without_ink(bytes);
                 fill_row_from(row, channels, false, all.subspan(y * image.columns, image.columns),
                               MAXJSAMPLE);
             }

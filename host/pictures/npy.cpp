@@ -5,6 +5,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -20,6 +21,41 @@
 
 namespace lacuna::pictures {
 namespace {
+
+// NumPy's bool: a byte, 0 or 1.
+struct Bool {
+    std::uint8_t byte;
+};
+
+// IEEE 754's binary16: a sign, 5 bits of exponent and 10 of fraction.
+struct Half {
+    std::uint16_t bits;
+};
+
+double value_of(Bool value) {
+    return value.byte == 0 ? 0 : 1;
+}
+
+double value_of(Half half) {
+    const int exponent = half.bits >> 10U & 0x1fU;
+    const double fraction = half.bits & 0x3ffU;
+    constexpr int kSpecial = 0x1f, kBias = 15, kFractionBits = 10;
+    double value = 0;
+    if (exponent == kSpecial)
+        value = fraction == 0 ? std::numeric_limits<double>::infinity()
+                              : std::numeric_limits<double>::quiet_NaN();
+    else if (exponent == 0)
+        value = std::ldexp(fraction, 1 - kBias - kFractionBits);
+    else
+        value = std::ldexp(fraction + 1024, exponent - kBias - kFractionBits);
+    return (half.bits & 0x8000U) != 0 ? -value : value;
+}
+
+// Whole numbers over 2^53 lose their last digits, which no tone has.
+template <class Number>
+double value_of(Number value) {
+    return static_cast<double>(value);
+}
 
 // Numbers of the array by row, column and channel.
 template <class Number>
@@ -80,12 +116,13 @@ Image read_whole_numbers(const Encoded& file, const Array<Number>& array, const 
 }
 
 template <class Number>
-Image read_floats(const Encoded& file, const Array<Number>& array, const Layout& layout) {
+Image read_numbers(const Encoded& file, const Array<Number>& array, const Layout& layout) {
     FloatPixels pixels(file, layout.size, layout.channels == 4);
     std::array<double, 4> pixel{};
     for (std::size_t y = 0; y < layout.size.rows; ++y)
         for (std::size_t x = 0; x < layout.size.columns; ++x) {
-            for (std::size_t c = 0; c < layout.channels; ++c) pixel[c] = array.at(y, x, c);
+            for (std::size_t c = 0; c < layout.channels; ++c)
+                pixel[c] = value_of(array.at(y, x, c));
             pixels.set(y, x, std::span(pixel).first(layout.channels));
         }
     return std::move(pixels).finish();
@@ -99,10 +136,10 @@ Image read(const Encoded& file, std::string_view data, std::endian order, const 
                                 data.size(), wanted, layout.size.rows, layout.size.columns,
                                 layout.channels, sizeof(Number)));
     const Array<Number> array(data, order, layout.fortran_order, layout.size, layout.channels);
-    if constexpr (std::is_floating_point_v<Number>)
-        return read_floats(file, array, layout);
-    else
+    if constexpr (std::is_same_v<Number, std::uint8_t> || std::is_same_v<Number, std::uint16_t>)
         return read_whole_numbers(file, array, layout);
+    else
+        return read_numbers(file, array, layout);
 }
 
 }  // namespace
@@ -115,11 +152,19 @@ Image decode_npy(const Encoded& file) {
     const std::endian order = type.starts_with('>') ? std::endian::big : std::endian::little;
     if (type == "|u1") return read<std::uint8_t>(file, data, order, layout);
     if (type == "<u2" || type == ">u2") return read<std::uint16_t>(file, data, order, layout);
+    if (type == "|b1") return read<Bool>(file, data, order, layout);
+    if (type == "|i1") return read<std::int8_t>(file, data, order, layout);
+    if (type == "<i2" || type == ">i2") return read<std::int16_t>(file, data, order, layout);
+    if (type == "<i4" || type == ">i4") return read<std::int32_t>(file, data, order, layout);
+    if (type == "<u4" || type == ">u4") return read<std::uint32_t>(file, data, order, layout);
+    if (type == "<i8" || type == ">i8") return read<std::int64_t>(file, data, order, layout);
+    if (type == "<u8" || type == ">u8") return read<std::uint64_t>(file, data, order, layout);
+    if (type == "<f2" || type == ">f2") return read<Half>(file, data, order, layout);
     if (type == "<f4" || type == ">f4") return read<float>(file, data, order, layout);
     if (type == "<f8" || type == ">f8") return read<double>(file, data, order, layout);
     file.refuse(
-        fmt::format("numbers of type {}: must be u1, u2, f4 or f8 (uint8, uint16, float32 "
-                    "or float64)",
+        fmt::format("numbers of type {}: must be b1, i1 to i8, u1 to u8 or f2 to f8 (bool, int8 "
+                    "to uint64, float16 to float64)",
                     files::excerpt(type)));
 }
 

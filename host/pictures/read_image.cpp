@@ -40,6 +40,26 @@ constexpr std::array<Known, 14> kFormats{{{"\x89PNG\r\n\x1a\n", decode_png},
                                           {"#?RGBE", decode_hdr},
                                           {files::kNpyMagic, decode_npy}}};
 
+// Formats that are not read, so that the message can name them.
+struct Unread {
+    std::size_t at;
+    std::string_view magic;
+    std::string_view name;
+};
+
+constexpr std::array<Unread, 12> kUnread{{{8, "WEBP", "a WebP"},
+                                          {0, std::string_view("II*\0", 4), "a TIFF"},
+                                          {0, std::string_view("MM\0*", 4), "a TIFF"},
+                                          {0, "GIF8", "a GIF"},
+                                          {0, "BM", "a BMP"},
+                                          {4, "ftypavif", "an AVIF"},
+                                          {4, "ftyphei", "a HEIF"},
+                                          {4, "ftypmif1", "a HEIF"},
+                                          {0, "8BPS", "a Photoshop"},
+                                          {0, "v/1\1", "an OpenEXR"},
+                                          {0, "%PDF", "a PDF"},
+                                          {0, "<svg", "an SVG"}}};
+
 constexpr std::string_view kAllowed =
     "must be a picture in PNG, JPEG, PGM, PPM, PFM, Radiance HDR or NumPy's .npy";
 
@@ -74,6 +94,10 @@ Image decode_image(std::string_view bytes, const std::string& name, std::uint64_
     });
     if (known != kFormats.end()) return known->decode(file);
     if (bytes.empty()) file.refuse(fmt::format("empty: {}", kAllowed));
+    for (const Unread& unread : kUnread)
+        if (bytes.substr(std::min(unread.at, bytes.size())).starts_with(unread.magic))
+            file.refuse(fmt::format("{} picture: {}; convert it first, for example to PNG",
+                                    unread.name, kAllowed));
     constexpr std::size_t kShown = 16;
     file.refuse(
         fmt::format("begins with {}: {}", files::excerpt(bytes.substr(0, kShown)), kAllowed));

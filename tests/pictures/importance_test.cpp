@@ -35,6 +35,46 @@ TEST(Importance, IsFullAtWhiteAndNoneAtBlackWithInvert) {
     EXPECT_EQ(importance({0, 1, 0.25, 0.5}, {.invert = true}), (Values{0, 1, 0.25, 0.5}));
 }
 
+TEST(Importance, IsStretchedBetweenBlackAndWhite) {
+    EXPECT_EQ(importance({0, 0.25, 0.5, 0.75, 1}, {.black = 0.25, .white = 0.75}),
+              (Values{1, 1, 0.5, 0, 0}));
+    EXPECT_EQ(importance({0, 0.25, 0.5, 1}, {.white = 0.5, .invert = true}),
+              (Values{0, 0.5, 1, 1}));
+}
+
+TEST(Importance, OfAnUnderexposedPictureIsStretchedByAutoLevels) {
+    // 1,000 tones from 0 to 0.25 and four dots of white, fewer than half a percent.
+    Values dark;
+    for (int i = 0; i < 1000; ++i) dark.push_back(i / 3996.0);
+    for (const std::size_t i : {1U, 500U, 700U, 900U}) dark[i] = 1;
+    const auto mean_of = [](const Values& values) {
+        double sum = 0;
+        for (const double value : values) sum += value;
+        return sum / static_cast<double>(values.size());
+    };
+    EXPECT_GT(mean_of(importance(dark)), 0.85);
+    EXPECT_NEAR(mean_of(importance(dark, {.auto_levels = true})), 0.5, 0.01);
+    // One tone cannot be stretched.
+    EXPECT_EQ(importance({0.25, 0.25}, {.auto_levels = true}), (Values{0.75, 0.75}));
+}
+
+TEST(Importance, OfLevelsThatMakeNoSenseIsRefused) {
+    const auto option_refused = [](const Importance& options) {
+        try {
+            check(options);
+        } catch (const BadRequest& error) {
+            return error.option();
+        }
+        return std::string();
+    };
+    EXPECT_EQ(option_refused({.black = -0.1}), "black");
+    EXPECT_EQ(option_refused({.black = 1}), "black");
+    EXPECT_EQ(option_refused({.black = 0.5, .white = 0.5}), "white");
+    EXPECT_EQ(option_refused({.white = 1.5}), "white");
+    EXPECT_EQ(option_refused({.black = 0.1, .auto_levels = true}), "auto-levels");
+    EXPECT_EQ(option_refused({.black = 0.1, .white = 0.9}), "");
+}
+
 TEST(Importance, IsOfThePicturesOwnWhite) {
     EXPECT_EQ(importance_of(image_of({0, 2, 8}, 8), {}).importance, (Values{1, 0.75, 0}));
     EXPECT_EQ(importance_of(image_of({0, 2, 8}, 8), {.invert = true}).importance,

@@ -46,6 +46,20 @@ TEST(AJpeg, OfColourIsWeighedByBt709NotByItsOwnLuma) {
         }
 }
 
+// libjpeg writes Adobe's marker, and its numbers are then those of paper: 255 is no ink.
+TEST(AJpeg, OfCmykIsReadWithoutAPrintersProfile) {
+    for (const Samples& paper :
+         {Samples{255, 255, 255, 255}, Samples{255, 255, 255, 0}, Samples{0, 0, 0, 255},
+          Samples{255, 0, 0, 255}, Samples{200, 100, 50, 128}}) {
+        Samples samples;
+        for (int i = 0; i < 16 * 16; ++i) samples.insert(samples.end(), paper.begin(), paper.end());
+        const Image image = decode_image(jpeg_bytes({16, 16, 4}, samples), "file");
+        const double expected =
+            (0.2126 * paper[0] + 0.7152 * paper[1] + 0.0722 * paper[2]) / 255 * paper[3] / 255;
+        for (const double luminance : image.luminance) ASSERT_NEAR(luminance, expected, 2 * kStep);
+    }
+}
+
 // A camera's picture of which the dark spot is to be seen at the top left, on 3 x 2 blocks of 8.
 TEST(AJpeg, IsTurnedAsExifSays) {
     for (int orientation = 1; orientation <= 8; ++orientation)

@@ -146,6 +146,24 @@ TEST(AnNpyArray, MayBeOfAnyTypeOrderAndNumberOfChannels) {
               (Values{0, 0.2, 0.4, 0.6, 0.8, 1}));
 }
 
+TEST(AnNpyArray, MayBeOfTruthsWholeNumbersAndHalves) {
+    EXPECT_EQ(luminance_of(npy_bytes("|b1", "(1, 2)", bytes_of({0, 1}))), (Values{0, 1}));
+    const std::string two_wholes = bytes_of({3, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0});
+    for (const std::string type : {"<i8", "<u8"}) {
+        const Image image = decode_image(npy_bytes(type, "(2, 1)", two_wholes), "file");
+        EXPECT_EQ(image.luminance, (Values{3, 256}));
+        EXPECT_EQ(image.white, 256);
+    }
+    EXPECT_EQ(luminance_of(npy_bytes(">i4", "(1, 1)", bytes_of({0, 0, 1, 2}))), Values{258});
+    EXPECT_EQ(luminance_of(npy_bytes("<u4", "(1, 1)", bytes_of({2, 1, 0, 0}))), Values{258});
+    EXPECT_EQ(luminance_of(npy_bytes("<i2", "(1, 1)", bytes_of({2, 1}))), Values{258});
+    EXPECT_EQ(luminance_of(npy_bytes("|i1", "(1, 1)", bytes_of({127}))), Values{127});
+    // 1, 0.5, 65504, the least normal and the least of all halves.
+    const std::string halves = bytes_of({0, 0x3c, 0, 0x38, 0xff, 0x7b, 0, 4, 1, 0});
+    EXPECT_EQ(luminance_of(npy_bytes("<f2", "(1, 5)", halves)),
+              (Values{1, 0.5, 65504, 0x1p-14, 0x1p-24}));
+}
+
 TEST(AnNpyArray, InFortranOrderIsTheSamePicture) {
     EXPECT_EQ(luminance_of(npy_bytes("|u1", "(2, 3)", bytes_of({0, 153, 51, 204, 102, 255}), true)),
               (Values{0, 0.2, 0.4, 0.6, 0.8, 1}));
