@@ -53,7 +53,9 @@ void find_column_begins(const Plan& plan, std::uint32_t columns,
 }
 
 std::uint32_t first_capacity(const Plan& plan) {
-    return plan.height / plan.radius / 2 + 8;
+    // Each sample parts the spans of a line at most once more.
+    return static_cast<std::uint32_t>(
+        std::min<std::uint64_t>(plan.height / plan.radius / 2, plan.limit) + 8);
 }
 
 }  // namespace lacuna

@@ -19,6 +19,7 @@ namespace {
 constexpr double kLongerSideUnits = 2147483648.0;  // 2^31
 constexpr double kLargestAspect = 1000.0;
 constexpr std::uint32_t kMostLinesPerRadius = 1000;
+constexpr std::uint32_t kMostThreads = 1024;        // far more take more memory than they save time
 constexpr std::uint32_t kExactLinesPerRadius = 6;   // the fastest: docs/speed.md
 constexpr std::uint32_t kPaperLinesPerRadius = 30;  // section 5.1
 // With fewer units to a radius, rounding it up would show; 1000 lines a radius need 2 units each.
@@ -60,7 +61,15 @@ double memory_needed(const Request& request, double radius, double points) {
     constexpr double kBytesPerSpan = 8, kSpansPerRadius = 0.6, kBytesPerPoint = 48;
     const double lines = std::ceil(lines_per_radius(request) * request.width / radius);
     const double spans = kSpansPerRadius * request.height / radius + 8;
-    return lines * spans * kBytesPerSpan + points * kBytesPerPoint;
+    const double needed = lines * spans * kBytesPerSpan + points * kBytesPerPoint;
+    if (!request.limit) return needed;
+    // Each sample parts a line's spans at most once more; exact has a grid of cells, whose diagonal
+    // is a radius, whatever the limit.
+    constexpr double kBytesPerCell = 8;
+    const double fewer = std::min(spans, static_cast<double>(*request.limit) + 8);
+    const double cells = 2 * (request.width / radius) * (request.height / radius);
+    const double grid = request.mode == Mode::exact ? cells * kBytesPerCell : 0;
+    return std::min(needed, lines * fewer * kBytesPerSpan + grid + points * kBytesPerPoint);
 }
 
 void refuse_if_too_large(const Request& request, const std::string& option,
@@ -195,6 +204,9 @@ void check_request(const Request& request) {
     if (!given && !request.count)
         throw BadRequest(size, "missing", "give either a " + size + " or a count");
     if (request.count && *request.count == 0) throw BadRequest("count", "0", "must be at least 1");
+    if (request.threads > kMostThreads)
+        throw BadRequest("threads", std::to_string(request.threads),
+                         "must be at most " + std::to_string(kMostThreads));
     if (request.uniform_x && request.round_size > 1)
         throw BadRequest("round-size", std::to_string(request.round_size),
                          "must be 1 with uniform-x, whose draws cannot be thinned");

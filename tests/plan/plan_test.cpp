@@ -136,6 +136,16 @@ TEST(Plan, SaysHowMuchMemoryASmallRadiusNeeds) {
     EXPECT_NE(message.find(" GB of memory, more than the 1 GB there is"), std::string::npos);
 }
 
+TEST(Plan, NeedsLessMemoryForFewPoints) {
+    Request request = with_radius(2e-5);
+    request.memory_limit_bytes = 100'000'000'000;
+    EXPECT_NE(refusal(request).find("needs about"), std::string::npos);
+    request.limit = 1000;
+    EXPECT_EQ(refusal(request), "accepted");
+    request.memory_limit_bytes = 1'000'000'000;  // a grid of 5e9 cells does not fit
+    EXPECT_NE(refusal(request).find("needs about 4"), std::string::npos) << refusal(request);
+}
+
 TEST(Plan, SaysWhenTheUnitsRunOut) {
     Request request = with_radius(1e-7);
     request.limit = 10;

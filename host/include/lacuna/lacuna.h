@@ -95,7 +95,7 @@ struct Request {
     // or, where it is unset or empty, the first of them.
     std::string backend = "auto";
     std::string device;         // for backends with devices: a number or part of a name
-    std::uint32_t threads = 0;  // 0: as many as the machine has
+    std::uint32_t threads = 0;  // at most 1024; 0: as many as the machine has
 
     std::uint64_t memory_limit_bytes = 0;  // refuse a larger set; 0: the machine's memory
 };
