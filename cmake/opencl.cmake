@@ -27,12 +27,16 @@ function(lacuna_add_opencl)
     file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/host/backends/opencl/*.cpp)
     file(GLOB kernels CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/kernels/*.cl)
     target_sources(lacuna PRIVATE ${sources})
-    # Mode cells has kernels of its own, and shares sort_columns: each mode compiles what it needs.
+    # Mode cells has kernels of its own, and shares sort_columns; relax shares none: each compiles
+    # what it needs.
     set(cells_kernels ${kernels})
     list(FILTER cells_kernels INCLUDE REGEX "/(locate|[a-z]+_cells)\\.cl$")
-    list(FILTER kernels EXCLUDE REGEX "_cells\\.cl$")
+    set(relax_kernels ${kernels})
+    list(FILTER relax_kernels INCLUDE REGEX "_relax\\.cl$")
+    list(FILTER kernels EXCLUDE REGEX "_(cells|relax)\\.cl$")
     lacuna_embed_kernels(lacuna kernel_source ${kernels})
     lacuna_embed_kernels(lacuna cells_kernel_source ${cells_kernels})
+    lacuna_embed_kernels(lacuna relax_kernel_source ${relax_kernels})
     target_include_directories(lacuna SYSTEM PRIVATE ${OPENCL_HPP_INCLUDE_DIR})
     target_compile_definitions(lacuna PRIVATE LACUNA_OPENCL)
     target_link_libraries(lacuna PRIVATE OpenCL::OpenCL)

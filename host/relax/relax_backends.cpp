@@ -4,7 +4,14 @@
 #include <cstdlib>
 #include <string_view>
 
+#ifdef LACUNA_OPENCL
+#include "backends/opencl/make_backend.h"
+#endif
+#ifdef LACUNA_VULKAN
+#include "backends/vulkan/make_backend.h"
+#endif
 #include "relax/cpu/make_backend.h"
+#include "relax/device/make_backend.h"
 #include "relax/reference.h"
 
 namespace lacuna::relaxing {
@@ -15,8 +22,41 @@ struct Entry {
     std::unique_ptr<RelaxBackend> (*make)(const Lattice&, std::span<const Site>, const Placement&);
 };
 
+#ifdef LACUNA_OPENCL
+std::unique_ptr<RelaxBackend> make_opencl(const Lattice& lattice, std::span<const Site> sites,
+                                          const Placement& placement) {
+    return device::make_backend(opencl::open_queue(placement, opencl::relax_kernel_source()),
+                                lattice, sites);
+}
+#endif
+
+#ifdef LACUNA_VULKAN
+std::unique_ptr<RelaxBackend> make_vulkan(const Lattice& lattice, std::span<const Site> sites,
+                                          const Placement& placement) {
+    return device::make_backend(vulkan::open_queue(placement), lattice, sites);
+}
+#endif
+
+#if !defined(LACUNA_OPENCL) || !defined(LACUNA_VULKAN)
+std::unique_ptr<RelaxBackend> make_left_out(const Lattice&, std::span<const Site>,
+                                            const Placement&) {
+    throw Unavailable("this build was made without it");
+}
+#endif
+
+// In order of preference.
 constexpr Entry kBackends[] = {
     {"cpu", cpu::make_backend},
+#ifdef LACUNA_OPENCL
+    {"opencl", make_opencl},
+#else
+    {"opencl", make_left_out},
+#endif
+#ifdef LACUNA_VULKAN
+    {"vulkan", make_vulkan},
+#else
+    {"vulkan", make_left_out},
+#endif
     {"reference", reference::make_backend},
 };
 

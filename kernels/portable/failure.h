@@ -10,6 +10,7 @@
 #define FAILED_SUBTRACT 16u
 #define FAILED_REFINE 32u
 #define FAILED_CHORDS 64u  // more chords near a box than there is room for
+#define FAILED_OWN 128u    // of relax
 
 LACUNA_BEGIN
 

@@ -6,6 +6,7 @@
 #ifndef LACUNA_PORTABLE_KERNELS_H
 #define LACUNA_PORTABLE_KERNELS_H
 #include "geometry.h"
+#include "relax_kernels.h"
 
 LACUNA_BEGIN
 
@@ -170,7 +171,7 @@ LACUNA_END
                                 B(u32, bits) B(u32, widest) B(u32, widest_rows) B(u32, column_of)  \
                                     B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii)          \
                                         B(u32, pixel_reaches) B(u32, candidate_radii) B(u32, todo) \
-                                            B(u32, left) B(u32, left_count)
+                                            B(u32, left) B(u32, left_count) LACUNA_RELAX_BUFFERS(B)
 
 // All kernels: name, arguments, bindings.
 #define LACUNA_KERNELS(K)                                             \
@@ -191,7 +192,8 @@ LACUNA_END
     K(keep, StripArguments, KEEP_BINDINGS)                            \
     K(scan, ScanArguments, SCAN_BINDINGS)                             \
     K(find_place_begins, ColumnArguments, FIND_PLACE_BEGINS_BINDINGS) \
-    K(subtract_in_cells, LatticeArguments, SUBTRACT_IN_CELLS_BINDINGS)
+    K(subtract_in_cells, LatticeArguments, SUBTRACT_IN_CELLS_BINDINGS) \
+    LACUNA_RELAX_KERNELS(K)
 // clang-format on
 
 #endif

@@ -16,10 +16,14 @@
 LACUNA_BEGIN
 using u32 = std::uint32_t;
 using u64 = std::uint64_t;
+using i32 = std::int32_t;
 using i64 = std::int64_t;
 template <typename T>
 inline u32 to_u32(T a) {
     return static_cast<u32>(a);
+}
+inline i32 to_i32(u32 a) {
+    return static_cast<i32>(a);
 }
 inline i64 to_i64(u64 a) {
     return static_cast<i64>(a);
@@ -43,7 +47,9 @@ LACUNA_END
 #define LACUNA_TYPEDEF(name) typedef struct name name;
 typedef uint u32;
 typedef ulong u64;
+typedef int i32;
 typedef long i64;
+#define to_i32(a) ((i32)(a))
 #define to_i64(a) ((i64)(a))
 #define to_u32(a) ((u32)(a))
 #define count_bits(a) popcount(a)
@@ -64,7 +70,9 @@ typedef long i64;
 #define LACUNA_TYPEDEF(name)
 #define u32 uint
 #define u64 uint64_t
+#define i32 int
 #define i64 int64_t
+#define to_i32(a) int(a)
 #define to_i64(a) int64_t(a)
 #define to_u32(a) uint(a)
 #define count_bits(a) uint(bitCount(a))

@@ -1,4 +1,5 @@
-// Backends of relaxation under test, by name, as in backends/available.h.
+// Backends of relaxation under test, by name, as in backends/available.h: one that this machine
+// does not have is skipped, or fails where LACUNA_REQUIRE holds its name.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,16 +8,15 @@
 #include <span>
 #include <string>
 
+#include "backends/available.h"
 #include "relax/relax_backends.h"
 
 namespace lacuna::relaxing::tests {
 
 // All but the reference, which they are held against.
-inline const auto kRelaxBackends = testing::Values("cpu");
-
-inline std::string name_of_parameter(const testing::TestParamInfo<std::string>& info) {
-    return info.param;
-}
+inline const auto kRelaxBackends = lacuna::tests::kParallelBackends;
+using lacuna::tests::name_of_parameter;
+using lacuna::tests::OnBackend;
 
 // Throws Unavailable.
 inline std::unique_ptr<RelaxBackend> make_backend(const std::string& name, const Lattice& lattice,

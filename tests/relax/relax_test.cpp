@@ -42,7 +42,7 @@ double relative_least_distance(const std::vector<Point>& points, const RelaxOpti
     return least_distance(points, options) / std::sqrt(area * 2 / std::sqrt(3.0));
 }
 
-class Relax : public testing::TestWithParam<std::string> {};
+class Relax : public OnBackend {};
 INSTANTIATE_TEST_SUITE_P(All, Relax, kRelaxBackends, name_of_parameter);
 
 TEST_P(Relax, gives_the_points_of_the_reference) {
@@ -156,7 +156,7 @@ TEST(RelaxOptionsGiven, are_refused_when_they_cannot_be_met) {
     options = {};
     options.backend = "abacus";
     EXPECT_EQ(refusal([&] { relax(points, nullptr, options); }),
-              "backend abacus: must be one of auto, cpu, reference");
+              "backend abacus: must be one of auto, cpu, opencl, vulkan, reference");
     options = {};
     const std::vector<Point> outside{{0.5, 1.5}};
     EXPECT_EQ(refusal([&] { relax(outside, nullptr, options); }),

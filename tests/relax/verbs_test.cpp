@@ -55,7 +55,7 @@ std::string difference_of_looks(RelaxBackend& expected, RelaxBackend& got) {
     return difference("share", expected.shares(), got.shares());
 }
 
-class Verbs : public testing::TestWithParam<std::string> {};
+class Verbs : public OnBackend {};
 INSTANTIATE_TEST_SUITE_P(All, Verbs, kRelaxBackends, name_of_parameter);
 
 TEST_P(Verbs, leave_what_the_references_do) {

@@ -118,12 +118,6 @@ std::string gigabytes(std::uint64_t bytes) {
     return out.str();
 }
 
-// What a plan takes of a device: in all, and of one buffer at most.
-struct Needs {
-    std::uint64_t bytes;
-    std::uint64_t largest;
-};
-
 // Of draws, located, candidates; buckets, fates; samples; and three samples near for each draw.
 constexpr std::uint64_t kBytesPerDraw = 48 + 8 + 8 + 24;
 constexpr std::uint64_t kLargestPerDraw = 24;  // of one buffer: the samples near
@@ -177,7 +171,13 @@ void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint6
     const std::uint64_t first = first_round_size(plan);
     const std::uint64_t round =
         plan.round_size != 0 ? first : std::min(2 * first, largest_round_size(plan));
-    const Needs needs = plan.is_cells() ? needs_of_cells(plan, round) : needs_of_lines(plan, round);
+    refuse_if_too_large(device,
+                        plan.is_cells() ? needs_of_cells(plan, round) : needs_of_lines(plan, round),
+                        memory_bytes, largest_buffer_bytes);
+}
+
+void refuse_if_too_large(const std::string& device, const Needs& needs, std::uint64_t memory_bytes,
+                         std::uint64_t largest_buffer_bytes) {
     if (needs.largest > largest_buffer_bytes)
         throw Unavailable("device " + device + ": the request needs a buffer of " +
                           gigabytes(needs.largest) + ", and its largest has " +

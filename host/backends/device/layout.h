@@ -66,4 +66,12 @@ void unpack(const Slab& slab, std::span<const Span> slots,
 void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint64_t memory_bytes,
                          std::uint64_t largest_buffer_bytes);
 
+// The same of what anything else needs: all its buffers, and the largest.
+struct Needs {
+    std::uint64_t bytes = 0;
+    std::uint64_t largest = 0;
+};
+void refuse_if_too_large(const std::string& device, const Needs& needs, std::uint64_t memory_bytes,
+                         std::uint64_t largest_buffer_bytes);
+
 }  // namespace lacuna::device

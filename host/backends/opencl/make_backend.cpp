@@ -1,6 +1,8 @@
 // The opencl backend: chooses a device, and compiles the kernels for it.
 #include "backends/opencl/make_backend.h"
 
+#include <utility>
+
 #include "backends/device/device_backend.h"
 #include "backends/opencl/devices.h"
 #include "backends/opencl/program.h"
@@ -14,13 +16,13 @@ std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placeme
 
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement,
                                       const device::Tuning& tuning, const Trial& trial) {
-    return device::make_backend(open_queue(placement, plan.mode, trial), plan, tuning);
+    std::string source = plan.mode == Mode::cells ? cells_kernel_source() : kernel_source();
+    return device::make_backend(open_queue(placement, std::move(source), trial), plan, tuning);
 }
 
-std::unique_ptr<device::Queue> open_queue(const Placement& placement, Mode mode,
+std::unique_ptr<device::Queue> open_queue(const Placement& placement, std::string source,
                                           const Trial& trial) {
-    std::string source = trial.source;
-    if (source.empty()) source = mode == Mode::cells ? cells_kernel_source() : kernel_source();
+    if (!trial.source.empty()) source = trial.source;
     auto queue = make_queue(compiled(choose_device(placement.device), source));
     queue->count_launches(trial.launches);
     return queue;

@@ -25,11 +25,14 @@ struct Trial {
 };
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement,
                                       const device::Tuning& tuning, const Trial& trial = {});
-std::unique_ptr<device::Queue> open_queue(const Placement& placement, Mode mode,
+// For the kernels of `source`, unless the trial has its own.
+std::unique_ptr<device::Queue> open_queue(const Placement& placement, std::string source,
                                           const Trial& trial = {});
 
-// The OpenCL C source of the kernels, includes expanded: of modes lines and exact, of mode cells.
+// The OpenCL C source of the kernels, includes expanded: of modes lines and exact, of mode cells,
+// of relax.
 std::string kernel_source();
 std::string cells_kernel_source();
+std::string relax_kernel_source();
 
 }  // namespace lacuna::opencl

@@ -163,7 +163,7 @@ struct RelaxOptions {
 
     std::uint32_t iterations = 15;  // 0 to 10,000; 0 leaves the points as they are
 
-    // As in Request: "auto", cpu or reference; no device relaxes yet.
+    // As in Request: "auto", or a backend by name.
     std::string backend = "auto";
     std::string device;
     std::uint32_t threads = 0;

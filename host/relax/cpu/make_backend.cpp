@@ -17,37 +17,10 @@
 #include "relax/cpu/nearest_own.h"
 #include "relax/cpu/site_tree.h"
 #include "relax/cpu/tile.h"
+#include "relax/hilbert.h"
 
 namespace lacuna::relaxing::cpu {
 namespace {
-
-// Where a place lies along Hilbert's curve through the square of 2^30 units.
-std::uint64_t hilbert_rank(std::uint32_t x, std::uint32_t y) {
-    std::uint64_t rank = 0;
-    for (std::uint32_t side = 1u << 29; side > 0; side /= 2) {
-        const bool right = (x & side) != 0;
-        const bool upper = (y & side) != 0;
-        rank = 4 * rank + (right ? (upper ? 2u : 3u) : (upper ? 1u : 0u));
-        if (upper) continue;
-        if (right) {
-            x = ~x;
-            y = ~y;
-        }
-        std::swap(x, y);
-    }
-    return rank;
-}
-
-// So that sites near each other are near each other in memory.
-std::vector<std::uint32_t> hilbert_order(std::span<const Site> sites) {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> ranked(sites.size());
-    for (std::uint32_t i = 0; i < sites.size(); ++i)
-        ranked[i] = {hilbert_rank(sites[i].x, sites[i].y), i};
-    std::sort(ranked.begin(), ranked.end());
-    std::vector<std::uint32_t> order(sites.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = ranked[i].second;
-    return order;
-}
 
 // Pixel of each lattice point of an axis.
 std::vector<std::uint32_t> pixels(std::uint32_t count, std::uint32_t cut) {

@@ -1,0 +1,22 @@
+// Relaxation on an OpenCL or Vulkan device.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "backends/device/queue.h"
+#include "relax/relax_backend.h"
+
+namespace lacuna::relaxing::device {
+
+// For tests.
+struct Tuning {
+    std::uint32_t leaves_of_batch = 0;  // 0: as many as suit the device
+};
+
+// The lattice must outlive the backend. Throws Unavailable where the device is too small for it.
+std::unique_ptr<RelaxBackend> make_backend(std::unique_ptr<lacuna::device::Queue> queue,
+                                           const Lattice& lattice, std::span<const Site> sites,
+                                           const Tuning& tuning = {});
+
+}  // namespace lacuna::relaxing::device

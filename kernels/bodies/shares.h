@@ -1,0 +1,18 @@
+// Sums of 64 bits that many items add to, as two words each: the carry goes to the upper one.
+#include "portable/power.h"
+
+#define ADD_TO_SUM(sums, i, low, high)                                              \
+    {                                                                               \
+        const u32 carry = ATOMIC_ADD(sums, i, low) > 0xffffffffu - (low) ? 1u : 0u; \
+        if ((high) + carry != 0u) ATOMIC_ADD(sums, (i) + 1u, (high) + carry);       \
+    }
+
+// To a site's share: shares[4 site] counts its lattice points, and its mass is behind that; its
+// moments are in moments[4 site].
+BODY void add_to_share(MEMORY const u32 site, const u32 points, const u32 mass, const u64 moment_x,
+                       const u64 moment_y) {
+    ATOMIC_ADD(shares, site * 4u, points);
+    ADD_TO_SUM(shares, site * 4u + 2u, mass, 0u)
+    ADD_TO_SUM(moments, site * 4u, to_u32(moment_x), to_u32(moment_x >> 32))
+    ADD_TO_SUM(moments, site * 4u + 2u, to_u32(moment_y), to_u32(moment_y >> 32))
+}

@@ -1,0 +1,18 @@
+// own and gather of relax: each lattice point's mass goes to the sample of least power.
+#include "bodies/prelude.h"
+
+BINDINGS(LeafArguments, FIND_RIVALS_BINDINGS)
+#include "bodies/find_rivals.h"
+ENTRY(find_rivals, serve_find_rivals, LeafArguments, FIND_RIVALS_BINDINGS)
+
+BINDINGS(LeafArguments, OWN_BINDINGS)
+#include "bodies/own.h"
+ENTRY(own, serve_own, LeafArguments, OWN_BINDINGS)
+
+BINDINGS(LeafArguments, OWN_CROWDED_BINDINGS)
+#include "bodies/own_crowded.h"
+ENTRY(own_crowded, serve_own_crowded, LeafArguments, OWN_CROWDED_BINDINGS)
+
+BINDINGS(LeafArguments, GATHER_SHARES_BINDINGS)
+#include "bodies/gather_shares.h"
+ENTRY(gather_shares, serve_gather_shares, LeafArguments, GATHER_SHARES_BINDINGS)

@@ -1,0 +1,29 @@
+// own and gather of relax: each lattice point's mass goes to the sample of least power.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
+#include "bodies/prelude.h"
+
+#ifdef ENTRY_find_rivals
+BINDINGS(LeafArguments, FIND_RIVALS_BINDINGS)
+#include "bodies/find_rivals.h"
+ENTRY(find_rivals, serve_find_rivals, LeafArguments, FIND_RIVALS_BINDINGS)
+#endif
+
+#ifdef ENTRY_own
+BINDINGS(LeafArguments, OWN_BINDINGS)
+#include "bodies/own.h"
+ENTRY(own, serve_own, LeafArguments, OWN_BINDINGS)
+#endif
+
+#ifdef ENTRY_own_crowded
+BINDINGS(LeafArguments, OWN_CROWDED_BINDINGS)
+#include "bodies/own_crowded.h"
+ENTRY(own_crowded, serve_own_crowded, LeafArguments, OWN_CROWDED_BINDINGS)
+#endif
+
+#ifdef ENTRY_gather_shares
+BINDINGS(LeafArguments, GATHER_SHARES_BINDINGS)
+#include "bodies/gather_shares.h"
+ENTRY(gather_shares, serve_gather_shares, LeafArguments, GATHER_SHARES_BINDINGS)
+#endif
