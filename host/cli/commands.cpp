@@ -13,14 +13,17 @@
 #include <memory>
 #include <new>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/analyze.h"
 #include "cli/check_failed.h"
 #include "cli/compare.h"
 #include "cli/devices.h"
 #include "cli/interruption.h"
+#include "cli/nearest.h"
 #include "cli/options.h"
 #include "cli/reproduce.h"
 #include "cli/sample.h"
@@ -49,7 +52,15 @@ Examples:
   lacuna reproduce fig5 -o figures
   lacuna compare --radius 0.005
   lacuna devices
+  lacuna help stipple                               the same as lacuna stipple --help
 )";
+
+const std::string kVersion = std::string("lacuna ") + LACUNA_VERSION;
+
+// What is wrong with the command line, in one line.
+class BadUsage : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
 
 // Lists each command by the first line of its description, without its examples.
 class Formatter : public CLI::Formatter {
@@ -73,6 +84,28 @@ void add_commands(CLI::App& app, const Sampler& sampler) {
     add_devices(app);
 }
 
+// `lacuna help [COMMAND]` and `lacuna version`, as many programs have them.
+void add_help_and_version(CLI::App& app) {
+    CLI::App& help = *app.add_subcommand("help", "Prints what --help prints, of a command too.");
+    const auto name = std::make_shared<std::string>();
+    help.add_option("COMMAND", *name, "One of those that lacuna --help lists")->type_name("");
+    help.group("");  // listed nowhere: as familiar as --help, and no command with a manual page
+    help.callback([&app, name] {
+        if (name->empty())
+            return files::write_whole("-", app.get_formatter()->make_help(
+                                               &app, app.get_name(), CLI::AppFormatMode::Normal));
+        const auto named = app.get_subcommands(
+            [&](const CLI::App* command) { return command->get_name() == *name; });
+        if (named.empty())
+            throw BadUsage(fmt::format("{}: no such command{}; see lacuna --help", shown(*name),
+                                       nearest_text(*name, names_of_commands(app))));
+        files::write_whole("-", named.front()->help(app.get_name()));
+    });
+    CLI::App& version = *app.add_subcommand("version", "Prints the version, as --version does.");
+    version.group("");
+    version.callback([] { files::write_whole("-", kVersion + "\n"); });
+}
+
 int fail(int code, const std::string& message) {
     std::fputs(fmt::format("lacuna: {}\n", message).c_str(), stderr);
     return code;
@@ -81,9 +114,10 @@ int fail(int code, const std::string& message) {
 int run(CLI::App& app, int argc, char** argv, const Sampler& sampler) {
     app.name("lacuna");
     app.formatter(std::make_shared<Formatter>());
-    app.set_version_flag("--version", std::string("lacuna ") + LACUNA_VERSION, "Print the version");
+    app.set_version_flag("-V,--version", kVersion, "Print the version");
     app.require_subcommand(1);
     add_commands(app, sampler);
+    add_help_and_version(app);
     app.parse(argc, argv);
     return 0;
 }
@@ -95,14 +129,18 @@ bool takes_arguments(const CLI::App& command) {
 }
 
 // CLI11's messages begin with the option's name and leave out what is allowed.
-std::string explain(const CLI::ParseError& error, const std::string& extra,
+std::string explain(const CLI::App& app, const CLI::ParseError& error, const std::string& extra,
                     const CLI::App* command) {
     if (!extra.empty()) {
         const std::string_view wanted = command == nullptr ? "command or option"
                                         : takes_arguments(*command)
                                             ? "option, and no more arguments are taken"
                                             : "option, and no arguments are taken";
-        return fmt::format("{}: no such {}", shown(extra), wanted);
+        const std::vector<std::string> known =
+            extra.starts_with("-") ? names_of_options(command == nullptr ? app : *command)
+            : command == nullptr   ? names_of_commands(app)
+                                   : std::vector<std::string>{};
+        return fmt::format("{}: no such {}{}", shown(extra), wanted, nearest_text(extra, known));
     }
     std::string what = error.what();
     const std::string option = what.substr(0, what.find_first_of(": "));
@@ -116,32 +154,51 @@ std::string explain(const CLI::ParseError& error, const std::string& extra,
 // What CLI11 itself objects to, and --help and --version, which it throws too.
 int finish(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {
-        app.exit(error, std::cout, std::cerr);
-        return std::cout.flush() ? 0 : fail(kExitFile, "cannot write to standard output");
+        std::ostringstream said;
+        app.exit(error, said, std::cerr);
+        files::write_whole("-", said.str());
+        return 0;
     }
     const auto chosen = app.get_subcommands();
     const std::string name = chosen.empty() ? "lacuna" : "lacuna " + chosen.front()->get_name();
     const auto extras = app.remaining(true);
-    const std::string message = explain(error, extras.empty() ? "" : extras.front(),
+    const std::string message = explain(app, error, extras.empty() ? "" : extras.front(),
                                         chosen.empty() ? nullptr : chosen.front());
     return fail(kExitBadUsage, fmt::format("{}; see {} --help", message, name));
 }
 
-}  // namespace
-
-int run_commands(int argc, char** argv, const Sampler& sampler) {
-    // A closed pipe and a file grown too large are then errors of write, told like any other.
-    signal(SIGPIPE, SIG_IGN);
-    signal(SIGXFSZ, SIG_IGN);
+int parse_and_run(int argc, char** argv, const Sampler& sampler) {
     CLI::App app(kDescription);
     try {
         return run(app, argc, argv, sampler);
     } catch (const CLI::ParseError& error) {
         return finish(app, error);
+    }
+}
+
+// Silently, as a program does that knows nothing of the signal: `| head -1` is no error.
+int end_by_closed_pipe() {
+    signal(SIGPIPE, SIG_DFL);
+    raise(SIGPIPE);
+    return 128 + SIGPIPE;
+}
+
+}  // namespace
+
+int run_commands(int argc, char** argv, const Sampler& sampler) {
+    // A closed pipe and a file grown too large are then errors of write.
+    const bool ignores_pipes = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
+    signal(SIGXFSZ, SIG_IGN);
+    try {
+        return parse_and_run(argc, argv, sampler);
     } catch (const BadRequest& error) {
         return fail(kExitBadUsage, std::string("--") + error.what());
+    } catch (const BadUsage& error) {
+        return fail(kExitBadUsage, error.what());
     } catch (const CheckFailed&) {
         return kExitCheckFailed;
+    } catch (const files::ClosedPipe& error) {
+        return ignores_pipes ? fail(kExitFile, error.what()) : end_by_closed_pipe();
     } catch (const files::FileError& error) {
         return fail(kExitFile, error.what());
     } catch (const Unavailable& error) {
@@ -149,7 +206,7 @@ int run_commands(int argc, char** argv, const Sampler& sampler) {
     } catch (const DeviceError& error) {
         return fail(kExitDevice, error.what());
     } catch (const Cancelled&) {
-        return fail(kExitInterrupted, "interrupted, nothing was written");
+        return fail(exit_code_of_interruption(), "interrupted, nothing was written");
     } catch (const std::bad_alloc&) {
         return fail(kExitBadUsage, "out of memory: ask for fewer points");
     } catch (const std::exception& error) {

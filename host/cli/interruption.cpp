@@ -13,13 +13,24 @@ enum class OnSignal { ask_to_stop, exit_at_once, finish_first };
 std::atomic<OnSignal> on_signal = OnSignal::ask_to_stop;
 static_assert(std::atomic<OnSignal>::is_always_lock_free);  // else not for signal handlers
 
-void handle(int) {
+std::atomic<int> signal_seen = SIGINT;
+
+int exit_code(int signal) {
+    return 128 + signal;
+}
+
+void handle(int signal) {
+    signal_seen = signal;
     OnSignal expected = OnSignal::ask_to_stop;
     if (on_signal.compare_exchange_strong(expected, OnSignal::exit_at_once)) return;
-    if (expected == OnSignal::exit_at_once) _exit(kExitInterrupted);
+    if (expected == OnSignal::exit_at_once) _exit(exit_code(signal));
 }
 
 }  // namespace
+
+int exit_code_of_interruption() {
+    return exit_code(signal_seen);
+}
 
 Interruption::Interruption() {
     on_signal = OnSignal::ask_to_stop;

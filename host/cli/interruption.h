@@ -9,7 +9,8 @@
 
 namespace lacuna::cli {
 
-inline constexpr int kExitInterrupted = 130;
+// 128 and the signal's number, as shells have it: 130 after Ctrl-C, 143 after SIGTERM.
+int exit_code_of_interruption();
 
 // One at a time: signals belong to the process. While it lives, the first signal makes keep_going
 // say no, and a second one, for those who do not want to wait for the round, exits at once.

@@ -6,8 +6,11 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -23,9 +26,33 @@ std::errc parse_whole_text(std::string_view text, Value& value) {
     return error;
 }
 
+// A whole number written with an exponent, or with k, M or G behind it. Up to 2^53 doubles hold
+// each.
+std::optional<std::uint64_t> round_number(std::string_view text) {
+    constexpr std::array<std::pair<char, double>, 4> kSuffixes{
+        {{'k', 1e3}, {'K', 1e3}, {'M', 1e6}, {'G', 1e9}}};
+    double factor = 1;
+    for (const auto& [suffix, times] : kSuffixes) {
+        if (text.empty() || text.back() != suffix) continue;
+        text.remove_suffix(1);
+        factor = times;
+        break;
+    }
+    double number = 0;
+    if (parse_whole_text(text, number) != std::errc{}) return std::nullopt;
+    number *= factor;
+    if (!(number >= 0 && number <= 0x1p53) || number != std::floor(number)) return std::nullopt;
+    return static_cast<std::uint64_t>(number);
+}
+
 template <class Value>
 void read_whole_number(const std::string& option, const std::string& text, Value& value) {
     if (parse_whole_text(text, value) == std::errc{}) return;
+    const std::optional<std::uint64_t> round = round_number(text);
+    if (round && *round <= std::numeric_limits<Value>::max()) {
+        value = static_cast<Value>(*round);
+        return;
+    }
     throw BadRequest(
         option, shown(text),
         "must be a whole number, at most " + std::to_string(std::numeric_limits<Value>::max()));

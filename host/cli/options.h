@@ -16,6 +16,7 @@ std::string shown(const std::string& text);
 
 // Each throws BadRequest(option, text, what is allowed). Ranges are the library's to check.
 void read(const std::string& option, const std::string& text, double& value);
+// Whole numbers may be 20000, 2e4, 20k or 1.5M.
 void read(const std::string& option, const std::string& text, std::uint64_t& value);
 void read(const std::string& option, const std::string& text, std::uint32_t& value);
 

@@ -3,6 +3,7 @@
 
 #include <lacuna/lacuna.h>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,6 +28,11 @@ class FileError : public Error {
     using Error::Error;
 };
 
+// Nobody reads any more what is written into a pipe, as behind `| head -1`.
+class ClosedPipe : public FileError {
+    using FileError::FileError;
+};
+
 // ASCII only: what the locale takes for a letter must not change which file is meant.
 char lower_case(char c);
 
@@ -44,9 +50,13 @@ inline std::string encode(const PointSet& set, const Format& format) {
 
 // Writes `bytes` to `path` ("-": standard output), whole or not at all: into a new file beside it,
 // then a rename. An older file of that name is untouched until then and hands on its permissions.
-// Links are followed. What is not a regular file (a device, a pipe) is written into instead.
-// Throws FileError.
+// Links are followed. What is not a regular file (a device, a pipe) and what descriptor_named()
+// knows is written into instead.
+// Throws FileError, and ClosedPipe when whoever read from a pipe has gone.
 void write_whole(const std::string& path, std::string_view bytes);
+
+// The descriptor that /dev/stdout, /dev/stderr, /dev/fd/N or /proc/self/fd/N names.
+std::optional<int> descriptor_named(const std::string& path);
 
 // SHA-256, in hex, of the points as little-endian float64 x0 y0 x1 y1 ...: what --report prints
 // and what tests pin.

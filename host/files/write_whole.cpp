@@ -14,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "files/parse.h"
 #include "files/point_files.h"
 
 namespace lacuna::files {
@@ -28,6 +29,8 @@ void write_all(int descriptor, std::string_view bytes, const std::string& path) 
         const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
         if (written >= 0)
             bytes.remove_prefix(static_cast<std::size_t>(written));
+        else if (errno == EPIPE)
+            throw ClosedPipe(path + ": " + std::generic_category().message(EPIPE));
         else if (errno != EINTR)
             fail(path, errno);
     }
@@ -145,8 +148,22 @@ void write_into(const std::string& path, std::string_view bytes) {
 
 }  // namespace
 
+std::optional<int> descriptor_named(const std::string& path) {
+    if (path == "/dev/stdout") return STDOUT_FILENO;
+    if (path == "/dev/stderr") return STDERR_FILENO;
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+        if (!path.starts_with(folder)) continue;
+        std::string_view number = std::string_view(path).substr(folder.size());
+        int descriptor = 0;
+        if (take_number(number, descriptor) == std::errc{} && number.empty() && descriptor >= 0)
+            return descriptor;
+    }
+    return std::nullopt;
+}
+
 void write_whole(const std::string& path, std::string_view bytes) {
     if (path == "-") return write_all(STDOUT_FILENO, bytes, "standard output");
+    if (const auto descriptor = descriptor_named(path)) return write_all(*descriptor, bytes, path);
     const std::optional<struct stat> older = status_of(path);
     if (older && S_ISDIR(older->st_mode)) fail(path, EISDIR);
     if (older && links_to_standard_output(path, *older))

@@ -65,14 +65,17 @@ TEST(AFileThatCannotBeFinished, LeavesTheOlderOneUntouched) {
     EXPECT_EQ(folder.names(), Names{"a.txt"});
 }
 
-TEST(StandardOutput, WithoutAReaderIsAnErrorOfOutput) {
+// Whoever ignores the signal, as nohup and daemons do, wants to be told.
+TEST(StandardOutput, WithoutAReaderIsAnErrorOfOutputWhereTheSignalIsIgnored) {
     std::array<int, 2> ends{};
     ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
     close(ends[0]);
     Setting no_reader;
     no_reader.stdout_fd = ends[1];
-    for (const Names& words : {Names{"sample", "--radius", "0.05", "-o", "-"}, Names{"--help"}}) {
-        const Outcome outcome = run(words, no_reader);
+    no_reader.program = "/bin/sh";
+    for (const std::string words : {"sample --radius 0.05 -o -", "--help"}) {
+        const Outcome outcome =
+            run({"-c", "trap '' PIPE; exec " LACUNA_PROGRAM " " + words}, no_reader);
         EXPECT_EQ(outcome.exit_code, 3);
         expect_one_line(outcome.err);
     }
@@ -93,14 +96,14 @@ TEST(StandardOutput, OnAFullDiskIsAnErrorOfOutput) {
 
 class AnInterruptedRun : public testing::TestWithParam<int> {};
 
-TEST_P(AnInterruptedRun, ExitsWith130AndLeavesNothing) {
+TEST_P(AnInterruptedRun, ExitsWithTheSignalsCodeAndLeavesNothing) {
     const Folder folder;
     write_file(folder.path("a.txt"), "older\n");
     Program program(long_run({"-o", folder.path("a.txt"), "--report", folder.path("report.json")}));
     ASSERT_TRUE(program.waits_for(GetParam()));
     program.send(GetParam());
     const Outcome outcome = program.wait();
-    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_EQ(outcome.exit_code, 128 + GetParam());
     EXPECT_EQ(outcome.out, "");
     expect_one_line(outcome.err);
     EXPECT_EQ(content_of(folder.path("a.txt")), "older\n");
@@ -109,7 +112,7 @@ TEST_P(AnInterruptedRun, ExitsWith130AndLeavesNothing) {
 
 INSTANTIATE_TEST_SUITE_P(ByCtrlCOrTheSystem, AnInterruptedRun, testing::Values(SIGINT, SIGTERM));
 
-TEST_P(AnInterruptedRun, OfTheCpuBackendInExactExitsWith130AndLeavesNothing) {
+TEST_P(AnInterruptedRun, OfTheCpuBackendInExactDoesSoToo) {
     const Folder folder;
     // Takes seconds, in a few dozen rounds: most questions whether to go on come from within one.
     Program program({"sample", "--radius", "0.0005", "--backend", "cpu", "--threads", "1", "-o",
@@ -117,7 +120,7 @@ TEST_P(AnInterruptedRun, OfTheCpuBackendInExactExitsWith130AndLeavesNothing) {
     ASSERT_TRUE(program.waits_for(GetParam()));
     program.send(GetParam());
     const Outcome outcome = program.wait();
-    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_EQ(outcome.exit_code, 128 + GetParam());
     expect_one_line(outcome.err);
     EXPECT_EQ(folder.names(), Names{});
 }
