@@ -9,25 +9,13 @@
 #include <string>
 #include <string_view>
 
+#include "drawing/xml.h"
+
 namespace lacuna::drawing {
 namespace {
 
 std::string hex_of(Colour colour) {
     return fmt::format("#{:02x}{:02x}{:02x}", colour.red, colour.green, colour.blue);
-}
-
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&') {
-            result += "&amp;";
-        } else if (c == '<') {
-            result += "&lt;";
-        } else {
-            result += c;
-        }
-    }
-    return result;
 }
 
 std::string base64_of(const std::string& bytes) {
@@ -92,7 +80,7 @@ public:
             style.bold ? " font-weight=\"bold\"" : "",
             style.upwards ? fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", at.x, at.y)
                           : "",
-            escaped(utf8));
+            in_xml(utf8));
     }
 
     void image(const Rectangle& box, const Image& image) override {

@@ -34,6 +34,14 @@ double millimetres_per_unit(const files::PointSet& set, const Style& style) {
     return std::min((width - 2 * margin) / set.width, (height - 2 * margin) / set.height);
 }
 
+files::Dots dots_of(const files::PointSet& set, const Style& style) {
+    const Page page = page_of(set, style, kMillimetresPerInch / kPointsPerInch);
+    files::Dots dots{{}, page.scale, page.left, page.height - page.bottom};
+    if (style.diameters.empty()) dots.radii.assign(set.points.size(), dot_diameter(set) / 2);
+    for (const double diameter : style.diameters) dots.radii.push_back(diameter / 2);
+    return dots;
+}
+
 double dot_diameter(const files::PointSet& set) {
     if (set.radius > 0) return set.radius / 3 * 2;
     // The radius is not known: dots as large as those of a maximal set of as many points.

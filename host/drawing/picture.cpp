@@ -16,6 +16,7 @@
 #include "drawing/cairo_surface.h"
 #include "drawing/page.h"
 #include "drawing/png.h"
+#include "drawing/xml.h"
 
 namespace lacuna::drawing {
 namespace {
@@ -30,12 +31,32 @@ Context make_context(cairo_surface_t* surface) {
     return context;
 }
 
-std::string svg_head(const Page& page, bool is_sheet, bool has_background) {
+std::string seed_text(const files::Origin& origin) {
+    return fmt::format("seed {}", origin.seed);
+}
+
+std::string program_text(const files::Origin& origin) {
+    return fmt::format("Lacuna {}", origin.version);
+}
+
+// In Dublin Core, which Inkscape and others show.
+std::string svg_metadata(const files::Origin& origin) {
+    return fmt::format(
+        "<metadata>\n<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
+        "xmlns:dc=\"http://purl.org/dc/elements/1.1/\">\n<rdf:Description rdf:about=\"\">"
+        "<dc:creator>{}</dc:creator><dc:source>{}</dc:source><dc:description>{}</dc:description>"
+        "</rdf:Description>\n</rdf:RDF>\n</metadata>\n",
+        program_text(origin), in_xml(origin.command), seed_text(origin));
+}
+
+std::string svg_head(const files::PointSet& set, const Page& page, bool is_sheet,
+                     bool has_background) {
     std::string head = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.9g}{2}\" height=\"{1:.9g}{2}\" "
         "viewBox=\"0 0 {0:.9g} {1:.9g}\">\n",
         page.width, page.height, is_sheet ? "mm" : "pt");
+    if (set.origin != nullptr) head += svg_metadata(*set.origin);
     if (has_background)
         head += fmt::format("<rect width=\"{:.9g}\" height=\"{:.9g}\" fill=\"white\"/>\n",
                             page.width, page.height);
@@ -51,7 +72,7 @@ std::string draw_svg(const files::PointSet& set, const Style& style) {
     constexpr double kLongestLine = 0.01, kLargestShare = 0.1;
     const bool is_sheet = style.sheet.has_value();
     const Page page = page_of(set, style, is_sheet ? kMillimetresPerInch / kPointsPerInch : 1);
-    std::string bytes = svg_head(page, is_sheet, !is_sheet && !style.for_a_pen);
+    std::string bytes = svg_head(set, page, is_sheet, !is_sheet && !style.for_a_pen);
     for_each_stroke(set, style, [&](std::span<const Point> dots, double diameter) {
         const double width = diameter * page.scale;
         const std::string line =
@@ -91,6 +112,14 @@ std::string draw_pdf(const files::PointSet& set, const Style& style) {
     // Cairo would write the time of day, and no two files would be equal.
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
                                    "2000-01-01T00:00:00Z");
+    if (set.origin != nullptr) {
+        const auto tell = [&](cairo_pdf_metadata_t what, const std::string& text) {
+            cairo_pdf_surface_set_metadata(surface.get(), what, in_utf8(text).c_str());
+        };
+        tell(CAIRO_PDF_METADATA_CREATOR, program_text(*set.origin));
+        tell(CAIRO_PDF_METADATA_SUBJECT, set.origin->command);
+        tell(CAIRO_PDF_METADATA_KEYWORDS, seed_text(*set.origin));
+    }
     fill_circles(make_context(surface.get()).get(), set, style, page);
     // Cairo writes most of the document only now.
     cairo_surface_finish(surface.get());

@@ -34,6 +34,9 @@ struct Style {
 // How large a unit of the domain becomes.
 double millimetres_per_unit(const files::PointSet& set, const Style& style);
 
+// The dots as they are drawn, for files that have columns for them.
+files::Dots dots_of(const files::PointSet& set, const Style& style);
+
 // The bytes of an svg, pdf or png file: encode() for these three formats. With a sheet, an svg is
 // in mm and has no background either. Dots are lines of at most 0.01 mm or pt with round caps in an
 // svg and filled circles in a pdf; a png tells its resolution. The same set gives the same bytes on

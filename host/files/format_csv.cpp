@@ -30,9 +30,29 @@ bool is_header(std::string_view line) {
     return is_word(line.substr(0, comma)) && is_word(line.substr(comma + 1));
 }
 
+std::string encode_dots(const PointSet& set) {
+    const Dots& dots = *set.dots;
+    std::string bytes = with_room_for("x,y,radius,x_mm,y_mm,radius_mm\n", 2 * set.points.size());
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        const Point& point = set.points[i];
+        fmt::format_to(
+            std::back_inserter(bytes), FMT_COMPILE("{:.17g},{:.17g},{:.9g},{:.9g},{:.9g},{:.9g}\n"),
+            point.x, point.y, dots.radii[i], dots.x_mm(point), dots.y_mm(point), dots.radius_mm(i));
+    }
+    return bytes;
+}
+
+// What follows x and y in a file with the header `x,y,...`: numbers of other columns.
+std::string_view without_other_columns(std::string_view line) {
+    const std::size_t first = line.find(',');
+    const std::size_t second = first == std::string_view::npos ? first : line.find(',', first + 1);
+    return line.substr(0, second);
+}
+
 }  // namespace
 
 std::string encode_csv(const PointSet& set) {
+    if (set.dots != nullptr) return encode_dots(set);
     std::string bytes = with_room_for("x,y\n", set.points.size());
     for (const Point& point : set.points)
         fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{:.17g},{:.17g}\n"), point.x,
@@ -44,9 +64,18 @@ SetsOfFile decode_csv(std::string_view bytes, const std::string& name) {
     bytes = without_byte_order_mark(bytes);
     std::vector<Point> points;
     bool may_be_header = true;
+    bool has_other_columns = false;
     for (std::size_t number = 1; !bytes.empty(); ++number) {
-        const std::string_view line = take_line(bytes);
+        std::string_view line = take_line(bytes);
         if (is_skipped(line)) continue;
+        // A third coordinate must not be lost: other columns are passed over only behind `x,y,`
+        // and a name that is not z.
+        if (may_be_header && line.starts_with("x,y,") && !line.starts_with("x,y,z")) {
+            has_other_columns = true;
+            may_be_header = false;
+            continue;
+        }
+        if (has_other_columns) line = without_other_columns(line);
         Point point{};
         if (read_line(line, Between::comma, point)) {
             points.push_back(point);

@@ -23,11 +23,15 @@ namespace lacuna::files {
 namespace {
 
 using Json = nlohmann::json;
+constexpr auto kReplaceBadBytes = Json::error_handler_t::replace;
 
 struct Header {
     std::optional<double> width;
     std::optional<double> height;
     std::optional<double> radius;
+    std::optional<Boundary> boundary;
+    std::optional<std::string> mode;
+    std::optional<bool> maximal;
 };
 
 // Follows the nesting: an optional object, whose key "points" holds an array, of pairs.
@@ -46,7 +50,10 @@ public:
     const Header& header() const { return header_; }
 
     bool null() override { return scalar("null"); }
-    bool boolean(bool value) override { return scalar(value ? "true" : "false"); }
+    bool boolean(bool value) override {
+        if (depth_ == 1 && in_object_ && key_ == "maximal") header_.maximal = value;
+        return scalar(value ? "true" : "false");
+    }
     bool number_integer(number_integer_t value) override {
         return number(static_cast<double>(value));
     }
@@ -55,7 +62,11 @@ public:
         return number(static_cast<double>(value));
     }
     bool number_float(number_float_t value, const string_t&) override { return number(value); }
-    bool string(string_t& value) override { return scalar(excerpt(value)); }
+    bool string(string_t& value) override {
+        if (depth_ == 1 && in_object_ && key_ == "boundary") header_.boundary = boundary_of(value);
+        if (depth_ == 1 && in_object_ && key_ == "mode") header_.mode = value;
+        return scalar(excerpt(value));
+    }
     bool binary(binary_t&) override { return scalar("binary data"); }
 
     bool start_object(std::size_t) override {
@@ -134,6 +145,13 @@ private:
         return true;
     }
 
+    Boundary boundary_of(const std::string& word) const {
+        if (word != "torus" && word != "box")
+            refuse(name_,
+                   fmt::format(R"("boundary" is {}: must be "torus" or "box")", excerpt(word)));
+        return word == "torus" ? Boundary::torus : Boundary::box;
+    }
+
     void read_header(double value) {
         const auto set = [&](std::optional<double>& field) {
             if (value < 0 || !std::isfinite(value))
@@ -166,6 +184,33 @@ void append_json_number(std::string& bytes, double value) {
     if (bytes.find_first_of(".e", begin) == std::string::npos) bytes += ".0";
 }
 
+void append_origin(std::string& bytes, const Origin& origin) {
+    // The command may hold a file's name, whose bytes need not be UTF-8.
+    const std::string command = Json(origin.command).dump(-1, ' ', false, kReplaceBadBytes);
+    bytes += fmt::format(
+        ",\"boundary\":\"{}\",\"mode\":\"{}\",\"seed\":{},\"maximal\":{},"
+        "\"options\":{},\"program\":\"lacuna\",\"version\":\"{}\",\"command\":{}",
+        origin.boundary == Boundary::torus ? "torus" : "box", name_of(origin.mode), origin.seed,
+        origin.maximal, origin.options.empty() ? "{}" : origin.options, origin.version, command);
+}
+
+void append_dots(std::string& bytes, const Dots& dots) {
+    bytes += "\"dots\":{\"mm_per_unit\":";
+    append_json_number(bytes, dots.millimetres_per_unit);
+    bytes += ",\"left_mm\":";
+    append_json_number(bytes, dots.left_mm);
+    bytes += ",\"bottom_mm\":";
+    append_json_number(bytes, dots.bottom_mm);
+    bytes += ",\"radii\":[";
+    const char* separator = "\n";
+    for (const double radius : dots.radii) {
+        bytes += separator;
+        append_json_number(bytes, radius);
+        separator = ",\n";
+    }
+    bytes += "]},\n";
+}
+
 }  // namespace
 
 std::string encode_json(const PointSet& set) {
@@ -175,7 +220,10 @@ std::string encode_json(const PointSet& set) {
     append_json_number(bytes, set.height);
     bytes += ",\"radius\":";
     append_json_number(bytes, set.radius);
-    bytes += fmt::format(",\"count\":{},\"points\":[", set.points.size());
+    if (set.origin != nullptr) append_origin(bytes, *set.origin);
+    bytes += fmt::format(",\"count\":{},", set.points.size());
+    if (set.dots != nullptr) append_dots(bytes, *set.dots);
+    bytes += "\"points\":[";
     const char* separator = "\n[";
     for (const Point& point : set.points) {
         bytes += separator;
@@ -192,12 +240,15 @@ SetsOfFile decode_json(std::string_view bytes, const std::string& name) {
     PointsHandler handler(name);
     Json::sax_parse(bytes, &handler);
     SetsOfFile file = one_set(handler.take_points());
-    const auto [width, height, radius] = handler.header();
-    if (width.has_value() != height.has_value())
+    const Header& header = handler.header();
+    if (header.width.has_value() != header.height.has_value())
         refuse(name, R"("width" and "height" must be there both or neither)");
-    file.width = width;
-    file.height = height;
-    file.radius = radius;
+    file.width = header.width;
+    file.height = header.height;
+    file.radius = header.radius;
+    file.boundary = header.boundary;
+    file.mode = header.mode;
+    file.maximal = header.maximal;
     return file;
 }
 

@@ -16,16 +16,20 @@
 namespace lacuna::files {
 namespace {
 
+constexpr int kColumns = 2;        // x and y
+constexpr int kColumnsOfDots = 6;  // and radius, x_mm, y_mm and radius_mm
+
 template <class Number>
 std::vector<Point> load_points(std::string_view data, const NpyHeader& header,
                                const std::string& name) {
     const std::uint64_t count = header.shape[0];
-    const std::size_t whole = data.size() / (2 * sizeof(Number));
-    if (count != whole || data.size() % (2 * sizeof(Number)) != 0)
+    const std::size_t columns = header.shape[1];
+    const std::size_t whole = data.size() / (columns * sizeof(Number));
+    if (count != whole || data.size() % (columns * sizeof(Number)) != 0)
         refuse(name, fmt::format("{} bytes of data: {} points of {} bytes each are announced",
-                                 data.size(), count, 2 * sizeof(Number)));
+                                 data.size(), count, columns * sizeof(Number)));
     // In units of numbers: from one point to the next, and from x to y.
-    const std::size_t step = header.fortran_order ? 1 : 2;
+    const std::size_t step = header.fortran_order ? 1 : columns;
     const std::size_t to_y = header.fortran_order ? whole : 1;
     std::vector<Point> points(whole);
     for (std::size_t i = 0; i < whole; ++i) {
@@ -39,11 +43,11 @@ std::vector<Point> load_points(std::string_view data, const NpyHeader& header,
 }
 
 // NumPy's .npy format, version 1.0: magic, version, length of the header, header, data.
-std::string npy_header(std::size_t count) {
+std::string npy_header(std::size_t count, int columns) {
     constexpr std::size_t kAlignment = 64;  // of the data, so that a reader may map the file
     constexpr std::size_t kBeforeText = 10;
-    std::string text =
-        fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, 2), }}", count);
+    std::string text = fmt::format(
+        "{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", count, columns);
     const std::size_t unpadded = kBeforeText + text.size() + 1;
     text.append((kAlignment - unpadded % kAlignment) % kAlignment, ' ');
     text.push_back('\n');
@@ -59,19 +63,30 @@ std::string npy_header(std::size_t count) {
 }  // namespace
 
 std::string encode_npy(const PointSet& set) {
-    std::string bytes = npy_header(set.points.size());
-    bytes.reserve(bytes.size() + set.points.size() * 2 * sizeof(double));
-    for (const Point& point : set.points) {
+    const Dots* const dots = set.dots;
+    const int columns = dots == nullptr ? kColumns : kColumnsOfDots;
+    std::string bytes = npy_header(set.points.size(), columns);
+    bytes.reserve(bytes.size() +
+                  set.points.size() * static_cast<std::size_t>(columns) * sizeof(double));
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        const Point& point = set.points[i];
         append_little_endian(bytes, point.x);
         append_little_endian(bytes, point.y);
+        if (dots == nullptr) continue;
+        for (const double value :
+             {dots->radii[i], dots->x_mm(point), dots->y_mm(point), dots->radius_mm(i)})
+            append_little_endian(bytes, value);
     }
     return bytes;
 }
 
 SetsOfFile decode_npy(std::string_view bytes, const std::string& name) {
     const NpyHeader header = take_npy_header(bytes, name);
-    if (header.shape.size() != 2 || header.shape[1] != 2)
-        refuse(name, fmt::format("an array of shape {}: must be N x 2", shape_text(header.shape)));
+    if (header.shape.size() != 2 ||
+        (header.shape[1] != kColumns && header.shape[1] != kColumnsOfDots))
+        refuse(name,
+               fmt::format("an array of shape {}: must be N x 2, or N x 6 as --dot-size makes it",
+                           shape_text(header.shape)));
     if (header.descr == "<f8") return one_set(load_points<double>(bytes, header, name));
     if (header.descr == "<f4") return one_set(load_points<float>(bytes, header, name));
     refuse(name, fmt::format("numbers of type {}: must be '<f8' or '<f4', little-endian floats",

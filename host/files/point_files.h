@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lacuna/lacuna.h>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,6 +14,31 @@
 
 namespace lacuna::files {
 
+// Where a set comes from: .json, .svg and .pdf tell it.
+struct Origin {
+    std::string version;  // of the program
+    std::string command;  // a command line that makes the same set
+    Boundary boundary = Boundary::box;
+    Mode mode = Mode::exact;
+    std::uint64_t seed = 0;
+    bool maximal = false;      // whether no room is left
+    std::string options = {};  // a JSON object of all that decides the points
+};
+
+// The sizes of a set's dots and its place on paper, for those who draw it themselves: .csv, .npy,
+// .ply and .json have them.
+struct Dots {
+    std::vector<double> radii;  // of each point, in the domain's units
+    double millimetres_per_unit = 0;
+    double left_mm = 0;    // of the domain, from the left edge of the page
+    double bottom_mm = 0;  // from its lower edge
+
+    // x, y and the radius of a dot, on the page, y upwards.
+    double x_mm(Point point) const { return left_mm + point.x * millimetres_per_unit; }
+    double y_mm(Point point) const { return bottom_mm + point.y * millimetres_per_unit; }
+    double radius_mm(std::size_t index) const { return radii[index] * millimetres_per_unit; }
+};
+
 // A set of points with what a picture needs to know of it.
 struct PointSet {
     std::span<const Point> points;
@@ -21,6 +47,8 @@ struct PointSet {
     // Least distance; dots are drawn with a third of it as their radius. 0: not known; dots are
     // then as large as those of a maximal set of as many points.
     double radius = 0;
+    const Origin* origin = nullptr;  // null: not known
+    const Dots* dots = nullptr;      // null: not wanted
 };
 
 // A file could not be read or written: names the path and the system's reason.
@@ -41,7 +69,10 @@ char lower_case(char c);
 //   csv   the same with a header line `x,y`
 //   npy   NumPy 1.0 header, N x 2 float64, little-endian, C order
 //   ply   ASCII, vertex x y z as double, z = 0
-//   json  {"width":..., "height":..., "radius":..., "count":..., "points":[[x,y],...]}
+//   json  {"width":..., "height":..., "radius":..., what the origin tells, "count":...,
+//         "points":[[x,y],...]}
+// With dots, csv, npy and ply have the columns x, y, (z,) radius, x_mm, y_mm and radius_mm, and
+// json has "dots" before the points.
 //   svg, pdf, png: black dots on white, y upwards; longer side 1024 pixels (png) or 512 points
 // The same set gives the same bytes on every call. Throws FileError if a picture cannot be drawn.
 inline std::string encode(const PointSet& set, const Format& format) {

@@ -22,7 +22,10 @@ struct SetsOfFile {
     std::vector<std::vector<Point>> sets;
     std::optional<double> width;  // of the domain: of a .json file that tells it, with the height
     std::optional<double> height;
-    std::optional<double> radius;  // likewise
+    std::optional<double> radius;  // likewise, as all below
+    std::optional<Boundary> boundary;
+    std::optional<std::string> mode;
+    std::optional<bool> maximal;  // whether no room is left
 };
 
 // Formats by extension; "-" is standard input, as txt:
