@@ -45,7 +45,8 @@ sqrt(count) / 2, and oscillations: Heck, Schloemer & Deussen 2013. Bond order: N
 1979, six nearest neighbours. The time grows with the square of the count.
 
 A .txt is `x y` a line, or has a first line of one number, the count, as PSA writes it. In a .dat a
-line of # ends a set. The domain and radius that a .json tells hold where no option does.
+line of # ends a set. Domain, boundary and radius that a .json tells hold where no
+option does.
 
 Exit code: 0 done, 2 bad usage, 3 a file cannot be read or written, 130 interrupted.
 )";
@@ -58,7 +59,7 @@ struct Sides {
 
 struct Options {
     std::vector<std::string> files;
-    std::vector<std::string> outputs;
+    OutputOptions output;
     std::optional<Sides> sides;
     std::optional<double> radius;
     bool torus = false;
@@ -72,25 +73,24 @@ struct Input {
     std::vector<std::string> names;            // one a set, for messages
     std::optional<Sides> sides;
     std::string sides_from;  // the file that told them
+    std::optional<Boundary> boundary;
+    std::string boundary_from;
 };
 
-const files::Format& report_format(const std::string& path) {
-    return format_among(path, ".json " + files::picture_extensions());
-}
-
 // Before the work starts.
-void check(const Options& options) {
+std::vector<Output> check(const Options& options) {
     if (options.sides) verify::check_domain(options.sides->width, options.sides->height);
     if (options.radius) analysis::check_radius(*options.radius);
-    for (const std::string& path : options.outputs) {
-        report_format(path);
-        check_output(path);
+    std::vector<Output> outputs =
+        outputs_of(options.output, ".json " + files::picture_extensions(), "json");
+    for (const Output& output : outputs)
         for (const std::string& file : options.files)
-            if (is_same_file(path, file))
-                throw BadRequest("output", shown(path), "must be another file than the points");
-    }
+            if (file != "-" && is_same_file(output.path, file))
+                throw BadRequest("output", shown(output.path),
+                                 "must be another file than the points");
     if (std::count(options.files.begin(), options.files.end(), "-") > 1)
         throw files::FileError("standard input: can be read only once");
+    return outputs;
 }
 
 void add_sides(Input& input, const files::SetsOfFile& file, const std::string& name) {
@@ -111,12 +111,23 @@ void add_sides(Input& input, const files::SetsOfFile& file, const std::string& n
     input.sides_from = name;
 }
 
+void add_boundary(Input& input, const files::SetsOfFile& file, const std::string& name) {
+    if (!file.boundary) return;
+    if (input.boundary && *input.boundary != *file.boundary)
+        throw files::FileError(
+            fmt::format("{}: its boundary is not that of {}: analyse them apart, or give --torus",
+                        name, input.boundary_from));
+    input.boundary = file.boundary;
+    input.boundary_from = name;
+}
+
 Input read(const Options& options) {
     Input input;
     for (const std::string& path : options.files) {
         files::SetsOfFile file = files::read_sets(path);
         const std::string name = path == "-" ? "standard input" : path;
         if (!options.sides) add_sides(input, file, name);
+        if (!options.torus) add_boundary(input, file, name);
         for (std::size_t i = 0; i < file.sets.size(); ++i) {
             input.names.push_back(file.sets.size() == 1 ? name
                                                         : fmt::format("{}: set {}", name, i + 1));
@@ -157,22 +168,21 @@ analysis::Analysis analyse(const Input& input, const analysis::Domain& domain, b
 }
 
 void run(const Options& options) {
-    check(options);
+    const std::vector<Output> outputs = check(options);
     Interruption interruption;
     const Input input = read(options);
     const Sides sides = options.sides.value_or(input.sides.value_or(Sides{1, 1}));
-    const analysis::Domain domain{sides.width, sides.height, options.torus};
+    const analysis::Domain domain{sides.width, sides.height,
+                                  options.torus || input.boundary == Boundary::torus};
     check_inside(input, domain);
     const analysis::Analysis analysis = analyse(input, domain, options.quiet, interruption);
 
-    interruption.start_writing(!options.outputs.empty());
-    for (const std::string& path : options.outputs) {
-        const files::Format& format = report_format(path);
+    interruption.start_writing(!outputs.empty() && !has_standard_output(outputs));
+    for (const auto& [path, format] : outputs)
         files::write_whole(
             path, format.medium ? analysis::draw_sheet(analysis, input.sets.front(), *format.medium)
                                 : json_of(analysis, options.files));
-    }
-    files::write_whole("-", text_of(analysis));
+    if (!has_standard_output(outputs)) files::write_whole("-", text_of(analysis));
 }
 
 }  // namespace
@@ -198,13 +208,9 @@ void add_analyze(CLI::App& app) {
         ->disable_flag_override();
     add_number(command, "radius", "R", options->radius,
                "What the sets were made with, for count * R^2 and distances in radii");
-    command
-        .add_option("-o,--output", options->outputs,
-                    "Numbers and curves as .json, or a plot sheet as " +
-                        files::picture_extensions() + "; may be given several times")
-        ->type_name("REPORT")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_outputs(command, options->output, "REPORT",
+                "Numbers and curves as .json, or a plot sheet as " + files::picture_extensions() +
+                    "; - is standard output, as .json; may be given several times");
     command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
     command.callback([options] { run(*options); });
 }

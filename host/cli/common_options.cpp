@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <CLI/App.hpp>
+#include <cstddef>
 #include <cstdio>
 
 #include "cli/observers.h"
@@ -39,22 +40,25 @@ void add_place(CLI::App& command, Request& request) {
 }
 
 void add_what_to_write(CLI::App& command, CommonOptions& options) {
+    add_outputs(command, options.output, "FILE",
+                "By extension: " + files::written_extensions() +
+                    "; - is standard output, as .txt (default); may be given several times");
     command
-        .add_option("-o,--output", options.output,
-                    "By extension: " + files::written_extensions() +
-                        "; - is standard output, as .txt (default)")
-        ->type_name("FILE");
-    command
-        .add_option("--report", options.report,
-                    "Request, counts, seconds by verb, memory and SHA-256 of the points")
+        .add_option(
+            "--report", options.report,
+            "Request, counts, seconds by verb, memory and SHA-256 of the points; - is standard "
+            "output")
         ->type_name("FILE.json");
     command.add_flag("--quiet", options.quiet, "No progress bar and no last line")
         ->disable_flag_override();
 }
 
-void check_paths(const CommonOptions& options) {
-    check_output(options.output);
-    if (!options.report.empty()) check_json("report", options.report, options.output);
+std::vector<Output> checked_outputs(const CommonOptions& options) {
+    OutputOptions output = options.output;
+    if (output.paths.empty()) output.paths.emplace_back("-");
+    const std::vector<Output> outputs = outputs_of(output, files::written_extensions(), "txt");
+    if (!options.report.empty()) check_json("report", options.report, outputs);
+    return outputs;
 }
 
 Made make(const CommonOptions& options, Interruption& interruption) {
@@ -66,12 +70,22 @@ Made make(const CommonOptions& options, Interruption& interruption) {
     return made;
 }
 
-void sum_up(const CommonOptions& options, const Made& made, const char* what,
-            const std::string& more) {
-    if (options.quiet || options.output == "-") return;
+void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, const Made& made,
+            const std::string& what, const std::string& note, const std::string& more) {
+    if (options.quiet || has_standard_output(outputs) || is_standard_output(options.report)) return;
+    const Result& result = made.result;
+    // What --count has chosen, or the default of stipple.
+    std::string size;
+    if (!options.request.radius && !options.request.scale)
+        size = options.request.mode == Mode::cells ? fmt::format(", scale {:.4g}", result.scale)
+                                                   : fmt::format(", radius {:.4g}", result.radius);
+    std::string paths;
+    for (const Output& output : outputs) paths += (paths.empty() ? "" : ", ") + output.path;
+    const std::size_t count = result.points.size();
     const std::string summary =
-        fmt::format("{} {}, {} rounds, {:.3f} s, {}{} -> {}\n", made.result.points.size(), what,
-                    made.result.rounds, made.seconds, made.result.backend, more, options.output);
+        fmt::format("{} {}{}{}{}, {} round{}, {:.3f} s, {}{} -> {}\n", count, what,
+                    count == 1 ? "" : "s", note, size, result.rounds, result.rounds == 1 ? "" : "s",
+                    made.seconds, result.backend, more, paths);
     std::fputs(summary.c_str(), stderr);
 }
 

@@ -4,16 +4,18 @@
 #include <lacuna/lacuna.h>
 
 #include <string>
+#include <vector>
 
 #include "cli/app_fwd.h"
 #include "cli/interruption.h"
+#include "cli/output.h"
 #include "cli/stopwatch.h"
 
 namespace lacuna::cli {
 
 struct CommonOptions {
     Request request;
-    std::string output = "-";
+    OutputOptions output;
     std::string report;
     bool quiet = false;
 };
@@ -25,12 +27,12 @@ void add_what_to_make(CLI::App& command, Request& request);
 void add_effort(CLI::App& command, Request& request);
 // --backend, --device
 void add_place(CLI::App& command, Request& request);
-// --output, --report, --quiet
+// --output, --format, --report, --quiet
 void add_what_to_write(CLI::App& command, CommonOptions& options);
 
-// Checks the paths of what is to be written, before the work starts. Throws BadRequest and
-// files::FileError.
-void check_paths(const CommonOptions& options);
+// What is to be written, checked before the work starts; without --output standard output. Throws
+// BadRequest and files::FileError.
+std::vector<Output> checked_outputs(const CommonOptions& options);
 
 // A set that has been made, and what it took.
 struct Made {
@@ -43,8 +45,9 @@ struct Made {
 Made make(const CommonOptions& options, Interruption& interruption);
 
 // Prints the last line, on standard error, unless it is not wanted or the data went to standard
-// output: `what` has been made, `more` is added to it.
-void sum_up(const CommonOptions& options, const Made& made, const char* what,
-            const std::string& more = "");
+// output: points or dots, as `what` says in the singular, have been made. `note` is said of their
+// number, `more` at the end.
+void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, const Made& made,
+            const std::string& what, const std::string& note = "", const std::string& more = "");
 
 }  // namespace lacuna::cli

@@ -37,8 +37,9 @@ Examples:
   lacuna compare --radius 0.05 --backends reference,cpu
 
 The other options are those of sample and, with a picture, of stipple. Runs take turns, so that all
-share what the machine goes through. Times are without first use, which is building kernels and
-finding devices; memory is by how much the first run raised the program's peak.
+share what the machine goes through. A first run of each counts in no time but in first use, which is
+by how much it took longer: building kernels, finding devices. Memory is by how much it raised the
+program's peak.
 
 Exit code: 0 all the same, 1 not, 2 bad usage, 3 a file cannot be read or written, 4 a backend named
 with --backends, or every one, is missing, or one failed at work, 130 interrupted.
@@ -50,33 +51,31 @@ struct Options {
     std::vector<std::string> backends;
     std::uint32_t runs = 5;
     std::string json;
-    std::string chart;
+    OutputOptions charts;
     bool quiet = false;
 };
 
-// Names between commas; those in between may not be empty.
+// Names between commas, with or without blanks; those in between may not be empty.
 std::vector<std::string> split(const std::string& text) {
     std::vector<std::string> names;
     std::istringstream in(text + ",");
-    for (std::string name; std::getline(in, name, ',');) names.push_back(name);
+    for (std::string name; std::getline(in, name, ',');) {
+        name.erase(0, name.find_first_not_of(' '));
+        name.erase(name.find_last_not_of(' ') + 1);
+        names.push_back(name);
+    }
     return names;
 }
 
-const files::Format& chart_format(const std::string& path) {
-    return format_among(path, files::picture_extensions());
-}
-
 // Before the work starts.
-void check(const Options& options) {
+std::vector<Output> check(const Options& options) {
     constexpr std::uint32_t kMostRuns = 1000;
     if (options.runs < 1 || options.runs > kMostRuns)
         throw BadRequest("runs", std::to_string(options.runs),
                          fmt::format("must be between 1 and {}", kMostRuns));
-    if (!options.chart.empty()) {
-        chart_format(options.chart);
-        check_output(options.chart);
-    }
-    if (!options.json.empty()) check_json("json", options.json, options.chart);
+    std::vector<Output> charts = outputs_of(options.charts, files::picture_extensions(), "svg");
+    if (!options.json.empty()) check_json("json", options.json, charts);
+    return charts;
 }
 
 // Shows which run it is.
@@ -107,7 +106,7 @@ private:
 Comparison compared(const Options& options, const Request& request, const Sampler& sampler,
                     Interruption& interruption) {
     const std::vector<Contestant> contestants = find_contestants(options.backends);
-    Runs runs(interruption, contestants.size() * options.runs, options.quiet);
+    Runs runs(interruption, contestants.size() * (options.runs + std::size_t{1}), options.quiet);
     const Sampler shown = [&](const Request& one, Observer& observer) {
         runs.start(one);
         return sampler(one, observer);
@@ -115,12 +114,13 @@ Comparison compared(const Options& options, const Request& request, const Sample
     return compare(request, contestants, options.runs, shown, runs);
 }
 
-void write(const Options& options, const Request& request, const Comparison& comparison) {
-    if (!options.chart.empty())
-        files::write_whole(options.chart,
-                           draw_chart(comparison, *chart_format(options.chart).medium));
+void write(const Options& options, const std::vector<Output>& charts, const Request& request,
+           const Comparison& comparison) {
     if (!options.json.empty()) files::write_whole(options.json, json_of(comparison, request));
-    files::write_whole("-", text_of(comparison));
+    for (const Output& chart : charts)
+        files::write_whole(chart.path, draw_chart(comparison, *chart.format.medium));
+    if (!has_standard_output(charts) && !is_standard_output(options.json))
+        files::write_whole("-", text_of(comparison));
 }
 
 // All is told in the tables; what is left is how to end.
@@ -135,7 +135,8 @@ void end(const Options& options, const Comparison& comparison) {
 // What would be passed over in silence.
 void check_kind(const CLI::App& command, const Options& options) {
     const bool is_picture = !options.picture.path.empty();
-    for (const std::string option : {"metric", "invert", "gamma", "min-importance"})
+    for (const std::string option :
+         {"metric", "invert", "black", "white", "auto-levels", "gamma", "min-importance"})
         if (!is_picture && command.count("--" + option) != 0)
             throw BadRequest(option, "without a picture", "is for pictures only");
     for (const std::string option : {"mode", "domain"})
@@ -144,7 +145,7 @@ void check_kind(const CLI::App& command, const Options& options) {
 }
 
 void run(const Options& options, const Sampler& sampler) {
-    check(options);
+    const std::vector<Output> charts = check(options);
     Request request = options.request;
     Field field;
     if (!options.picture.path.empty()) {
@@ -154,8 +155,8 @@ void run(const Options& options, const Sampler& sampler) {
     }
     Interruption interruption;
     const Comparison comparison = compared(options, request, sampler, interruption);
-    interruption.start_writing(!options.chart.empty() || !options.json.empty());
-    write(options, request, comparison);
+    interruption.start_writing(!charts.empty() || !options.json.empty());
+    write(options, charts, request, comparison);
     end(options, comparison);
 }
 
@@ -170,11 +171,13 @@ void add_compare(CLI::App& app, const Sampler& sampler) {
             "--backends", [options](const std::string& names) { options->backends = split(names); },
             "Which, between commas: cpu, opencl, vulkan, reference (default the first three)")
         ->type_name("LIST");
-    add_number(command, "runs", "N", options->runs, "Sets made on each (default 5)");
+    add_number(command, "runs", "N", options->runs,
+               "Sets made on each, after a first that no time is taken of (default 5)");
+    add_outputs(command, options->charts, "FILE",
+                "A bar chart of the times: " + files::picture_extensions());
     command
-        .add_option("-o,--output", options->chart, "A bar chart of the times: .svg .pdf or .png")
-        ->type_name("FILE");
-    command.add_option("--json", options->json, "Every run's seconds, and the rest")
+        .add_option("--json", options->json,
+                    "Every run's seconds, and the rest; - is standard output")
         ->type_name("FILE.json");
     command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
     add_size(command, options->request);

@@ -36,9 +36,9 @@ public:
     Comparer(const Request& request, const Sampler& sampler, Observer& observer)
         : request_(request), sampler_(sampler), observer_(observer) {}
 
-    void run(Entry& entry) {
+    void run(Entry& entry, bool is_first) {
         try {
-            run_once(entry);
+            run_once(entry, is_first);
         } catch (const Unavailable& error) {
             entry.failure = error.what();
         } catch (const DeviceError& error) {
@@ -51,7 +51,7 @@ public:
     double scale = 0;
 
 private:
-    void run_once(Entry& entry) {
+    void run_once(Entry& entry, bool is_first) {
         Request request = request_;
         request.backend = entry.contestant.backend;
         request.device = entry.contestant.device;
@@ -61,18 +61,19 @@ private:
         const Result result = sampler_(request, observers);
         const double seconds = stopwatch.seconds_so_far();
         const auto raised = memory.raised_bytes();
-        if (!entry.has_run()) {
+        judge(entry, result);
+        if (is_first) {
             entry.device = result.device;
             entry.points = result.points.size();
             entry.rounds = result.rounds;
             entry.sha256 = files::sha256_of(result.points);
-            entry.first_use_seconds = stopwatch.seconds(Verb::first_use);
+            entry.first_run_seconds = seconds;
             entry.memory_bytes = raised;
+            return;
         }
         entry.seconds.push_back(seconds - stopwatch.seconds(Verb::first_use));
         auto& verbs = entry.verb_seconds.emplace_back();
         for (std::size_t i = 0; i < kVerbs.size(); ++i) verbs[i] = stopwatch.seconds(kVerbs[i]);
-        judge(entry, result);
     }
 
     void judge(Entry& entry, const Result& result) {
@@ -100,7 +101,7 @@ std::vector<Contestant> contestants_of(const std::string& backend,
         if (device.backend != backend) continue;
         found.push_back({backend, std::to_string(found.size()), device.name, device.unusable});
     }
-    if (found.empty()) found.push_back({backend, "", "", "no driver for it is installed"});
+    if (found.empty()) found.push_back({backend, "", "", kNoDriver});
     if (found.size() == 1) found.front().device.clear();  // need not be chosen
     return found;
 }
@@ -134,12 +135,16 @@ Comparison compare(const Request& request, const std::vector<Contestant>& contes
         entry.failure = contestant.missing;
     }
     Comparer comparer(request, sampler, observer);
-    for (std::uint32_t i = 0; i < runs; ++i)
+    for (std::uint32_t i = 0; i <= runs; ++i)
         for (Entry& entry : comparison.entries)
-            if (entry.failure.empty()) comparer.run(entry);
+            if (entry.failure.empty()) comparer.run(entry, i == 0);
     comparison.radius = comparer.radius;
     comparison.scale = comparer.scale;
     return comparison;
+}
+
+double Entry::first_use_seconds() const {
+    return std::max(0.0, first_run_seconds - median_seconds());
 }
 
 double Entry::median_seconds() const {

@@ -18,6 +18,9 @@ namespace lacuna::cli {
 // What makes the sets: lacuna::sample, but in tests of what becomes of a wrong one.
 using Sampler = std::function<Result(const Request&, Observer&)>;
 
+// Why a backend that this build has lists no device.
+inline constexpr const char* kNoDriver = "no driver for it is installed";
+
 // A place to run on. One that cannot be run on says why.
 struct Contestant {
     std::string backend;
@@ -46,10 +49,14 @@ struct Entry {
     std::size_t points = 0;  // of the first run, as all below
     std::uint64_t rounds = 0;
     std::string sha256;
-    double first_use_seconds = 0;
+    // By how much the first run, which counts in no other time, took longer than the median:
+    // finding devices, building kernels, some of which drivers build only when they are first
+    // launched.
+    double first_run_seconds = 0;
+    double first_use_seconds() const;
     std::optional<std::uint64_t> memory_bytes;  // by how much it raised the program's peak
-    std::vector<double> seconds;                // of each run, without first use
-    std::vector<std::array<double, kVerbs.size()>> verb_seconds;  // of each run
+    std::vector<double> seconds;                // of each run but the first
+    std::vector<std::array<double, kVerbs.size()>> verb_seconds;  // likewise
     // From the yardstick, in the first run in which there is any.
     std::optional<Difference> difference;
 
@@ -69,7 +76,8 @@ struct Comparison {
     bool agree() const;
 };
 
-// Runs the contestants in turn, so many times, so that they share what the machine goes through.
+// Runs the contestants in turn, so many times and once before, so that they share what the machine
+// goes through.
 // Those that are missing, or fail, keep the reason. Throws what the sampler throws for a request
 // that cannot be met, and Cancelled.
 Comparison compare(const Request& request, const std::vector<Contestant>& contestants,

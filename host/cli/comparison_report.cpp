@@ -54,8 +54,8 @@ std::string times_table(const Comparison& comparison) {
         text += fmt::format(fmt::runtime(kRow), entry.contestant.backend, name_of(entry),
                             entry.points, milliseconds(entry.median_seconds()),
                             milliseconds(*least) + " " + milliseconds(*most),
-                            milliseconds(entry.first_use_seconds), memory_text(entry.memory_bytes),
-                            fmt::format("{:.2f}", speed), points);
+                            milliseconds(entry.first_use_seconds()),
+                            memory_text(entry.memory_bytes), fmt::format("{:.2f}", speed), points);
     }
     return text;
 }
@@ -123,7 +123,7 @@ Json json_of(const Entry& entry, const Entry* yardstick) {
                                     {"expected", json_of(entry.difference->expected)},
                                     {"got", json_of(entry.difference->got)}};
     json["speed"] = yardstick->median_seconds() / entry.median_seconds();
-    json["first_use_seconds"] = entry.first_use_seconds;
+    json["first_use_seconds"] = entry.first_use_seconds();
     json["memory_bytes"] = entry.memory_bytes ? Json(*entry.memory_bytes) : Json(nullptr);
     json["median_seconds"] = entry.median_seconds();
     json["seconds"] = entry.seconds;

@@ -5,9 +5,14 @@
 #include <lacuna/lacuna.h>
 
 #include <CLI/App.hpp>
-#include <cstdio>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
+#include "cli/comparison.h"
 #include "files/point_files.h"
 
 namespace lacuna::cli {
@@ -18,21 +23,45 @@ constexpr const char* kDescription =
 
 Examples:
   lacuna devices                                          what there is
+  lacuna devices --json                                   the same for programs
   lacuna sample --radius 0.01 --backend opencl --device 0 the first of opencl's
 )";
+
+using Json = nlohmann::ordered_json;
+
+// A device with its number among those of its backend. One that cannot be used says why.
+struct Row {
+    Device device;
+    std::size_t number;
+};
+
+// A backend whose driver lists no device has a row that says so.
+std::vector<Row> rows() {
+    std::vector<Row> rows;
+    const std::vector<Device> devices = lacuna::devices();
+    for (const std::string backend : {"cpu", "opencl", "vulkan", "reference"}) {
+        std::size_t number = 0;
+        for (const Device& device : devices)
+            if (device.backend == backend) rows.push_back({device, number++});
+        if (number == 0) {
+            Device none;
+            none.backend = backend;
+            none.unusable = kNoDriver;
+            rows.push_back({none, 0});
+        }
+    }
+    return rows;
+}
 
 std::string size_text(std::uint64_t bytes) {
     return bytes == 0 ? "-" : fmt::format("{:.1f} GB", static_cast<double>(bytes) / 1e9);
 }
 
-std::string table(const std::vector<Device>& devices) {
+std::string table(const std::vector<Row>& rows) {
     constexpr const char* kRow = "{:<10} {:>6}  {:<5} {:>9} {:>14}  {}\n";
     std::string text = fmt::format(fmt::runtime(kRow), "backend", "device", "kind", "memory",
                                    "largest buffer", "name");
-    std::size_t number = 0;
-    for (std::size_t i = 0; i < devices.size(); ++i) {
-        const Device& device = devices[i];
-        number = i > 0 && devices[i - 1].backend == device.backend ? number + 1 : 0;
+    for (const auto& [device, number] : rows) {
         std::string name = device.name;
         if (!device.unusable.empty())
             name += (name.empty() ? "not available: " : ": not available: ") + device.unusable;
@@ -43,11 +72,29 @@ std::string table(const std::vector<Device>& devices) {
     return text;
 }
 
+std::string json_of(const std::vector<Row>& rows) {
+    Json report{{"program", "lacuna"}, {"version", LACUNA_VERSION}, {"devices", Json::array()}};
+    for (const auto& [device, number] : rows)
+        report["devices"].push_back(
+            {{"backend", device.backend},
+             {"device", number},
+             {"name", device.name},
+             {"kind", device.kind},
+             {"memory_bytes", device.memory_bytes},
+             {"largest_buffer_bytes", device.largest_buffer_bytes},
+             {"usable", device.unusable.empty()},
+             {"why_not", device.unusable.empty() ? Json(nullptr) : Json(device.unusable)}});
+    // Device names come from drivers, and need not be UTF-8.
+    return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace
 
 void add_devices(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("devices", kDescription);
-    command.callback([] { files::write_whole("-", table(devices())); });
+    const auto json = std::make_shared<bool>(false);
+    command.add_flag("--json", *json, "As JSON")->disable_flag_override();
+    command.callback([json] { files::write_whole("-", *json ? json_of(rows()) : table(rows())); });
 }
 
 }  // namespace lacuna::cli

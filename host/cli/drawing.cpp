@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "cli/options.h"
-#include "drawing/dot_size.h"
 
 namespace lacuna::cli {
 namespace {
@@ -33,17 +32,17 @@ void add_option(CLI::App& command, DrawingOptions& options, const std::string& n
 
 }  // namespace
 
-void add_how_to_draw(CLI::App& command, DrawingOptions& options) {
+void add_how_to_draw(CLI::App& command, DrawingOptions& options, const std::string& by_radius) {
     using Text = const std::string&;
     add_option(command, options, "dot-size", "D",
-               "Diameter of dots, such as 0.5mm; or radius (default): as much ink as the picture "
-               "is dark",
+               "Diameter of dots, such as 0.5mm; or radius (default): " + by_radius +
+                   ". With .csv .npy .ply .json: columns for dots, as with --paper-size",
                [&options](Text name, Text text) {
                    options.dot_size_mm.reset();
                    if (text != "radius") options.dot_size_mm = read_length(name, text, kLeastDot);
                });
     add_option(command, options, "paper-size", "WxH",
-               "Such as 210x297mm (or cm, in, pt); or A2 to A6, letter, legal, tabloid, turned to "
+               "Such as 210x297mm (or cm, in, pt); or A0 to A6, letter, legal, tabloid, turned to "
                "suit",
                [&options](Text name, Text text) { options.paper = read_paper(name, text); });
     add_option(
@@ -54,19 +53,24 @@ void add_how_to_draw(CLI::App& command, DrawingOptions& options) {
                [&options](Text name, Text text) { read(name, text, options.pixels_per_inch); });
 }
 
-bool is_picture(const std::string& path) {
-    return files::format_of(path).medium.has_value();
+bool has_picture(const std::vector<Output>& outputs) {
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [](const Output& output) { return output.format.medium.has_value(); });
 }
 
-void check_drawing(const DrawingOptions& options, const std::string& output) {
-    if (!options.given.empty() && !is_picture(output))
-        throw BadRequest(options.given.front(), "with --output " + shown(output),
-                         "is for pictures: .svg, .pdf or .png");
+void check_drawing(const DrawingOptions& options, const std::vector<Output>& outputs) {
+    const auto is_text = [](const Output& output) { return output.format.name() == "txt"; };
+    if (!options.given.empty() && std::all_of(outputs.begin(), outputs.end(), is_text))
+        throw BadRequest(options.given.front(), "with --output " + shown(outputs.front().path),
+                         "is for pictures, and for files with columns for dots: not for .txt");
     const auto is_given = [&](const char* name) {
         return std::find(options.given.begin(), options.given.end(), name) != options.given.end();
     };
-    if (is_given("dpi") && files::format_of(output).medium != drawing::Medium::png)
-        throw BadRequest("dpi", "with --output " + shown(output), "is for .png");
+    const auto is_png = [](const Output& output) {
+        return output.format.medium == drawing::Medium::png;
+    };
+    if (is_given("dpi") && std::none_of(outputs.begin(), outputs.end(), is_png))
+        throw BadRequest("dpi", "with --output " + shown(outputs.front().path), "is for .png");
     if (options.margin_mm == 0) return;
     const std::string margin = fmt::format("{}mm", options.margin_mm);
     if (!options.paper) throw BadRequest("margin", margin, "needs a --paper-size");
@@ -83,6 +87,8 @@ drawing::Style style_of(const DrawingOptions& options, double width, double heig
         style.sheet = drawing::Sheet{paper.width_mm, paper.height_mm, options.margin_mm};
     }
     style.pixels_per_inch = options.pixels_per_inch;
+    // No domain at all: whoever samples it says so.
+    if (!(width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height))) return style;
 
     const double longer = std::max(width, height);
     const double longer_mm =
@@ -97,18 +103,22 @@ drawing::Style style_of(const DrawingOptions& options, double width, double heig
     return style;
 }
 
-std::string encoded(const DrawingOptions& options, const std::string& output,
-                    const files::PointSet& set, const Field& field, drawing::Style style) {
-    const files::Format& format = files::format_of(output);
-    if (!is_picture(output)) return files::encode(set, format);
-    std::vector<double> diameters;
+void write_set(const DrawingOptions& options, const std::vector<Output>& outputs,
+               files::PointSet set, drawing::Style style, std::span<const double> diameters) {
+    std::vector<double> fixed;
     if (options.dot_size_mm)
-        diameters.assign(set.points.size(),
-                         *options.dot_size_mm / drawing::millimetres_per_unit(set, style));
-    else
-        diameters = drawing::dot_diameters(set.points, field, set.width, set.height);
-    style.diameters = diameters;
-    return drawing::draw(set, *format.medium, style);
+        fixed.assign(set.points.size(),
+                     *options.dot_size_mm / drawing::millimetres_per_unit(set, style));
+    style.diameters = options.dot_size_mm ? fixed : diameters;
+    files::Dots dots;
+    if (!options.given.empty()) {
+        dots = drawing::dots_of(set, style);
+        set.dots = &dots;
+    }
+    for (const Output& output : outputs)
+        files::write_whole(output.path, output.format.medium
+                                            ? drawing::draw(set, *output.format.medium, style)
+                                            : files::encode(set, output.format));
 }
 
 }  // namespace lacuna::cli

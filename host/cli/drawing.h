@@ -1,13 +1,15 @@
-// The options that say how a stippled picture is drawn.
+// The options that say how points are drawn as dots.
 #pragma once
 
 #include <lacuna/lacuna.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "cli/app_fwd.h"
+#include "cli/output.h"
 #include "cli/paper.h"
 #include "drawing/picture.h"
 #include "files/point_files.h"
@@ -22,20 +24,22 @@ struct DrawingOptions {
     std::vector<std::string> given;  // names of those that were
 };
 
-// --dot-size, --paper-size, --margin, --dpi; `options` must outlive the command.
-void add_how_to_draw(CLI::App& command, DrawingOptions& options);
+// --dot-size, --paper-size, --margin, --dpi; `options` must outlive the command. `by_radius` says
+// what --dot-size radius, the default, means.
+void add_how_to_draw(CLI::App& command, DrawingOptions& options, const std::string& by_radius);
 
-bool is_picture(const std::string& path);
+bool has_picture(const std::vector<Output>& outputs);
 
 // What can be checked before the picture is known. Throws BadRequest.
-void check_drawing(const DrawingOptions& options, const std::string& output);
+void check_drawing(const DrawingOptions& options, const std::vector<Output>& outputs);
 
 // The style for a domain of this shape, without the dots' sizes. Throws BadRequest where a png
 // would have more pixels than cairo can draw.
 drawing::Style style_of(const DrawingOptions& options, double width, double height);
 
-// The picture's bytes, or those of another format that `output` names.
-std::string encoded(const DrawingOptions& options, const std::string& output,
-                    const files::PointSet& set, const Field& field, drawing::Style style);
+// Writes the set to every output. Dots that have no size of their own by --dot-size have
+// `diameters`, in the domain's units, or where there are none the set's.
+void write_set(const DrawingOptions& options, const std::vector<Output>& outputs,
+               files::PointSet set, drawing::Style style, std::span<const double> diameters);
 
 }  // namespace lacuna::cli

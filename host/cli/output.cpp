@@ -1,12 +1,15 @@
-// Checks paths before the work starts.
+// Checks paths and formats before the work starts.
 #include "cli/output.h"
 
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 #include "cli/options.h"
@@ -28,14 +31,108 @@ fs::path folder_of(const fs::path& path) {
     throw files::FileError(fmt::format("{}: {}", path, why));
 }
 
+// Whether the path names no file of its own: standard output, a descriptor, a device, a pipe.
+bool is_stream(const std::string& path) {
+    if (path == "-" || files::descriptor_named(path)) return true;
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+// What is written there is gone: it may be named twice.
+bool is_null(const std::string& path) {
+    return path == "/dev/null";
+}
+
+bool is_among(const files::Format* format, const std::string& allowed) {
+    return format != nullptr &&
+           (allowed + " ").find(fmt::format("{} ", format->extension)) != std::string::npos;
+}
+
+const files::Format& format_of(const std::string& path, const std::string& wanted,
+                               const std::string& allowed, const std::string& usual) {
+    const files::Format* const own = is_stream(path) ? nullptr : files::find_format_of(path);
+    if (!wanted.empty()) {
+        const files::Format* const format = files::find_format(wanted);
+        if (!is_among(format, allowed))
+            throw BadRequest("format", shown(wanted), "must be one of " + allowed);
+        if (is_among(own, allowed) && own != format)
+            throw BadRequest("format", shown(wanted),
+                             "is not what the name of --output " + shown(path) + " says");
+        return *format;
+    }
+    if (is_among(own, allowed)) return *own;
+    if (is_stream(path)) return *files::find_format(usual);
+    throw BadRequest("output", shown(path),
+                     "the extension must be one of " + allowed + ", or --format given");
+}
+
+void refuse_two_of_one(const std::vector<Output>& outputs) {
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (is_same_file(outputs[i].path, outputs[k].path) && !is_null(outputs[i].path))
+                throw BadRequest("output", shown(outputs[i].path), "is given twice");
+}
+
+}  // namespace
+
+void add_outputs(CLI::App& command, OutputOptions& options, const std::string& symbol,
+                 const std::string& help) {
+    command.add_option("-o,--output", options.paths, help)
+        ->type_name(symbol)
+        ->expected(1)
+        // Else it would take the picture of `-o dots.svg photo.jpg`, and the -- of `-o a.svg -- b`.
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command
+        .add_option("--format", options.format,
+                    "Of an output whose name tells none, such as -: an extension without its dot")
+        ->type_name("NAME");
+}
+
+std::vector<Output> outputs_of(const OutputOptions& options, const std::string& allowed,
+                               const std::string& usual) {
+    std::vector<Output> outputs;
+    for (const std::string& path : options.paths) {
+        outputs.push_back({path, format_of(path, options.format, allowed, usual)});
+        check_writable(path);
+    }
+    refuse_two_of_one(outputs);
+    std::vector<Output> in_order;
+    for (const bool is_last : {false, true})
+        for (const Output& output : outputs)
+            if (is_standard_output(output.path) == is_last) in_order.push_back(output);
+    return in_order;
+}
+
+bool is_standard_output(const std::string& path) {
+    return path == "-" || files::descriptor_named(path) == STDOUT_FILENO;
+}
+
+bool has_standard_output(const std::vector<Output>& outputs) {
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [](const Output& output) { return is_standard_output(output.path); });
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+    if (is_standard_output(a) || is_standard_output(b))
+        return is_standard_output(a) && is_standard_output(b);
+    std::error_code error;
+    if (fs::equivalent(a, b, error) && !error) return true;
+    return fs::path(a).filename() == fs::path(b).filename() &&
+           fs::equivalent(folder_of(a), folder_of(b), error) && !error;
+}
+
 // As files::write_whole will find it: a new file is made beside the older one and renamed, but a
 // device or a pipe is written into.
 void check_writable(const std::string& path) {
+    if (is_standard_output(path)) return;
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (fs::is_directory(status)) refuse(path, reason(EISDIR));
     if (fs::exists(status) && access(path.c_str(), W_OK) != 0) refuse(path, reason(errno));
-    if (fs::exists(status) && !fs::is_regular_file(status)) return;
+    if (fs::exists(status) && is_stream(path)) return;
+    if (files::descriptor_named(path)) refuse(path, reason(EBADF));
 
     const fs::path folder = folder_of(fs::weakly_canonical(path, error));
     if (error) refuse(path, error.message());
@@ -45,34 +142,15 @@ void check_writable(const std::string& path) {
         refuse(path, fmt::format("cannot make a file in {}: {}", folder.string(), reason(errno)));
 }
 
-}  // namespace
-
-void check_output(const std::string& path) {
-    files::format_of(path);
-    if (path != "-") check_writable(path);
-}
-
-bool is_same_file(const std::string& a, const std::string& b) {
-    std::error_code error;
-    if (fs::equivalent(a, b, error) && !error) return true;
-    return fs::path(a).filename() == fs::path(b).filename() &&
-           fs::equivalent(folder_of(a), folder_of(b), error) && !error;
-}
-
-const files::Format& format_among(const std::string& path, const std::string& allowed) {
-    std::string extension = path == "-" ? "" : fs::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), files::lower_case);
-    if (extension.empty() || (allowed + " ").find(extension + " ") == std::string::npos)
-        throw BadRequest("output", shown(path), "the extension must be one of " + allowed);
-    return files::format_of(path);
-}
-
-void check_json(const std::string& option, const std::string& path, const std::string& output) {
-    if (fs::path(path).extension() != ".json")
-        throw BadRequest(option, shown(path), "must be a file whose name ends in .json");
+void check_json(const std::string& option, const std::string& path,
+                const std::vector<Output>& outputs) {
+    if (!is_stream(path) && fs::path(path).extension() != ".json")
+        throw BadRequest(option, shown(path), "must be - or a file whose name ends in .json");
     check_writable(path);
-    if (!output.empty() && is_same_file(path, output))
-        throw BadRequest(option, shown(path), "must be another file than --output " + output);
+    for (const Output& output : outputs)
+        if (is_same_file(path, output.path) && !is_null(path))
+            throw BadRequest(option, shown(path),
+                             "must be another file than --output " + output.path);
 }
 
 }  // namespace lacuna::cli

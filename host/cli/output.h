@@ -1,25 +1,51 @@
-// What is checked of the paths to write before the work starts: a typo must not cost a long run.
+// Where a command writes to and in which format, checked before the work starts: a typo must not
+// cost a long run.
 #pragma once
 
 #include <string>
+#include <vector>
+#include "cli/app_fwd.h"
 
 #include "files/point_files.h"
 
 namespace lacuna::cli {
 
-// The path may be "-", standard output. Throws BadRequest for an unknown extension and
-// files::FileError where no file of that name could be made.
-void check_output(const std::string& path);
+// What --output and --format say.
+struct OutputOptions {
+    std::vector<std::string> paths;
+    std::string format;  // empty: each path's own
+};
 
-// The format of an output that may only have the extensions in `allowed`, with blanks between them
-// as the message shows them. Throws BadRequest for any other.
-const files::Format& format_among(const std::string& path, const std::string& allowed);
+// Adds --output, which may be given several times, and --format. `options` must outlive the
+// command.
+void add_outputs(CLI::App& command, OutputOptions& options, const std::string& symbol,
+                 const std::string& help);
+
+struct Output {
+    std::string path;  // "-" is standard output
+    const files::Format& format;
+};
+
+// Each path's format, one of those with the extensions in `allowed`, with blanks between them: that
+// of its extension, that of --format, or `usual` where a path that is no file, such as "-" or
+// /dev/stdout, tells none. Standard output, if any, is the last: who reads it may not read on.
+// Throws BadRequest, also for two paths that lead to one file, and files::FileError where no file
+// of that name could be made.
+std::vector<Output> outputs_of(const OutputOptions& options, const std::string& allowed,
+                               const std::string& usual);
+
+// Whether it is "-" or another name of standard output.
+bool is_standard_output(const std::string& path);
+bool has_standard_output(const std::vector<Output>& outputs);
 
 // Whether both paths lead to one file, there already or to be made.
 bool is_same_file(const std::string& a, const std::string& b);
 
-// What `option` names is a .json file other than the output, if there is one. Throws as
-// check_output does.
-void check_json(const std::string& option, const std::string& path, const std::string& output);
+// Throws files::FileError where no file of that name could be made.
+void check_writable(const std::string& path);
+
+// What `option` names is "-" or a .json file, and none of the outputs. Throws as outputs_of does.
+void check_json(const std::string& option, const std::string& path,
+                const std::vector<Output>& outputs);
 
 }  // namespace lacuna::cli

@@ -41,14 +41,16 @@ struct NamedPaper {
 };
 
 // ISO 216, and ANSI's in inches.
-constexpr std::array<NamedPaper, 8> kPapers{{{"a2", 420, 594},
-                                             {"a3", 297, 420},
-                                             {"a4", 210, 297},
-                                             {"a5", 148, 210},
-                                             {"a6", 105, 148},
-                                             {"letter", 215.9, 279.4},
-                                             {"legal", 215.9, 355.6},
-                                             {"tabloid", 279.4, 431.8}}};
+constexpr std::array<NamedPaper, 10> kPapers{{{"a0", 841, 1189},
+                                              {"a1", 594, 841},
+                                              {"a2", 420, 594},
+                                              {"a3", 297, 420},
+                                              {"a4", 210, 297},
+                                              {"a5", 148, 210},
+                                              {"a6", 105, 148},
+                                              {"letter", 215.9, 279.4},
+                                              {"legal", 215.9, 355.6},
+                                              {"tabloid", 279.4, 431.8}}};
 
 // Takes the unit from the end of `text`.
 std::optional<double> take_unit(std::string_view& text) {
@@ -109,7 +111,7 @@ Paper read_paper(const std::string& option, const std::string& text) {
     if (!width || !height)
         throw BadRequest(
             option, shown(text),
-            "must be A2 to A6, letter, legal or tabloid, or WIDTHxHEIGHT and mm, cm, in "
+            "must be A0 to A6, letter, legal or tabloid, or WIDTHxHEIGHT and mm, cm, in "
             "or pt, such as 210x297mm");
     check_length(option, text, *width, kLeastSide);
     check_length(option, text, *height, kLeastSide);

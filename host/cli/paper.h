@@ -18,7 +18,7 @@ struct Paper {
 // ...) for anything else, and if the length is under least_mm or over 200 in, PDF's limit.
 double read_length(const std::string& option, const std::string& text, double least_mm);
 
-// A sheet: WIDTHxHEIGHT with one of these units, or A2 to A6, letter, legal or tabloid in any case.
+// A sheet: WIDTHxHEIGHT with one of these units, or A0 to A6, letter, legal or tabloid in any case.
 // Throws as read_length does; no side may be under 1 mm.
 Paper read_paper(const std::string& option, const std::string& text);
 

@@ -18,22 +18,9 @@ Json or_null(const std::optional<Value>& value) {
 }
 
 Json json_of(const Request& request, const Result& result) {
-    Json json{{"width", request.width},
-              {"height", request.height},
-              {"boundary", request.boundary == Boundary::torus ? "torus" : "box"},
-              {"mode", name_of(request.mode)}};
-    const bool cells = request.mode == Mode::cells;
-    if (cells) json["metric"] = name_of(request.metric);
-    json[cells ? "scale" : "radius"] = or_null(cells ? request.scale : request.radius);
-    json["count"] = or_null(request.count);
-    json["lines_per_radius"] = result.lines_per_radius;
-    if (!cells) json.update({{"snap", request.snap}, {"uniform_x", request.uniform_x}});
-    json.update({{"limit", or_null(request.limit)},
-                 {"round_size", request.round_size},
-                 {"seed", request.seed},
-                 {"backend", request.backend},
-                 {"device", request.device},
-                 {"threads", request.threads}});
+    Json json = what_decides(request, result);
+    json.update(Json{
+        {"backend", request.backend}, {"device", request.device}, {"threads", request.threads}});
     return json;
 }
 
@@ -52,6 +39,23 @@ std::int64_t peak_memory_bytes() {
 }
 
 }  // namespace
+
+Json what_decides(const Request& request, const Result& result) {
+    Json json{{"width", request.width},
+              {"height", request.height},
+              {"boundary", request.boundary == Boundary::torus ? "torus" : "box"},
+              {"mode", name_of(request.mode)}};
+    const bool cells = request.mode == Mode::cells;
+    if (cells) json["metric"] = name_of(request.metric);
+    json[cells ? "scale" : "radius"] = or_null(cells ? request.scale : request.radius);
+    json["count"] = or_null(request.count);
+    json["lines_per_radius"] = result.lines_per_radius;
+    if (!cells) json.update({{"snap", request.snap}, {"uniform_x", request.uniform_x}});
+    json.update({{"limit", or_null(request.limit)},
+                 {"round_size", request.round_size},
+                 {"seed", request.seed}});
+    return json;
+}
 
 std::string report_of(const Request& request, const Made& made) {
     return report_of(request, made, Json::object());

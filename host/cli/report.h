@@ -12,6 +12,9 @@ namespace lacuna::cli {
 
 using Json = nlohmann::ordered_json;
 
+// All of the request that decides which points are made.
+Json what_decides(const Request& request, const Result& result);
+
 // Seconds are those of the sampling, without the writing of files. `more` is merged into what there
 // is to say of every set.
 std::string report_of(const Request& request, const Made& made);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -101,12 +102,17 @@ void check(const Options& options, const std::vector<const reproduce::Item*>& it
                          fmt::format("{} stipples a picture: give one, such as --image FILE.png",
                                      (*first)->name));
     if (!options.folder) return;
-    // Before the work starts: a typo must not cost minutes.
+    // Before the work starts: what cannot be made must not cost minutes.
+    std::error_code error;
+    std::filesystem::create_directories(*options.folder, error);
+    if (error)
+        throw files::FileError(
+            fmt::format("{}: cannot be made: {}", *options.folder, error.message()));
     for (const reproduce::Item* item : items) {
         const std::filesystem::path folder = *options.folder;
-        check_output((folder / fmt::format("{}.json", item->name)).string());
-        check_output((folder / fmt::format("{}.svg", item->name)).string());
-        check_output((folder / fmt::format("{}.png", item->name)).string());
+        check_writable((folder / fmt::format("{}.json", item->name)).string());
+        check_writable((folder / fmt::format("{}.svg", item->name)).string());
+        check_writable((folder / fmt::format("{}.png", item->name)).string());
     }
 }
 
@@ -167,7 +173,7 @@ void add_reproduce(CLI::App& app) {
         ->required();
     command
         .add_option("-o,--output", options->folder,
-                    "A folder that is there, for a .json and a picture of each item")
+                    "A folder, made if need be, for a .json and a picture of each item")
         ->type_name("FOLDER");
     command.add_option("--image", options->image, "What figure 7 stipples; dark is dense")
         ->type_name("FILE");

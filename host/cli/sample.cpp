@@ -6,10 +6,14 @@
 #include <CLI/App.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/common_options.h"
+#include "cli/drawing.h"
 #include "cli/interruption.h"
 #include "cli/options.h"
+#include "cli/origin.h"
+#include "cli/output.h"
 #include "cli/report.h"
 #include "files/point_files.h"
 
@@ -25,6 +29,7 @@ Examples:
   lacuna sample --count 10000 --torus -o points.npy exactly so many points, and edges that wrap
   lacuna sample --radius 0.02 --domain 2x1 --mode lines   the paper's algorithm
   lacuna sample --radius 0.005 --seed 7 -o a.csv --report a.json   and what it cost
+  lacuna sample --count 10k --format npy > a.npy      another format on standard output
 )";
 
 void read_mode(const std::string& text, Mode& mode) {
@@ -38,18 +43,28 @@ void read_mode(const std::string& text, Mode& mode) {
     throw BadRequest("mode", shown(text), "must be exact or lines");
 }
 
-void run(const CommonOptions& options) {
-    check_paths(options);
+struct Options {
+    CommonOptions common;
+    DrawingOptions drawing;
+};
+
+void run(const CLI::App& command, const Options& all) {
+    const CommonOptions& options = all.common;
+    const std::vector<Output> outputs = checked_outputs(options);
+    check_drawing(all.drawing, outputs);
+    const drawing::Style style =
+        style_of(all.drawing, options.request.width, options.request.height);
     Interruption interruption;
     const Made made = make(options, interruption);
-    interruption.start_writing(options.output != "-");
+    interruption.start_writing(!has_standard_output(outputs));
 
     const Request& request = options.request;
-    const files::PointSet set{made.result.points, request.width, request.height,
-                              made.result.radius};
-    files::write_whole(options.output, files::encode(set, files::format_of(options.output)));
+    const files::Origin origin = origin_of(command, request, made.result);
+    const files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
+                              &origin};
     if (!options.report.empty()) files::write_whole(options.report, report_of(request, made));
-    sum_up(options, made, "points");
+    write_set(all.drawing, outputs, set, style, {});
+    sum_up(options, outputs, made, "point");
 }
 
 }  // namespace
@@ -91,14 +106,16 @@ void add_mode(CLI::App& command, Request& request) {
 
 void add_sample(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("sample", kDescription);
-    const auto options = std::make_shared<CommonOptions>();
-    add_size(command, options->request);
-    add_what_to_make(command, options->request);
-    add_mode(command, options->request);
-    add_effort(command, options->request);
-    add_place(command, options->request);
-    add_what_to_write(command, *options);
-    command.callback([options] { run(*options); });
+    const auto options = std::make_shared<Options>();
+    Request& request = options->common.request;
+    add_size(command, request);
+    add_what_to_make(command, request);
+    add_mode(command, request);
+    add_how_to_draw(command, options->drawing, "two thirds of the points' radius");
+    add_effort(command, request);
+    add_place(command, request);
+    add_what_to_write(command, options->common);
+    command.callback([&command, options] { run(command, *options); });
 }
 
 }  // namespace lacuna::cli

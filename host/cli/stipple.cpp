@@ -15,14 +15,17 @@
 #include <vector>
 
 #include "cli/common_options.h"
+#include "cli/default_count.h"
 #include "cli/drawing.h"
 #include "cli/interruption.h"
 #include "cli/options.h"
+#include "cli/origin.h"
 #include "cli/output.h"
 #include "cli/picture_field.h"
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/stopwatch.h"
+#include "drawing/dot_size.h"
 #include "drawing/pen/pen_path.h"
 #include "drawing/picture.h"
 #include "files/point_files.h"
@@ -36,7 +39,9 @@ constexpr const char* kDescription =
     R"(Stipples a picture: random dots, evenly spread, dense where it is dark.
 
 Examples:
+  lacuna stipple photo.jpg -o dots.svg                       as many as suit the picture
   lacuna stipple photo.jpg --count 20000 -o dots.svg         exactly so many dots
+  lacuna stipple dim.jpg --auto-levels -o dots.svg -o dots.png   an underexposed photo, two files
   lacuna stipple photo.jpg --scale 0.003 -o dots.png         as many as there is room for
   lacuna stipple photo.jpg --count 20000 --metric max -o dots.pdf     see --metric
   lacuna stipple photo.jpg --count 5000 --paper-size A4 --margin 15mm --dot-size 0.5mm --pen-path
@@ -54,7 +59,8 @@ no room from dark ones. With mean and max they do, and leave gaps along edges of
 On --paper-size the picture lies in the middle, as large as --margin lets it, and .svg is in mm.
 Without, the picture is the page, 512pt long.
 
-Read are PNG, JPEG, PGM, PPM, PFM, Radiance HDR and NumPy's .npy.
+Read are PNG, JPEG, PGM, PPM, PFM, Radiance HDR and NumPy's .npy. A photo that is too dark or too
+light as a whole comes out better with --auto-levels.
 )";
 
 struct Options {
@@ -67,8 +73,10 @@ struct Options {
 void add_what_to_stipple(CLI::App& command, Options& options) {
     Request& request = options.common.request;
     add_picture(command, options.picture, request)->required();
-    add_number(command, "count", "N", request.count,
-               "Exactly so many dots, at a scale that fits; this or --scale");
+    add_number(
+        command, "count", "N", request.count,
+        "Exactly so many dots, at a scale that fits; this or --scale (default: a number that "
+        "suits the picture's size and darkness, or --dot-size)");
     add_number(command, "lines-per-radius", "M", request.lines_per_radius,
                "Steps of the lattice in the least radius (default 10)");
 }
@@ -80,14 +88,15 @@ void add_pen_path(CLI::App& command, Options& options) {
         ->disable_flag_override();
 }
 
-// All that can be checked before the picture is read.
-void check_options(const Options& options) {
-    const std::string& output = options.common.output;
-    check_paths(options.common);
-    if (options.picture.path != "-" && is_same_file(options.picture.path, output))
-        throw BadRequest("output", shown(output), "is the picture: must be another file");
+// All that can be checked before the picture is read. What is to be written.
+std::vector<Output> check_options(const Options& options) {
+    const std::vector<Output> outputs = checked_outputs(options.common);
+    for (const Output& output : outputs)
+        if (options.picture.path != "-" && is_same_file(options.picture.path, output.path))
+            throw BadRequest("output", shown(output.path), "is the picture: must be another file");
     pictures::check(options.picture.importance);
-    check_drawing(options.drawing, output);
+    check_drawing(options.drawing, outputs);
+    return outputs;
 }
 
 // What `lacuna stipple` has done beside sampling.
@@ -123,17 +132,24 @@ Json json_of(const DrawingOptions& options, const drawing::Style& style) {
             {"dpi", style.pixels_per_inch}};
 }
 
-Json report_of_the_rest(const Options& options, const Field& field, const drawing::Style& style,
-                        const Work& work) {
-    Json more{{"request",
-               {{"image", options.picture.path},
-                {"invert", options.picture.importance.invert},
-                {"gamma", options.picture.importance.gamma},
-                {"min_importance", options.picture.importance.min_importance},
-                {"pen_path", options.pen_path}}},
+Json json_of(const Options& options) {
+    const pictures::Importance& importance = options.picture.importance;
+    return {{"image", options.picture.path},
+            {"invert", importance.invert},
+            {"gamma", importance.gamma},
+            {"black", importance.black},
+            {"white", importance.white},
+            {"auto_levels", importance.auto_levels},
+            {"min_importance", importance.min_importance},
+            {"pen_path", options.pen_path}};
+}
+
+Json report_of_the_rest(const Options& options, const std::vector<Output>& outputs,
+                        const Field& field, const drawing::Style& style, const Work& work) {
+    Json more{{"request", json_of(options)},
               {"image", {{"columns", field.columns}, {"rows", field.rows}}},
               {"seconds", {{"read", work.read_seconds}}}};
-    if (is_picture(options.common.output)) more["request"].update(json_of(options.drawing, style));
+    if (has_picture(outputs)) more["request"].update(json_of(options.drawing, style));
     if (!options.pen_path) return more;
     more["seconds"]["pen_path"] = work.path_seconds;
     more["pen_path"] = {{"length", work.path_length}, {"length_as_admitted", work.admitted_length}};
@@ -141,17 +157,17 @@ Json report_of_the_rest(const Options& options, const Field& field, const drawin
 }
 
 // What a pen travels, in the last line.
-std::string path_text(const Options& options, const files::PointSet& set,
-                      const drawing::Style& style, const Work& work) {
+std::string path_text(const Options& options, const std::vector<Output>& outputs,
+                      const files::PointSet& set, const drawing::Style& style, const Work& work) {
     if (!options.pen_path) return "";
-    if (!is_picture(options.common.output))
+    if (!has_picture(outputs))
         return fmt::format(", pen path {:.4g} longer sides", work.path_length);
     return fmt::format(", pen path {:.2f} m",
                        work.path_length * drawing::millimetres_per_unit(set, style) / 1000);
 }
 
-void run(const Options& options) {
-    check_options(options);
+void run(const CLI::App& command, const Options& options) {
+    const std::vector<Output> outputs = check_options(options);
     Work work;
     const Stopwatch stopwatch;
     CommonOptions common = options.common;
@@ -161,21 +177,28 @@ void run(const Options& options) {
     request.field = &field;
     drawing::Style style = style_of(options.drawing, request.width, request.height);
     style.for_a_pen = options.pen_path;
+    std::string note;
+    if (!request.count && !request.scale) {
+        request.count = default_count(field, request, options.drawing, style);
+        note = " (chosen for the picture: --count gives another number)";
+    }
     work.read_seconds = stopwatch.seconds_so_far();
 
     Interruption interruption;
     Made made = make(common, interruption);
     if (options.pen_path) order_for_a_pen(options, interruption, made, work);
-    interruption.start_writing(common.output != "-");
+    interruption.start_writing(!has_standard_output(outputs));
 
-    const files::PointSet set{made.result.points, request.width, request.height,
-                              made.result.radius};
-    files::write_whole(common.output, encoded(options.drawing, common.output, set, field, style));
+    const files::Origin origin = origin_of(command, request, made.result, json_of(options));
+    const files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
+                              &origin};
     if (!common.report.empty())
         files::write_whole(
             common.report,
-            report_of(request, made, report_of_the_rest(options, field, style, work)));
-    sum_up(common, made, "dots", path_text(options, set, style, work));
+            report_of(request, made, report_of_the_rest(options, outputs, field, style, work)));
+    write_set(options.drawing, outputs, set, style,
+              drawing::dot_diameters(set.points, field, set.width, set.height));
+    sum_up(common, outputs, made, "dot", note, path_text(options, outputs, set, style, work));
 }
 
 }  // namespace
@@ -185,12 +208,12 @@ void add_stipple(CLI::App& app) {
     const auto options = std::make_shared<Options>();
     add_what_to_stipple(command, *options);
     add_what_to_make(command, options->common.request);
-    add_how_to_draw(command, options->drawing);
+    add_how_to_draw(command, options->drawing, "as much ink as the picture is dark");
     add_pen_path(command, *options);
     add_effort(command, options->common.request);
     add_place(command, options->common.request);
     add_what_to_write(command, options->common);
-    command.callback([options] { run(*options); });
+    command.callback([&command, options] { run(command, *options); });
 }
 
 }  // namespace lacuna::cli

@@ -126,6 +126,17 @@ TEST(Compare, TellsOfABackendThatFailsAfterItsFirstRun) {
     EXPECT_NE(content_of(folder.path("a.svg")).find("then failed"), std::string::npos);
 }
 
+// A driver may compile kernels as late as at their first launch, which is no time of a set's.
+TEST(Compare, MakesASetOnEachBeforeThoseThatItTakesTimesOf) {
+    const auto with_runs = [](const std::string& runs) {
+        return run({"compare", "--radius", "0.1", "--seed", "9", "--backends", "cpu,reference",
+                    "--runs", runs},
+                   faulty());
+    };
+    EXPECT_EQ(with_runs("1").exit_code, 0);
+    EXPECT_EQ(with_runs("2").exit_code, 4);  // at the third set
+}
+
 TEST(Compare, RefusesWhatItCannotDo) {
     const Folder folder;
     const auto refuse = [&](const Words& more, const Words& pieces) {

@@ -1,4 +1,5 @@
-// Given the ways in which people join programs, the command fits in: pipes and words.
+// Given the ways in which people join programs, the command fits in: outputs, formats, pipes,
+// words.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,87 @@
 namespace {
 
 using namespace lacuna::test;
+
+TEST(AFormat, OfStandardOutputIsWhatFormatSays) {
+    const Folder folder;
+    for (const std::string name : {"csv", "npy", "ply", "json", "svg", "pdf", "png", "txt"}) {
+        const std::string path = folder.path("a." + name);
+        ASSERT_EQ(run({"sample", "--radius", "0.1", "-o", path}).exit_code, 0);
+        for (const std::string output : {"-", "/dev/stdout", "/dev/fd/1"}) {
+            const Outcome outcome =
+                run({"sample", "--radius", "0.1", "-o", output, "--format", name});
+            EXPECT_EQ(outcome.exit_code, 0);
+            EXPECT_EQ(outcome.err, "");
+            EXPECT_EQ(outcome.out, content_of(path)) << name << " to " << output;
+        }
+        EXPECT_EQ(run({"sample", "--radius", "0.1", "--format", name}).out, content_of(path));
+    }
+}
+
+TEST(AFormat, MayBeGivenForANameWithoutOneAndNotAgainstAName) {
+    const Folder folder;
+    const std::string path = folder.path("points");
+    EXPECT_EQ(run({"sample", "--radius", "0.2", "-o", path, "--format", "CSV"}).exit_code, 0);
+    EXPECT_TRUE(content_of(path).starts_with("x,y\n"));
+    expect_one_error(
+        run({"sample", "--radius", "0.2", "-o", folder.path("a.svg"), "--format", "csv"}), 2,
+        {"--format csv:", "a.svg"});
+    expect_one_error(run({"sample", "--radius", "0.2", "--format", "dat"}), 2,
+                     {"--format dat:", "must be one of .txt .csv"});
+    EXPECT_EQ(folder.names(), Words{"points"});
+}
+
+TEST(AnOutput, MayBeADeviceOrADescriptor) {
+    EXPECT_EQ(run({"sample", "--radius", "0.2", "-o", "/dev/null", "--quiet"}).exit_code, 0);
+    EXPECT_EQ(run({"sample", "--radius", "0.2", "-o", "/dev/null", "--format", "png", "--quiet"})
+                  .exit_code,
+              0);
+    const Folder folder;
+    const int file = open(folder.path("a").c_str(), O_WRONLY | O_CREAT, 0600);
+    ASSERT_GE(file, 0);
+    const std::string name = "/dev/fd/" + std::to_string(file);
+    EXPECT_EQ(
+        run({"sample", "--radius", "0.2", "-o", name, "--format", "json", "--quiet"}).exit_code, 0);
+    close(file);
+    EXPECT_TRUE(content_of(folder.path("a")).starts_with("{\"width\":1.0,"));
+}
+
+TEST(Outputs, MayBeSeveralOfOneSet) {
+    const Folder folder;
+    const Outcome outcome = run({"sample", "--radius", "0.1", "-o", folder.path("a.svg"), "-o", "-",
+                                 "-o", folder.path("a.npy")});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.out, run({"sample", "--radius", "0.1"}).out);
+    EXPECT_EQ(folder.names(), (Words{"a.npy", "a.svg"}));
+    const Outcome dots = run({"stipple", kRaccoon, "--count", "100", "-o", folder.path("b.svg"),
+                              "-o", folder.path("b.png")});
+    EXPECT_EQ(dots.exit_code, 0);
+    EXPECT_TRUE(dots.err.ends_with("b.svg, " + folder.path("b.png") + "\n")) << dots.err;
+    expect_one_error(run({"sample", "--radius", "0.1", "-o", folder.path("c.svg"), "-o",
+                          folder.path("./c.svg")}),
+                     2, {"--output ", "is given twice"});
+    expect_one_error(run({"sample", "--radius", "0.1", "-o", "-", "-o", "/dev/stdout"}), 2,
+                     {"is given twice"});
+}
+
+TEST(Reports, MayGoToStandardOutput) {
+    const Folder folder;
+    const Outcome report =
+        run({"sample", "--radius", "0.1", "--report", "-", "-o", folder.path("a.npy")});
+    EXPECT_EQ(nlohmann::json::parse(report.out).at("radius"), 0.1);
+    EXPECT_EQ(report.err, "");
+    expect_one_error(run({"sample", "--radius", "0.1", "--report", "-"}), 2,
+                     {"--report -:", "another file than --output -"});
+    const Outcome numbers = run({"analyze", folder.path("a.npy"), "-o", "-", "--quiet"});
+    EXPECT_EQ(nlohmann::json::parse(numbers.out).at("sets"), 1);
+    const Outcome sheet =
+        run({"analyze", folder.path("a.npy"), "-o", "-", "--format", "svg", "--quiet"});
+    EXPECT_TRUE(sheet.out.starts_with("<?xml")) << sheet.out.substr(0, 100);
+    const Outcome compared = run({"compare", "--radius", "0.2", "--backends", "cpu, reference",
+                                  "--runs", "1", "--json", "-"});
+    EXPECT_EQ(compared.exit_code, 0) << compared.err;
+    EXPECT_EQ(nlohmann::json::parse(compared.out).at("entries").size(), 2U);
+}
 
 // Runs the command with a pipe for standard output that nobody reads.
 Outcome run_into_closed_pipe(const Words& words) {
@@ -33,12 +116,21 @@ TEST(AClosedPipe, EndsTheCommandSilentlyWithSigpipesCode) {
     const Folder folder;
     ASSERT_EQ(run({"sample", "--radius", "0.1", "-o", folder.path("a.txt")}).exit_code, 0);
     for (const Words& words : {Words{"sample", "--radius", "0.05"},
+                               Words{"sample", "--radius", "0.05", "-o", "/dev/fd/1"},
                                Words{"verify", folder.path("a.txt"), "--radius", "0.1"},
                                Words{"devices"}, Words{"sample", "--help"}, Words{"help"}}) {
         const Outcome outcome = run_into_closed_pipe(words);
         EXPECT_EQ(outcome.exit_code, 128 + SIGPIPE) << words[0];
         EXPECT_EQ(outcome.err, "");
     }
+}
+
+TEST(AClosedPipe, DoesNotKeepTheOtherOutputsFromBeingWritten) {
+    const Folder folder;
+    const Outcome outcome =
+        run_into_closed_pipe({"sample", "--radius", "0.05", "-o", "-", "-o", folder.path("a.csv")});
+    EXPECT_EQ(outcome.exit_code, 128 + SIGPIPE);
+    EXPECT_EQ(folder.names(), Words{"a.csv"});
 }
 
 TEST(ANumber, MayBeWrittenShort) {
@@ -86,6 +178,51 @@ TEST(ADoubleDash, EndsTheOptions) {
     write_file(folder.path("-b.pgm"), pgm(2, 2, std::string(4, '\x40')));
     const std::string stipple = cd + "stipple --count 20 --quiet -o ";
     EXPECT_EQ(run({"-c", stipple + "a.svg -- -b.pgm"}, setting).exit_code, 0);
+    // The command in the file must find it again.
+    EXPECT_EQ(run({"-c", stipple + "a.json -- -b.pgm"}, setting).exit_code, 0);
+    EXPECT_EQ(nlohmann::json::parse(content_of(folder.path("a.json"))).at("command"),
+              "lacuna stipple ./-b.pgm --count 20");
+}
+
+TEST(AnOutput, MayStandBeforeThePictureAndBetweenOptions) {
+    const Folder folder;
+    EXPECT_EQ(run({"stipple", "-o", folder.path("a.svg"), kRaccoon, "--count", "20", "--quiet"})
+                  .exit_code,
+              0);
+    ASSERT_EQ(run({"sample", "--radius", "0.2", "-o", folder.path("a.txt")}).exit_code, 0);
+    EXPECT_EQ(
+        run({"analyze", "-o", folder.path("b.json"), folder.path("a.txt"), "--quiet"}).exit_code,
+        0);
+}
+
+TEST(Reproduce, MakesItsFolder) {
+    const Folder folder;
+    const Outcome outcome = run({"reproduce", "table1", "--runs", "1", "--smallest-radius", "0.05",
+                                 "--quiet", "-o", folder.path("new/figures")});
+    EXPECT_NE(outcome.exit_code, 3) << outcome.err;
+    EXPECT_NE(content_of(folder.path("new/figures/table1.json")), "");
+}
+
+TEST(Devices, ListABackendWhoseDriverIsMissing) {
+    const Folder folder;
+    Setting no_driver;
+    no_driver.environment["OCL_ICD_VENDORS"] = folder.path("");
+    no_driver.environment["OPENCL_VENDOR_PATH"] = folder.path("");
+    const Outcome table = run({"devices"}, no_driver);
+    EXPECT_EQ(table.exit_code, 0);
+    expect_has(line_of(table.out, "opencl"), {"not available: "});
+    const auto json = nlohmann::json::parse(run({"devices", "--json"}, no_driver).out);
+    bool is_there = false;
+    for (const auto& device : json.at("devices")) {
+        if (device.at("backend") == "cpu") {
+            EXPECT_EQ(device.at("usable"), true);
+        }
+        if (device.at("backend") != "opencl") continue;
+        is_there = true;
+        EXPECT_EQ(device.at("usable"), false);
+        EXPECT_NE(device.at("why_not"), nullptr);
+    }
+    EXPECT_TRUE(is_there);
 }
 
 TEST(Threads, HaveALimitThatIsNamed) {

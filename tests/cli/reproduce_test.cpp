@@ -90,11 +90,11 @@ TEST(ReproduceOfAnImage, ThatIsMissingIsRefusedBeforeTheWorkStarts) {
                      {"missing.png: No such file"});
 }
 
-TEST(ReproduceIntoAFolder, ThatIsNotThereExitsWith3BeforeTheWorkStarts) {
+TEST(ReproduceIntoAFolder, ThatCannotBeMadeExitsWith3BeforeTheWorkStarts) {
     const Folder folder;
-    expect_one_error(run({"reproduce", "table1", "-o", folder.path("no")}), 3,
-                     {"there is no folder", folder.path("no")});
     write_file(folder.path("file"), "");
+    expect_one_error(run({"reproduce", "table1", "-o", folder.path("file/no")}), 3,
+                     {folder.path("file/no"), "cannot be made"});
     expect_one_error(run({"reproduce", "table1", "-o", folder.path("file")}), 3,
                      {folder.path("file")});
     EXPECT_EQ(folder.names(), Words{"file"});

@@ -52,7 +52,7 @@ TEST(Sample, EndsWithOneLineAboutAFileUnlessQuiet) {
     const std::string path = folder.path("points.csv");
     const Outcome outcome = run({"sample", "--count", "100", "-o", path});
     EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_TRUE(outcome.err.starts_with("100 points, ")) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("100 points, radius 0.0")) << outcome.err;
     EXPECT_TRUE(outcome.err.ends_with("-> " + path + "\n")) << outcome.err;
     EXPECT_EQ(lines_in(outcome.err), 1);
 

@@ -167,7 +167,7 @@ TEST(Stipple, EndsWithOneLineAndReportsWhatItMade) {
         run({"stipple", kRaccoon, "--count", "1000", "--seed", "3", "--metric", "mean",
              "--lines-per-radius", "5", "--backend", "reference", "-o", path, "--report", report});
     EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_TRUE(outcome.err.starts_with("1000 dots, ")) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("1000 dots, scale 0.0")) << outcome.err;
     EXPECT_TRUE(outcome.err.ends_with("-> " + path + "\n")) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
 
@@ -176,7 +176,8 @@ TEST(Stipple, EndsWithOneLineAndReportsWhatItMade) {
         "width": 1.0, "height": 0.75, "boundary": "box", "mode": "cells", "metric": "mean",
         "scale": null, "count": 1000, "lines_per_radius": 5, "limit": null, "round_size": 0,
         "seed": 3, "backend": "reference", "device": "", "threads": 0, "invert": false,
-        "gamma": 1.0, "min_importance": 0.0, "pen_path": false, "dot_size_mm": "radius",
+        "gamma": 1.0, "black": 0.0, "white": 1.0,
+        "auto_levels": false, "min_importance": 0.0, "pen_path": false, "dot_size_mm": "radius",
         "paper_mm": null, "margin_mm": 0.0, "dpi": 144.0})");
     auto request = json.at("request");
     EXPECT_EQ(request.at("image"), kRaccoon);
@@ -189,6 +190,28 @@ TEST(Stipple, EndsWithOneLineAndReportsWhatItMade) {
     EXPECT_LT(json.at("scale"), 0.03);
     EXPECT_GE(json.at("radius"), json.at("scale"));
     EXPECT_EQ(json.at("points_sha256").get<std::string>().size(), 64U);
+}
+
+TEST(Stipple, WithoutACountMakesAsManyDotsAsSuitThePictureAndSaysSo) {
+    const Folder folder;
+    // Half black, 100 x 50 pixels that count as 512 x 256: a dot to 16 of 65,536.
+    const std::string image =
+        grey_picture(folder, 100, 50, std::string(2500, '\0') + std::string(2500, '\xff'));
+    const Outcome outcome = run({"stipple", image, "-o", folder.path("a.svg")});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_TRUE(outcome.err.starts_with(
+        "4096 dots (chosen for the picture: --count gives another number), scale "))
+        << outcome.err;
+    // 80 mm x 40 mm, half of it covered by dots of pi / 4 square mm.
+    const Outcome sized = run({"stipple", image, "--paper-size", "80x40mm", "--dot-size", "1mm",
+                               "-o", folder.path("a.svg")});
+    EXPECT_TRUE(sized.err.starts_with("2037 dots (")) << sized.err;
+}
+
+TEST(Stipple, OfOneDotSaysSo) {
+    const Folder folder;
+    const Outcome outcome = run({"stipple", kRaccoon, "--count", "1", "-o", folder.path("a.svg")});
+    EXPECT_TRUE(outcome.err.starts_with("1 dot, ")) << outcome.err;
 }
 
 TEST(Stipple, MakesEveryKindOfFileTwiceTheSame) {
@@ -209,12 +232,32 @@ TEST(StippleHelp, BeginsWithExamplesAndNamesEveryOption) {
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");
     EXPECT_LT(outcome.out.find("Examples:"), outcome.out.find("Options:"));
-    for (const char* option :
-         {"IMAGE",      "--count",      "--scale",          "--metric", "--lines-per-radius",
-          "--invert",   "--gamma",      "--min-importance", "--torus",  "--limit",
-          "--seed",     "--dot-size",   "--paper-size",     "--margin", "--dpi",
-          "--pen-path", "--round-size", "--backend",        "--device", "--threads",
-          "--output",   "--report",     "--quiet"})
+    for (const char* option : {"IMAGE",
+                               "--count",
+                               "--scale",
+                               "--metric",
+                               "--lines-per-radius",
+                               "--invert",
+                               "--black",
+                               "--white",
+                               "--auto-levels",
+                               "--gamma",
+                               "--min-importance",
+                               "--torus",
+                               "--limit",
+                               "--seed",
+                               "--dot-size",
+                               "--paper-size",
+                               "--margin",
+                               "--dpi",
+                               "--pen-path",
+                               "--round-size",
+                               "--backend",
+                               "--device",
+                               "--threads",
+                               "--output",
+                               "--report",
+                               "--quiet"})
         EXPECT_NE(outcome.out.find(option, outcome.out.find("Positionals:")), std::string::npos)
             << option;
 }

@@ -1,0 +1,149 @@
+// Given a set on file, its file tells where it comes from, and analyze and verify listen.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/pictures.h"
+#include "expectations.h"
+#include "files/read_points.h"
+#include "program.h"
+
+namespace {
+
+using namespace lacuna::test;
+using Json = nlohmann::json;
+
+TEST(AJsonFile, TellsTheRequestThatMadeItAndACommandThatMakesItAnew) {
+    const Folder folder;
+    const std::string path = folder.path("a.json");
+    ASSERT_EQ(run({"sample", "--radius", "0.1", "--torus", "--seed", "7", "--domain", "2x1",
+                   "--backend", "reference", "--threads", "1", "--quiet", "-o", path})
+                  .exit_code,
+              0);
+    const Json json = Json::parse(content_of(path));
+    EXPECT_EQ(json.at("boundary"), "torus");
+    EXPECT_EQ(json.at("seed"), 7);
+    EXPECT_EQ(json.at("mode"), "exact");
+    EXPECT_EQ(json.at("radius"), 0.1);
+    EXPECT_EQ(json.at("maximal"), true);
+    EXPECT_EQ("lacuna " + json.at("version").get<std::string>() + "\n", run({"version"}).out);
+    EXPECT_EQ(json.at("command"), "lacuna sample --radius 0.1 --domain 2x1 --torus --seed 7");
+    EXPECT_EQ(json.at("options").at("lines_per_radius"), 6);
+    EXPECT_FALSE(json.at("options").contains("threads"));
+    // Whatever made it, the bytes are the same.
+    const Outcome other = run({"sample", "--radius", "0.1", "--torus", "--seed", "7", "--domain",
+                               "2x1", "--format", "json"});
+    EXPECT_EQ(other.out, content_of(path));
+}
+
+TEST(AJsonFile, OfAnyFileNameIsReadBack) {
+    const Folder folder;
+    const std::string image = folder.path("it's \xff & <odd>.pgm");
+    write_file(image, pgm(2, 2, std::string(4, '\x40')));
+    const Outcome json = run({"stipple", image, "--count", "50", "--format", "json"});
+    ASSERT_EQ(json.exit_code, 0) << json.err;
+    EXPECT_NE(Json::parse(json.out).at("command").get<std::string>().find("it'\\''s"),
+              std::string::npos);
+    write_file(folder.path("a.json"), json.out);
+    EXPECT_EQ(lacuna::files::read_points(folder.path("a.json")).size(), 50U);
+    const Outcome svg = run({"stipple", image, "--count", "50", "--format", "svg"});
+    expect_has(svg.out, {"&amp; &lt;odd>", "\xef\xbf\xbd", "seed 0"});
+}
+
+TEST(APicture, TellsSeedVersionAndCommand) {
+    const Outcome svg = run({"sample", "--radius", "0.2", "--seed", "9", "--format", "svg"});
+    const std::string version = run({"version"}).out.substr(7);
+    expect_has(svg.out, {"<dc:source>lacuna sample --radius 0.2 --seed 9</dc:source>", "seed 9",
+                         "Lacuna " + version.substr(0, version.size() - 1)});
+    const Outcome pdf = run({"sample", "--radius", "0.2", "--seed", "9", "--format", "pdf"});
+    expect_has(pdf.out, {"/Subject (lacuna sample --radius 0.2 --seed 9)", "/Keywords (seed 9)",
+                         "/Creator (Lacuna "});
+}
+
+TEST(AnalyzeAndVerify, KnowBoundaryDomainAndRadiusFromAJsonFile) {
+    const Folder folder;
+    const std::string path = folder.path("a.json");
+    ASSERT_EQ(
+        run({"sample", "--radius", "0.1", "--torus", "--domain", "2x1", "--quiet", "-o", path})
+            .exit_code,
+        0);
+    expect_has(line_of(run({"analyze", path, "--quiet"}).out, "domain"), {"2 x 1, torus"});
+    const Outcome proof = run({"verify", path});
+    EXPECT_EQ(proof.exit_code, 0) << proof.out;
+    expect_has(line_of(proof.out, "domain"), {"2 x 1, torus"});
+    expect_has(line_of(proof.out, "radius"), {"0.1"});
+    expect_one_error(run({"analyze", path, path, "--domain", "1x0"}), 2, {"--domain 1x0:"});
+    write_file(folder.path("b.json"), R"({"boundary": "klein", "points": [[0.5, 0.5]]})");
+    expect_one_error(run({"analyze", folder.path("b.json")}), 3,
+                     {"\"boundary\" is \"klein\"", "torus"});
+    write_file(folder.path("c.json"),
+               R"({"width":2,"height":1,"boundary": "box", "points": [[0.5, 0.5]]})");
+    expect_one_error(run({"analyze", path, folder.path("c.json")}), 3,
+                     {"c.json: its boundary is not that of", "--torus"});
+}
+
+TEST(Verify, OfAStippledJsonAsksForDistancesOnly) {
+    const Folder folder;
+    const std::string path = folder.path("a.json");
+    ASSERT_EQ(run({"stipple", kRaccoon, "--count", "300", "--quiet", "-o", path}).exit_code, 0);
+    expect_one_error(run({"verify", path}), 3, {"mode cells", "--distances-only"});
+    EXPECT_EQ(run({"verify", path, "--distances-only"}).exit_code, 0);
+}
+
+TEST(Dots, HaveTheirSizesAndMillimetresInFilesWhereADotSizeIsGiven) {
+    const Folder folder;
+    const Words request{"stipple",  kRaccoon,   "--count", "40",      "--paper-size",
+                        "100x80mm", "--margin", "10mm",    "--quiet", "--dot-size"};
+    const auto made = [&](const std::string& size, const std::string& name) {
+        Words words = request;
+        words.insert(words.end(), {size, "-o", folder.path(name)});
+        EXPECT_EQ(run(words).exit_code, 0);
+        return content_of(folder.path(name));
+    };
+    const std::string csv = made("2mm", "a.csv");
+    EXPECT_TRUE(csv.starts_with("x,y,radius,x_mm,y_mm,radius_mm\n")) << csv;
+    double x = 0, y = 0, radius = 0, x_mm = 0, y_mm = 0, radius_mm = 0;
+    ASSERT_EQ(std::sscanf(csv.c_str() + csv.find('\n'), "%lf,%lf,%lf,%lf,%lf,%lf", &x, &y, &radius,
+                          &x_mm, &y_mm, &radius_mm),
+              6);
+    // 80 mm wide and 60 high, in the middle of the sheet.
+    EXPECT_NEAR(x_mm, 10 + 80 * x, 1e-6);
+    EXPECT_NEAR(y_mm, 10 + 80 * y, 1e-6);
+    EXPECT_NEAR(radius_mm, 1, 1e-9);
+    EXPECT_NEAR(radius, 1.0 / 80, 1e-9);
+
+    const auto points = lacuna::files::read_points(folder.path("a.csv"));
+    ASSERT_EQ(points.size(), 40U);
+    for (const std::string name : {"b.npy", "b.ply", "b.json"}) {
+        made("2mm", name);
+        EXPECT_EQ(lacuna::files::read_points(folder.path(name)), points) << name;
+    }
+    const Json dots = Json::parse(content_of(folder.path("b.json"))).at("dots");
+    EXPECT_EQ(dots.at("mm_per_unit"), 80);
+    EXPECT_EQ(dots.at("radii").size(), 40U);
+    EXPECT_NE(content_of(folder.path("b.ply")).find("property double radius_mm\n"),
+              std::string::npos);
+    EXPECT_NE(content_of(folder.path("b.npy")).find("(40, 6)"), std::string::npos);
+    // By radius, no two tones have dots of one size.
+    EXPECT_NE(made("radius", "c.csv"), csv);
+}
+
+TEST(Sample, TakesPaperAndDotSizes) {
+    const Folder folder;
+    const std::string path = folder.path("a.svg");
+    ASSERT_EQ(run({"sample", "--radius", "0.2", "--paper-size", "A1", "--margin", "20mm",
+                   "--dot-size", "3mm", "--quiet", "-o", path})
+                  .exit_code,
+              0);
+    expect_has(content_of(path), {"width=\"594mm\" height=\"841mm\"", "stroke-width=\"3\""});
+    ASSERT_EQ(run({"sample", "--radius", "0.2", "--paper-size", "Legal", "--quiet", "-o", path})
+                  .exit_code,
+              0);
+    expect_has(content_of(path), {"width=\"215.9mm\" height=\"355.6mm\""});
+    expect_one_error(run({"sample", "--radius", "0.2", "--dot-size", "3mm"}), 2,
+                     {"--dot-size with --output -:", "not for .txt"});
+}
+
+}  // namespace
