@@ -6,16 +6,21 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cli/check_failed.h"
 #include "cli/options.h"
+#include "cli/verify_report.h"
 #include "files/point_files.h"
-#include "files/read_points.h"
+#include "files/read_sets.h"
+#include "files/read_whole.h"
+#include "verify/closest.h"
+#include "verify/domain.h"
 #include "verify/verify.h"
 
 namespace lacuna::cli {
@@ -29,107 +34,115 @@ Examples:
   lacuna verify a.npy --radius 0.01 --torus         where the edges wrap
   lacuna verify a.csv --radius 0.02 --domain 2x1    in another domain than the unit square
   lacuna sample --radius 0.05 | lacuna verify - --radius 0.05     what another program has made
-  lacuna verify a.ply --radius 0.01 --tolerance 0.001     no gap wider by more than a tenth
+  lacuna verify a.json b.json --quiet               what the files say of themselves, by exit code
+  lacuna verify bridson.csv --radius 0.01 --distances-only    not meant to be maximal
 
 Two promises are checked. No two points are closer than R. No spot of the domain, edges and corners
 included, is farther than R + T from every point. The closest two points and the emptiest spot are
 printed; points are numbered from 0, in the order of the file. Distances are in double, as you would
 compute them: sqrt(dx * dx + dy * dy). The default T is more than a sampler may lose by rounding R
 up to whole units of a grid, 2^30 or more of them along the longer side; T = 0 forgives no more than
-1e-12 of that side.
+1e-12 of that side. A T over 1 % of R proves no maximal set, and the verdict says what it does prove.
+Radius, domain and boundary that a .json tells hold where no option does.
 
-Exit code: 0 both hold, 1 one does not, 2 bad usage, 3 the file cannot be read.
+Exit code: 0 all that was asked holds, 1 not, 2 bad usage, 3 the file cannot be read.
 )";
 
-struct Options {
-    std::string file;
-    std::optional<double> radius;
-    std::optional<double> tolerance;
+struct Sides {
     double width = 1;
     double height = 1;
-    bool torus = false;
 };
 
-std::string text(const Point& point) {
-    return fmt::format("({}, {})", point.x, point.y);
+struct Options {
+    std::vector<std::string> files;
+    std::optional<double> radius;
+    std::optional<double> tolerance;
+    std::optional<Sides> sides;
+    bool torus = false;
+    bool distances_only = false;
+    bool json = false;
+    bool quiet = false;
+};
+
+// What is claimed of one set of a file: options first, then what the file tells.
+Claim claim_of(const Options& options, const files::SetsOfFile& file, const std::string& name,
+               const std::vector<Point>& points) {
+    const std::optional<double> radius = options.radius ? options.radius : file.radius;
+    if (!radius)
+        throw BadRequest("radius", "missing",
+                         "give the radius that the points should have, or a .json that tells it");
+    const bool is_cells = file.mode == name_of(Mode::cells);
+    if (is_cells && !options.distances_only)
+        throw files::FileError(name +
+                               ": made in mode cells, where radii follow a picture: give "
+                               "--distances-only, for the least of them");
+    Sides sides = options.sides.value_or(Sides{});
+    if (!options.sides && file.width) sides = {*file.width, *file.height};
+    return {name,
+            points,
+            sides.width,
+            sides.height,
+            options.torus || file.boundary == Boundary::torus,
+            *radius,
+            options.tolerance.value_or(verify::default_tolerance(sides.width, sides.height)),
+            options.distances_only,
+            file.maximal.value_or(true)};
 }
 
-// What one proof is about.
-struct Claim {
-    const Options& options;
-    const std::vector<Point>& points;
-    const verify::Verdict& verdict;
-    double radius;
-    double tolerance;
-
-    std::string numbered(std::size_t index) const {
-        return fmt::format("{} at {}", index, text(points[index]));
+// With distances_only the search for the emptiest spot is left out, which takes most of the time.
+verify::Verdict verdict_of(const Claim& claim) {
+    const auto check = [&](std::span<const Point> points) {
+        return verify::check(points, claim.width, claim.height, claim.torus, claim.radius,
+                             claim.tolerance);
+    };
+    if (!claim.distances_only) return check(claim.points);
+    check({});  // refuses bad options
+    const verify::Domain domain{claim.width, claim.height, claim.torus};
+    verify::Verdict verdict;
+    const auto outside = std::find_if(claim.points.begin(), claim.points.end(),
+                                      [&](const Point& p) { return !domain.contains(p); });
+    if (outside != claim.points.end()) {
+        verdict.outside = static_cast<std::size_t>(outside - claim.points.begin());
+        return verdict;
     }
+    verdict.closest = verify::closest_pair(domain, claim.points);
+    verdict.kept = verdict.closest.distance >= claim.radius;
+    return verdict;
+}
 
-    std::string closest() const {
-        if (points.size() < 2) return "none, for want of two points";
-        const verify::Pair& pair = verdict.closest;
-        return fmt::format("{} (points {} and {})", pair.distance, pair.first, pair.second);
-    }
-
-    std::string emptiest() const {
-        if (points.empty()) return "anywhere, for want of a point";
-        return fmt::format("{} from a point, at {}", verdict.emptiest.distance,
-                           text(verdict.emptiest.at));
-    }
-
-    std::string conclusion() const {
-        if (verdict.outside)
-            return fmt::format("refused: point {} lies outside the domain [0, {}) x [0, {})",
-                               numbered(*verdict.outside), options.width, options.height);
-        if (verdict.is_maximal())
-            return fmt::format("a maximal Poisson-disk set of radius {}", radius);
-        std::string faults;
-        if (!verdict.kept)
-            faults =
-                fmt::format("points {} and {} are closer than {}", numbered(verdict.closest.first),
-                            numbered(verdict.closest.second), radius);
-        if (!verdict.kept && !verdict.covered) faults += ", and ";
-        if (!verdict.covered)
-            faults += fmt::format("there is room for a point at {}", text(verdict.emptiest.at));
-        return fmt::format("{}: {}", verdict.kept ? "not maximal" : "not a Poisson-disk set",
-                           faults);
-    }
-
-    std::string report() const {
-        constexpr std::string_view kRow = "{:<18}{}\n";
-        constexpr std::string_view kVerdictRow = "{:<18}{:<{}}   {}\n";
-        std::string lines = fmt::format(kRow, "points", points.size());
-        lines += fmt::format(kRow, "radius", radius);
-        lines += fmt::format(kRow, "tolerance", tolerance);
-        if (!verdict.outside) {
-            const std::string pair = closest();
-            const std::string spot = emptiest();
-            const std::size_t width = std::max(pair.size(), spot.size());
-            lines += fmt::format(kVerdictRow, "least distance", pair, width,
-                                 verdict.kept ? "kept" : "too close");
-            lines += fmt::format(kVerdictRow, "farthest spot", spot, width,
-                                 verdict.covered ? "covered" : "not covered");
-        }
-        return lines + fmt::format(kRow, "verdict", conclusion());
-    }
-};
+// Refuses bad options before a large file is read.
+void check(const Options& options) {
+    if (options.distances_only && options.tolerance)
+        throw BadRequest("tolerance", fmt::format("{}", *options.tolerance),
+                         "is for gaps, which --distances-only does not look for");
+    if (std::count(options.files.begin(), options.files.end(), "-") > 1)
+        throw files::FileError("standard input: can be read only once");
+    const Sides sides = options.sides.value_or(Sides{});
+    if (options.radius)
+        verify::check({}, sides.width, sides.height, options.torus, *options.radius,
+                      options.tolerance.value_or(0));
+}
 
 void run(const Options& options) {
-    if (!options.radius)
-        throw BadRequest("radius", "missing", "give the radius that the points should have");
-    const double tolerance =
-        options.tolerance.value_or(verify::default_tolerance(options.width, options.height));
-    const auto check = [&](const std::vector<Point>& points) {
-        return verify::check(points, options.width, options.height, options.torus, *options.radius,
-                             tolerance);
-    };
-    check({});  // refuses bad options before a large file is read
-    const std::vector<Point> points = files::read_points(options.file);
-    const verify::Verdict verdict = check(points);
-    const Claim claim{options, points, verdict, *options.radius, tolerance};
-    files::write_whole("-", claim.report());
-    if (verdict.outside || !verdict.is_maximal()) throw CheckFailed();
+    check(options);
+    std::vector<files::SetsOfFile> all;
+    for (const std::string& path : options.files) all.push_back(files::read_sets(path));
+    std::vector<Claim> claims;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::string name = files::name_of(options.files[i]);
+        const auto& sets = all[i].sets;
+        for (std::size_t k = 0; k < sets.size(); ++k)
+            claims.push_back(claim_of(
+                options, all[i], sets.size() == 1 ? name : fmt::format("{}: set {}", name, k + 1),
+                sets[k]));
+    }
+    bool all_hold = true;
+    for (Claim& claim : claims) {
+        claim.verdict = verdict_of(claim);
+        all_hold = all_hold && claim.holds();
+    }
+    if (!options.quiet) files::write_whole("-", options.json ? json_of(claims) : text_of(claims));
+    if (!all_hold) throw CheckFailed();
 }
 
 }  // namespace
@@ -138,22 +151,31 @@ void add_verify(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("verify", kDescription);
     const auto options = std::make_shared<Options>();
     command
-        .add_option("FILE", options->file,
+        .add_option("FILE", options->files,
                     "By extension: " + files::read_extensions() + "; - is standard input, as .txt")
-        ->type_name("")
+        ->type_name("...")
         ->required();
-    add_number(command, "radius", "R", options->radius, "The least distance promised");
+    add_number(command, "radius", "R", options->radius,
+               "The least distance promised (default: what a .json tells)");
     command
         .add_option_function<std::string>(
             "--domain",
             [options](const std::string& text) {
-                read_domain("domain", text, options->width, options->height);
+                Sides& sides = options->sides.emplace();
+                read_domain("domain", text, sides.width, sides.height);
             },
-            "Width and height of the domain (default 1x1)")
+            "Width and height of the domain (default 1x1, or what a .json tells)")
         ->type_name("WxH");
     command.add_flag("--torus", options->torus, "The edges wrap")->disable_flag_override();
     add_number(command, "tolerance", "T", options->tolerance,
                "How far over R a gap may be (default 2^-28 of the longer side)");
+    command
+        .add_flag("--distances-only", options->distances_only,
+                  "Look for points too close only: for sets that are not meant to be maximal")
+        ->disable_flag_override();
+    command.add_flag("--json", options->json, "As JSON")->disable_flag_override();
+    command.add_flag("--quiet", options->quiet, "Say nothing: the exit code tells")
+        ->disable_flag_override();
     command.callback([options] { run(*options); });
 }
 

@@ -19,7 +19,12 @@ struct Domain {
     // coordinates under twice the longer side, and compared with another a hundred times.
     double rounding() const { return longer_side() * 0x1p-44; }
 
-    bool contains(Point p) const { return p.x >= 0 && p.x < width && p.y >= 0 && p.y < height; }
+    // A box has its far edges, which programs that write float32 round up to; on a torus they are
+    // the near ones, and no point should stand for them.
+    bool contains(Point p) const {
+        const bool is_inside = p.x >= 0 && p.x <= width && p.y >= 0 && p.y <= height;
+        return is_inside && (!torus || (p.x < width && p.y < height));
+    }
 
     double distance(Point a, Point b) const {
         const double dx = along(a.x, b.x, width);

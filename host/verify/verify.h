@@ -16,7 +16,8 @@
 namespace lacuna::verify {
 
 struct Verdict {
-    // The first point that is not in [0, width) x [0, height). If any, nothing else was looked at.
+    // The first point that is not in the domain: a box with its far edges, a torus without. If any,
+    // nothing else was looked at.
     std::optional<std::size_t> outside;
     Pair closest;
     Spot emptiest;

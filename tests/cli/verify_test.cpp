@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -39,7 +40,81 @@ TEST(Verify, OfAMaximalSetExitsWith0AndTellsTheNumbers) {
     expect_has(line_of(outcome.out, "tolerance"), {" 3.725290298461914e-09"});
     expect_has(line_of(outcome.out, "least distance"), {" 0.04999", "points ", "kept"});
     expect_has(line_of(outcome.out, "farthest spot"), {" 0.03535533", "at (", "covered"});
-    expect_has(line_of(outcome.out, "verdict"), {"a maximal Poisson-disk set of radius 0.04"});
+    expect_has(
+        line_of(outcome.out, "verdict"),
+        {"a maximal Poisson-disk set of radius 0.04, to a tolerance of 3.725290298461914e-09"});
+}
+
+// A spot 0.0354 from every point is room for a point at a radius of 0.02.
+TEST(Verify, WithAToleranceOverAPercentOfTheRadiusProvesNoMaximalSet) {
+    const Folder folder;
+    write_file(folder.path("a.txt"), lattice());
+    const auto verdict_with = [&](const std::string& radius, const std::string& tolerance) {
+        const Outcome outcome =
+            run({"verify", folder.path("a.txt"), "--radius", radius, "--tolerance", tolerance});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
+        return line_of(outcome.out, "verdict");
+    };
+    expect_has(verdict_with("0.02", "0.02"),
+               {"a Poisson-disk set of radius 0.02", "no spot is farther than 0.04 from a point",
+                "not proven maximal", "over 1 %"});
+    expect_has(verdict_with("0.0351", "0.00035"), {"a maximal", "to a tolerance of 0.00035"});
+    expect_has(verdict_with("0.0351", "0.00036"), {"not proven maximal"});
+}
+
+TEST(Verify, OfDistancesOnlyDoesNotAskForGaps) {
+    const Folder folder;
+    write_file(folder.path("a.txt"), "0.1 0.1\n0.9 0.9\n");
+    const Outcome outcome =
+        run({"verify", folder.path("a.txt"), "--radius", "0.1", "--distances-only"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
+    EXPECT_EQ(outcome.out.find("farthest"), std::string::npos);
+    expect_has(line_of(outcome.out, "verdict"),
+               {"a Poisson-disk set of radius 0.1", "was not asked"});
+    EXPECT_EQ(
+        run({"verify", folder.path("a.txt"), "--radius", "1.2", "--distances-only"}).exit_code, 1);
+    expect_one_error(run({"verify", folder.path("a.txt"), "--radius", "0.1", "--distances-only",
+                          "--tolerance", "0.1"}),
+                     2, {"--tolerance 0.1:", "--distances-only"});
+}
+
+TEST(Verify, OfABoxTakesPointsOnItsFarEdges) {
+    const Folder folder;
+    write_file(folder.path("a.txt"), "1 1\n0 0.5\n0.5 0\n");
+    EXPECT_EQ(run({"verify", folder.path("a.txt"), "--radius", "0.7"}).exit_code, 0);
+    const Outcome torus = run({"verify", folder.path("a.txt"), "--radius", "0.7", "--torus"});
+    EXPECT_EQ(torus.exit_code, 1);
+    expect_has(torus.out, {"point 0 at (1, 1) lies outside the domain [0, 1) x [0, 1)"});
+}
+
+TEST(Verify, OfSeveralFilesAndSetsTellsOfEachAndFailsIfOneDoes) {
+    const Folder folder;
+    write_file(folder.path("a.txt"), "1\n0.5 0.5\n");  // as PSA writes it
+    write_file(folder.path("b.dat"), "0.5 0.5\n#\n0.1 0.1\n");
+    const Words both{"verify", folder.path("a.txt"), folder.path("b.dat"), "--radius", "0.8"};
+    const Outcome outcome = run(both);
+    EXPECT_EQ(outcome.exit_code, 1);
+    expect_has(outcome.out, {folder.path("a.txt") + "\n", "b.dat: set 1\n", "b.dat: set 2\n"});
+    Words quiet = both;
+    quiet.emplace_back("--quiet");
+    EXPECT_EQ(run(quiet).exit_code, 1);
+    EXPECT_EQ(run(quiet).out, "");
+    EXPECT_EQ(run({"verify", folder.path("a.txt"), "--radius", "0.8", "--quiet"}).exit_code, 0);
+}
+
+TEST(Verify, AsJsonTellsTheSame) {
+    const Folder folder;
+    write_file(folder.path("a.txt"), lattice(-0.02));
+    const Outcome outcome = run({"verify", folder.path("a.txt"), "--radius", "0.04", "--json"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json.at("all_hold"), false);
+    const auto& set = json.at("sets").at(0);
+    EXPECT_EQ(set.at("points"), 400);
+    EXPECT_EQ(set.at("distances_kept"), false);
+    EXPECT_EQ(set.at("closest_pair").at("points"), (std::vector<int>{148, 149}));
+    EXPECT_NEAR(set.at("closest_pair").at("distance").get<double>(), 0.03, 1e-9);
+    EXPECT_EQ(set.at("domain").at("boundary"), "box");
 }
 
 TEST(Verify, OfPointsTooCloseExitsWith1AndNamesThePair) {
@@ -80,7 +155,7 @@ TEST(Verify, OfAPointOutsideExitsWith1AndNamesIt) {
     write_file(folder.path("a.csv"), "x,y\n0.5,0.5\n1.5,0.5\n");
     const Outcome outside = run({"verify", folder.path("a.csv"), "--radius", "2"});
     EXPECT_EQ(outside.exit_code, 1);
-    expect_has(line_of(outside.out, "verdict"), {"point 1 at (1.5, 0.5)", "[0, 1) x [0, 1)"});
+    expect_has(line_of(outside.out, "verdict"), {"point 1 at (1.5, 0.5)", "[0, 1] x [0, 1]"});
 
     const Words in_its_domain{"verify", folder.path("a.csv"), "--radius", "0.9", "--domain", "2x1",
                               "--torus"};
@@ -209,7 +284,6 @@ TEST(VerifyWithBadUsage, ExitsWith2AndNamesTheOption) {
     expect_one_error(outcome_of({"--radius", "1", "--tolerance", "-1"}), 2,
                      {"--tolerance -1:", "at least 0"});
     expect_one_error(outcome_of({"--radius", "1", "--domain", "1x0"}), 2, {"--domain 1x0:"});
-    expect_one_error(outcome_of({"--radius", "1", "b.txt"}), 2, {"b.txt: ", "no more arguments"});
     expect_one_error(run({"verify", "--radius", "1"}), 2, {"FILE", "lacuna verify --help"});
     // Told before the file is looked at.
     expect_one_error(run({"verify", "missing.txt", "--radius", "-1"}), 2, {"--radius -1:"});
