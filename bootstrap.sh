@@ -18,7 +18,7 @@ packages=(
 more_packages=(
     libgtest-dev libbenchmark-dev librapidcheck-dev
     pocl-opencl-icd clinfo oclgrind mesa-vulkan-drivers vulkan-validationlayers
-    clang-format clang-tidy valgrind help2man python3-venv
+    clang-format clang-tidy valgrind help2man python3-venv zsh fish
 )
 
 usage() {

@@ -67,4 +67,8 @@ if(LACUNA_COMMAND)
     endif()
     install(FILES ${PROJECT_SOURCE_DIR}/host/cli/completion.bash RENAME lacuna
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT command)
+    install(FILES ${PROJECT_SOURCE_DIR}/host/cli/completion.zsh RENAME _lacuna
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT command)
+    install(FILES ${PROJECT_SOURCE_DIR}/host/cli/completion.fish RENAME lacuna.fish
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT command)
 endif()

@@ -32,8 +32,10 @@ void add_effort(CLI::App& command, Request& request) {
 
 void add_place(CLI::App& command, Request& request) {
     command
-        .add_option("--backend", request.backend,
-                    "auto (default), cpu, opencl, vulkan or reference")
+        .add_option(
+            "--backend", request.backend,
+            "cpu, opencl, vulkan or reference; auto (default): what the environment variable "
+            "LACUNA_BACKEND names, else the first of these")
         ->type_name("NAME");
     command.add_option("--device", request.device, "A number or a part of the device's name")
         ->type_name("NAME");

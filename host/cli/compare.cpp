@@ -42,7 +42,8 @@ by how much it took longer: building kernels, finding devices. Memory is by how 
 program's peak.
 
 Exit code: 0 all the same, 1 not, 2 bad usage, 3 a file cannot be read or written, 4 a backend named
-with --backends, or every one, is missing, or one failed at work, 130 interrupted.
+with --backends, or every one, is missing, or one failed at work, 130 interrupted
+(143 by SIGTERM).
 )";
 
 struct Options {

@@ -1,43 +1,101 @@
-// Given half a command line, bash completes it with what --help lists.
+// Given half a command line, bash, zsh and fish complete it with what --help lists.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
-#include <memory>
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "expectations.h"
+#include "program.h"
+
 namespace {
 
-// The words that bash would offer for the last of `words`, after the command's name.
-std::string completed(const std::vector<std::string>& words) {
-    std::string script = "source '" LACUNA_COMPLETION "'; COMP_WORDS=('" LACUNA_PROGRAM "'";
-    for (const std::string& word : words) script += " '" + word + "'";
-    script += "); COMP_CWORD=" + std::to_string(words.size());
-    script += "; _lacuna; echo \"${COMPREPLY[*]}\"";
-    const std::string command = "bash -c \"$(cat <<'END'\n" + script + "\nEND\n)\"";
-    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-    std::string said;
-    for (std::array<char, 256> part{}; std::fgets(part.data(), part.size(), pipe.get()) != nullptr;)
-        said += part.data();
-    if (!said.empty() && said.back() == '\n') said.pop_back();
-    return said;
-}
+using namespace lacuna::test;
 
-TEST(Completion, OffersCommands) {
+const std::string kFolder =
+    std::string(LACUNA_PROGRAM).substr(0, std::string(LACUNA_PROGRAM).find_last_of('/'));
+
+// A shell of that name, and what of its script prints the words that it offers, one a line, after
+// the command line in its arguments, whose last word is half written.
+struct Shell {
+    std::string name;
+    std::string script;
+};
+
+const Shell kBash{"bash", R"(source "$0"; COMP_WORDS=(lacuna "$@"); COMP_CWORD=$#; _lacuna
+    printf '%s\n' "${COMPREPLY[@]}")"};
+
+// What zsh itself would do with what it is told: to keep the words that begin alike.
+const Shell kZsh{"zsh", R"(
+    told() { print -rl -- ${(M)${@%%:*}:#$words[-1]*}; }
+    compadd() { shift; told "$@"; }
+    _describe() { [[ $1 == -o ]] && shift; told "${(P@)2}"; }
+    _files() { print -r files; }
+    source "$0"; words=(lacuna "$@"); CURRENT=$#words; _lacuna)"};
+
+const Shell kFish{"fish", R"(source $argv[1]
+    complete -C "lacuna $argv[2..-1]" | string replace -r '\t.*' '')"};
+
+class Completion : public testing::TestWithParam<Shell> {
+protected:
+    void SetUp() override {
+        Setting setting;
+        setting.program = "/bin/sh";
+        if (run({"-c", "command -v " + GetParam().name}, setting).exit_code == 0) return;
+        const char* const required = std::getenv("LACUNA_REQUIRE");
+        if (required != nullptr && std::string(required).find("shells") != std::string::npos)
+            FAIL() << "no " << GetParam().name;
+        GTEST_SKIP() << "no " << GetParam().name << ": ./bootstrap.sh test installs it";
+    }
+
+    // The words that the shell would offer for the last of `words`, sorted.
+    std::string completed(const Words& words) const {
+        const Folder home;
+        Setting setting;
+        setting.program = "/usr/bin/env";
+        setting.environment["PATH"] = kFolder + ":" + std::getenv("PATH");
+        setting.environment["HOME"] = home.path("");
+        Words arguments{GetParam().name};
+        if (GetParam().name == "zsh") arguments.emplace_back("-f");
+        arguments.insert(arguments.end(),
+                         {"-c", GetParam().script, LACUNA_COMPLETION "." + GetParam().name});
+        arguments.insert(arguments.end(), words.begin(), words.end());
+        const Outcome outcome = run(arguments, setting);
+        EXPECT_EQ(outcome.err, "");
+        std::istringstream in(outcome.out);
+        Words offered;
+        for (std::string word; in >> word;) offered.push_back(word);
+        std::sort(offered.begin(), offered.end());
+        std::string all;
+        for (const std::string& word : offered) all += (all.empty() ? "" : " ") + word;
+        return all;
+    }
+};
+
+TEST_P(Completion, OffersCommands) {
     EXPECT_EQ(completed({"st"}), "stipple");
-    EXPECT_EQ(completed({"re"}), "reproduce");
+    EXPECT_EQ(completed({"v"}), "verify version");
     const std::string all = completed({""});
-    for (const char* command : {"sample", "verify", "analyze", "compare", "devices"})
-        EXPECT_NE(all.find(command), std::string::npos) << command << " in: " << all;
+    expect_has(all, {"sample", "verify", "analyze", "compare", "devices", "help"});
+    EXPECT_EQ(completed({"help", "sa"}), "sample");
 }
 
-TEST(Completion, OffersACommandsOptionsAndTheirValues) {
-    EXPECT_EQ(completed({"sample", "--r"}), "--radius --round-size --report");
+TEST_P(Completion, OffersACommandsOptionsAndTheirValues) {
+    EXPECT_EQ(completed({"sample", "--r"}), "--radius --report --round-size");
     EXPECT_EQ(completed({"stipple", "--metr"}), "--metric");
-    EXPECT_EQ(completed({"stipple", "--metric", "m"}), "min mean max");
+    EXPECT_EQ(completed({"stipple", "--metric", "m"}), "max mean min");
+    EXPECT_EQ(completed({"stipple", "a.png", "--paper-size", "l"}), "legal letter");
+    EXPECT_EQ(completed({"sample", "--format", "p"}), "pdf ply png");
     EXPECT_EQ(completed({"sample", "--backend", "v"}), "vulkan");
     EXPECT_EQ(completed({"reproduce", "fig"}), "fig3 fig4 fig5 fig6 fig7 fig8");
 }
+
+std::string name_of(const testing::TestParamInfo<Shell>& info) {
+    return info.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(In, Completion, testing::Values(kBash, kZsh, kFish), name_of);
 
 }  // namespace
