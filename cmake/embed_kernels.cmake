@@ -1,8 +1,7 @@
-# Script: writes a C++ file OUTPUT whose function lacuna::opencl::NAME() returns the OpenCL C files
-# FILES as one text. Quoted includes are expanded, each file once, from the file's own folder or
-# INCLUDE_DIR; #line keeps the places that a build log names.
+# Script: writes a C++ file OUTPUT whose function lacuna::opencl::NAME() returns a text for each
+# of GROUPS: OpenCL C files with | between them. Quoted includes are expanded, each file once, from
+# the file's own folder or INCLUDE_DIR; #line keeps the places that a build log names.
 cmake_minimum_required(VERSION 3.25)
-set(seen)
 cmake_path(GET INCLUDE_DIR PARENT_PATH root)
 
 function(expand path result)
@@ -39,15 +38,25 @@ function(expand path result)
     set(seen "${seen}" PARENT_SCOPE)
 endfunction()
 
-set(source)
-foreach(file IN LISTS FILES)
-    expand(${file} expanded)
-    string(APPEND source "${expanded}")
+set(texts)
+foreach(group IN LISTS GROUPS)
+    string(REPLACE "|" ";" files ${group})
+    set(seen)
+    string(APPEND texts "    R\"kernels(\n")
+    foreach(file IN LISTS files)
+        expand(${file} text)
+        string(APPEND texts "${text}")
+    endforeach()
+    string(APPEND texts ")kernels\",\n")
 endforeach()
 file(WRITE ${OUTPUT}
-    "// OpenCL C source, embedded at build time.\n"
-    "#include <string>\n"
+    "// OpenCL C sources, embedded at build time.\n"
+    "#include <span>\n"
+    "#include <string_view>\n"
     "namespace lacuna::opencl {\n"
-    "std::string ${NAME}();\n"
-    "std::string ${NAME}() { return R\"kernels(\n${source})kernels\"; }\n"
+    "std::span<const std::string_view> ${NAME}();\n"
+    "namespace {\n"
+    "constexpr std::string_view kTexts[] = {\n${texts}};\n"
+    "}  // namespace\n"
+    "std::span<const std::string_view> ${NAME}() { return kTexts; }\n"
     "}  // namespace lacuna::opencl\n")

@@ -2,16 +2,17 @@
 option(LACUNA_OPENCL "Build the backend opencl, where OpenCL is installed" ON)
 include(${CMAKE_CURRENT_LIST_DIR}/leave_out.cmake)
 
-# lacuna_embed_kernels(TARGET NAME FILE...) expands the includes of the OpenCL C files, joins them,
-# and gives TARGET a source file that defines lacuna::opencl::NAME() with the text.
+# lacuna_embed_kernels(TARGET NAME GROUP...) expands the includes of OpenCL C files, and gives TARGET
+# a source file that defines lacuna::opencl::NAME(): a text for each group of files, A.cl|B.cl.
 function(lacuna_embed_kernels target name)
+    string(REPLACE "|" ";" files "${ARGN}")
     set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
     file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/kernels/*.h)
     set(script ${PROJECT_SOURCE_DIR}/cmake/embed_kernels.cmake)
     add_custom_command(OUTPUT ${output}
-        COMMAND ${CMAKE_COMMAND} -D NAME=${name} -D "FILES=${ARGN}" -D OUTPUT=${output}
+        COMMAND ${CMAKE_COMMAND} -D NAME=${name} -D "GROUPS=${ARGN}" -D OUTPUT=${output}
             -D INCLUDE_DIR=${PROJECT_SOURCE_DIR}/kernels -P ${script}
-        DEPENDS ${ARGN} ${headers} ${script} VERBATIM
+        DEPENDS ${files} ${headers} ${script} VERBATIM
         COMMENT "Embedding OpenCL kernels: ${name}")
     target_sources(${target} PRIVATE ${output})
 endfunction()
@@ -25,18 +26,16 @@ function(lacuna_add_opencl)
         return()
     endif()
     file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/host/backends/opencl/*.cpp)
-    file(GLOB kernels CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/kernels/*.cl)
     target_sources(lacuna PRIVATE ${sources})
-    # Mode cells has kernels of its own, and shares sort_columns; relax shares none: each compiles
-    # what it needs.
-    set(cells_kernels ${kernels})
-    list(FILTER cells_kernels INCLUDE REGEX "/(locate|[a-z]+_cells)\\.cl$")
-    set(relax_kernels ${kernels})
-    list(FILTER relax_kernels INCLUDE REGEX "_relax\\.cl$")
-    list(FILTER kernels EXCLUDE REGEX "_(cells|relax)\\.cl$")
-    lacuna_embed_kernels(lacuna kernel_source ${kernels})
-    lacuna_embed_kernels(lacuna cells_kernel_source ${cells_kernels})
-    lacuna_embed_kernels(lacuna relax_kernel_source ${relax_kernels})
+    # What is compiled together: for lines and exact, for mode cells, and for relax. A program each
+    # would take a driver longer.
+    set(kernels ${PROJECT_SOURCE_DIR}/kernels)
+    set(spans "${kernels}/locate.cl|${kernels}/sort_columns.cl|${kernels}/admit.cl")
+    string(APPEND spans "|${kernels}/subtract.cl|${kernels}/refine.cl")
+    set(cells "${kernels}/locate_cells.cl|${kernels}/sort_columns.cl|${kernels}/admit_cells.cl")
+    string(APPEND cells "|${kernels}/subtract_cells.cl")
+    set(relax "${kernels}/own_relax.cl|${kernels}/settle_relax.cl")
+    lacuna_embed_kernels(lacuna kernel_sources ${spans} ${cells} ${relax})
     target_include_directories(lacuna SYSTEM PRIVATE ${OPENCL_HPP_INCLUDE_DIR})
     target_compile_definitions(lacuna PRIVATE LACUNA_OPENCL)
     target_link_libraries(lacuna PRIVATE OpenCL::OpenCL)

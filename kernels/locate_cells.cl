@@ -1,9 +1,10 @@
 // locate in mode cells: a draw becomes a candidate, which has the radius of its pixel.
 #include "bodies/prelude.h"
 
-BINDINGS(DrawArguments, LOCATE_IN_CELLS_BINDINGS)
-#include "bodies/locate_in_cells.h"
-ENTRY(locate_in_cells, serve_locate_in_cells, DrawArguments, LOCATE_IN_CELLS_BINDINGS)
+BINDINGS(SlabArguments, LOCATE_IN_CELLS_BINDINGS)
+#include "bodies/free_bits.h"
+#include "bodies/locate.h"
+ENTRY(locate_in_cells, serve_locate, SlabArguments, LOCATE_IN_CELLS_BINDINGS)
 
 BINDINGS(DrawArguments, LOOK_UP_RADII_BINDINGS)
 #include "bodies/look_up_radii.h"

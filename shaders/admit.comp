@@ -1,7 +1,6 @@
 // admit: a candidate becomes a sample unless an earlier sample is closer than the radius.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 #include "bodies/prelude.h"
 
 #ifdef ENTRY_screen

@@ -1,7 +1,6 @@
 // admit in mode cells: the metric of two radii says what conflicts (section 4.2.1).
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 #include "bodies/prelude.h"
 
 #ifdef ENTRY_admit_in_cells

@@ -1,13 +1,13 @@
 // locate in mode cells: a draw becomes a candidate, which has the radius of its pixel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 #include "bodies/prelude.h"
 
 #ifdef ENTRY_locate_in_cells
-BINDINGS(DrawArguments, LOCATE_IN_CELLS_BINDINGS)
-#include "bodies/locate_in_cells.h"
-ENTRY(locate_in_cells, serve_locate_in_cells, DrawArguments, LOCATE_IN_CELLS_BINDINGS)
+BINDINGS(SlabArguments, LOCATE_IN_CELLS_BINDINGS)
+#include "bodies/free_bits.h"
+#include "bodies/locate.h"
+ENTRY(locate_in_cells, serve_locate, SlabArguments, LOCATE_IN_CELLS_BINDINGS)
 #endif
 
 #ifdef ENTRY_look_up_radii

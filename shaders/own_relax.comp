@@ -1,7 +1,6 @@
 // own and gather of relax: each lattice point's mass goes to the sample of least power.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 #include "bodies/prelude.h"
 
 #ifdef ENTRY_find_rivals

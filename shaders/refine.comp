@@ -1,7 +1,6 @@
 // refine: what all samples leave of the places, in boxes (docs/design.md, section 4, "exact").
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 #include "bodies/prelude.h"
 
 #ifdef ENTRY_insert

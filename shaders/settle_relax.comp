@@ -1,7 +1,6 @@
 // settle of relax: samples move to their centres of mass, and the tree over them follows.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 #include "bodies/prelude.h"
 
 #ifdef ENTRY_settle

@@ -1,7 +1,6 @@
 // subtract: the chords of the round's samples, cut from the free spans of every line.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 #include "bodies/prelude.h"
 
 #ifdef ENTRY_gather

@@ -1,11 +1,10 @@
 // subtract in mode cells: the lattice points that the round's samples block.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 #include "bodies/prelude.h"
 
 #ifdef ENTRY_subtract_in_cells
-BINDINGS(LatticeArguments, SUBTRACT_IN_CELLS_BINDINGS)
+BINDINGS(DrawArguments, SUBTRACT_IN_CELLS_BINDINGS)
 #include "bodies/subtract_in_cells.h"
-ENTRY(subtract_in_cells, serve_subtract_in_cells, LatticeArguments, SUBTRACT_IN_CELLS_BINDINGS)
+ENTRY(subtract_in_cells, serve_subtract_in_cells, DrawArguments, SUBTRACT_IN_CELLS_BINDINGS)
 #endif

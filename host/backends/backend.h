@@ -24,7 +24,7 @@ struct Draw {
 };
 
 // What a refinement leaves of a strip's free spans: [x, x + width) times [begin, end), all of one
-// width. None crosses the border of a row of the sample grid (portable/sample_grid.h).
+// width. None crosses the border of a row of the sample grid.
 struct Box {
     std::uint32_t x;
     std::uint32_t begin;

@@ -11,7 +11,7 @@
 #include <limits>
 #include <sstream>
 
-#include "portable/sample_grid.h"
+#include "portable/isqrt.h"
 
 namespace lacuna {
 namespace {
@@ -253,9 +253,9 @@ Plan make_plan(const Request& request) {
     const double units = radius / std::min(plan.unit_x, plan.unit_y);
     plan.radius = static_cast<std::uint32_t>(units + 1.0 / 1024) + 1;
     plan.radius_squared = std::uint64_t{plan.radius} * plan.radius;
-    plan.grid_side = portable::grid_side(plan.radius_squared);
-    plan.grid_columns = portable::count_grid(plan.width, plan.grid_side);
-    plan.grid_rows = portable::count_grid(plan.height, plan.grid_side);
+    plan.grid_side = portable::to_u32(portable::isqrt(plan.radius_squared / 2));
+    plan.grid_columns = (plan.width - 1) / plan.grid_side + 1;
+    plan.grid_rows = (plan.height - 1) / plan.grid_side + 1;
     plan.user_radius = radius;
     plan.lines_per_radius = lines_per_radius(request);
 

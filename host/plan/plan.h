@@ -41,7 +41,9 @@ struct Plan {
     std::uint32_t strip_width;  // even; a power of two in exact; lines * strip_width == width
     std::uint32_t radius;       // rounded up: so many units are never less than the user's radius
     std::uint64_t radius_squared;
-    std::uint32_t grid_side;  // see portable/sample_grid.h
+    // The sample grid, for looking up the samples near a place: its cells are floor(r / sqrt 2)
+    // wide, so that two samples never share one, and the last ones may stick out.
+    std::uint32_t grid_side;
     std::uint32_t grid_columns;
     std::uint32_t grid_rows;
 

@@ -25,8 +25,7 @@ struct Entry {
 #ifdef LACUNA_OPENCL
 std::unique_ptr<RelaxBackend> make_opencl(const Lattice& lattice, std::span<const Site> sites,
                                           const Placement& placement) {
-    return device::make_backend(opencl::open_queue(placement, opencl::relax_kernel_source()),
-                                lattice, sites);
+    return device::make_backend(opencl::open_queue(placement), lattice, sites);
 }
 #endif
 

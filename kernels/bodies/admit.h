@@ -1,8 +1,8 @@
 // The body of admit: a candidate becomes a sample unless an earlier sample of its round conflicts
 // with it. Earlier is by the order of the draws, whatever the order of the work. Comes after
 // limit.h or limit_in_cells.h, which say what conflicts.
+#include "portable/chord.h"
 #include "portable/distance.h"
-#include "portable/window.h"
 
 // A candidate of the column [begin, end) that is not above the first whose y is at least low, but
 // seldom far below it.
@@ -24,16 +24,16 @@ BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate
     // Look at all earlier candidates within reach.
     bool waits = false;
     for (u32 k = 0u; k < columns.count; ++k) {
-        const u32 column = (columns.first + k) % a.g.columns;
+        const u32 column = nth_of_stretch(columns, k, a.g.columns);
         const u32 begin = AT(column_begins, column);
         const u32 end = AT(column_begins, column + 1u);
         for (u32 window = 0u; window < windows; ++window) {
-            const u32 low = window_low(window, candidate.y, reach, height);
-            const u32 high = window_high(window, candidate.y, reach, height);
-            u32 j = low > high ? end : lower_bound(ON begin, end, low, height);
+            const u32 low = window_begin(window, candidate.y, reach, height);
+            const u32 high = window_end(window, candidate.y, reach, height);
+            u32 j = low >= high ? end : lower_bound(ON begin, end, low, height);
             for (; j < end; ++j) {
                 const u32x4 other = AT(candidates, j);
-                if (other.y > high) break;
+                if (other.y >= high) break;
                 if (other.y < low || other.w >= candidate.w) continue;
                 if (!conflicts(other.x, other.y, x, candidate.y, a.g.period_x, a.g.period_y,
                                limit_of(ON a, i, j)))

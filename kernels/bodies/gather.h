@@ -6,16 +6,15 @@
 // (undecided[last_pass] != 0).
 BODY void serve_gather(MEMORY const ColumnArguments a, const u32 column) {
     if (column >= a.g.columns || AT(undecided, a.last_pass) != 0u) return;
-    const u32 first = first_neighbour(column, a.g.columns, a.g.period_x);
-    const u32 count = neighbour_count(column, a.g.columns, a.g.period_x);
-    const u32 second = (first + 1u) % a.g.columns;
-    const u32 third = (first + 2u) % a.g.columns;
-    u32 i = AT(column_begins, first);
+    const Stretch columns = stretch_around(column, 1u, a.g.columns, a.g.period_x);
+    const u32 second = (columns.first + 1u) % a.g.columns;
+    const u32 third = (columns.first + 2u) % a.g.columns;
+    u32 i = AT(column_begins, columns.first);
     u32 j = AT(column_begins, second);
     u32 k = AT(column_begins, third);
-    const u32 i_end = AT(column_begins, first + 1u);
-    const u32 j_end = count > 1u ? AT(column_begins, second + 1u) : j;
-    const u32 k_end = count > 2u ? AT(column_begins, third + 1u) : k;
+    const u32 i_end = AT(column_begins, columns.first + 1u);
+    const u32 j_end = columns.count > 1u ? AT(column_begins, second + 1u) : j;
+    const u32 k_end = columns.count > 2u ? AT(column_begins, third + 1u) : k;
 
     u32 next = AT(near_begins, column);
     while (true) {

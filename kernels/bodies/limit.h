@@ -12,10 +12,7 @@ BODY u32 reach_of(MEMORY const DrawArguments a, const u32x4 candidate) {
 
 BODY Stretch columns_near(const DrawArguments a, const u32x4 candidate, const u32 reach) {
     const u32 column = column_of_line(candidate.z, a.g.lines, a.g.columns);
-    Stretch near;
-    near.first = first_neighbour(column, a.g.columns, a.g.period_x);
-    near.count = neighbour_count(column, a.g.columns, a.g.period_x);
-    return near;
+    return stretch_around(column, 1u, a.g.columns, a.g.period_x);
 }
 
 // The square of how far candidates i and j must be apart.

@@ -12,8 +12,8 @@ BODY u32 reach_of(MEMORY const DrawArguments a, const u32x4 candidate) {
 }
 
 BODY Stretch columns_near(const DrawArguments a, const u32x4 candidate, const u32 reach) {
-    return near_columns(near_lines(candidate.x, reach, a.g.lines, a.g.period_x), a.g.lines,
-                        a.g.columns);
+    const Stretch lines = stretch_around(candidate.x, reach, a.g.lines, a.g.period_x);
+    return columns_of_stretch(lines, a.g.lines, a.g.columns);
 }
 
 // The square of how far candidates i and j must be apart.

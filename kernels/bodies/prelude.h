@@ -5,6 +5,9 @@
 // is called with ON before its arguments: OpenCL hands a struct of pointers on, GLSL nothing.
 #ifndef LACUNA_BODIES_PRELUDE_H
 #define LACUNA_BODIES_PRELUDE_H
+#ifndef __OPENCL_C_VERSION__
+#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
+#endif
 #include "portable/failure.h"
 #include "portable/fate.h"
 #include "portable/kernels.h"

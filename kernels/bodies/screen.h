@@ -1,6 +1,6 @@
 // The body of screen: in exact, settles the candidates that samples of earlier rounds cover.
 #include "portable/distance.h"
-#include "portable/sample_grid.h"
+#include "portable/stretch.h"
 
 // 1 where the cell has a sample that is closer than the radius, or 0: numbers, since compilers keep
 // branches for truths.
@@ -31,10 +31,10 @@ BODY bool is_covered(MEMORY const Geometry g, const u32 x, const u32 y) {
     if (min(g.grid_columns, g.grid_rows) >= 4u && g.radius < min(g.width, g.height) &&
         min(x, y) >= g.radius && x < g.width - g.radius && y < g.height - g.radius)
         return is_covered_inside(ON g, x, y);
-    const GridStretch columns =
-        grid_stretch(x, x + 1u, g.radius, g.width, g.period_x, g.grid_side, g.grid_columns);
-    const GridStretch rows =
-        grid_stretch(y, y + 1u, g.radius, g.height, g.period_y, g.grid_side, g.grid_rows);
+    const Stretch columns =
+        cells_near(x, x + 1u, g.radius, g.width, g.period_x, g.grid_side, g.grid_columns);
+    const Stretch rows =
+        cells_near(y, y + 1u, g.radius, g.height, g.period_y, g.grid_side, g.grid_rows);
     u32 covered = 0u;
     for (u32 i = 0u; i < columns.count; ++i) {
         const u32 column = nth_of_stretch(columns, i, g.grid_columns) * g.grid_rows;

@@ -3,8 +3,7 @@
 #include "portable/bits.h"
 #include "portable/chord.h"
 #include "portable/distance.h"
-#include "portable/sample_grid.h"
-#include "portable/strip.h"
+#include "portable/stretch.h"
 
 // A box and a radius around it reach over at most 7 x 6 cells of the grid. A set of them is a bit
 // each, so many to a column.
@@ -13,8 +12,8 @@
 // The cells near a box. On a torus each sample has three images in y, of which others than itself
 // count only at the edges: first_image is -1 there, and 0 elsewhere.
 struct Near {
-    GridStretch columns;
-    GridStretch rows;
+    Stretch columns;
+    Stretch rows;
     i64 first_image;
     u64 touching;  // cells whose samples may take something from the box
 };
@@ -63,10 +62,10 @@ BODY u64 touching_bit(MEMORY const Geometry g, const u32 cell, const u32 number,
 // the middle of the whole, but for 1 where parts are one unit wide.
 BODY Near near_of(MEMORY const Geometry g, const Strip box) {
     Near near;
-    near.columns = grid_stretch(box.x, box.x + box.width, g.radius, g.width, g.period_x,
-                                g.grid_side, g.grid_columns);
+    near.columns = cells_near(box.x, box.x + box.width, g.radius, g.width, g.period_x, g.grid_side,
+                              g.grid_columns);
     near.rows =
-        grid_stretch(box.begin, box.end, g.radius, g.height, g.period_y, g.grid_side, g.grid_rows);
+        cells_near(box.begin, box.end, g.radius, g.height, g.period_y, g.grid_side, g.grid_rows);
     const bool is_at_edge = box.begin < g.radius || g.height - box.end < g.radius;
     near.first_image = to_i64(g.period_y != 0u && is_at_edge ? -1 : 0);
     near.touching = 0u;

@@ -119,12 +119,12 @@ BODY void serve_subtract(MEMORY const SlabArguments a, const u32 item) {
         for (u32 i = near_end; i > near_begin; --i) {
             const u32x2 s = AT(near, i - 1u);
             if (g.height - s.y > g.radius) break;
-            bottom = max(bottom, chord_wrapped_end(s.y, reach_on(g, centre, s.x), g.height));
+            bottom = max(bottom, window_end(2u, s.y, reach_on(g, centre, s.x), g.height));
         }
         for (u32 i = near_begin; i < near_end; ++i) {
             const u32x2 s = AT(near, i);
             if (s.y >= g.radius) break;
-            top = min(top, chord_wrapped_begin(s.y, reach_on(g, centre, s.x), g.height));
+            top = min(top, window_begin(1u, s.y, reach_on(g, centre, s.x), g.height));
         }
     }
 
@@ -134,7 +134,8 @@ BODY void serve_subtract(MEMORY const SlabArguments a, const u32 item) {
         const u32x2 s = AT(near, i);
         const u32 reach = reach_on(g, centre, s.x);
         if (reach == 0u) continue;
-        gap = cut_out(ON gap, chord_begin(s.y, reach), chord_end(s.y, reach, g.height));
+        gap = cut_out(ON gap, window_begin(0u, s.y, reach, g.height),
+                      window_end(0u, s.y, reach, g.height));
     }
     if (top < g.height && gap.fits) gap = cut_out(ON gap, top, g.height);
     if (!gap.fits) ATOMIC_SET(overflow, 0, 1u);

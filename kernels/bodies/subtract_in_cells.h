@@ -5,7 +5,6 @@
 #include "portable/column.h"
 #include "portable/distance.h"
 #include "portable/metric.h"
-#include "portable/strip.h"
 
 // One sample on one line.
 struct Cut {
@@ -31,8 +30,7 @@ BODY u32x2 blocked_of_run(const u32 metric, const Cut cut, const u32 pixel, cons
 
 // Blocks what the sample, seen at height y, takes of the `chord` points to either side, and returns
 // how many. Only words with free points count, and of those only the runs of pixels that hold them.
-BODY u32 block_points(MEMORY const LatticeArguments a, const Cut cut, const i64 y,
-                      const u32 chord) {
+BODY u32 block_points(MEMORY const DrawArguments a, const Cut cut, const i64 y, const u32 chord) {
     const i64 low = max(y - to_i64(chord) + 1, to_i64(0));
     const i64 high = min(y + to_i64(chord), to_i64(a.g.height));
     if (low >= high) return 0u;
@@ -40,7 +38,7 @@ BODY u32 block_points(MEMORY const LatticeArguments a, const Cut cut, const i64 
     const u32 end = to_u32(high);
     u32 blocked = 0u;
     for (u32 word = begin / 32u; word <= (end - 1u) / 32u; ++word) {
-        const u32 index = cut.line * a.words + word;
+        const u32 index = cut.line * a.g.capacity + word;
         u32 open = LOOK_AT(bits, index) & word_mask(word, begin, end);
         u32 mask = 0u;
         while (open != 0u) {
@@ -60,10 +58,11 @@ BODY u32 block_points(MEMORY const LatticeArguments a, const Cut cut, const i64 
 }
 
 // Whether a point of the line in [begin, end) may be free: of few or many words, some may.
-BODY bool any_set(MEMORY const LatticeArguments a, const u32 line, const u32 begin, const u32 end) {
+BODY bool any_set(MEMORY const DrawArguments a, const u32 line, const u32 begin, const u32 end) {
     if (end - begin > MOST_LOOKS * 32u) return true;
     for (u32 word = begin / 32u; word * 32u < end; ++word)
-        if ((LOOK_AT(bits, line * a.words + word) & word_mask(word, begin, end)) != 0u) return true;
+        if ((LOOK_AT(bits, line * a.g.capacity + word) & word_mask(word, begin, end)) != 0u)
+            return true;
     return false;
 }
 
@@ -71,7 +70,7 @@ BODY bool any_set(MEMORY const LatticeArguments a, const u32 line, const u32 beg
 // none. With min no farther than its radius. With mean and max the widest pixels reach farthest,
 // and they are the first to be blocked. Items look side by side: wherever widest[line] stands, no
 // wider row has a free point.
-BODY u32 half_chord(MEMORY const LatticeArguments a, const Cut cut, const u32 reach) {
+BODY u32 half_chord(MEMORY const DrawArguments a, const Cut cut, const u32 reach) {
     u64 limit = reach;
     limit = limit * limit + 1u;
     u64 dx_squared = cut.dx;
@@ -96,12 +95,12 @@ BODY u32 half_chord(MEMORY const LatticeArguments a, const Cut cut, const u32 re
 }
 
 // Serves one slice of the lines near a sample.
-BODY void serve_sample(MEMORY const LatticeArguments a, const u32x4 admitted, const u32 pixel,
+BODY void serve_sample(MEMORY const DrawArguments a, const u32x4 admitted, const u32 pixel,
                        const u32 slice) {
     const u32 reach = AT(pixel_reaches, pixel);
-    const Stretch lines = near_lines(admitted.x, reach, a.g.lines, a.g.period_x);
+    const Stretch lines = stretch_around(admitted.x, reach, a.g.lines, a.g.period_x);
     for (u32 k = slice; k < lines.count; k += a.slices) {
-        const u32 line = (lines.first + k) % a.g.lines;
+        const u32 line = nth_of_stretch(lines, k, a.g.lines);
         Cut cut = {AT(pixel_radii, pixel), axis_distance(admitted.x, line, a.g.period_x), line,
                    AT(column_of, line) * a.rows};
         const u32 chord = half_chord(ON a, cut, reach);
@@ -119,8 +118,8 @@ BODY void serve_sample(MEMORY const LatticeArguments a, const u32x4 admitted, co
 // slices-th line. Samples that reach farther than most_reach would take it too many turns: they are
 // listed in `left` for the next launch, which takes `todo` with more slices. Does nothing while
 // admission is unsettled.
-BODY void serve_subtract_in_cells(MEMORY const LatticeArguments a, const u32 item) {
-    if (AT(undecided, a.last_pass) != 0u) return;
+BODY void serve_subtract_in_cells(MEMORY const DrawArguments a, const u32 item) {
+    if (AT(undecided, a.pass) != 0u) return;
     const u32 begin = item / a.slices * a.chunk;
     const u32 end = min(begin + a.chunk, a.count);
     for (u32 k = begin; k < end; ++k) {

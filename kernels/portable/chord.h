@@ -15,27 +15,21 @@ LACUNA_FN u32 chord_reach(u32 dx, u64 radius_squared) {
     return is_cut ? to_u32(root) + 1u : 0u;
 }
 
-// The chord at height y is [chord_begin, chord_end) where it stays inside [0, height). A reach
-// beyond the height is cut to the height, which covers as much and keeps the sums in 32 bits.
-LACUNA_FN u32 chord_begin(u32 y, u32 reach) {
-    return y >= reach ? y - reach + 1u : 0u;
-}
-
-LACUNA_FN u32 chord_end(u32 y, u32 reach, u32 height) {
-    u32 end = y + (reach < height ? reach : height);
-    return end < height ? end : height;
-}
-
-// What of the chord sticks out above the top wraps to [0, chord_wrapped_end), 0 for nothing; what
-// sticks out below 0 wraps to [chord_wrapped_begin, height), `height` for nothing.
-LACUNA_FN u32 chord_wrapped_end(u32 y, u32 reach, u32 height) {
-    u32 end = y + (reach < height ? reach : height);
-    return end > height ? end - height : 0u;
-}
-
-LACUNA_FN u32 chord_wrapped_begin(u32 y, u32 reach, u32 height) {
+// Where heights closer to y than `reach` lie: windows [begin, end), one on a box, three on a torus.
+// Window 0 is around y, 1 what sticks out below 0, seen from the top, 2 what sticks out above the
+// top, seen from the bottom; empty where begin is not below end. A reach beyond the height is cut
+// to the height, which covers as much and keeps the sums in 32 bits.
+LACUNA_FN u32 window_begin(u32 window, u32 y, u32 reach, u32 height) {
     u32 cut = reach < height ? reach : height;
-    return y + 1u < cut ? y + 1u + (height - cut) : height;
+    bool is_below = y + 1u < cut;
+    if (window == 0u) return is_below ? 0u : y + 1u - cut;
+    return window == 1u ? (is_below ? y + 1u + (height - cut) : height) : 0u;
+}
+
+LACUNA_FN u32 window_end(u32 window, u32 y, u32 reach, u32 height) {
+    u32 end = y + (reach < height ? reach : height);
+    if (window == 0u) return end < height ? end : height;
+    return window == 1u ? height : end > height ? end - height : 0u;
 }
 
 LACUNA_END

@@ -19,18 +19,19 @@ LACUNA_FN u64 squared_length(u32 dx, u32 dy) {
     return x * x + y * y;
 }
 
-// How far `at` is from the nearest and from the farthest of the places begin .. last of an axis
-// that does not wrap between them. With one place they are alike.
-LACUNA_FN u32 near_distance(u32 at, u32 begin, u32 last) {
-    u32 below = begin > at ? begin - at : 0u;
-    u32 above = at > last ? at - last : 0u;
-    return below > above ? below : above;
+// The distance of y from the nearest of the heights [begin, end), and from the farthest: below
+// 2^32, also where heights are those of an image outside the domain.
+LACUNA_FN u32 nearest_distance(i64 y, i64 begin, i64 end) {
+    i64 below = begin - y;
+    i64 above = y - (end - 1);
+    i64 outside = below > above ? below : above;
+    return to_u32(outside > 0 ? outside : 0);
 }
 
-LACUNA_FN u32 far_distance(u32 at, u32 begin, u32 last) {
-    u32 to_begin = at > begin ? at - begin : 0u;
-    u32 to_last = last > at ? last - at : 0u;
-    return to_begin > to_last ? to_begin : to_last;
+LACUNA_FN u32 farthest_distance(i64 y, i64 begin, i64 end) {
+    i64 to_begin = y - begin;
+    i64 to_last = end - 1 - y;
+    return to_u32(to_begin > to_last ? to_begin : to_last);
 }
 
 // Two points conflict when they are strictly closer than the radius.
@@ -38,6 +39,13 @@ LACUNA_FN bool conflicts(u32 ax, u32 ay, u32 bx, u32 by, u32 period_x, u32 perio
                          u64 radius_squared) {
     return squared_length(axis_distance(ax, bx, period_x), axis_distance(ay, by, period_y)) <
            radius_squared;
+}
+
+// The same where nothing wraps, in fewer steps. NO_SAMPLE counts as -1.
+LACUNA_FN bool conflicts_on_box(u32 ax, u32 ay, u32 bx, u32 by, u64 radius_squared) {
+    i64 dx = sign_extended(ax - bx);
+    i64 dy = sign_extended(ay - by);
+    return dx * dx + dy * dy < to_i64(radius_squared);
 }
 
 LACUNA_END

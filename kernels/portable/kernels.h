@@ -5,21 +5,42 @@
 // item serves: many on a processor, 1 on a graphics card.
 #ifndef LACUNA_PORTABLE_KERNELS_H
 #define LACUNA_PORTABLE_KERNELS_H
-#include "geometry.h"
 #include "relax_kernels.h"
 
 LACUNA_BEGIN
+
+// What kernels need of the plan.
+struct Geometry {
+    u64 radius_squared;
+    u32 radius;
+    u32 width;
+    u32 height;
+    u32 period_x;  // the domain's width where it wraps, or 0
+    u32 period_y;  // its height where it wraps, or 0
+    u32 lines;
+    u32 strip_width;
+    u32 columns;
+    u32 capacity;  // spans that a line has room for, or words of its bits
+    u32 is_exact;  // 1 in mode exact, or 0
+    u32 chord_margin;
+    u32 grid_side;  // of the sample grid's cells, see plan/plan.h
+    u32 grid_columns;
+    u32 grid_rows;
+};
+LACUNA_TYPEDEF(Geometry)
 
 // Of kernels that serve the round's draws or candidates.
 struct DrawArguments {
     u32 first_item;
     u32 chunk;
     Geometry g;
-    u32 count;   // of draws
-    u32 pass;    // of admit; elsewhere the last pass, which tells whether admission is settled
-    u32 words;   // of a line's bits
-    u32 rows;    // of pixels in a column of them
-    u32 metric;  // see metric.h
+    u32 count;       // of draws
+    u32 pass;        // of admit; elsewhere the last pass, which tells whether admission is settled
+    u32 rows;        // of pixels in a column of them
+    u32 metric;      // see metric.h
+    u32 slices;      // of subtract_in_cells: an item serves every slices-th line near its samples
+    u32 most_reach;  // samples that reach farther are left for the next launch
+    u32 is_listed;   // 1 where the candidates to serve are those of `todo`
 };
 LACUNA_TYPEDEF(DrawArguments)
 
@@ -72,35 +93,16 @@ struct ScanArguments {
 };
 LACUNA_TYPEDEF(ScanArguments)
 
-// An item serves one of so many `slices` of the lines near each of its samples.
-struct LatticeArguments {
-    u32 first_item;
-    u32 chunk;
-    Geometry g;
-    u32 count;  // of candidates
-    u32 last_pass;
-    u32 words;
-    u32 rows;
-    u32 metric;
-    u32 slices;
-    u32 most_reach;  // samples that reach farther are left for the next launch
-    u32 is_listed;   // 1 where the candidates to serve are those of `todo`
-};
-LACUNA_TYPEDEF(LatticeArguments)
-
 LACUNA_END
 
 // The bindings of each kernel. A draw is place, rank, offset, order; a candidate x, y, line, order.
 // clang-format off
-#define LOCATE_BINDINGS(B)                                                        \
-    B(0, READ, u32x2, spans) B(1, READ, u32x4, draws) B(2, WRITE, u32x4, located) \
-    B(3, SHARED, u32, failure)
-#define LOCATE_IN_BOXES_BINDINGS(B)                                            \
-    B(0, READ, u32, box_x) B(1, READ, u32, box_begin) B(2, READ, u32x4, draws) \
-    B(3, WRITE, u32x4, located)
-#define LOCATE_IN_CELLS_BINDINGS(B)                                            \
-    B(0, READ, u32, bits) B(1, READ, u32x4, draws) B(2, WRITE, u32x4, located) \
-    B(3, SHARED, u32, failure)
+#define LOCATE_BINDINGS(B) B(0, READ, u32x2, spans) \
+    B(1, READ, u32x4, draws) B(2, WRITE, u32x4, located) B(3, SHARED, u32, failure)
+#define LOCATE_IN_BOXES_BINDINGS(B) B(0, READ, u32, box_x) \
+    B(1, READ, u32, box_begin) B(2, READ, u32x4, draws) B(3, WRITE, u32x4, located)
+#define LOCATE_IN_CELLS_BINDINGS(B) B(0, READ, u32, bits) \
+    B(1, READ, u32x4, draws) B(2, WRITE, u32x4, located) B(3, SHARED, u32, failure)
 #define SORT_COLUMNS_BINDINGS(B)                                                       \
     B(0, READ, u32, column_begins) B(1, READ, u32x4, located) B(2, BOTH, u32, buckets) \
     B(3, BOTH, u32x4, candidates) B(4, WRITE, u32, fates) B(5, SHARED, u32, failure)
@@ -110,10 +112,9 @@ LACUNA_END
 #define SCREEN_BINDINGS(B)                                                        \
     B(0, READ, u32x4, candidates) B(1, READ, u32, grid_x) B(2, READ, u32, grid_y) \
     B(3, BOTH, u32, fates) B(4, WRITE, u32x2, samples)
-#define ADMIT_BINDINGS(B)                                    \
-    B(0, READ, u32, column_begins) B(1, READ, u32, buckets)  \
-    B(2, READ, u32x4, candidates) B(3, SHARED, u32, fates)   \
-    B(4, SHARED, u32, undecided) B(5, WRITE, u32x2, samples) \
+#define ADMIT_BINDINGS(B)                                                                    \
+    B(0, READ, u32, column_begins) B(1, READ, u32, buckets) B(2, READ, u32x4, candidates)    \
+    B(3, SHARED, u32, fates) B(4, SHARED, u32, undecided) B(5, WRITE, u32x2, samples)        \
     B(6, SHARED, u32, failure)
 #define ADMIT_IN_CELLS_BINDINGS(B)                                                \
     ADMIT_BINDINGS(B) B(7, READ, u32, candidate_radii) B(8, READ, u32, column_of) \
@@ -121,63 +122,58 @@ LACUNA_END
 #define INSERT_BINDINGS(B)                                                          \
     B(0, READ, u32, undecided) B(1, READ, u32x4, candidates) B(2, READ, u32, fates) \
     B(3, WRITE, u32, grid_x) B(4, WRITE, u32, grid_y)
-#define GATHER_BINDINGS(B)                                                            \
-    B(0, READ, u32, undecided) B(1, READ, u32, column_begins)                         \
-    B(2, READ, u32, near_begins) B(3, READ, u32x4, candidates) B(4, READ, u32, fates) \
-    B(5, WRITE, u32, near_counts) B(6, WRITE, u32x2, near) B(7, SHARED, u32, failure)
-#define SUBTRACT_BINDINGS(B)                                                      \
-    B(0, READ, u32, undecided) B(1, READ, u32, near_begins)                       \
-    B(2, READ, u32, near_counts) B(3, READ, u32x2, near) B(4, BOTH, u32x2, spans) \
-    B(5, BOTH, u32, span_counts) B(6, BOTH, u32, free_lengths)                    \
-    B(7, SHARED, u32, overflow) B(8, SHARED, u32, failure)
-#define GROW_BINDINGS(B)                                  \
-    B(0, READ, u32, span_counts) B(1, READ, u32x2, spans) \
-    B(2, WRITE, u32x2, new_spans)
-#define UNFOLD_BINDINGS(B)                                                        \
-    B(0, READ, u32x2, spans) B(1, READ, u32, span_counts) B(2, BOTH, u32, counts) \
-    B(3, READ, u32, sums) B(4, WRITE, u32, box_x) B(5, WRITE, u32, box_begin)     \
+#define GATHER_BINDINGS(B)                                                                   \
+    B(0, READ, u32, undecided) B(1, READ, u32, column_begins) B(2, READ, u32, near_begins)   \
+    B(3, READ, u32x4, candidates) B(4, READ, u32, fates) B(5, WRITE, u32, near_counts)       \
+    B(6, WRITE, u32x2, near) B(7, SHARED, u32, failure)
+#define SUBTRACT_BINDINGS(B)                                                                 \
+    B(0, READ, u32, undecided) B(1, READ, u32, near_begins) B(2, READ, u32, near_counts)     \
+    B(3, READ, u32x2, near) B(4, BOTH, u32x2, spans) B(5, BOTH, u32, span_counts)            \
+    B(6, BOTH, u32, free_lengths) B(7, SHARED, u32, overflow) B(8, SHARED, u32, failure)
+#define GROW_BINDINGS(B) \
+    B(0, READ, u32, span_counts) B(1, READ, u32x2, spans) B(2, WRITE, u32x2, new_spans)
+#define UNFOLD_BINDINGS(B)                                                                   \
+    B(0, READ, u32x2, spans) B(1, READ, u32, span_counts) B(2, BOTH, u32, counts)            \
+    B(3, READ, u32, sums) B(4, WRITE, u32, box_x) B(5, WRITE, u32, box_begin)                \
     B(6, WRITE, u32, box_end) B(7, SHARED, u32, failure)
-#define CUT_BINDINGS(B)                                                             \
-    B(0, READ, u32, undecided) B(1, READ, u32, grid_x) B(2, READ, u32, grid_y)      \
-    B(3, READ, u32, box_x) B(4, READ, u32, box_begin) B(5, READ, u32, box_end)      \
-    B(6, SHARED, u32, failure) B(7, BOTH, u32, counts) B(8, BOTH, u32, piece_begin) \
+#define CUT_BINDINGS(B)                                                                      \
+    B(0, READ, u32, undecided) B(1, READ, u32, grid_x) B(2, READ, u32, grid_y)               \
+    B(3, READ, u32, box_x) B(4, READ, u32, box_begin) B(5, READ, u32, box_end)               \
+    B(6, SHARED, u32, failure) B(7, BOTH, u32, counts) B(8, BOTH, u32, piece_begin)          \
     B(9, BOTH, u32, piece_end)
-#define KEEP_BINDINGS(B)                                            \
-    CUT_BINDINGS(B) B(10, READ, u32, sums) B(11, WRITE, u32, new_x) \
-    B(12, WRITE, u32, new_begin) B(13, WRITE, u32, new_end)         \
-    B(14, WRITE, u32, free_lengths)
+#define KEEP_BINDINGS(B)                                                                     \
+    CUT_BINDINGS(B) B(10, READ, u32, sums) B(11, WRITE, u32, new_x)                          \
+    B(12, WRITE, u32, new_begin) B(13, WRITE, u32, new_end) B(14, WRITE, u32, free_lengths)
 #define SCAN_BINDINGS(B) \
     B(0, BOTH, u32, counts) B(1, WRITE, u32, sums) B(2, SHARED, u32, failure)
 #define FIND_PLACE_BEGINS_BINDINGS(B) \
     B(0, READ, u32, new_x) B(1, READ, u32, total) B(2, WRITE, u32, place_begins)
-#define SUBTRACT_IN_CELLS_BINDINGS(B)                                               \
-    B(0, READ, u32, undecided) B(1, READ, u32x4, candidates) B(2, READ, u32, fates) \
-    B(3, READ, u32, column_of) B(4, READ, u32, row_of) B(5, READ, u32, row_begins)  \
-    B(6, READ, u32, pixel_radii) B(7, READ, u32, pixel_reaches)                     \
-    B(8, READ, u32, widest_rows) B(9, SHARED, u32, widest) B(10, SHARED, u32, bits) \
-    B(11, SHARED, u32, free_lengths) B(12, READ, u32, todo) B(13, WRITE, u32, left) \
+#define SUBTRACT_IN_CELLS_BINDINGS(B)                                                        \
+    B(0, READ, u32, undecided) B(1, READ, u32x4, candidates) B(2, READ, u32, fates)          \
+    B(3, READ, u32, column_of) B(4, READ, u32, row_of) B(5, READ, u32, row_begins)           \
+    B(6, READ, u32, pixel_radii) B(7, READ, u32, pixel_reaches)                              \
+    B(8, READ, u32, widest_rows) B(9, SHARED, u32, widest) B(10, SHARED, u32, bits)          \
+    B(11, SHARED, u32, free_lengths) B(12, READ, u32, todo) B(13, WRITE, u32, left)          \
     B(14, SHARED, u32, left_count) B(15, SHARED, u32, failure)
 
 // All buffers, of which a kernel has those that its bindings name.
-#define LACUNA_BUFFERS(B)                                                                          \
-    B(u32x4, draws)                                                                                \
-    B(u32x4, located) B(u32, column_begins) B(u32, buckets) B(u32x4, candidates) B(u32, fates)     \
-        B(u32, undecided) B(u32x2, samples) B(u32, failure) B(u32, free_lengths) B(u32x2, spans)   \
-            B(u32x2, new_spans) B(u32, span_counts) B(u32, near_begins) B(u32, near_counts)        \
-                B(u32x2, near) B(u32, overflow) B(u32, grid_x) B(u32, grid_y) B(u32, box_x)        \
-                    B(u32, box_begin) B(u32, box_end) B(u32, new_x) B(u32, new_begin)              \
-                        B(u32, new_end) B(u32, counts) B(u32, sums) B(u32, total)                  \
-                            B(u32, piece_begin) B(u32, piece_end) B(u32, place_begins)             \
-                                B(u32, bits) B(u32, widest) B(u32, widest_rows) B(u32, column_of)  \
-                                    B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii)          \
-                                        B(u32, pixel_reaches) B(u32, candidate_radii) B(u32, todo) \
-                                            B(u32, left) B(u32, left_count) LACUNA_RELAX_BUFFERS(B)
+#define LACUNA_BUFFERS(B)                                                                         \
+    B(u32x4, draws) B(u32x4, located) B(u32, column_begins) B(u32, buckets) B(u32x4, candidates)  \
+    B(u32, fates) B(u32, undecided) B(u32x2, samples) B(u32, failure) B(u32, free_lengths)        \
+    B(u32x2, spans) B(u32x2, new_spans) B(u32, span_counts) B(u32, overflow) B(u32, near_begins)  \
+    B(u32, near_counts) B(u32x2, near) B(u32, grid_x) B(u32, grid_y) B(u32, box_x)                \
+    B(u32, box_begin) B(u32, box_end) B(u32, new_x) B(u32, new_begin) B(u32, new_end)             \
+    B(u32, counts) B(u32, sums) B(u32, total) B(u32, piece_begin) B(u32, piece_end)               \
+    B(u32, place_begins) B(u32, bits) B(u32, widest) B(u32, widest_rows) B(u32, column_of)        \
+    B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii) B(u32, pixel_reaches)                   \
+    B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, left_count)              \
+    LACUNA_RELAX_BUFFERS(B)
 
 // All kernels: name, arguments, bindings.
 #define LACUNA_KERNELS(K)                                             \
     K(locate, SlabArguments, LOCATE_BINDINGS)                         \
     K(locate_in_boxes, DrawArguments, LOCATE_IN_BOXES_BINDINGS)       \
-    K(locate_in_cells, DrawArguments, LOCATE_IN_CELLS_BINDINGS)       \
+    K(locate_in_cells, SlabArguments, LOCATE_IN_CELLS_BINDINGS)       \
     K(sort_columns, ColumnArguments, SORT_COLUMNS_BINDINGS)           \
     K(look_up_radii, DrawArguments, LOOK_UP_RADII_BINDINGS)           \
     K(screen, DrawArguments, SCREEN_BINDINGS)                         \
@@ -192,7 +188,7 @@ LACUNA_END
     K(keep, StripArguments, KEEP_BINDINGS)                            \
     K(scan, ScanArguments, SCAN_BINDINGS)                             \
     K(find_place_begins, ColumnArguments, FIND_PLACE_BEGINS_BINDINGS) \
-    K(subtract_in_cells, LatticeArguments, SUBTRACT_IN_CELLS_BINDINGS) \
+    K(subtract_in_cells, DrawArguments, SUBTRACT_IN_CELLS_BINDINGS)   \
     LACUNA_RELAX_KERNELS(K)
 // clang-format on
 

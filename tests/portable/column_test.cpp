@@ -1,4 +1,4 @@
-// Columns and windows against brute force: nothing within reach is ever left out or seen twice.
+// Columns and stretches against brute force: nothing within reach is ever left out or seen twice.
 #include "portable/column.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,6 @@
 #include <set>
 
 #include "portable/distance.h"
-#include "portable/window.h"
 
 namespace {
 
@@ -45,9 +44,8 @@ TEST(Column, HasEachNeighbourOnce) {
                 if (column + 1 < columns || wraps != 0) expected.insert((column + 1) % columns);
 
                 std::multiset<u32> got;
-                const u32 first = first_neighbour(column, columns, wraps);
-                for (u32 i = 0; i < neighbour_count(column, columns, wraps); ++i)
-                    got.insert((first + i) % columns);
+                const Stretch near = stretch_around(column, 1, columns, wraps);
+                for (u32 i = 0; i < near.count; ++i) got.insert(nth_of_stretch(near, i, columns));
                 ASSERT_EQ(got, std::multiset<u32>(expected.begin(), expected.end()))
                     << column << " of " << columns << (wraps != 0 ? ", torus" : ", box");
             }
@@ -78,9 +76,9 @@ TEST(Near, HoldsAllLinesWithinReachOnce) {
         for (u32 reach = 0; reach <= 2 * lines + 1; ++reach) {
             for (const u32 wraps : {0u, lines}) {
                 for (u32 line = 0; line < lines; ++line) {
-                    const Stretch run = near_lines(line, reach, lines, wraps);
+                    const Stretch run = stretch_around(line, reach, lines, wraps);
                     std::multiset<u32> got, expected;
-                    for (u32 i = 0; i < run.count; ++i) got.insert((run.first + i) % lines);
+                    for (u32 i = 0; i < run.count; ++i) got.insert(nth_of_stretch(run, i, lines));
                     for (u32 other = 0; other < lines; ++other)
                         if (axis_distance(line, other, wraps) <= reach) expected.insert(other);
                     ASSERT_EQ(got, expected) << line << " of " << lines << ", reach " << reach
@@ -96,10 +94,10 @@ TEST(Near, HoldsTheirColumnsOnce) {
         for (u32 columns = 1; columns <= lines; ++columns) {
             for (u32 first = 0; first < lines; ++first) {
                 for (u32 count = 1; count <= lines; ++count) {
-                    const Stretch run = near_columns({first, count}, lines, columns);
+                    const Stretch run = columns_of_stretch({first, count}, lines, columns);
                     std::multiset<u32> got;
                     std::set<u32> expected;
-                    for (u32 i = 0; i < run.count; ++i) got.insert((run.first + i) % columns);
+                    for (u32 i = 0; i < run.count; ++i) got.insert(nth_of_stretch(run, i, columns));
                     for (u32 i = 0; i < count; ++i)
                         expected.insert(column_of_line((first + i) % lines, lines, columns));
                     ASSERT_EQ(got, std::multiset<u32>(expected.begin(), expected.end()))
@@ -113,41 +111,12 @@ TEST(Near, HoldsTheirColumnsOnce) {
 
 TEST(Near, HoldsForTheLargestUnits) {
     const u32 lines = 1u << 31;
-    EXPECT_EQ(near_lines(0, 5, lines, lines).first, lines - 5);
-    EXPECT_EQ(near_lines(lines - 1, ~0u, lines, lines).count, lines);
-    EXPECT_EQ(near_lines(lines - 1, ~0u, lines, 0).count, lines);
-    const Stretch columns = near_columns({lines - 5, 11}, lines, lines / 3);
+    EXPECT_EQ(stretch_around(0, 5, lines, lines).first, lines - 5);
+    EXPECT_EQ(stretch_around(lines - 1, ~0u, lines, lines).count, lines);
+    EXPECT_EQ(stretch_around(lines - 1, ~0u, lines, 0).count, lines);
+    const Stretch columns = columns_of_stretch({lines - 5, 11}, lines, lines / 3);
     EXPECT_EQ(columns.first, lines / 3 - 2);
     EXPECT_EQ(columns.count, 4u);
-}
-
-TEST(Window, HoldsAllWithinReachAndNothingElse) {
-    for (const u32 height : {1u, 2u, 7u, 20u}) {
-        for (u32 radius = 1; radius <= height + 2; ++radius) {
-            for (const u32 windows : {1u, 3u}) {
-                for (u32 y = 0; y < height; ++y) {
-                    for (u32 other = 0; other < height; ++other) {
-                        bool seen = false;
-                        for (u32 window = 0; window < windows; ++window)
-                            seen = seen || (other >= window_low(window, y, radius, height) &&
-                                            other <= window_high(window, y, radius, height));
-                        const u32 period = windows == 3 ? height : 0;
-                        ASSERT_EQ(seen, axis_distance(y, other, period) <= radius)
-                            << other << " from " << y << ", radius " << radius << ", height "
-                            << height << ", windows " << windows;
-                    }
-                }
-            }
-        }
-    }
-}
-
-TEST(Window, HoldsForTheLargestUnits) {
-    const u32 height = 1u << 31;
-    EXPECT_EQ(window_high(0, height - 1, ~0u, height), ~0u);
-    EXPECT_EQ(window_low(0, height - 1, ~0u, height), 0u);
-    EXPECT_EQ(window_low(1, 0, 5, height), height - 5);
-    EXPECT_EQ(window_high(2, height - 1, 5, height), 4u);
 }
 
 }  // namespace

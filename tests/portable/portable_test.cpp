@@ -60,19 +60,20 @@ TEST(AxisDistance, DoesNotWrapOnABox) {
     EXPECT_EQ(axis_distance(0x7fffffffu, 0, 0), 0x7fffffffu);
 }
 
-TEST(NearAndFarDistance, AreTheLeastAndTheMostToAnyPlaceOfAStretch) {
-    for (u32 at = 0; at < 12; ++at) {
-        for (u32 begin = 0; begin < 12; ++begin) {
-            for (u32 last = begin; last < 12; ++last) {
-                u32 least = ~0u;
-                u32 most = 0;
-                for (u32 place = begin; place <= last; ++place) {
-                    least = std::min(least, axis_distance(at, place, 0));
-                    most = std::max(most, axis_distance(at, place, 0));
+TEST(NearestAndFarthestDistance, AreTheLeastAndTheMostToAnyHeightOfAStretch) {
+    for (i64 y = -12; y < 24; ++y) {
+        for (i64 begin = 0; begin < 12; ++begin) {
+            for (i64 end = begin + 1; end <= 12; ++end) {
+                i64 least = 100;
+                i64 most = 0;
+                for (i64 height = begin; height < end; ++height) {
+                    least = std::min(least, y < height ? height - y : y - height);
+                    most = std::max(most, y < height ? height - y : y - height);
                 }
-                EXPECT_EQ(near_distance(at, begin, last), least)
-                    << at << ' ' << begin << ' ' << last;
-                EXPECT_EQ(far_distance(at, begin, last), most) << at << ' ' << begin << ' ' << last;
+                EXPECT_EQ(nearest_distance(y, begin, end), least)
+                    << y << ' ' << begin << ' ' << end;
+                EXPECT_EQ(farthest_distance(y, begin, end), most)
+                    << y << ' ' << begin << ' ' << end;
             }
         }
     }
@@ -120,17 +121,18 @@ TEST(RadiusClass, AscendsWithTheRadiusUpToItsBound) {
     EXPECT_EQ(radius_class(~0u), RADIUS_CLASSES - 1);
 }
 
-TEST(Chord, CoversExactlyTheOffsetsWithinReach) {
+TEST(Window, CoversExactlyTheHeightsWithinReach) {
     for (const u32 height : {1u, 2u, 9u, 16u}) {
         for (u32 reach = 1; reach <= height + 3; ++reach) {
             for (u32 y = 0; y < height; ++y) {
                 for (u32 other = 0; other < height; ++other) {
-                    const bool straight =
-                        other >= chord_begin(y, reach) && other < chord_end(y, reach, height);
-                    const bool wrapped = other < chord_wrapped_end(y, reach, height) ||
-                                         other >= chord_wrapped_begin(y, reach, height);
-                    ASSERT_EQ(straight, axis_distance(y, other, 0) < reach);
-                    ASSERT_EQ(straight || wrapped, axis_distance(y, other, height) < reach)
+                    const auto is_in = [&](u32 window) {
+                        return other >= window_begin(window, y, reach, height) &&
+                               other < window_end(window, y, reach, height);
+                    };
+                    ASSERT_EQ(is_in(0), axis_distance(y, other, 0) < reach);
+                    ASSERT_EQ(is_in(0) || is_in(1) || is_in(2),
+                              axis_distance(y, other, height) < reach)
                         << other << " from " << y << ", reach " << reach << ", height " << height;
                 }
             }
@@ -138,13 +140,16 @@ TEST(Chord, CoversExactlyTheOffsetsWithinReach) {
     }
 }
 
-TEST(Chord, HoldsForTheLargestUnits) {
+TEST(Window, HoldsForTheLargestUnits) {
     const u32 height = 1u << 31;
-    const u32 reach = 3'037'000'500u;
-    EXPECT_EQ(chord_begin(height - 1, reach), 0u);
-    EXPECT_EQ(chord_end(height - 1, reach, height), height);
-    EXPECT_EQ(chord_wrapped_end(height - 1, 3, height), 2u);
-    EXPECT_EQ(chord_wrapped_begin(0, 3, height), height - 2);
+    for (const u32 reach : {3'037'000'500u, ~0u}) {
+        EXPECT_EQ(window_begin(0, height - 1, reach, height), 0u);
+        EXPECT_EQ(window_end(0, height - 1, reach, height), height);
+    }
+    EXPECT_EQ(window_end(2, height - 1, 3, height), 2u);
+    EXPECT_EQ(window_begin(1, 0, 3, height), height - 2);
+    EXPECT_EQ(window_begin(1, 5, 3, height), height);
+    EXPECT_EQ(window_end(2, height - 5, 3, height), 0u);
 }
 
 }  // namespace

@@ -8,11 +8,11 @@
 
 #include "backends/cpu/precedence.h"
 #include "backends/cpu/state.h"
+#include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
 #include "portable/fate.h"
 #include "portable/metric.h"
-#include "portable/window.h"
 
 namespace lacuna::cpu {
 namespace {
@@ -25,11 +25,10 @@ struct InExact {
 
     InExact(const SpanState& the_state, std::uint32_t column)
         : state(the_state),
-          columns{portable::first_neighbour(column, state.columns, state.plan.period_x),
-                  portable::neighbour_count(column, state.columns, state.plan.period_x)} {}
+          columns(portable::stretch_around(column, 1, state.columns, state.plan.period_x)) {}
     Sample place(std::uint32_t i) const { return {state.candidates[i].x, state.candidates[i].y}; }
     std::uint32_t reach(std::uint32_t) const { return state.plan.radius; }
-    portable::Stretch near_columns(std::uint32_t) const { return columns; }
+    portable::Stretch columns_near(std::uint32_t) const { return columns; }
     std::uint64_t limit_squared(std::uint32_t, std::uint32_t) const {
         return state.plan.radius_squared;
     }
@@ -49,10 +48,10 @@ struct InCells {
     InCells(const BitState& the_state, std::uint32_t) : state(the_state) {}
     Sample place(std::uint32_t i) const { return {state.candidates[i].x, state.candidates[i].y}; }
     std::uint32_t reach(std::uint32_t i) const { return state.reach_of(state.candidates[i]); }
-    portable::Stretch near_columns(std::uint32_t i) const {
+    portable::Stretch columns_near(std::uint32_t i) const {
         const Plan& plan = state.plan;
-        return portable::near_columns(
-            portable::near_lines(state.candidates[i].x, reach(i), plan.lines, plan.period_x),
+        return portable::columns_of_stretch(
+            portable::stretch_around(state.candidates[i].x, reach(i), plan.lines, plan.period_x),
             plan.lines, state.columns);
     }
     std::uint64_t limit_squared(std::uint32_t i, std::uint32_t j) const {
@@ -79,21 +78,18 @@ bool any_within(const State& state, std::uint32_t column, std::uint32_t y, std::
                 Visit visit) {
     const std::uint32_t height = state.plan.height;
     const std::uint32_t end = state.column_begins[column + 1];
-    const auto any_in = [&](std::uint32_t low, std::uint32_t high) {
+    const auto any_in = [&](std::uint32_t window) {
+        const std::uint32_t low = portable::window_begin(window, y, reach, height);
+        const std::uint32_t high = portable::window_end(window, y, reach, height);
+        if (low >= high) return false;
         for (std::uint32_t i = state.first_from(column, low);
-             i < end && state.candidates[i].y <= high; ++i)
+             i < end && state.candidates[i].y < high; ++i)
             if (visit(i)) return true;
         return false;
     };
-    const std::uint32_t top = portable::window_high(0, y, reach, height);
-    if (any_in(portable::window_low(0, y, reach, height), top)) return true;
-    if (state.plan.period_y == 0 || (y >= reach && top < height)) return false;
-    for (const std::uint32_t window : {1u, 2u}) {
-        const std::uint32_t low = portable::window_low(window, y, reach, height);
-        const std::uint32_t high = portable::window_high(window, y, reach, height);
-        if (low <= high && any_in(low, high)) return true;
-    }
-    return false;
+    if (any_in(0)) return true;
+    if (state.plan.period_y == 0 || (y >= reach && y + reach <= height)) return false;
+    return any_in(1) || any_in(2);
 }
 
 // What becomes of candidate i, as far as the fates of those near it are known.
@@ -113,9 +109,10 @@ std::uint32_t fate_of(State& state, const Mode& mode, std::uint32_t i) {
         waits = waits || fate == FATE_UNDECIDED;
         return fate == FATE_ADMITTED;
     };
-    const portable::Stretch near = mode.near_columns(i);
+    const portable::Stretch near = mode.columns_near(i);
     for (std::uint32_t k = 0; k < near.count; ++k)
-        if (any_within(state, (near.first + k) % state.columns, place.y, reach, covers))
+        if (any_within(state, portable::nth_of_stretch(near, k, state.columns), place.y, reach,
+                       covers))
             return FATE_REJECTED;
     return waits ? FATE_UNDECIDED : FATE_ADMITTED;
 }

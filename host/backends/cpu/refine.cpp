@@ -67,17 +67,18 @@ private:
     void cut_strip(const Box& strip, std::vector<Box>& left) {
         const std::uint64_t radius_squared = state_.plan.radius_squared;
         const std::uint32_t centre = strip.x + width_ / 2;
-        const std::uint32_t last = strip.end - 1;
         std::size_t touching = 0;
         bool covered = false;
         for (std::size_t i = 0; i < near_.count; ++i) {
             const std::uint32_t y = near_.y[i];
             const std::uint32_t dx = distance_to(i, centre);
-            covered |= portable::squared_length(dx, portable::far_distance(y, strip.begin, last)) <
-                       radius_squared;
+            covered |=
+                portable::squared_length(
+                    dx, portable::farthest_distance(y, strip.begin, strip.end)) < radius_squared;
             touching_[touching] = static_cast<std::uint32_t>(i);
-            touching += portable::squared_length(
-                            dx, portable::near_distance(y, strip.begin, last)) < radius_squared;
+            touching +=
+                portable::squared_length(
+                    dx, portable::nearest_distance(y, strip.begin, strip.end)) < radius_squared;
         }
         if (covered) return;
         find_chords(strip, touching);
@@ -97,8 +98,8 @@ private:
         for (const std::uint32_t i : std::span(touching_).first(touching)) {
             const std::uint32_t reach =
                 portable::chord_reach(distance_to(i, centre), plan.radius_squared);
-            add_chord({portable::chord_begin(near_.y[i], reach),
-                       portable::chord_end(near_.y[i], reach, plan.height)});
+            add_chord({portable::window_begin(0, near_.y[i], reach, plan.height),
+                       portable::window_end(0, near_.y[i], reach, plan.height)});
         }
         if (plan.period_y != 0 &&
             (strip.begin < plan.radius || strip.end + plan.radius > plan.height))
@@ -115,8 +116,8 @@ private:
             const std::uint32_t y = near_.y[i];
             const std::uint32_t reach =
                 portable::chord_reach(distance_to(i, centre), plan.radius_squared);
-            bottom.end = std::max(bottom.end, portable::chord_wrapped_end(y, reach, plan.height));
-            top.begin = std::min(top.begin, portable::chord_wrapped_begin(y, reach, plan.height));
+            bottom.end = std::max(bottom.end, portable::window_end(2, y, reach, plan.height));
+            top.begin = std::min(top.begin, portable::window_begin(1, y, reach, plan.height));
         }
         add_chord(bottom);
         add_chord(top);

@@ -11,7 +11,7 @@
 #include "plan/plan.h"
 #include "portable/distance.h"
 #include "portable/fate.h"
-#include "portable/sample_grid.h"
+#include "portable/stretch.h"
 
 namespace lacuna::cpu {
 
@@ -44,7 +44,7 @@ public:
 
     // Whether some sample is closer than the radius. A disk that touches no edge lies within 4 x 4
     // cells, 2 sqrt(2) being less than 3, and has no branch: where a sample lies cannot be
-    // foretold.
+    // foretold. No sample, at -1, is farther away than the radius.
     bool is_covered(std::uint32_t x, std::uint32_t y) const {
         bool covered = false;
         if (is_inside(x, x + 1, y, y + 1)) {
@@ -53,9 +53,8 @@ public:
             for (std::uint32_t i = 0; i < 4; ++i) {
                 const Sample* const cells = column(grid_x + i) + grid_y;
                 for (std::uint32_t j = 0; j < 4; ++j)
-                    covered |= (cells[j].x != NO_SAMPLE) &
-                               portable::conflicts(x, y, cells[j].x, cells[j].y, 0, 0,
-                                                   plan_.radius_squared);
+                    covered |= portable::conflicts_on_box(x, y, cells[j].x, cells[j].y,
+                                                          plan_.radius_squared);
             }
             return covered;
         }
@@ -94,10 +93,10 @@ public:
                 for (const Sample cell : std::span(column(i) + row, rows)) visit(cell);
             return;
         }
-        const portable::GridStretch columns = portable::grid_stretch(
+        const portable::Stretch columns = portable::cells_near(
             x_begin, x_end, r, plan_.width, plan_.period_x, side, plan_.grid_columns);
-        const portable::GridStretch rows = portable::grid_stretch(
-            y_begin, y_end, r, plan_.height, plan_.period_y, side, plan_.grid_rows);
+        const portable::Stretch rows = portable::cells_near(y_begin, y_end, r, plan_.height,
+                                                            plan_.period_y, side, plan_.grid_rows);
         for (std::uint32_t i = 0; i < columns.count; ++i) {
             const Sample* const cells =
                 column(portable::nth_of_stretch(columns, i, plan_.grid_columns));

@@ -147,11 +147,12 @@ void BitState::find_near() {
     const auto for_each_near = [&](auto visit) {
         for (std::uint32_t i = 0; i < candidates.size(); ++i) {
             if (fates[i] != FATE_ADMITTED) continue;
-            const portable::Stretch lines = portable::near_lines(
+            const portable::Stretch lines = portable::stretch_around(
                 candidates[i].x, reach_of(candidates[i]), plan.lines, plan.period_x);
-            const portable::Stretch reached = portable::near_columns(lines, plan.lines, columns);
+            const portable::Stretch reached =
+                portable::columns_of_stretch(lines, plan.lines, columns);
             for (std::uint32_t k = 0; k < reached.count; ++k)
-                visit((reached.first + k) % columns, i);
+                visit(portable::nth_of_stretch(reached, k, columns), i);
         }
     };
     std::fill(near_begins.begin(), near_begins.end(), 0);

@@ -13,11 +13,10 @@ namespace {
 // The samples that may cut a column's lines, in the order of y.
 void gather(SpanState& state, std::uint32_t column, std::vector<Sample>& near) {
     near.clear();
-    const std::uint32_t wraps = state.plan.period_x;
-    const std::uint32_t first = portable::first_neighbour(column, state.columns, wraps);
-    const std::uint32_t count = portable::neighbour_count(column, state.columns, wraps);
-    for (std::uint32_t k = 0; k < count; ++k) {
-        const std::uint32_t neighbour = (first + k) % state.columns;
+    const portable::Stretch columns =
+        portable::stretch_around(column, 1, state.columns, state.plan.period_x);
+    for (std::uint32_t k = 0; k < columns.count; ++k) {
+        const std::uint32_t neighbour = portable::nth_of_stretch(columns, k, state.columns);
         const auto middle = static_cast<std::ptrdiff_t>(near.size());
         for (std::size_t i = state.column_begins[neighbour]; i < state.column_begins[neighbour + 1];
              ++i)
@@ -100,12 +99,12 @@ void find_chords(const Plan& plan, std::uint32_t centre, std::span<const Sample>
             if (plan.height - near[i].y > plan.radius) break;
             const std::uint32_t reach = reach_of(near[i]);
             bottom.end =
-                std::max(bottom.end, portable::chord_wrapped_end(near[i].y, reach, plan.height));
+                std::max(bottom.end, portable::window_end(2, near[i].y, reach, plan.height));
         }
         for (const Sample sample : near) {
             if (sample.y >= plan.radius) break;
             top.begin = std::min(
-                top.begin, portable::chord_wrapped_begin(sample.y, reach_of(sample), plan.height));
+                top.begin, portable::window_begin(1, sample.y, reach_of(sample), plan.height));
         }
     }
     *next = bottom;
@@ -122,7 +121,8 @@ void find_chords(const Plan& plan, std::uint32_t centre, std::span<const Sample>
     for (const Span* entry = first; entry != end; ++entry) {
         const std::uint32_t y = entry->end;
         const std::uint32_t reach = portable::chord_reach(entry->begin, plan.radius_squared);
-        *next = {portable::chord_begin(y, reach), portable::chord_end(y, reach, plan.height)};
+        *next = {portable::window_begin(0, y, reach, plan.height),
+                 portable::window_end(0, y, reach, plan.height)};
         next += reach > 0;
     }
     *next = top;

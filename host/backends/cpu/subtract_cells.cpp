@@ -90,14 +90,14 @@ private:
         if (pixel == 0) return run;  // no importance: never set
         const std::uint64_t limit = portable::metric_squared(portable::twice_metric_radius(
             static_cast<std::uint32_t>(state_.plan.metric), radius_, pixel));
-        const std::uint32_t last = run.end - 1;
-        if (portable::squared_length(dx_, portable::far_distance(y, run.begin, last)) < limit)
+        if (portable::squared_length(dx_, portable::farthest_distance(y, run.begin, run.end)) <
+            limit)
             return run;
-        if (portable::squared_length(dx_, portable::near_distance(y, run.begin, last)) >= limit)
+        if (portable::squared_length(dx_, portable::nearest_distance(y, run.begin, run.end)) >=
+            limit)
             return {run.end, run.end};
         const std::uint32_t reach = portable::chord_reach(dx_, limit);
-        return {std::max(run.begin, portable::chord_begin(y, reach)),
-                portable::chord_end(y, reach, run.end)};
+        return {std::max(run.begin, y >= reach ? y - reach + 1 : 0), std::min(run.end, y + reach)};
     }
 
     void flush(std::uint32_t from, std::uint32_t to) {
@@ -159,10 +159,11 @@ void subtract(BitState& state, std::uint32_t column) {
             Cut cut(state, radius, dx, x);
             const std::uint32_t y = sample.y;
             const std::uint32_t height = plan.height;
-            cut.block(y, portable::chord_begin(y, half), portable::chord_end(y, half, height), 0);
+            cut.block(y, portable::window_begin(0, y, half, height),
+                      portable::window_end(0, y, half, height), 0);
             if (plan.period_y != 0) {
-                cut.block(y, 0, portable::chord_wrapped_end(y, half, height), height);
-                cut.block(y + height, portable::chord_wrapped_begin(y, half, height), height, 0);
+                cut.block(y, 0, portable::window_end(2, y, half, height), height);
+                cut.block(y + height, portable::window_begin(1, y, half, height), height, 0);
             }
             state.free_lengths[x] -= cut.blocked();
         }

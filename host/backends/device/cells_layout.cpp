@@ -18,12 +18,10 @@ std::uint64_t turns_of_sample(const Plan& plan, std::uint32_t reach) {
     return lines * turns_of_line(plan, reach);
 }
 
-std::uint32_t slices_of_sample(const Plan& plan, std::uint64_t most) {
-    const std::vector<std::uint32_t>& reaches = plan.radii->reaches;
-    const std::uint32_t widest = *std::max_element(reaches.begin(), reaches.end());
+std::uint32_t slices_of_sample(const Plan& plan, std::uint32_t reach, std::uint64_t most) {
+    const std::uint64_t lines = std::min(2 * std::uint64_t{reach} + 1, std::uint64_t{plan.lines});
     const std::uint64_t lines_of_slice =
-        std::max<std::uint64_t>(most / turns_of_line(plan, widest), 1);
-    const std::uint64_t lines = std::min(2 * std::uint64_t{widest} + 1, std::uint64_t{plan.lines});
+        std::max<std::uint64_t>(most / turns_of_line(plan, reach), 1);
     return static_cast<std::uint32_t>((lines + lines_of_slice - 1) / lines_of_slice);
 }
 

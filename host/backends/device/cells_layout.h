@@ -13,8 +13,8 @@ namespace lacuna::device {
 std::uint64_t turns_of_line(const Plan& plan, std::uint32_t reach);
 std::uint64_t turns_of_sample(const Plan& plan, std::uint32_t reach);
 
-// Among how many work items the lines near a sample are shared out, so that none takes more turns
-// than `most` where a single line does not.
-std::uint32_t slices_of_sample(const Plan& plan, std::uint64_t most);
+// Among how many work items the lines near such a sample are shared out, so that none takes more
+// turns than `most` where a single line does not.
+std::uint32_t slices_of_sample(const Plan& plan, std::uint32_t reach, std::uint64_t most);
 
 }  // namespace lacuna::device

@@ -63,14 +63,12 @@ inline constexpr std::array kAll{
 static_assert(sizeof(portable::Geometry) == 64 && offsetof(portable::DrawArguments, g) == 8 &&
               offsetof(portable::SlabArguments, g) == 8 &&
               offsetof(portable::StripArguments, g) == 8 &&
-              offsetof(portable::ColumnArguments, g) == 8 &&
-              offsetof(portable::LatticeArguments, g) == 8);
+              offsetof(portable::ColumnArguments, g) == 8);
 static_assert(offsetof(portable::DrawArguments, count) == 72 &&
-              offsetof(portable::DrawArguments, metric) == 88 &&
+              offsetof(portable::DrawArguments, is_listed) == 96 &&
               offsetof(portable::SlabArguments, is_counting) == 108 &&
               offsetof(portable::StripArguments, room) == 92 &&
-              offsetof(portable::ColumnArguments, room) == 72 &&
-              offsetof(portable::LatticeArguments, is_listed) == 100);
+              offsetof(portable::ColumnArguments, room) == 72);
 
 template <typename Kernel>
 void launch(Queue& queue, const Memory& memory, typename Kernel::Arguments arguments,

@@ -52,6 +52,7 @@ public:
         m.column_of = round_.copy_of(map.column_of);
         m.row_of = round_.copy_of(map.row_of);
         m.row_begins = round_.copy_of(map.row_begins);
+        round_.geometry.capacity = words_;
         round_.make_room(m.bits, std::uint64_t{plan.lines} * words_);
         round_.make_room(m.widest, plan.lines);
         round_.make_room(m.left_count, 1);
@@ -71,9 +72,13 @@ public:
     }
 
     void locate(std::span<const Draw>) override {
-        portable::DrawArguments arguments = arguments_of(kPasses - 1);
+        portable::SlabArguments arguments{};
         arguments.chunk = chunk_of(words_);  // a draw may walk the whole line
-        round_.launch_over_draws<kernels::locate_in_cells>(arguments, words_ / kWordsPerWork + 1);
+        arguments.g = round_.geometry;
+        arguments.end_draw = round_.draw_count;
+        launch<kernels::locate_in_cells>(round_.queue, round_.memory, arguments,
+                                         items_of(round_.draw_count, arguments.chunk),
+                                         arguments.chunk * (words_ / kWordsPerWork + 1));
     }
 
     void look_up() override {
@@ -175,12 +180,7 @@ private:
     // Into how many slices the lines near a sample are cut that reaches so far.
     std::uint32_t slices_of(std::uint32_t reach) const {
         if (fixed_slices_ != 0) return fixed_slices_;
-        const std::uint64_t lines_of_slice =
-            std::max<std::uint64_t>(kMostTurnsOfSlice / turns_of_line(round_.plan, reach), 1);
-        const std::uint64_t lines =
-            std::min(2 * std::uint64_t{reach} + 1, std::uint64_t{round_.plan.lines});
-        return std::max(kLeastSlices, static_cast<std::uint32_t>(items_of(
-                                          lines, static_cast<std::uint32_t>(lines_of_slice))));
+        return std::max(kLeastSlices, slices_of_sample(round_.plan, reach, kMostTurnsOfSlice));
     }
 
     // Draws that one item serves, of so many turns each.
@@ -192,7 +192,6 @@ private:
 
     portable::DrawArguments arguments_of(std::uint32_t pass) const {
         portable::DrawArguments arguments = round_.arguments(pass);
-        arguments.words = words_;
         arguments.rows = round_.plan.radii->rows;
         arguments.metric = static_cast<std::uint32_t>(round_.plan.metric);
         return arguments;
@@ -208,12 +207,14 @@ private:
             std::max<std::uint64_t>(most / std::max<std::uint64_t>(items, 1), 1)));
         const std::uint64_t turns = turns_of_sample(round_.plan, usual_reach) / slices;
         round_.queue.fill(round_.memory.left_count, 0, 1);
-        launch<kernels::subtract_in_cells>(
-            round_.queue, round_.memory,
-            {0, chunk, round_.geometry, count, kPasses - 1, words_, round_.plan.radii->rows,
-             static_cast<std::uint32_t>(round_.plan.metric), slices, served_reach_,
-             is_listed ? 1u : 0u},
-            items * slices, chunk * (turns / kTurnsPerWork + 1));
+        portable::DrawArguments arguments = arguments_of(kPasses - 1);
+        arguments.chunk = chunk;
+        arguments.count = count;
+        arguments.slices = slices;
+        arguments.most_reach = served_reach_;
+        arguments.is_listed = is_listed ? 1 : 0;
+        launch<kernels::subtract_in_cells>(round_.queue, round_.memory, arguments, items * slices,
+                                           chunk * (turns / kTurnsPerWork + 1));
     }
 
     std::vector<std::uint32_t> first_lines_;

@@ -58,11 +58,10 @@ void find_near_begins(const Plan& plan, std::uint32_t columns,
     begins.resize(columns + std::size_t{1});
     begins[0] = 0;
     for (std::uint32_t column = 0; column < columns; ++column) {
-        const std::uint32_t first = portable::first_neighbour(column, columns, plan.period_x);
-        const std::uint32_t count = portable::neighbour_count(column, columns, plan.period_x);
+        const portable::Stretch near = portable::stretch_around(column, 1, columns, plan.period_x);
         begins[column + 1] = begins[column];
-        for (std::uint32_t k = 0; k < count; ++k) {
-            const std::uint32_t neighbour = (first + k) % columns;
+        for (std::uint32_t k = 0; k < near.count; ++k) {
+            const std::uint32_t neighbour = portable::nth_of_stretch(near, k, columns);
             begins[column + 1] += column_begins[neighbour + 1] - column_begins[neighbour];
         }
     }

@@ -9,7 +9,7 @@
 
 #include "backends/backend.h"
 #include "plan/plan.h"
-#include "portable/geometry.h"
+#include "portable/kernels.h"
 
 namespace lacuna::device {
 

@@ -91,7 +91,7 @@ void RoundMemory::throw_if_failed() const {
 }
 
 portable::DrawArguments RoundMemory::arguments(std::uint32_t pass) const {
-    return {0, queue.chunk_of(draw_count), geometry, draw_count, pass, 0, 0, 0};
+    return {0, queue.chunk_of(draw_count), geometry, draw_count, pass, 0, 0, 0, 0, 0};
 }
 
 void RoundMemory::snapshot(Snapshot& snapshot) {

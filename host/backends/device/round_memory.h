@@ -11,7 +11,6 @@
 #include "backends/device/kernels.h"
 #include "backends/device/queue.h"
 #include "plan/plan.h"
-#include "portable/geometry.h"
 
 namespace lacuna::device {
 

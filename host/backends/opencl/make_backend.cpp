@@ -1,11 +1,8 @@
-// The opencl backend: chooses a device, and compiles the kernels for it.
+// The opencl backend: chooses a device, and has it ready.
 #include "backends/opencl/make_backend.h"
 
-#include <utility>
-
 #include "backends/device/device_backend.h"
-#include "backends/opencl/devices.h"
-#include "backends/opencl/program.h"
+#include "backends/opencl/device.h"
 #include "backends/opencl/queue.h"
 
 namespace lacuna::opencl {
@@ -16,14 +13,11 @@ std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placeme
 
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement,
                                       const device::Tuning& tuning, const Trial& trial) {
-    std::string source = plan.mode == Mode::cells ? cells_kernel_source() : kernel_source();
-    return device::make_backend(open_queue(placement, std::move(source), trial), plan, tuning);
+    return device::make_backend(open_queue(placement, trial), plan, tuning);
 }
 
-std::unique_ptr<device::Queue> open_queue(const Placement& placement, std::string source,
-                                          const Trial& trial) {
-    if (!trial.source.empty()) source = trial.source;
-    auto queue = make_queue(compiled(choose_device(placement.device), source));
+std::unique_ptr<device::Queue> open_queue(const Placement& placement, const Trial& trial) {
+    auto queue = make_queue(kept_device(placement.device), trial.sources);
     queue->count_launches(trial.launches);
     return queue;
 }

@@ -23,12 +23,13 @@ constexpr std::size_t kFillWords = std::size_t{1} << 16;
 
 class Queue : public device::Queue {
 public:
-    explicit Queue(std::shared_ptr<Program> program) : program_(std::move(program)) {
+    Queue(std::shared_ptr<Device> device, const std::vector<std::string>& sources)
+        : device_(std::move(device)), tried_(sources), sources_(tried_.begin(), tried_.end()) {
         guard([&] {
-            queue_ = cl::CommandQueue(program_->context, program_->device);
-            const bool processor = program_->entry.kind == "cpu";
-            const auto largest = program_->device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
-            const auto units = program_->device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+            queue_ = cl::CommandQueue(device_->context(), device_->device());
+            const bool processor = device_->entry().kind == "cpu";
+            const auto largest = device_->device().getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+            const auto units = device_->device().getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
             // One size for all launches: PoCL compiles a kernel anew for each.
             if (!processor)
                 group_size_ =
@@ -37,12 +38,12 @@ public:
         });
     }
 
-    const DeviceEntry& device() const override { return program_->entry; }
+    const DeviceEntry& device() const override { return device_->entry(); }
 
     Buffer make(std::uint64_t bytes) override {
         return guard([&] {
             const auto size = static_cast<std::size_t>(std::max<std::uint64_t>(bytes, 4));
-            return Buffer(std::make_shared<cl::Buffer>(program_->context, CL_MEM_READ_WRITE, size),
+            return Buffer(std::make_shared<cl::Buffer>(device_->context(), CL_MEM_READ_WRITE, size),
                           bytes);
         });
     }
@@ -89,8 +90,7 @@ protected:
                  std::span<const Buffer> buffers, std::uint32_t groups) override {
         guard([&] {
             cl::Kernel& kernel = kernels_[shape.name];
-            if (kernel() == nullptr)
-                kernel = cl::Kernel(program_->program, std::string(shape.name).c_str());
+            if (kernel() == nullptr) kernel = made(shape.name);
             kernel.setArg(0, arguments.size(), arguments.data());
             for (cl_uint i = 0; i < buffers.size(); ++i) kernel.setArg(i + 1, of(buffers[i]));
             queue_.enqueueNDRangeKernel(kernel, cl::NullRange,
@@ -119,12 +119,24 @@ private:
         return *static_cast<const cl::Buffer*>(buffer.handle());
     }
 
-    template <typename Work>
-    std::invoke_result_t<Work> guard(Work work) const {
-        return guarded(program_->entry.name, program_->log, work);
+    // From a source that was used before, if one has it: a kernel of all modes is in several.
+    cl::Kernel made(std::string_view name) {
+        std::string_view source = source_of(name, sources_);
+        if (source.empty()) {
+            source = source_of(name, kernel_sources());
+            sources_.push_back(source);
+        }
+        return cl::Kernel(device_->compiled(source), std::string(name).c_str());
     }
 
-    std::shared_ptr<Program> program_;
+    template <typename Work>
+    std::invoke_result_t<Work> guard(Work work) const {
+        return device_->guard(work);
+    }
+
+    std::shared_ptr<Device> device_;
+    std::vector<std::string> tried_;
+    std::vector<std::string_view> sources_;  // of the kernels so far, those tried first
     cl::CommandQueue queue_;
     std::uint32_t group_size_ = 1;
     std::uint32_t chunks_ = 0;  // 0: as many as there are units of work
@@ -135,8 +147,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<device::Queue> make_queue(std::shared_ptr<Program> program) {
-    return std::make_unique<Queue>(std::move(program));
+std::unique_ptr<device::Queue> make_queue(std::shared_ptr<Device> device,
+                                          const std::vector<std::string>& sources) {
+    return std::make_unique<Queue>(std::move(device), sources);
 }
 
 }  // namespace lacuna::opencl

@@ -2,13 +2,17 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "backends/device/queue.h"
-#include "backends/opencl/program.h"
+#include "backends/opencl/device.h"
 
 namespace lacuna::opencl {
 
-// For the kernels of the program.
-std::unique_ptr<device::Queue> make_queue(std::shared_ptr<Program> program);
+// A kernel is compiled when it is first launched: from the first of the sources that has it, or
+// else from kernel_sources().
+std::unique_ptr<device::Queue> make_queue(std::shared_ptr<Device> device,
+                                          const std::vector<std::string>& sources);
 
 }  // namespace lacuna::opencl

@@ -5,9 +5,9 @@
 
 #include "backends/reference/free_space.h"
 #include "plan/first_free.h"
-#include "portable/column.h"
 #include "portable/distance.h"
 #include "portable/metric.h"
+#include "portable/stretch.h"
 
 namespace lacuna::reference {
 namespace {
@@ -68,8 +68,9 @@ private:
     template <typename Visit>
     static void for_each_within(std::uint32_t centre, std::uint32_t reach, std::uint32_t length,
                                 std::uint32_t period, Visit visit) {
-        const portable::Stretch near = portable::near_lines(centre, reach, length, period);
-        for (std::uint32_t i = 0; i < near.count; ++i) visit((near.first + i) % length);
+        const portable::Stretch near = portable::stretch_around(centre, reach, length, period);
+        for (std::uint32_t i = 0; i < near.count; ++i)
+            visit(portable::nth_of_stretch(near, i, length));
     }
 
     const Plan& plan_;

@@ -7,7 +7,7 @@
 
 #include "backends/reference/free_space.h"
 #include "plan/first_free.h"
-#include "portable/column.h"
+#include "portable/stretch.h"
 
 namespace lacuna::reference {
 namespace {
@@ -60,10 +60,10 @@ bool FreeSpans::is_free(std::uint32_t line, std::uint32_t y) const {
 }
 
 void FreeSpans::subtract_disk(Sample sample) {
-    const portable::Stretch near = portable::near_lines(
+    const portable::Stretch near = portable::stretch_around(
         plan_.line_of(sample), plan_.radius / plan_.strip_width + 1, plan_.lines, plan_.period_x);
     for (std::uint32_t i = 0; i < near.count; ++i) {
-        const std::uint32_t line = (near.first + i) % plan_.lines;
+        const std::uint32_t line = portable::nth_of_stretch(near, i, plan_.lines);
         for_each_chord(plan_, sample, plan_.centre_of_line(line), plan_.chord_margin(),
                        [&](Span chord) { subtract(line, chord); });
     }

@@ -41,13 +41,11 @@ void for_each_chord(const Plan& plan, Sample sample, std::uint32_t x, std::uint3
     const std::uint32_t reach = portable::chord_reach(dx, plan.radius_squared);
     if (reach == 0) return;
     const std::uint32_t height = plan.height;
-    visit(
-        Span{portable::chord_begin(sample.y, reach), portable::chord_end(sample.y, reach, height)});
-    if (plan.period_y == 0) return;
-    const Span bottom = {0, portable::chord_wrapped_end(sample.y, reach, height)};
-    const Span top = {portable::chord_wrapped_begin(sample.y, reach, height), height};
-    if (bottom.begin < bottom.end) visit(bottom);
-    if (top.begin < top.end) visit(top);
+    for (std::uint32_t window = 0; window < (plan.period_y == 0 ? 1 : 3); ++window) {
+        const Span chord = {portable::window_begin(window, sample.y, reach, height),
+                            portable::window_end(window, sample.y, reach, height)};
+        if (chord.begin < chord.end) visit(chord);
+    }
 }
 
 }  // namespace lacuna::reference

@@ -7,11 +7,17 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <span>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include "backends/available.h"
+
+namespace lacuna::opencl {
+std::span<const std::string_view> kernel_files();  // kernels/*.cl one by one, includes expanded
+}
 
 namespace lacuna::tests {
 namespace {
@@ -26,7 +32,7 @@ namespace fs = std::filesystem;
 
 [[maybe_unused]] void replace_first(std::string& text, std::size_t from_here, const Fault& fault) {
     const std::string from = fault.from;
-    const std::size_t at = from_here == std::string::npos ? from_here : text.find(from, from_here);
+    const std::size_t at = text.find(from, from_here);
     if (at == std::string::npos)
         throw std::runtime_error(std::string(fault.file) + " no longer has: " + from);
     text.replace(at, from.size(), fault.to);
@@ -34,11 +40,17 @@ namespace fs = std::filesystem;
 
 #ifdef LACUNA_OPENCL
 std::unique_ptr<Backend> make_faulty_opencl(const Plan& plan, const Fault& fault) {
-    const bool is_cells = plan.mode == Mode::cells;
-    std::string source = is_cells ? opencl::cells_kernel_source() : opencl::kernel_source();
-    replace_first(source, source.find("#line 1 \"kernels/" + std::string(fault.file) + "\""),
-                  fault);
-    return opencl::make_backend(plan, {}, {}, {source, nullptr});
+    opencl::Trial trial;
+    for (const std::string_view embedded : opencl::kernel_files()) {
+        std::string source(embedded);
+        const std::size_t at = source.find("#line 1 \"kernels/" + std::string(fault.file) + "\"");
+        if (at == std::string::npos) continue;
+        replace_first(source, at, fault);
+        trial.sources.push_back(source);
+    }
+    if (trial.sources.empty())
+        throw std::runtime_error("no kernel includes " + std::string(fault.file));
+    return opencl::make_backend(plan, {}, {}, trial);
 }
 #endif
 
@@ -130,7 +142,7 @@ std::unique_ptr<Backend> make_counted(const std::string& backend, [[maybe_unused
                                       [[maybe_unused]] const device::Tuning& tuning,
                                       [[maybe_unused]] std::uint64_t* launches) {
 #ifdef LACUNA_OPENCL
-    if (backend == "opencl") return opencl::make_backend(plan, {}, tuning, {"", launches});
+    if (backend == "opencl") return opencl::make_backend(plan, {}, tuning, {{}, launches});
 #endif
 #ifdef LACUNA_VULKAN
     if (backend == "vulkan") return vulkan::make_backend(plan, {}, tuning, {{}, nullptr, launches});

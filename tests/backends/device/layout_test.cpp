@@ -53,10 +53,10 @@ TEST(SlicesOfSample, AreSoManyThatNoneTakesMoreTurns) {
         const std::uint64_t of_line = turns_of_line(scene.plan, widest);
         const std::uint64_t of_sample = turns_of_sample(scene.plan, widest);
         const std::uint64_t lines = of_sample / of_line;
-        EXPECT_EQ(slices_of_sample(scene.plan, of_sample), 1u) << scene.name;
-        EXPECT_EQ(slices_of_sample(scene.plan, 1), lines) << scene.name;
+        EXPECT_EQ(slices_of_sample(scene.plan, widest, of_sample), 1u) << scene.name;
+        EXPECT_EQ(slices_of_sample(scene.plan, widest, 1), lines) << scene.name;
         for (const std::uint64_t most : {of_line, 3 * of_line, of_sample / 2 + of_line}) {
-            const std::uint64_t slices = slices_of_sample(scene.plan, most);
+            const std::uint64_t slices = slices_of_sample(scene.plan, widest, most);
             EXPECT_LE((lines + slices - 1) / slices * of_line, most) << scene.name;
         }
     }

@@ -7,6 +7,7 @@
 
 #include "backends/available.h"
 #include "backends/cells_scenes.h"
+#include "backends/opencl/device.h"
 #include "backends/opencl/make_backend.h"
 #include "backends/scenes.h"
 #include "generate.h"
@@ -15,7 +16,7 @@ namespace lacuna::opencl {
 namespace {
 
 std::string altered(const std::string& from, const std::string& to) {
-    std::string source = kernel_source();
+    std::string source(source_of("locate", kernel_sources()));
     const std::size_t at = source.find(from);
     EXPECT_NE(at, std::string::npos) << "the kernels no longer have: " << from;
     if (at != std::string::npos) source.replace(at, from.size(), to);
@@ -26,7 +27,7 @@ std::string altered(const std::string& from, const std::string& to) {
 std::string error_of(const Plan& plan, const std::string& source) {
     Observer nobody;
     try {
-        generate(plan, *make_backend(plan, {}, {}, {source, nullptr}), nobody);
+        generate(plan, *make_backend(plan, {}, {}, {{source}, nullptr}), nobody);
     } catch (const DeviceError& error) {
         return error.what();
     }
@@ -56,7 +57,9 @@ TEST_F(Kernels, ThatDoNotCompileAreAnErrorWithTheBuildLog) {
 }
 
 TEST_F(Kernels, ThatAreMissingAreAnErrorWithTheirCall) {
-    const std::string what = error_of(plan_, altered("ENTRY(grow,", "ENTRY(shrink,"));
+    const std::string what =
+        error_of(plan_, altered("ENTRY(locate, serve_locate, SlabArguments, LOCATE_BINDINGS)",
+                                "#if 0\nENTRY(locate, gone)\n#endif"));
     EXPECT_NE(what.find("clCreateKernel failed with CL_INVALID_KERNEL_NAME (-46)"),
               std::string::npos)
         << what;

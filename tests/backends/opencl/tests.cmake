@@ -3,8 +3,14 @@ if(NOT TARGET OpenCL::OpenCL OR NOT LACUNA_OPENCL)
     return()
 endif()
 lacuna_test(backends/opencl OpenCL::OpenCL)
-target_include_directories(opencl_test SYSTEM PRIVATE ${OPENCL_HPP_INCLUDE_DIR})
-lacuna_embed_kernels(opencl_test portable_test_source ${CMAKE_CURRENT_LIST_DIR}/portable.cl)
+lacuna_embed_kernels(device_test arithmetic_sources
+    ${CMAKE_CURRENT_LIST_DIR}/../device/arithmetic.cl)
+file(GLOB kernels CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/kernels/*.cl)
+lacuna_embed_kernels(device_test kernel_files ${kernels})
+foreach(test IN ITEMS opencl_test device_test)
+    target_include_directories(${test} SYSTEM PRIVATE ${OPENCL_HPP_INCLUDE_DIR})
+endforeach()
+target_link_libraries(device_test PRIVATE OpenCL::OpenCL)
 
 function(lacuna_opencl_script name)
     add_test(NAME opencl.${name} COMMAND ${CMAKE_COMMAND}

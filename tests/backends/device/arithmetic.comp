@@ -6,10 +6,19 @@
 
 layout(local_size_x_id = 0) in;
 
-layout(push_constant) uniform Arguments { u32 first_item; u32 items; };
-layout(binding = 0) readonly restrict buffer Questions { Numbers questions[]; };
-layout(binding = 1) writeonly restrict buffer Replies { Answers replies[]; };
-layout(binding = 2) writeonly restrict buffer OffBy { u32 off_by[]; };
+layout(push_constant) uniform Arguments {
+    u32 first_item;
+    u32 items;
+};
+layout(binding = 0) readonly restrict buffer Questions {
+    Numbers questions[];
+};
+layout(binding = 1) writeonly restrict buffer Replies {
+    Answers replies[];
+};
+layout(binding = 2) writeonly restrict buffer OffBy {
+    u32 off_by[];
+};
 
 void main() {
     const u32 i = first_item + gl_GlobalInvocationID.x;

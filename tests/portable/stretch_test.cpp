@@ -5,32 +5,31 @@
 #include <set>
 
 #include "portable/distance.h"
-#include "portable/sample_grid.h"
+#include "portable/stretch.h"
 
 namespace {
 
 using namespace lacuna::portable;
 
-// Unit by unit. Where the radius reaches around a whole axis, all cells are near.
+// Unit by unit.
 std::set<u32> by_units(u32 begin, u32 end, u32 radius, u32 length, u32 period, u32 side) {
     std::set<u32> cells;
-    const bool is_all = 2 * radius + (end - begin) >= length;
     for (u32 unit = 0; unit < length; ++unit)
         for (u32 at = begin; at < end; ++at)
-            if (is_all || axis_distance(unit, at, period) <= radius) cells.insert(unit / side);
+            if (axis_distance(unit, at, period) <= radius) cells.insert(unit / side);
     return cells;
 }
 
 std::set<u32> by_run(u32 begin, u32 end, u32 radius, u32 length, u32 period, u32 side) {
-    const u32 count = count_grid(length, side);
-    const GridStretch run = grid_stretch(begin, end, radius, length, period, side, count);
+    const u32 count = (length - 1) / side + 1;
+    const Stretch run = cells_near(begin, end, radius, length, period, side, count);
     std::set<u32> cells;
     for (u32 i = 0; i < run.count; ++i) cells.insert(nth_of_stretch(run, i, count));
     EXPECT_LE(run.count, cells.size() + 1) << "at most the first cell comes twice";
     return cells;
 }
 
-TEST(GridStretch, HoldsTheCellsOfAllUnitsWithinTheRadius) {
+TEST(CellsNear, HoldsTheCellsOfAllUnitsWithinTheRadius) {
     constexpr unsigned kSeed = 21;
     std::mt19937 random(kSeed);
     for (int i = 0; i < 20'000; ++i) {

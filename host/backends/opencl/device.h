@@ -1,0 +1,51 @@
+// A device in use, and the kernels compiled for it: kept for the process, for all backends.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "backends/opencl/cl.h"
+#include "backends/opencl/devices.h"
+#include "backends/opencl/errors.h"
+
+namespace lacuna::opencl {
+
+class Device {
+public:
+    explicit Device(const Found& found);
+
+    const DeviceEntry& entry() const { return entry_; }
+    const cl::Device& device() const { return device_; }
+    const cl::Context& context() const { return context_; }
+
+    // Compiles the source, or finds it compiled. Throws DeviceError with the build log.
+    cl::Program compiled(std::string_view source);
+
+    // Calls work(); OpenCL's errors become Lacuna's.
+    template <typename Work>
+    auto guard(Work work) {
+        return guarded(entry_.name, log_, work);
+    }
+
+private:
+    DeviceEntry entry_;
+    Log log_;  // before the context, whose driver writes to it
+    cl::Device device_;
+    cl::Context context_;
+    std::mutex mutex_;
+    std::map<std::string, cl::Program, std::less<>> programs_;
+};
+
+// The device that a request names, opened once a process. Throws Unavailable.
+std::shared_ptr<Device> kept_device(const std::string& wanted);
+
+// The files of kernels/, includes expanded, in groups that are compiled together; and the first
+// source that has the kernel's ENTRY, empty if none has.
+std::span<const std::string_view> kernel_sources();
+std::string_view source_of(std::string_view kernel, std::span<const std::string_view> sources);
+
+}  // namespace lacuna::opencl
