@@ -142,7 +142,27 @@ public:
         if (boxes_) boxes_->restore(snapshot);
         slabs_.clear();
         spans_.clear();
-        if (has_boxes()) return;
+        if (!has_boxes()) put_spans(snapshot);
+    }
+
+private:
+    bool has_boxes() const { return boxes_ && boxes_->are_places(); }
+
+    // What is free at the start, with no room between lines, then spread out.
+    void make_lines() {
+        Snapshot first;
+        first.capacity = 1;
+        for (std::uint32_t line = 0; line < round_.plan.lines; ++line) {
+            first.spans.push_back(first_spans(round_.plan, line));
+            const auto count = static_cast<std::uint32_t>(first.spans.back().size());
+            first.capacity = std::max(first.capacity, count);
+        }
+        put_spans(first);
+        grow(std::max(first_capacity(round_.plan), first.capacity));
+        round_.queue.wait();
+    }
+
+    void put_spans(const Snapshot& snapshot) {
         make_slabs(snapshot.capacity);
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
             const std::vector<Span> slots = pack(slabs_[i], snapshot);
@@ -157,23 +177,6 @@ public:
         }
         round_.put<std::uint32_t>(round_.memory.span_counts, counts);
         round_.put<std::uint32_t>(round_.memory.free_lengths, lengths);
-        round_.queue.wait();
-    }
-
-private:
-    bool has_boxes() const { return boxes_ && boxes_->are_places(); }
-
-    // Of one span each, written in a row, then spread out.
-    void make_lines() {
-        const Plan& plan = round_.plan;
-        const std::vector<std::uint32_t> free = first_free_lengths(plan);
-        round_.queue.fill(round_.memory.span_counts, 1, plan.lines);
-        round_.put<std::uint32_t>(round_.memory.free_lengths, free);
-        make_slabs(1);
-        const std::vector<Span> whole(slabs_.front().lines(), Span{0, plan.height});
-        for (std::size_t i = 0; i < slabs_.size(); ++i)
-            round_.put(spans_[i], std::span(whole).first(slabs_[i].lines()));
-        grow(first_capacity(plan));
         round_.queue.wait();
     }
 

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "backends/vulkan/shaders.h"
+
 namespace lacuna::vulkan {
 
 Device::Device(std::shared_ptr<const Instance> instance, std::size_t number,

@@ -82,7 +82,4 @@ std::shared_ptr<Device> kept_device(std::string_view wanted);
 // The queue of one backend on the device.
 std::unique_ptr<device::Queue> make_queue(std::shared_ptr<Device> device);
 
-// The words of the shader that cmake/vulkan.cmake has compiled for the kernel.
-std::span<const std::uint32_t> embedded_shader(std::string_view kernel);
-
 }  // namespace lacuna::vulkan

@@ -1,13 +1,11 @@
 // The compute shaders, embedded. The headers are made by cmake/vulkan.cmake.
-#include <array>
-#include <cstdint>
-#include <span>
+#include "backends/vulkan/shaders.h"
+
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "backends/vulkan/device.h"
 #include "portable/kernels.h"
 
 namespace lacuna::vulkan {

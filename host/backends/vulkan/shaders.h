@@ -1,0 +1,13 @@
+// The compute shaders, embedded.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace lacuna::vulkan {
+
+// The words of the shader that cmake/vulkan.cmake has compiled for the kernel.
+std::span<const std::uint32_t> embedded_shader(std::string_view kernel);
+
+}  // namespace lacuna::vulkan
