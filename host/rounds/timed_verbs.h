@@ -3,6 +3,7 @@
 
 #include <lacuna/lacuna.h>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <span>
 #include <string>
@@ -14,19 +15,28 @@
 
 namespace lacuna {
 
-// Tells the observer when a verb begins, and when it ends or throws.
+// Tells the observer when a verb begins, and when it ends or throws. What the observer throws ends
+// the run, unless another exception does so already.
 class Timed {
 public:
-    Timed(Observer& observer, Verb verb) : observer_(observer), verb_(verb) {
+    Timed(Observer& observer, Verb verb)
+        : observer_(observer), verb_(verb), exceptions_(std::uncaught_exceptions()) {
         observer_.begin(verb_);
     }
-    ~Timed() { observer_.end(verb_); }
+    ~Timed() noexcept(false) {
+        try {
+            observer_.end(verb_);
+        } catch (...) {
+            if (std::uncaught_exceptions() == exceptions_) throw;
+        }
+    }
     Timed(const Timed&) = delete;
     Timed& operator=(const Timed&) = delete;
 
 private:
     Observer& observer_;
     Verb verb_;
+    int exceptions_;  // on their way when the verb began
 };
 
 class TimedBackend : public Backend {

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <thread>
 #include <utility>
@@ -27,9 +28,9 @@ public:
     // 0: as many threads as the machine has.
     explicit Workers(std::uint32_t threads)
         : threads_(threads != 0 ? static_cast<int>(threads) : tbb::info::default_concurrency()),
-          allowed_(tbb::global_control::max_allowed_parallelism,
-                   static_cast<std::size_t>(std::max(threads_, tbb::info::default_concurrency()))),
-          arena_(threads_) {}
+          arena_(threads_) {
+        allow_many();
+    }
 
     std::string name() const {
         return std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads");
@@ -74,6 +75,17 @@ private:
     // The calling thread asks may_go_on_ at one column in kColumnsPerPoll. A column of the largest
     // sets takes some milliseconds, and asking takes a tenth of a microsecond.
     static constexpr std::uint32_t kColumnsPerPoll = 4;
+    static constexpr std::size_t kMostThreads = 1024;  // of one run, see plan.cpp
+
+    // More threads than cores, if that is what a run asks for. Once a process: of several such
+    // controls oneTBB takes the least, and prints a warning when another run asks for more.
+    static void allow_many() {
+        static const tbb::global_control* const kept =
+            std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                  kMostThreads)
+                .release();
+        static_cast<void>(kept);
+    }
 
     template <typename Work>
     void serve(std::uint32_t column, std::thread::id caller, Work& work) {
@@ -94,7 +106,6 @@ private:
     }
 
     int threads_;
-    tbb::global_control allowed_;  // more threads than cores, if that is what was asked for
     tbb::task_arena arena_;
     std::atomic<std::uint64_t> handover_{0};
     std::function<bool()> may_go_on_;

@@ -2,6 +2,7 @@
 #include "backends/device/choice.h"
 
 #include <lacuna/lacuna.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -80,6 +81,13 @@ std::size_t choose(std::string_view backend, std::span<const DeviceEntry> entrie
         throw Unavailable("device " + std::string(wanted) + ": " + entries[chosen].name +
                           " cannot be used by backend " + name + ": " + entries[chosen].unusable);
     return chosen;
+}
+
+std::string why_forked() {
+    static const pid_t first = ::getpid();
+    if (::getpid() == first) return "";
+    return "this process was forked from one that used its driver, whose threads stayed behind: "
+           "start a program instead (exec)";
 }
 
 }  // namespace lacuna::device

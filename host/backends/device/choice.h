@@ -27,5 +27,9 @@ namespace device {
 std::size_t choose(std::string_view backend, std::span<const DeviceEntry> entries,
                    std::string_view wanted);
 
+// Why this process cannot use a device: it was forked from one that did, whose drivers' threads
+// stayed behind. Empty where it can. To be asked before anything else of a driver.
+std::string why_forked();
+
 }  // namespace device
 }  // namespace lacuna

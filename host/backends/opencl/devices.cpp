@@ -2,6 +2,7 @@
 #include "backends/opencl/devices.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include "backends/opencl/errors.h"
 #include "backends/opencl/make_backend.h"
@@ -70,6 +71,11 @@ std::vector<DeviceEntry> entries_of(const std::vector<Found>& all) {
 }  // namespace
 
 std::vector<Found> find_devices() {
+    const std::string forked = device::why_forked();
+    if (!forked.empty()) return {without_device("OpenCL", forked)};
+    // Drivers set themselves up when they are first asked, and not all of them for several threads.
+    static std::mutex mutex;
+    const std::lock_guard lock(mutex);
     std::vector<Found> all;
     for (const cl::Platform& platform : find_platforms()) {
         std::string name = "an OpenCL platform";

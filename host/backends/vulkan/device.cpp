@@ -58,12 +58,12 @@ void Device::run(const vk::raii::CommandBuffer& commands) {
 }
 
 std::shared_ptr<Device> kept_device(std::string_view wanted) {
+    const std::shared_ptr<const Instance> instance = kept_instance();
     static std::mutex mutex;
     // Never destroyed: by the end of the process a driver may have destroyed itself.
     using All = std::map<std::size_t, std::shared_ptr<Device>>;
     static All& all = *std::make_unique<All>().release();
     const std::lock_guard lock(mutex);
-    const std::shared_ptr<const Instance> instance = kept_instance();
     const std::size_t number = choose_device(*instance, wanted);
     std::shared_ptr<Device>& device = all[number];
     if (device == nullptr) device = std::make_shared<Device>(instance, number, nullptr, Shaders{});

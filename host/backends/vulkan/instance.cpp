@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <mutex>
+#include <string>
 #include <string_view>
 
+#include "backends/device/choice.h"
 #include "backends/device/kernels.h"
 #include "backends/vulkan/make_backend.h"
 
@@ -127,6 +129,8 @@ Instance::Instance(const Validation* validation) : context_(load()) {
 }
 
 std::shared_ptr<const Instance> kept_instance() {
+    const std::string forked = device::why_forked();
+    if (!forked.empty()) throw Unavailable("backend vulkan: " + forked);
     static std::mutex mutex;
     // Never destroyed: by the end of the process a driver may have destroyed itself.
     static auto& kept = *std::make_unique<std::shared_ptr<const Instance>>().release();

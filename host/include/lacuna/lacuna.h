@@ -18,6 +18,8 @@
 //     importance is closer to some point than the metric allows, in lattice steps and with radii
 //     rounded up to 1/256 of one. Where importance is 0, no point is.
 //   - The library never prints, never exits and never reads the clock.
+//   - Any function may be called from several threads at once. A process forked after a device was
+//     used or listed gets Unavailable for opencl and vulkan: drivers' threads do not live on there.
 //
 // What can go wrong is thrown: see the classes derived from Error at the end of this file.
 #pragma once
@@ -148,6 +150,8 @@ public:
     virtual bool keep_going(const Progress&) { return true; }
     virtual void begin(Verb) {}
     virtual void end(Verb) {}
+    // Each may throw: that ends sample(), which passes the exception on. What end() throws while
+    // another exception is on its way is lost.
 };
 
 // Makes the set that `request` asks for.

@@ -1,0 +1,126 @@
+// Several threads of a program use the library at once, from its first call on: every ctest test is
+// a process of its own.
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "backends/available.h"
+
+namespace lacuna {
+namespace {
+
+bool are_equal(const std::vector<Point>& a, const std::vector<Point>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](Point p, Point q) { return p.x == q.x && p.y == q.y; });
+}
+
+Request small_request(const std::string& backend, std::uint64_t seed) {
+    Request request;
+    request.radius = 0.05;
+    request.seed = seed;
+    request.backend = backend;
+    return request;
+}
+
+constexpr int kThreads = 8;
+
+// Calls work(thread) in so many threads at once.
+template <typename Work>
+void in_threads(Work work) {
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < kThreads; ++i) threads.emplace_back([&work, i] { work(i); });
+}
+
+class Threads : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Backend, Threads, tests::kParallelBackends, tests::name_of_parameter);
+
+// Whether the backend is there shows only afterwards, so that no thread finds it warmed up.
+TEST_P(Threads, ThatSampleFirstAllGetTheirSets) {
+    constexpr int kCalls = 12;
+    std::vector<std::vector<Point>> got(kThreads * kCalls);
+    std::vector<std::string> errors(kThreads);
+    in_threads([&](int thread) {
+        for (int call = 0; call < kCalls; ++call) {
+            const int seed = thread * kCalls + call;
+            try {
+                Request request = small_request(GetParam(), static_cast<std::uint64_t>(seed));
+                if (GetParam() == "cpu") request.threads = static_cast<std::uint32_t>(1 + seed % 4);
+                got[static_cast<std::size_t>(seed)] = sample(request).points;
+            } catch (const std::exception& error) {
+                errors[static_cast<std::size_t>(thread)] = error.what();
+            }
+        }
+    });
+    const std::string missing = tests::why_missing(GetParam());
+    if (!missing.empty() && !tests::is_required(GetParam())) GTEST_SKIP() << missing;
+    for (const std::string& error : errors) EXPECT_EQ(error, "");
+    for (std::size_t i = 0; i < got.size(); ++i)
+        EXPECT_TRUE(are_equal(got[i], sample(small_request("reference", i)).points)) << i;
+}
+
+TEST(Threads, ThatListDevicesFirstAllSeeTheSame) {
+    std::vector<std::size_t> counts(kThreads);
+    in_threads([&](int thread) { counts[static_cast<std::size_t>(thread)] = devices().size(); });
+    for (const std::size_t count : counts) EXPECT_EQ(count, devices().size());
+}
+
+TEST(Threads, OfOtherNumbersAreNoWordOnStandardError) {
+    testing::internal::CaptureStderr();
+    in_threads([](int thread) {
+        for (int call = 0; call < 20; ++call) {
+            Request request = small_request("cpu", 1);
+            request.radius = 0.01;
+            request.threads = static_cast<std::uint32_t>(2 + 2 * thread);
+            sample(request);
+        }
+    });
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+struct Thrown : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct ThrowsAtTheEnd : Observer {
+    void end(Verb verb) override {
+        if (verb == Verb::admit) throw Thrown("the observer's own");
+    }
+};
+
+TEST(AnObserver, ThatThrowsAtAVerbsEndEndsTheCallWithItsException) {
+    ThrowsAtTheEnd observer;
+    EXPECT_THROW(sample(small_request("cpu", 1), observer), Thrown);
+}
+
+// Threads of the driver do not live on in a child.
+class Forks : public tests::OnBackend {};
+INSTANTIATE_TEST_SUITE_P(Backend, Forks, tests::kDeviceBackends, tests::name_of_parameter);
+
+TEST_P(Forks, OfAProgramThatUsedADeviceAreToldThatTheyCannot) {
+    sample(small_request(GetParam(), 1));
+    const pid_t child = fork();
+    if (child == 0) {
+        alarm(20);
+        try {
+            sample(small_request(GetParam(), 1));
+        } catch (const Unavailable& error) {
+            _exit(std::string(error.what()).find("forked") != std::string::npos ? 17 : 2);
+        }
+        _exit(1);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status)) << "ended by signal " << WTERMSIG(status);
+    EXPECT_EQ(WEXITSTATUS(status), 17);
+}
+
+}  // namespace
+}  // namespace lacuna
