@@ -22,6 +22,7 @@ struct Entry {
     std::string_view name;
     // Throws Unavailable when there is no such device.
     Run (*run)(const Request&, const Plan&, Observer&);
+    bool has_devices;  // that a request may name
     std::vector<DeviceEntry> (*list)();
 };
 
@@ -74,18 +75,18 @@ std::vector<DeviceEntry> list_left_out() {
 
 // In order of preference.
 constexpr Entry kBackends[] = {
-    {"cpu", run_rounds<cpu::make_backend>, list_processor},
+    {"cpu", run_rounds<cpu::make_backend>, false, list_processor},
 #ifdef LACUNA_OPENCL
-    {"opencl", run_rounds<opencl::make_backend>, opencl::list_devices},
+    {"opencl", run_rounds<opencl::make_backend>, true, opencl::list_devices},
 #else
-    {"opencl", run_left_out, list_left_out},
+    {"opencl", run_left_out, true, list_left_out},
 #endif
 #ifdef LACUNA_VULKAN
-    {"vulkan", run_rounds<vulkan::make_backend>, vulkan::list_devices},
+    {"vulkan", run_rounds<vulkan::make_backend>, true, vulkan::list_devices},
 #else
-    {"vulkan", run_left_out, list_left_out},
+    {"vulkan", run_left_out, true, list_left_out},
 #endif
-    {"reference", run_reference, list_one_thread},
+    {"reference", run_reference, false, list_one_thread},
 };
 
 std::string names() {
@@ -116,6 +117,10 @@ Run run_on_backend(const Request& request, const Plan& plan, Observer& observer)
     const std::string wanted = wanted_backend(request);
     for (const Entry& entry : kBackends) {
         if (wanted != "auto" && wanted != entry.name) continue;
+        if (!request.device.empty() && !entry.has_devices)
+            throw BadRequest("device", request.device,
+                             "backend " + std::string(entry.name) +
+                                 " has no devices to choose from; opencl and vulkan have");
         Run run = entry.run(request, plan, observer);
         run.backend = entry.name;
         return run;

@@ -19,9 +19,10 @@ namespace {
 constexpr double kLongerSideUnits = 2147483648.0;  // 2^31
 constexpr double kLargestAspect = 1000.0;
 constexpr std::uint32_t kMostLinesPerRadius = 1000;
-constexpr std::uint32_t kMostThreads = 1024;        // far more take more memory than they save time
-constexpr std::uint32_t kExactLinesPerRadius = 6;   // the fastest: docs/speed.md
-constexpr std::uint32_t kPaperLinesPerRadius = 30;  // section 5.1
+constexpr std::uint32_t kMostThreads = 1024;  // far more take more memory than they save time
+constexpr std::uint64_t kMostRoundSize = std::uint64_t{1} << 31;  // draws have numbers of 32 bits
+constexpr std::uint32_t kExactLinesPerRadius = 6;                 // the fastest: docs/speed.md
+constexpr std::uint32_t kPaperLinesPerRadius = 30;                // section 5.1
 // With fewer units to a radius, rounding it up would show; 1000 lines a radius need 2 units each.
 constexpr double kSmallestRadius = 1.0 / (1 << 20);  // of the longer side
 
@@ -102,6 +103,32 @@ void check_radius(const Request& request) {
                              ", the longer side / 2^20, or the grid's units run out");
 }
 
+// A program may cast any number to an enum.
+void check_enums(const Request& request) {
+    const auto refuse = [](const char* option, auto value, const char* allowed) {
+        throw BadRequest(option, std::to_string(static_cast<long long>(value)), allowed);
+    };
+    if (name_of(request.mode).empty())
+        refuse("mode", request.mode, "must be Mode::exact, lines or cells");
+    if (name_of(request.metric).empty())
+        refuse("metric", request.metric, "must be Metric::min, mean or max");
+    if (request.boundary != Boundary::box && request.boundary != Boundary::torus)
+        refuse("boundary", request.boundary, "must be Boundary::box or torus");
+}
+
+void check_round_size(const Request& request) {
+    constexpr double kBytesPerDraw = 96;  // draws, candidates, fates, and room to sort them
+    const std::string value = std::to_string(request.round_size);
+    if (request.uniform_x && request.round_size > 1)
+        throw BadRequest("round-size", value,
+                         "must be 1 with uniform-x, whose draws cannot be thinned");
+    if (request.round_size > kMostRoundSize)
+        throw BadRequest("round-size", value, "must be at most " + std::to_string(kMostRoundSize));
+    if (request.backend == "reference") return;  // takes one draw at a time
+    refuse_more_memory(request, "round-size", value,
+                       kBytesPerDraw * static_cast<double>(request.round_size));
+}
+
 // What mode cells asks for beside a scale or a count, and no other mode knows.
 void check_field(const Request& request) {
     const bool cells = request.mode == Mode::cells;
@@ -175,6 +202,7 @@ void check_importance(const Field& field) {
 }
 
 void check_request(const Request& request) {
+    check_enums(request);
     const double shorter = std::min(request.width, request.height);
     const double longer = std::max(request.width, request.height);
     const std::string domain = shortest(request.width) + "x" + shortest(request.height);
@@ -207,9 +235,7 @@ void check_request(const Request& request) {
     if (request.threads > kMostThreads)
         throw BadRequest("threads", std::to_string(request.threads),
                          "must be at most " + std::to_string(kMostThreads));
-    if (request.uniform_x && request.round_size > 1)
-        throw BadRequest("round-size", std::to_string(request.round_size),
-                         "must be 1 with uniform-x, whose draws cannot be thinned");
+    check_round_size(request);
 }
 
 double radius_for_count(const Request& request, int attempt) {

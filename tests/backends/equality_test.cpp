@@ -147,6 +147,16 @@ TEST(Backends, UnknownNameIsRefusedWithTheKnownOnes) {
     }
 }
 
+TEST(Backends, WithoutDevicesRefuseTheNameOfOne) {
+    Request request;
+    request.radius = 0.1;
+    request.device = "GeForce";
+    for (const char* const backend : {"cpu", "reference", "auto"}) {
+        request.backend = backend;
+        EXPECT_THROW(sample(request), BadRequest) << backend;
+    }
+}
+
 TEST(Backends, TheEnvironmentChoosesWhenTheRequestDoesNot) {
     Request request;
     request.radius = 0.1;

@@ -129,7 +129,7 @@ TEST(ASecondSignal, DoesNotWaitForTheEndOfTheRound) {
     const Folder folder;
     // One round that no test would live to see the end of.
     Program program({"sample", "--radius", "0.0005", "--backend", "reference", "--round-size",
-                     "1000000000000", "-o", folder.path("a.txt")});
+                     "2147483648", "-o", folder.path("a.txt")});
     ASSERT_TRUE(program.waits_for(SIGINT));
     while (program.is_running()) {
         program.send(SIGINT);

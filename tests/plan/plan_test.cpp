@@ -146,6 +146,30 @@ TEST(Plan, NeedsLessMemoryForFewPoints) {
     EXPECT_NE(refusal(request).find("needs about 4"), std::string::npos) << refusal(request);
 }
 
+TEST(Plan, RefusesRoundsThatNoMemoryHolds) {
+    Request request = with_radius(0.1);
+    request.round_size = std::uint64_t{1} << 32;
+    EXPECT_EQ(refusal(request), "round-size 4294967296: must be at most 2147483648");
+    request.round_size = 100'000'000;
+    request.memory_limit_bytes = 1'000'000'000;
+    EXPECT_EQ(refusal(request).find("round-size 100000000: needs about 9.6 GB of memory"), 0u)
+        << refusal(request);
+    request.memory_limit_bytes = 10'000'000'000;
+    EXPECT_EQ(refusal(request), "accepted");
+}
+
+TEST(Plan, RefusesEnumsOutOfRange) {
+    Request request = with_radius(0.1);
+    request.mode = static_cast<Mode>(7);
+    EXPECT_EQ(refusal(request), "mode 7: must be Mode::exact, lines or cells");
+    request = with_radius(0.1);
+    request.boundary = static_cast<Boundary>(2);
+    EXPECT_EQ(refusal(request), "boundary 2: must be Boundary::box or torus");
+    request = with_radius(0.1);
+    request.metric = static_cast<Metric>(-1);
+    EXPECT_EQ(refusal(request), "metric -1: must be Metric::min, mean or max");
+}
+
 TEST(Plan, SaysWhenTheUnitsRunOut) {
     Request request = with_radius(1e-7);
     request.limit = 10;
