@@ -123,6 +123,9 @@ void refuse_more_memory(const Request& request, const std::string& option, const
                         double bytes);
 // The m of mode cells unless the request has one: quality is reasonable from there on (figure 4).
 inline constexpr std::uint32_t kCellsPerRadius = 10;
+// The request's, or the mode's own.
+std::uint32_t lines_per_radius(const Request& request);
+
 // The shortest decimal that reads back as the same double.
 std::string shortest(double value);
 

@@ -1,0 +1,117 @@
+// What a request may ask for.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "plan/plan.h"
+
+namespace lacuna {
+namespace {
+
+constexpr double kLargestAspect = 1000.0;
+constexpr std::uint32_t kMostLinesPerRadius = 1000;
+constexpr std::uint32_t kMostThreads = 1024;  // far more take more memory than they save time
+constexpr std::uint64_t kMostRoundSize = std::uint64_t{1} << 31;  // draws have numbers of 32 bits
+
+// A program may cast any number to an enum.
+void check_enums(const Request& request) {
+    const auto refuse = [](const char* option, auto value, const char* allowed) {
+        throw BadRequest(option, std::to_string(static_cast<long long>(value)), allowed);
+    };
+    if (name_of(request.mode).empty())
+        refuse("mode", request.mode, "must be Mode::exact, lines or cells");
+    if (name_of(request.metric).empty())
+        refuse("metric", request.metric, "must be Metric::min, mean or max");
+    if (request.boundary != Boundary::box && request.boundary != Boundary::torus)
+        refuse("boundary", request.boundary, "must be Boundary::box or torus");
+}
+
+void check_round_size(const Request& request) {
+    constexpr double kBytesPerDraw = 96;  // draws, candidates, fates, and room to sort them
+    const std::string value = std::to_string(request.round_size);
+    if (request.uniform_x && request.round_size > 1)
+        throw BadRequest("round-size", value,
+                         "must be 1 with uniform-x, whose draws cannot be thinned");
+    if (request.round_size > kMostRoundSize)
+        throw BadRequest("round-size", value, "must be at most " + std::to_string(kMostRoundSize));
+    if (request.backend == "reference") return;  // takes one draw at a time
+    refuse_more_memory(request, "round-size", value,
+                       kBytesPerDraw * static_cast<double>(request.round_size));
+}
+
+// What mode cells asks for beside a scale or a count, and no other mode knows.
+void check_field(const Request& request) {
+    const bool cells = request.mode == Mode::cells;
+    if (!cells && request.field != nullptr)
+        throw BadRequest("field", "with mode " + std::string(name_of(request.mode)),
+                         "is for mode cells only");
+    if (!cells && request.scale)
+        throw BadRequest("scale", shortest(*request.scale), "is for mode cells only");
+    if (!cells) return;
+    if (request.radius)
+        throw BadRequest("radius", shortest(*request.radius),
+                         "is not for mode cells: give a scale or a count");
+    if (request.field == nullptr) throw BadRequest("field", "missing", "mode cells needs one");
+    check_importance(*request.field);
+}
+
+}  // namespace
+
+void check_importance(const Field& field) {
+    if (field.importance.size() != std::size_t{field.columns} * field.rows ||
+        field.importance.empty())
+        throw BadRequest("field",
+                         std::to_string(field.columns) + "x" + std::to_string(field.rows) +
+                             " with " + std::to_string(field.importance.size()) + " values",
+                         "needs columns * rows values, at least one");
+    for (std::size_t i = 0; i < field.importance.size(); ++i)
+        if (!std::isfinite(field.importance[i]) || field.importance[i] < 0)
+            throw BadRequest("field",
+                             shortest(field.importance[i]) + " at row " +
+                                 std::to_string(i / field.columns) + ", column " +
+                                 std::to_string(i % field.columns),
+                             "importance must be a finite number of at least 0");
+    if (*std::max_element(field.importance.begin(), field.importance.end()) <= 0)
+        throw BadRequest("field", "of zeros", "some importance must be greater than 0");
+}
+
+void check_request(const Request& request) {
+    check_enums(request);
+    const double shorter = std::min(request.width, request.height);
+    const double longer = std::max(request.width, request.height);
+    const std::string domain = shortest(request.width) + "x" + shortest(request.height);
+    if (!std::isfinite(request.width) || !std::isfinite(request.height) || !(shorter > 0))
+        throw BadRequest("domain", domain, "both sides must be finite numbers greater than 0");
+    if (longer > kLargestAspect * shorter)
+        throw BadRequest(
+            "domain", domain,
+            "the longer side may be at most " + shortest(kLargestAspect) + " times the shorter");
+    if (shorter < 1e-100 || longer > 1e100)
+        throw BadRequest("domain", domain, "the sides must lie between 1e-100 and 1e100");
+    const std::uint32_t lines = lines_per_radius(request);
+    if (lines < 1 || lines > kMostLinesPerRadius)
+        throw BadRequest("lines-per-radius", std::to_string(lines),
+                         "must be between 1 and " + std::to_string(kMostLinesPerRadius));
+    if (request.mode != Mode::lines && (request.snap || request.uniform_x))
+        throw BadRequest(request.snap ? "snap" : "uniform-x",
+                         "with mode " + std::string(name_of(request.mode)),
+                         "is for mode lines only");
+    check_field(request);
+    if (request.limit && *request.limit == 0) throw BadRequest("limit", "0", "must be at least 1");
+    const bool cells = request.mode == Mode::cells;
+    const std::string size = cells ? "scale" : "radius";
+    const std::optional<double>& given = cells ? request.scale : request.radius;
+    if (given && request.count)
+        throw BadRequest(size, shortest(*given), "give either a " + size + " or a count");
+    if (!given && !request.count)
+        throw BadRequest(size, "missing", "give either a " + size + " or a count");
+    if (request.count && *request.count == 0) throw BadRequest("count", "0", "must be at least 1");
+    if (request.threads > kMostThreads)
+        throw BadRequest("threads", std::to_string(request.threads),
+                         "must be at most " + std::to_string(kMostThreads));
+    check_round_size(request);
+}
+
+}  // namespace lacuna
