@@ -37,7 +37,7 @@ double value_of(Bool value) {
 }
 
 double value_of(Half half) {
-    const int exponent = half.bits >> 10U & 0x1fU;
+    const auto exponent = static_cast<int>(half.bits >> 10U & 0x1fU);
     const double fraction = half.bits & 0x3ffU;
     constexpr int kSpecial = 0x1f, kBias = 15, kFractionBits = 10;
     double value = 0;
