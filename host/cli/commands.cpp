@@ -25,6 +25,7 @@
 #include "cli/interruption.h"
 #include "cli/nearest.h"
 #include "cli/options.h"
+#include "cli/relax.h"
 #include "cli/reproduce.h"
 #include "cli/sample.h"
 #include "cli/stipple.h"
@@ -46,6 +47,7 @@ Examples:
   lacuna sample --radius 0.01 -o points.svg
   lacuna sample --count 10000 --torus > points.txt
   lacuna stipple photo.jpg --count 20000 -o dots.svg
+  lacuna relax points.txt --torus -o even.npy
   lacuna sample --help
   lacuna verify points.txt --radius 0.01
   lacuna analyze points.txt -o sheet.pdf
@@ -77,6 +79,7 @@ public:
 void add_commands(CLI::App& app, const Sampler& sampler) {
     add_sample(app);
     add_stipple(app);
+    add_relax_command(app);
     add_verify(app);
     add_analyze(app);
     add_reproduce(app);

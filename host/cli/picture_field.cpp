@@ -33,9 +33,18 @@ CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request) 
                "The radius where the picture is black, its longer side being 1; this or --count");
     command
         .add_option_function<std::string>(
-            "--metric", [&request](const std::string& text) { read_metric(text, request.metric); },
-            "What two dots of different radii keep apart: min of the two (default), mean or max")
+            "--metric",
+            [&picture, &request](const std::string& text) {
+                read_metric(text, request.metric);
+                picture.has_metric = true;
+            },
+            "What two dots of different radii keep apart: min of the two, mean or max")
         ->type_name("METRIC");
+    add_importance(command, picture);
+    return image;
+}
+
+void add_importance(CLI::App& command, Picture& picture) {
     command.add_flag("--invert", picture.importance.invert, "Bright is dense")
         ->disable_flag_override();
     add_number(command, "black", "L", picture.importance.black,
@@ -50,7 +59,6 @@ CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request) 
                "Importance is raised to this power: over 1 lightens middle tones (default 1)");
     add_number(command, "min-importance", "I", picture.importance.min_importance,
                "Importance is nowhere less, so that white has dots too (default 0)");
-    return image;
 }
 
 Field read_field(const Picture& picture, Request& request) {

@@ -13,11 +13,15 @@ namespace lacuna::cli {
 struct Picture {
     std::string path;
     pictures::Importance importance;
+    bool has_metric = false;  // --metric was given
 };
 
 // Adds IMAGE, --scale, --metric, --invert, --black, --white,
 // --auto-levels, --gamma and --min-importance. Returns IMAGE's option.
 CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request);
+
+// --invert, --gamma and --min-importance alone.
+void add_importance(CLI::App& command, Picture& picture);
 
 // Reads the picture, and gives the request its shape: the longer side is 1. Throws BadRequest and
 // files::FileError.

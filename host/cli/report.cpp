@@ -27,6 +27,9 @@ Json json_of(const Request& request, const Result& result) {
 Json json_of(const Stopwatch& stopwatch, double total_seconds) {
     Json seconds;
     for (const Verb verb : kVerbs) seconds[std::string(name_of(verb))] = stopwatch.seconds(verb);
+    for (const Verb verb : kRelaxVerbs)
+        if (stopwatch.seconds(verb) > 0)
+            seconds[std::string(name_of(verb))] = stopwatch.seconds(verb);
     seconds["total"] = total_seconds;
     return seconds;
 }
@@ -36,6 +39,11 @@ std::int64_t peak_memory_bytes() {
     getrusage(RUSAGE_SELF, &usage);
     constexpr std::int64_t kBytesPerUnit = 1024;  // Linux counts it in KiB
     return usage.ru_maxrss * kBytesPerUnit;
+}
+
+// Device names come from drivers, and need not be UTF-8.
+std::string text_of(const Json& report) {
+    return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
@@ -78,8 +86,23 @@ std::string report_of(const Request& request, const Made& made, const Json& more
                    {"peak_memory_bytes", peak_memory_bytes()},
                    {"points_sha256", files::sha256_of(result.points)}});
     report.update(more, true);
-    // Device names come from drivers, and need not be UTF-8.
-    return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return text_of(report);
+}
+
+std::string relax_report(const Json& request, const Made& made, const Json& more) {
+    Json seconds;
+    for (const Verb verb : kRelaxVerbs)
+        seconds[std::string(name_of(verb))] = made.stopwatch.seconds(verb);
+    seconds["total"] = made.seconds;
+    Json report{{"program", "lacuna"},
+                {"version", LACUNA_VERSION},
+                {"request", request},
+                {"count", made.result.points.size()},
+                {"seconds", seconds},
+                {"peak_memory_bytes", peak_memory_bytes()},
+                {"points_sha256", files::sha256_of(made.result.points)}};
+    report.update(more, true);
+    return text_of(report);
 }
 
 }  // namespace lacuna::cli

@@ -20,4 +20,7 @@ Json what_decides(const Request& request, const Result& result);
 std::string report_of(const Request& request, const Made& made);
 std::string report_of(const Request& request, const Made& made, const Json& more);
 
+// Of points that were read and only relaxed.
+std::string relax_report(const Json& request, const Made& made, const Json& more);
+
 }  // namespace lacuna::cli

@@ -4,7 +4,9 @@
 #include <lacuna/lacuna.h>
 
 #include <CLI/App.hpp>
+#include <cstdint>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "cli/options.h"
 #include "cli/origin.h"
 #include "cli/output.h"
+#include "cli/relaxation.h"
 #include "cli/report.h"
 #include "files/point_files.h"
 
@@ -28,9 +31,16 @@ Examples:
   lacuna sample --radius 0.01 -o points.svg         a picture; see --output for the formats
   lacuna sample --count 10000 --torus -o points.npy exactly so many points, and edges that wrap
   lacuna sample --radius 0.02 --domain 2x1 --mode lines   the paper's algorithm
+  lacuna sample --count 4096 --torus --relax 30 -o even.npy   far more even: see lacuna relax --help
   lacuna sample --radius 0.005 --seed 7 -o a.csv --report a.json   and what it cost
   lacuna sample --count 10k --format npy > a.npy      another format on standard output
 )";
+
+struct Options {
+    CommonOptions common;
+    DrawingOptions drawing;
+    std::uint32_t relax = 0;
+};
 
 void read_mode(const std::string& text, Mode& mode) {
     if (text == name_of(Mode::cells))
@@ -43,11 +53,6 @@ void read_mode(const std::string& text, Mode& mode) {
     throw BadRequest("mode", shown(text), "must be exact or lines");
 }
 
-struct Options {
-    CommonOptions common;
-    DrawingOptions drawing;
-};
-
 void run(const CLI::App& command, const Options& all) {
     const CommonOptions& options = all.common;
     const std::vector<Output> outputs = checked_outputs(options);
@@ -55,14 +60,21 @@ void run(const CLI::App& command, const Options& all) {
     const drawing::Style style =
         style_of(all.drawing, options.request.width, options.request.height);
     Interruption interruption;
-    const Made made = make(options, interruption);
+    Made made = make(options, interruption);
+    const Request& request = options.request;
+    Json more = Json::object();
+    Json relaxed = Json::object();  // of the options
+    if (all.relax != 0) {
+        relaxed["relax"] = all.relax;
+        more = json_of(relax_points(options, outputs, relax_options_of(request, all.relax), nullptr,
+                                    interruption, made));
+    }
     interruption.start_writing(!has_standard_output(outputs));
 
-    const Request& request = options.request;
-    const files::Origin origin = origin_of(command, request, made.result);
+    const files::Origin origin = origin_of(command, request, made.result, relaxed);
     const files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
                               &origin};
-    if (!options.report.empty()) files::write_whole(options.report, report_of(request, made));
+    if (!options.report.empty()) files::write_whole(options.report, report_of(request, made, more));
     write_set(all.drawing, outputs, set, style, {});
     sum_up(options, outputs, made, "point");
 }
@@ -110,6 +122,7 @@ void add_sample(CLI::App& app) {
     Request& request = options->common.request;
     add_size(command, request);
     add_what_to_make(command, request);
+    add_relax(command, options->relax);
     add_mode(command, request);
     add_how_to_draw(command, options->drawing, "two thirds of the points' radius");
     add_effort(command, request);

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,7 @@
 #include "cli/output.h"
 #include "cli/picture_field.h"
 #include "cli/progress_bar.h"
+#include "cli/relaxation.h"
 #include "cli/report.h"
 #include "cli/stopwatch.h"
 #include "drawing/dot_size.h"
@@ -43,18 +45,20 @@ Examples:
   lacuna stipple photo.jpg --count 20000 -o dots.svg         exactly so many dots
   lacuna stipple dim.jpg --auto-levels -o dots.svg -o dots.png   an underexposed photo, two files
   lacuna stipple photo.jpg --scale 0.003 -o dots.png         as many as there is room for
-  lacuna stipple photo.jpg --count 20000 --metric max -o dots.pdf     see --metric
+  lacuna stipple photo.jpg --count 20000 --relax 0 -o dots.pdf        the paper's set, grainy
   lacuna stipple photo.jpg --count 5000 --paper-size A4 --margin 15mm --dot-size 0.5mm --pen-path
     -o plot.svg                                              for a plotter with a pen of 0.5 mm
   lacuna stipple density.npy --invert --count 5000 > points.txt       high numbers are dense
 
-Points lie in the picture's shape, its longer side 1, y upwards. The radius, the least distance to
-another dot, is G / sqrt(importance); importance is 1 where the picture is black and 0, no dots at
-all, where it is white. Points come in the order in which they were admitted, and any prefix is
-itself a set of its kind; with --pen-path they do not.
+Points lie in the picture's shape, its longer side 1, y upwards. Importance is 1 where the picture
+is black and 0, no dots at all, where it is white. Dots are placed at random, a radius apart, which
+is G / sqrt(importance); then --relax moves them, K times, until each stands in the middle of an
+equal share of the picture. With --relax 0 they stay: radii are then least distances, points come in
+the order in which they were admitted, and any prefix is itself a set of its kind.
 
 Where radii differ, two dots keep the smaller one apart with --metric min: dots of light places take
 no room from dark ones. With mean and max they do, and leave gaps along edges of the picture.
+Without --metric it is mean, from which relaxing comes farthest, and min with --relax 0.
 
 On --paper-size the picture lies in the middle, as large as --margin lets it, and .svg is in mm.
 Without, the picture is the page, 512pt long.
@@ -68,6 +72,7 @@ struct Options {
     Picture picture;
     DrawingOptions drawing;
     bool pen_path = false;
+    std::uint32_t relax = RelaxOptions{}.iterations;
 };
 
 void add_what_to_stipple(CLI::App& command, Options& options) {
@@ -105,6 +110,7 @@ struct Work {
     double path_seconds = 0;
     double admitted_length = 0;  // of a pen's way, in the domain's units
     double path_length = 0;
+    std::optional<Relaxation> relaxation;
 };
 
 void order_for_a_pen(const Options& options, Interruption& interruption, Made& made, Work& work) {
@@ -141,6 +147,7 @@ Json json_of(const Options& options) {
             {"white", importance.white},
             {"auto_levels", importance.auto_levels},
             {"min_importance", importance.min_importance},
+            {"relax", options.relax},
             {"pen_path", options.pen_path}};
 }
 
@@ -150,6 +157,7 @@ Json report_of_the_rest(const Options& options, const std::vector<Output>& outpu
               {"image", {{"columns", field.columns}, {"rows", field.rows}}},
               {"seconds", {{"read", work.read_seconds}}}};
     if (has_picture(outputs)) more["request"].update(json_of(options.drawing, style));
+    if (work.relaxation) more.update(json_of(*work.relaxation), true);
     if (!options.pen_path) return more;
     more["seconds"]["pen_path"] = work.path_seconds;
     more["pen_path"] = {{"length", work.path_length}, {"length_as_admitted", work.admitted_length}};
@@ -173,6 +181,7 @@ void run(const CLI::App& command, const Options& options) {
     CommonOptions common = options.common;
     Request& request = common.request;
     request.mode = Mode::cells;
+    if (options.relax != 0 && !options.picture.has_metric) request.metric = Metric::mean;
     const Field field = read_field(options.picture, request);
     request.field = &field;
     drawing::Style style = style_of(options.drawing, request.width, request.height);
@@ -186,6 +195,9 @@ void run(const CLI::App& command, const Options& options) {
 
     Interruption interruption;
     Made made = make(common, interruption);
+    if (options.relax != 0)
+        work.relaxation = relax_points(common, outputs, relax_options_of(request, options.relax),
+                                       &field, interruption, made);
     if (options.pen_path) order_for_a_pen(options, interruption, made, work);
     interruption.start_writing(!has_standard_output(outputs));
 
@@ -197,7 +209,9 @@ void run(const CLI::App& command, const Options& options) {
             common.report,
             report_of(request, made, report_of_the_rest(options, outputs, field, style, work)));
     write_set(options.drawing, outputs, set, style,
-              drawing::dot_diameters(set.points, field, set.width, set.height));
+              drawing::dot_diameters(
+                  set.points, field, set.width, set.height,
+                  options.relax != 0 ? drawing::Spread::even : drawing::Spread::random));
     sum_up(common, outputs, made, "dot", note, path_text(options, outputs, set, style, work));
 }
 
@@ -208,6 +222,7 @@ void add_stipple(CLI::App& app) {
     const auto options = std::make_shared<Options>();
     add_what_to_stipple(command, *options);
     add_what_to_make(command, options->common.request);
+    add_relax(command, options->relax);
     add_how_to_draw(command, options->drawing, "as much ink as the picture is dark");
     add_pen_path(command, *options);
     add_effort(command, options->common.request);

@@ -77,13 +77,14 @@ protected:
 TEST_P(Completion, OffersCommands) {
     EXPECT_EQ(completed({"st"}), "stipple");
     EXPECT_EQ(completed({"v"}), "verify version");
+    EXPECT_EQ(completed({"re"}), "relax reproduce");
     const std::string all = completed({""});
     expect_has(all, {"sample", "verify", "analyze", "compare", "devices", "help"});
     EXPECT_EQ(completed({"help", "sa"}), "sample");
 }
 
 TEST_P(Completion, OffersACommandsOptionsAndTheirValues) {
-    EXPECT_EQ(completed({"sample", "--r"}), "--radius --report --round-size");
+    EXPECT_EQ(completed({"sample", "--r"}), "--radius --relax --report --round-size");
     EXPECT_EQ(completed({"stipple", "--metr"}), "--metric");
     EXPECT_EQ(completed({"stipple", "--metric", "m"}), "max mean min");
     EXPECT_EQ(completed({"stipple", "a.png", "--paper-size", "l"}), "legal letter");

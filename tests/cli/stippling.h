@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,8 +17,11 @@ namespace lacuna::test {
 
 using Names = std::vector<std::string>;
 
-// Runs `lacuna stipple IMAGE ARGUMENTS... --quiet -o OUTPUT`.
+// Runs `lacuna stipple IMAGE ARGUMENTS... --quiet -o OUTPUT`, with --relax 0 unless they have it:
+// most tests are of the set that is then made.
 inline Outcome stipple(const std::string& image, Names arguments, const std::string& output) {
+    if (std::find(arguments.begin(), arguments.end(), "--relax") == arguments.end())
+        arguments.insert(arguments.end(), {"--relax", "0"});
     arguments.insert(arguments.begin(), {"stipple", image});
     arguments.insert(arguments.end(), {"--quiet", "-o", output});
     return run(arguments);

@@ -58,6 +58,18 @@ TEST_P(AnImportance, IsTheShareOfThePaperThatIsCovered) {
 INSTANTIATE_TEST_SUITE_P(FromLightToBlack, AnImportance,
                          testing::Values(0.05, 0.2, 0.4, 0.55, 0.7, 0.8, 0.9, 1.0));
 
+TEST_P(AnImportance, IsTheShareThatRelaxedDotsCover) {
+    const double importance = GetParam();
+    const Field field{1, 1, {importance}};
+    RelaxOptions options;
+    options.boundary = Boundary::torus;
+    const std::vector<Point> points =
+        relax(maximal_set(field, 0.02 * std::sqrt(importance)), nullptr, options).points;
+    const double share = covered(
+        points, drawing::dot_diameters(points, field, 1, 1, drawing::Spread::even), {0.1, 0.9});
+    EXPECT_NEAR(share, importance, 0.015) << points.size() << " dots";
+}
+
 TEST(DotDiameters, GivenTwoTonesSideBySideThenEachIsReproduced) {
     const Field field{2, 1, {0.95, 0.25}};
     const std::vector<Point> points = maximal_set(field, 0.025);
