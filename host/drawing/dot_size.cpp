@@ -25,7 +25,8 @@ constexpr double kSizeStep = 0.01;
 
 double wider_at(double importance, Spread spread) {
     const auto& wider = spread == Spread::even ? kWiderRelaxed : kWider;
-    const double place = std::clamp((importance - kFirst) / kStep, 0.0, double{kWider.size() - 1});
+    const double place =
+        std::clamp((importance - kFirst) / kStep, 0.0, static_cast<double>(kWider.size() - 1));
     const std::size_t low = std::min(static_cast<std::size_t>(place), wider.size() - 2);
     const double exact = std::lerp(wider[low], wider[low + 1], place - static_cast<double>(low));
     return std::round(exact / kSizeStep) * kSizeStep;

@@ -1,5 +1,6 @@
 // The body of find_rivals: the sites that may win lattice points of a leaf, in the order of ties.
 #include "bodies/leaf.h"
+#include "portable/bits.h"
 
 // The leaf as image (x, y) of the domain sees it: 0, 1 and 2 are a period below, the domain itself,
 // and a period above.
@@ -23,15 +24,14 @@ BODY u32 nearest_image(const u32 at, const u32 place, const u32 period) {
     return off <= period / 2u ? 1u : at > place ? 0u : 2u;
 }
 
-// Node `index` of a level, or site.
-BODY u64 power_of_node(MEMORY const u32 level, const u32 begin, const u32 index, const Rect box) {
-    if (level == 0u) {
-        const u32x4 site = AT(sites, index);
-        return least_power(to_i32(site.x), to_i32(site.y), to_i32(site.x), to_i32(site.y),
-                           join_words(site.z, site.w), box);
-    }
-    const u32x4 node = AT(node_boxes, begin + index);
-    const u32x2 lift = AT(node_lifts, begin + index);
+BODY u64 power_of_site(const u32x4 site, const Rect box) {
+    return least_power(to_i32(site.x), to_i32(site.y), to_i32(site.x), to_i32(site.y),
+                       join_words(site.z, site.w), box);
+}
+
+BODY u64 power_of_node(MEMORY const u32 index, const Rect box) {
+    const u32x4 node = AT(node_boxes, index);
+    const u32x2 lift = AT(node_lifts, index);
     return least_power(to_i32(node.x), to_i32(node.y), to_i32(node.z), to_i32(node.w),
                        join_words(lift.x, lift.y), box);
 }
@@ -40,19 +40,19 @@ BODY u64 power_of_node(MEMORY const u32 level, const u32 begin, const u32 index,
 BODY u32 site_near(MEMORY const LeafArguments a, const Rect box) {
     u32 begin = 0u;
     u32 nearest = 0u;
-    for (u32 level = a.depth; level > 0u; --level) {
+    for (u32 level = a.depth; level > 1u; --level) {
         const u32 first = nearest * 8u;
         const u32 end = min(first + 8u, nodes_of_level(a.lattice.samples, level - 1u));
         begin = begin * 8u + 1u;
-        u64 least = power_of_node(ON level - 1u, begin, first, box);
+        u64 least = power_of_node(ON begin + first, box);
         nearest = first;
         for (u32 child = first + 1u; child < end; ++child) {
-            const u64 power = power_of_node(ON level - 1u, begin, child, box);
-            if (power < least) nearest = child;
+            const u64 power = power_of_node(ON begin + child, box);
+            nearest = power < least ? child : nearest;
             least = power < least ? power : least;
         }
     }
-    return nearest;
+    return nearest * 8u;
 }
 
 // The best so far in the leaf's middle.
@@ -63,10 +63,14 @@ struct Leader {
 };
 LACUNA_TYPEDEF(Leader)
 
-BODY Leader leader_of(const LeafArguments a, const u32 number, const u32x4 site, const Rect box) {
+BODY Rival rival_in(const u32x4 site, const Rect box) {
+    return rival_of(to_i32(site.x) - box.left, to_i32(site.y) - box.bottom,
+                    join_words(site.z, site.w));
+}
+
+BODY Leader leader_of(const u32 number, const u32x4 site, const Rect box) {
     Leader leader;
-    leader.rival = rival_of(to_i32(site.x) - box.left, to_i32(site.y) - box.bottom,
-                            join_words(site.z, site.w), a.lattice.step_x, a.lattice.step_y);
+    leader.rival = rival_in(site, box);
     leader.site = number;
     leader.bound = worst_power(to_i32(site.x), to_i32(site.y), join_words(site.z, site.w), box);
     return leader;
@@ -81,7 +85,7 @@ BODY Leader first_leader(MEMORY const LeafArguments a, const u32 index, const Le
         nearest_image(at.x, lattice_place(leaf.left, a.lattice.step_x), a.lattice.period_x);
     const u32 y =
         nearest_image(at.y, lattice_place(leaf.bottom, a.lattice.step_y), a.lattice.period_y);
-    return leader_of(a, site, at, rect_of(a, leaf, x, y));
+    return leader_of(site, at, rect_of(a, leaf, x, y));
 }
 
 // A site that may win by image (x, y): into the leaf's slot, or only counted where that is full.
@@ -98,14 +102,13 @@ BODY void put_rival(MEMORY const u32 slot, const u32 count, const u32 number, co
 
 // Of the rivals those that the leader does not beat everywhere, sorted into `ranked`. Returns how
 // many.
-BODY u32 rank_rivals(MEMORY const LeafArguments a, const Leaf leaf, const u32 slot, const u32 count,
-                     const Rival leader) {
+BODY u32 rank_rivals(MEMORY const u32 slot, const u32 count, const Rival leader, const u32 width,
+                     const u32 height) {
     u32 kept = 0u;
     for (u32 i = 0u; i < count; ++i) {
         const u32x4 near = AT(rivals, slot + i);
-        const Rival rival = rival_of(to_i32(near.x), to_i32(near.y), join_words(near.z, near.w),
-                                     a.lattice.step_x, a.lattice.step_y);
-        if (!can_win(rival, leader, leaf.width - 1u, leaf.height - 1u)) continue;
+        const Rival rival = rival_of(to_i32(near.x), to_i32(near.y), join_words(near.z, near.w));
+        if (!can_win(rival, leader, width, height)) continue;
         const u32 order = AT(rival_ids, slot + i).y;
         u32 to = kept;
         while (to > 0u && AT(rival_ids, slot + AT(ranked, slot + to - 1u)).y > order) {
@@ -118,14 +121,46 @@ BODY u32 rank_rivals(MEMORY const LeafArguments a, const Leaf leaf, const u32 sl
     return kept;
 }
 
+// The next node of level 1 that may have a rival; past the root, where there is none.
+BODY Cursor next_near(MEMORY const LeafArguments a, Cursor at, const u64 bound, const Rect box) {
+    bool is_found = false;
+    while (!is_found && at.level <= a.depth) {
+        const bool is_near = power_of_node(ON at.begin + at.index, box) <= bound;
+        is_found = is_near && at.level == 1u;
+        if (is_found) break;
+        const Cursor below = below_cursor(at);
+        const Cursor next = next_cursor(at, a.lattice.samples, a.depth);
+        at.level = is_near ? below.level : next.level;
+        at.index = is_near ? below.index : next.index;
+        at.begin = is_near ? below.begin : next.begin;
+    }
+    return at;
+}
+
+// Bit i tells whether site first + i may win. Apart from the work for those that may, as they are
+// few, and lavapipe spends the time of all branches on each turn of a loop.
+BODY u32 near_sites(MEMORY const LeafArguments a, const u32 first, const Leader leader,
+                    const Rect box) {
+    const u32 width = to_u32(box.right - box.left);
+    const u32 height = to_u32(box.top - box.bottom);
+    u32 near = 0u;
+    for (u32 i = 0u; i < 8u; ++i) {
+        const u32x4 site = AT(sites, min(first + i, a.lattice.samples - 1u));
+        const bool is_near = power_of_site(site, box) <= leader.bound &&
+                             can_win(rival_in(site, box), leader.rival, width, height);
+        near = near | (is_near && first + i < a.lattice.samples ? 1u << i : 0u);
+    }
+    return near;
+}
+
 BODY void find_rivals_of(MEMORY const LeafArguments a, const u32 index) {
     const Leaf leaf = leaf_at(ON a, index);
-    const u32 u = leaf.width / 2u;
-    const u32 v = leaf.height / 2u;
+    const u32 right = leaf.width / 2u * a.lattice.step_x;  // of the middle
+    const u32 up = leaf.height / 2u * a.lattice.step_y;
     const u32 slot = index * RIVAL_ROOM;
     const u32 images = a.lattice.period_x != 0u ? 9u : 1u;
     Leader leader = first_leader(ON a, index, leaf);
-    i64 least = rival_value(leader.rival, u, v);
+    i64 least = rival_value(leader.rival, right, up);
     u32 count = RIVAL_ROOM + 1u;
     // A leader from long ago lets many in before a better one is found: then once more.
     for (u32 round = 0u; round < 2u && count > RIVAL_ROOM; ++round) {
@@ -137,24 +172,21 @@ BODY void find_rivals_of(MEMORY const LeafArguments a, const u32 index) {
             at.level = a.depth;
             at.index = 0u;
             at.begin = 0u;
-            while (at.level <= a.depth) {
-                const bool is_near =
-                    power_of_node(ON at.level, at.begin, at.index, box) <= leader.bound;
-                if (is_near && at.level != 0u) {
-                    at = below_cursor(at);
-                    continue;
-                }
-                if (is_near) {
-                    const u32x4 site = AT(sites, at.index);
-                    const Leader other = leader_of(a, at.index, site, box);
-                    if (can_win(other.rival, leader.rival, leaf.width - 1u, leaf.height - 1u)) {
-                        put_rival(ON slot, count, at.index, site, box, image);
-                        ++count;
-                        const i64 value = rival_value(other.rival, u, v);
-                        if (value < least) {
-                            least = value;
-                            leader = other;
-                        }
+            while (true) {
+                at = next_near(ON a, at, leader.bound, box);
+                if (at.level > a.depth) break;
+                u32 near = near_sites(ON a, at.index * 8u, leader, box);
+                while (near != 0u) {
+                    const u32 number = at.index * 8u + lowest_bit(near);
+                    near = near & (near - 1u);
+                    const u32x4 site = AT(sites, number);
+                    put_rival(ON slot, count, number, site, box, image);
+                    ++count;
+                    const Leader other = leader_of(number, site, box);
+                    const i64 value = rival_value(other.rival, right, up);
+                    if (value < least) {
+                        least = value;
+                        leader = other;
                     }
                 }
                 at = next_cursor(at, a.lattice.samples, a.depth);
@@ -163,7 +195,10 @@ BODY void find_rivals_of(MEMORY const LeafArguments a, const u32 index) {
     }
     AT(hints, a.first_leaf + index) = leader.site;
     AT(rival_counts, index) =
-        count > RIVAL_ROOM ? CROWDED : rank_rivals(ON a, leaf, slot, count, leader.rival);
+        count > RIVAL_ROOM
+            ? CROWDED
+            : rank_rivals(ON slot, count, leader.rival, (leaf.width - 1u) * a.lattice.step_x,
+                          (leaf.height - 1u) * a.lattice.step_y);
 }
 
 BODY void serve_find_rivals(MEMORY const LeafArguments a, const u32 item) {

@@ -48,14 +48,14 @@ BODY void own_row(MEMORY const LeafArguments a, const u32 row) {
     u32 winner[LEAF_SIDE];
     for (u32 rank = 0u; rank < count; ++rank) {
         const u32x4 near = AT(rivals, slot + AT(ranked, slot + rank));
-        const Rival rival = rival_of(to_i32(near.x), to_i32(near.y), join_words(near.z, near.w),
-                                     a.lattice.step_x, a.lattice.step_y);
-        i64 value = rival_value(rival, 0u, v);
+        const Rival rival = rival_of(to_i32(near.x), to_i32(near.y), join_words(near.z, near.w));
+        const i64 slope = rival_slope(rival.dx, a.lattice.step_x);
+        i64 value = rival_value(rival, 0u, v * a.lattice.step_y);
         for (u32 u = 0u; u < LEAF_SIDE; ++u) {
             const bool is_less = rank == 0u || value < least[u];
             least[u] = is_less ? value : least[u];
             winner[u] = is_less ? rank : winner[u];
-            value += rival.along_x;
+            value += slope;
         }
     }
     const u32x2 won = U32X2(winner[0] | winner[1] << 8 | winner[2] << 16 | winner[3] << 24,

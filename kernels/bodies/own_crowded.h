@@ -1,4 +1,4 @@
-// The body of own_crowded: a row of a leaf that has more rivals than room, each lattice point for
+// The body of own_crowded: in a leaf that has more rivals than room each lattice point is for
 // itself: its owner is searched among all sites, and gets its mass at once.
 #include "bodies/leaf.h"
 #include "bodies/shares.h"
@@ -52,7 +52,6 @@ BODY u32 owner_of(MEMORY const LeafArguments a, const u32 hint, const u32 x, con
 
 BODY void own_crowded_row(MEMORY const LeafArguments a, const u32 row) {
     const u32 index = row / LEAF_SIDE;
-    if (AT(rival_counts, index) != CROWDED) return;
     const Leaf leaf = leaf_at(ON a, index);
     const u32 v = leaf.bottom + row % LEAF_SIDE;
     const u32x4 masses_of = AT(row_masses, row);
@@ -78,8 +77,13 @@ BODY void own_crowded_row(MEMORY const LeafArguments a, const u32 row) {
     }
 }
 
+// An item serves whole leaves: lavapipe spends the time of one turn of each loop on those that are
+// not crowded, too.
 BODY void serve_own_crowded(MEMORY const LeafArguments a, const u32 item) {
-    const u32 end = min((item + 1u) * a.chunk, a.count * LEAF_SIDE);
-    for (u32 row = item * a.chunk; row < end; ++row) own_crowded_row(ON a, row);
+    const u32 end = min((item + 1u) * a.chunk, a.count);
+    for (u32 index = item * a.chunk; index < end; ++index) {
+        if (AT(rival_counts, index) != CROWDED) continue;
+        for (u32 v = 0u; v < LEAF_SIDE; ++v) own_crowded_row(ON a, index * LEAF_SIDE + v);
+    }
     CHECK_TURNS(a.lattice.columns, FAILED_OWN);
 }

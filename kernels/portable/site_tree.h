@@ -88,46 +88,45 @@ LACUNA_FN u64 worst_power(i32 x, i32 y, u64 lift, Rect box) {
     return dx * dx + dy * dy + lift;
 }
 
-// A site that may win a leaf: its power less |p|^2 at lattice point (u, v) of the leaf is
-// at + u along_x + v along_y. Of two rivals, the difference is exact, and no square is left.
+// A site that may win a leaf, (dx, dy) from its lowest lattice point: its power less |p|^2 at
+// lattice point (u, v) is at - 2 (u step_x dx + v step_y dy). Of two rivals, the difference is
+// exact, and no square is left.
 struct Rival {
     i64 at;
-    i64 along_x;
-    i64 along_y;
+    i32 dx;
+    i32 dy;
 };
 LACUNA_TYPEDEF(Rival)
 
-// (dx, dy): from the leaf's lowest lattice point. `at` is below 2^63 for a power below 2^62 in the
-// leaf.
-LACUNA_FN Rival rival_of(i32 dx, i32 dy, u64 lift, u32 step_x, u32 step_y) {
+// `at` is below 2^63 for a power below 2^62 in the leaf.
+LACUNA_FN Rival rival_of(i32 dx, i32 dy, u64 lift) {
     i64 x = dx;
     i64 y = dy;
-    i64 wide = step_x;
-    i64 high = step_y;
     Rival rival;
     rival.at = x * x + y * y + to_i64(lift);
-    rival.along_x = x * wide * -2;
-    rival.along_y = y * high * -2;
+    rival.dx = dx;
+    rival.dy = dy;
     return rival;
 }
 
-LACUNA_FN i64 rival_value(Rival rival, u32 u, u32 v) {
-    i64 x = u;
-    i64 y = v;
-    return rival.at + x * rival.along_x + y * rival.along_y;
+// By how much a rival's value changes from one lattice point of an axis to the next.
+LACUNA_FN i64 rival_slope(i32 off, u32 step) {
+    i64 x = off;
+    i64 wide = step;
+    return x * wide * -2;
 }
 
-// Whether `other` fails to beat `rival` somewhere in the leaf's lattice points 0 .. u_last,
-// 0 .. v_last: where they differ most lies in a corner.
-LACUNA_FN bool can_win(Rival rival, Rival other, u32 u_last, u32 v_last) {
-    i64 x = rival.along_x - other.along_x;
-    i64 y = rival.along_y - other.along_y;
-    i64 u = u_last;
-    i64 v = v_last;
-    i64 ahead = rival.at - other.at;
-    ahead = ahead + (x < 0 ? x * u : 0);
-    ahead = ahead + (y < 0 ? y * v : 0);
-    return ahead <= 0;
+LACUNA_FN i64 rival_value(Rival rival, u32 right, u32 up) {
+    return rival.at + rival_slope(rival.dx, right) + rival_slope(rival.dy, up);
+}
+
+// Whether `other` fails to beat `rival` somewhere in a leaf of this size in units, from its first
+// to its last lattice points: where they differ most lies in a corner.
+LACUNA_FN bool can_win(Rival rival, Rival other, u32 width, u32 height) {
+    u64 x = rival.dx > other.dx ? to_u32(rival.dx) - to_u32(other.dx) : 0u;
+    u64 y = rival.dy > other.dy ? to_u32(rival.dy) - to_u32(other.dy) : 0u;
+    u64 wins = x * width + y * height;
+    return rival.at - other.at <= to_i64(wins * 2u);
 }
 
 // What a mass at the leaf's lowest lattice point on an axis, `low`, adds to a moment: see

@@ -169,7 +169,7 @@ private:
         };
         launch(kernels::find_rivals{}, count, kFindWork);
         launch(kernels::own{}, count * LEAF_SIDE, kRowWork);
-        launch(kernels::own_crowded{}, count * LEAF_SIDE, kRowWork);
+        launch(kernels::own_crowded{}, count, kRowWork);
         launch(kernels::gather_shares{}, count * kItemsOfLeaf, kRowWork);
     }
 
