@@ -153,20 +153,31 @@ BODY u32 near_sites(MEMORY const LeafArguments a, const u32 first, const Leader 
     return near;
 }
 
+// Bit 3 y + x tells whether image (x, y) of the domain may have a rival. On a box the domain
+// itself.
+BODY u32 near_images(MEMORY const LeafArguments a, const Leaf leaf, const u64 bound) {
+    if (a.lattice.period_x == 0u) return 16u;
+    u32 near = 0u;
+    for (u32 image = 0u; image < 9u; ++image) {
+        const u64 power = power_of_node(ON 0u, rect_of(a, leaf, image % 3u, image / 3u));
+        near = near | (power <= bound ? 1u << image : 0u);
+    }
+    return near;
+}
+
 BODY void find_rivals_of(MEMORY const LeafArguments a, const u32 index) {
     const Leaf leaf = leaf_at(ON a, index);
     const u32 right = leaf.width / 2u * a.lattice.step_x;  // of the middle
     const u32 up = leaf.height / 2u * a.lattice.step_y;
     const u32 slot = index * RIVAL_ROOM;
-    const u32 images = a.lattice.period_x != 0u ? 9u : 1u;
     Leader leader = first_leader(ON a, index, leaf);
     i64 least = rival_value(leader.rival, right, up);
     u32 count = RIVAL_ROOM + 1u;
     // A leader from long ago lets many in before a better one is found: then once more.
     for (u32 round = 0u; round < 2u && count > RIVAL_ROOM; ++round) {
         count = 0u;
-        for (u32 i = 0u; i < images; ++i) {
-            const u32 image = (i + 4u) % 9u;  // the domain itself first
+        for (u32 rest = near_images(ON a, leaf, leader.bound); rest != 0u; rest &= rest - 1u) {
+            const u32 image = lowest_bit(rest);
             const Rect box = rect_of(a, leaf, image % 3u, image / 3u);
             Cursor at;
             at.level = a.depth;
