@@ -39,7 +39,7 @@ namespace fs = std::filesystem;
 }
 
 #ifdef LACUNA_OPENCL
-std::unique_ptr<Backend> make_faulty_opencl(const Plan& plan, const Fault& fault) {
+opencl::Trial faulty_kernels(const Fault& fault) {
     opencl::Trial trial;
     for (const std::string_view embedded : opencl::kernel_files()) {
         std::string source(embedded);
@@ -50,7 +50,7 @@ std::unique_ptr<Backend> make_faulty_opencl(const Plan& plan, const Fault& fault
     }
     if (trial.sources.empty())
         throw std::runtime_error("no kernel includes " + std::string(fault.file));
-    return opencl::make_backend(plan, {}, {}, trial);
+    return trial;
 }
 #endif
 
@@ -96,7 +96,7 @@ std::vector<std::uint32_t> compiled(const fs::path& shader, const std::string& e
     return words;
 }
 
-std::unique_ptr<Backend> make_faulty_vulkan(const Plan& plan, const Fault& fault) {
+vulkan::Trial faulty_shaders(const Fault& fault) {
     const fs::path source = LACUNA_SOURCE;
     const fs::path copy =
         fs::path(testing::TempDir()) / ("lacuna-faulty-" + std::to_string(::getpid()));
@@ -115,7 +115,7 @@ std::unique_ptr<Backend> make_faulty_vulkan(const Plan& plan, const Fault& fault
     fs::remove_all(copy);
     if (trial.shaders.empty())
         throw std::runtime_error("no shader includes " + std::string(fault.file));
-    return vulkan::make_backend(plan, {}, {}, trial);
+    return trial;
 }
 #endif
 
@@ -130,10 +130,21 @@ struct SomeRounds : Observer {
 std::unique_ptr<Backend> make_faulty(const std::string& backend, [[maybe_unused]] const Plan& plan,
                                      [[maybe_unused]] const Fault& fault) {
 #ifdef LACUNA_OPENCL
-    if (backend == "opencl") return make_faulty_opencl(plan, fault);
+    if (backend == "opencl") return opencl::make_backend(plan, {}, {}, faulty_kernels(fault));
 #endif
 #ifdef LACUNA_VULKAN
-    if (backend == "vulkan") return make_faulty_vulkan(plan, fault);
+    if (backend == "vulkan") return vulkan::make_backend(plan, {}, {}, faulty_shaders(fault));
+#endif
+    throw Unavailable("backend " + backend + ": this build was made without it");
+}
+
+std::unique_ptr<device::Queue> open_faulty_queue(const std::string& backend,
+                                                 [[maybe_unused]] const Fault& fault) {
+#ifdef LACUNA_OPENCL
+    if (backend == "opencl") return opencl::open_queue({}, faulty_kernels(fault));
+#endif
+#ifdef LACUNA_VULKAN
+    if (backend == "vulkan") return vulkan::open_queue({}, faulty_shaders(fault));
 #endif
     throw Unavailable("backend " + backend + ": this build was made without it");
 }

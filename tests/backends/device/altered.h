@@ -7,6 +7,7 @@
 
 #include "backends/backend.h"
 #include "backends/device/layout.h"
+#include "backends/device/queue.h"
 #include "generate.h"
 #include "plan/plan.h"
 
@@ -23,6 +24,9 @@ struct Fault {
 // std::runtime_error where the text is not there or does not compile.
 std::unique_ptr<Backend> make_faulty(const std::string& backend, const Plan& plan,
                                      const Fault& fault);
+
+// The same for the kernels of relax.
+std::unique_ptr<device::Queue> open_faulty_queue(const std::string& backend, const Fault& fault);
 
 // The backend as it is; counts the kernels that it launches.
 std::unique_ptr<Backend> make_counted(const std::string& backend, const Plan& plan,

@@ -1,0 +1,154 @@
+// The kernels of relax do the work, and nothing else does: faults planted in their bodies are
+// noticed on OpenCL and on Vulkan.
+#include <gtest/gtest.h>
+
+#include <lacuna/lacuna.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "backends/available.h"
+#include "backends/device/altered.h"
+#include "fields.h"
+#include "relax/device/make_backend.h"
+#include "relax/relax_backends.h"
+#include "relax/scenes.h"
+
+namespace lacuna::relaxing {
+namespace {
+
+using lacuna::tests::Fault;
+
+constexpr int kIterations = 3;
+
+std::vector<Site> relaxed(RelaxBackend& backend) {
+    for (int i = 0; i < kIterations; ++i) {
+        backend.own();
+        backend.gather();
+        backend.settle();
+    }
+    return backend.sites();
+}
+
+class RelaxFaults : public lacuna::tests::OnBackend {
+protected:
+    static std::vector<Site> on_cpu(const Lattice& lattice, const std::vector<Site>& start) {
+        RelaxOptions options;
+        options.backend = "cpu";
+        return relaxed(*make_relax_backend(options, lattice, start).backend);
+    }
+    static std::vector<Site> on_cpu(const tests::Scene& scene) {
+        const Lattice lattice = scene.lattice();
+        return on_cpu(lattice, scene.sites(lattice));
+    }
+
+    // A fault is noticed when it changes where sites go, or is an error.
+    void expect_noticed(const tests::Scene& scene, const std::vector<Fault>& faults) {
+        const std::vector<Site> right = on_cpu(scene);
+        for (const Fault& fault : faults) {
+            const Lattice lattice = scene.lattice();
+            try {
+                const auto faulty =
+                    device::make_backend(lacuna::tests::open_faulty_queue(GetParam(), fault),
+                                         lattice, scene.sites(lattice));
+                EXPECT_TRUE(relaxed(*faulty) != right)
+                    << fault.file << ": " << fault.from << " became " << fault.to;
+            } catch (const DeviceError&) {
+            }
+        }
+    }
+
+    // Sites enough for a tree of three levels.
+    const tests::Scene torus_{"random on a torus",
+                              tests::random_points(600, 1, 1, 1),
+                              {},
+                              tests::on(1, 1, Boundary::torus)};
+    // Many in a place of few pixels: crowded leaves.
+    const tests::Scene crowd_{"a crowd", tests::random_points(600, 0.02, 0.02, 1),
+                              lacuna::tests::ramp_field(30, 30), tests::on(1, 1, Boundary::box)};
+};
+
+INSTANTIATE_TEST_SUITE_P(Device, RelaxFaults, lacuna::tests::kDeviceBackends,
+                         lacuna::tests::name_of_parameter);
+
+TEST_P(RelaxFaults, InOwnAreNoticed) {
+    expect_noticed(torus_,
+                   {{"bodies/find_rivals.h", "image < 9u", "image < 5u"},
+                    {"bodies/find_rivals.h", "<= leader.bound &&", "< leader.bound / 2u &&"},
+                    {"bodies/find_rivals.h", "near = near & (near - 1u)", "near = 0u"},
+                    {"bodies/own.h", "value += slope", "value -= slope"},
+                    {"bodies/own.h", "% 2u * 16u) & 0xffffu", "% 2u * 16u) & 0xfffu"},
+                    {"portable/site_tree.h", "<= to_i64(wins * 2u)", "<= to_i64(wins)"}});
+}
+
+TEST_P(RelaxFaults, InTheOrderOfTiesAreNoticed) {
+    const Lattice lattice = torus_.lattice();
+    std::vector<Site> start = torus_.sites(lattice);
+    for (std::size_t i = 1; i < start.size(); i += 2) start[i] = start[i - 1];
+    const Fault fault{"bodies/find_rivals.h", ".y > order", ".y < order"};
+    const auto faulty =
+        device::make_backend(lacuna::tests::open_faulty_queue(GetParam(), fault), lattice, start);
+    EXPECT_TRUE(relaxed(*faulty) != on_cpu(lattice, start));
+}
+
+TEST_P(RelaxFaults, InGatherAreNoticed) {
+    expect_noticed(torus_, {{"bodies/gather_shares.h", "rank += ITEMS_OF_LEAF", "rank += 64u"},
+                            {"bodies/gather_shares.h", "+ second;\n    return", ";\n    return"},
+                            {"bodies/gather_shares.h", "(all.mass - before) * v", "0u"},
+                            {"bodies/gather_shares.h", "image % 3u", "1u"},
+                            {"bodies/shares.h", "? 1u : 0u", "? 0u : 0u"}});
+}
+
+TEST_P(RelaxFaults, InSettleAreNoticed) {
+    expect_noticed(torus_, {{"bodies/settle.h", "ATOMIC_MAX(least, 0u, short_by)", ""},
+                            {"bodies/settle.h", "site.z = to_u32(lift)", "site.z = 0u"},
+                            {"bodies/find_least.h", "site.w != upper", "site.w == upper"},
+                            {"bodies/level_sites.h", "max(all.box.z, node.box.z)", "all.box.z"},
+                            {"bodies/level_sites.h", "node.lift < all.lift", "false"},
+                            {"bodies/level_sites.h", "AT(sites, i) = site;", ""}});
+}
+
+TEST_P(RelaxFaults, InCrowdedLeavesAreNoticed) {
+    ASSERT_TRUE(on_cpu(crowd_) != crowd_.sites(crowd_.lattice()));
+    expect_noticed(crowd_, {{"bodies/own_crowded.h", "power < least ||", "false ||"},
+                            {"bodies/own_crowded.h", "if (power <= least)", "if (false)"},
+                            {"bodies/own_crowded.h", "wide * moment_offset(u", "moment_offset(u"},
+                            {"bodies/own_crowded.h", "!= CROWDED) continue", "!= 0u) continue"}});
+}
+
+// What a driver that ends loops early would leave behind.
+TEST_P(RelaxFaults, ThatEndLoopsEarlyAreAnErrorAndNeverASet) {
+    for (const char* const file : {"bodies/find_rivals.h", "bodies/own_crowded.h"}) {
+        const Fault fault{file, "CHECK_TURNS(a.lattice.columns, FAILED_OWN);",
+                          "ATOMIC_OR(failure, 0, FAILED_OWN);"};
+        const Lattice lattice = torus_.lattice();
+        const auto faulty = device::make_backend(
+            lacuna::tests::open_faulty_queue(GetParam(), fault), lattice, torus_.sites(lattice));
+        try {
+            faulty->own();
+            ADD_FAILURE() << file << " went unnoticed";
+        } catch (const DeviceError& error) {
+            EXPECT_NE(std::string(error.what()).find(": own: a loop was ended early by the driver"),
+                      std::string::npos)
+                << error.what();
+        }
+    }
+}
+
+TEST_P(RelaxFaults, NoneInWhatIsMeantToBe) {
+    for (const tests::Scene& scene : {torus_, crowd_}) {
+        const Lattice lattice = scene.lattice();
+        const Fault none{"bodies/own.h", "u32 row", "u32 row"};
+        for (const std::uint32_t leaves : {0u, 1u, 7u}) {
+            const auto backend =
+                device::make_backend(lacuna::tests::open_faulty_queue(GetParam(), none), lattice,
+                                     scene.sites(lattice), {leaves});
+            EXPECT_TRUE(relaxed(*backend) == on_cpu(scene)) << scene << ", " << leaves;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lacuna::relaxing
