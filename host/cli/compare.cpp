@@ -21,6 +21,7 @@
 #include "cli/output.h"
 #include "cli/picture_field.h"
 #include "cli/progress_bar.h"
+#include "cli/relaxation.h"
 #include "cli/sample.h"
 #include "files/point_files.h"
 
@@ -32,7 +33,7 @@ constexpr const char* kDescription =
 
 Examples:
   lacuna compare --radius 0.005 --torus                 a table on standard output
-  lacuna compare photo.jpg --count 20000                the same for dots of a picture
+  lacuna compare photo.jpg --count 20000 --relax 15     the same for dots of a picture, relaxed
   lacuna compare --radius 0.002 --runs 9 --backends cpu,opencl --json a.json -o chart.svg
   lacuna compare --radius 0.05 --backends reference,cpu
 
@@ -51,6 +52,7 @@ struct Options {
     Picture picture;
     std::vector<std::string> backends;
     std::uint32_t runs = 5;
+    std::uint32_t relax = 0;
     std::string json;
     OutputOptions charts;
     bool quiet = false;
@@ -110,7 +112,12 @@ Comparison compared(const Options& options, const Request& request, const Sample
     Runs runs(interruption, contestants.size() * (options.runs + std::size_t{1}), options.quiet);
     const Sampler shown = [&](const Request& one, Observer& observer) {
         runs.start(one);
-        return sampler(one, observer);
+        Result result = sampler(one, observer);
+        if (options.relax != 0)
+            result.points =
+                relax(result.points, one.field, relax_options_of(one, options.relax), observer)
+                    .points;
+        return result;
     };
     return compare(request, contestants, options.runs, shown, runs);
 }
@@ -152,6 +159,7 @@ void run(const Options& options, const Sampler& sampler) {
     if (!options.picture.path.empty()) {
         field = read_field(options.picture, request);
         request.mode = Mode::cells;
+        if (options.relax != 0 && !options.picture.has_metric) request.metric = Metric::mean;
         request.field = &field;
     }
     Interruption interruption;
@@ -183,6 +191,7 @@ void add_compare(CLI::App& app, const Sampler& sampler) {
     command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
     add_size(command, options->request);
     add_what_to_make(command, options->request);
+    add_relax(command, options->relax);
     add_mode(command, options->request);
     add_effort(command, options->request);
     command.callback([&command, options, sampler] {

@@ -58,6 +58,26 @@ TEST(Compare, FindsTheSamePointsOnEveryBackendInEveryMode) {
     }
 }
 
+TEST(Compare, FindsTheSameRelaxedPointsOnEveryBackend) {
+    const std::vector<Words> requests = {
+        {LACUNA_EXAMPLES "/raccoon.png", "--count", "500", "--relax", "3"},
+        {"--count", "300", "--torus", "--relax", "3"}};
+    for (const Words& request : requests) {
+        const Folder folder;
+        const std::string json = folder.path("a.json"), alone = folder.path("b.json");
+        const Outcome outcome = run(compare(request, {"--runs", "1", "--json", json}));
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+        EXPECT_NE(outcome.out.find("made these points"), std::string::npos) << outcome.out;
+        // Those of stipple or sample, and not of the set before it was relaxed.
+        Words same = request;
+        same.insert(same.begin(), request.front() == "--count" ? "sample" : "stipple");
+        same.insert(same.end(), {"--quiet", "-o", folder.path("b.npy"), "--report", alone});
+        ASSERT_EQ(run(same).exit_code, 0);
+        EXPECT_EQ(Json::parse(content_of(json)).at("entries")[0].at("points_sha256"),
+                  Json::parse(content_of(alone)).at("points_sha256"));
+    }
+}
+
 TEST(Compare, NamesTheFirstPointThatOneBitMakesDifferent) {
     for (const Words& request : kRequests) {
         const Folder folder;
