@@ -97,8 +97,14 @@ TEST_P(RelaxFaults, InGatherAreNoticed) {
     expect_noticed(torus_, {{"bodies/gather_shares.h", "rank += ITEMS_OF_LEAF", "rank += 64u"},
                             {"bodies/gather_shares.h", "+ second;\n    return", ";\n    return"},
                             {"bodies/gather_shares.h", "(all.mass - before) * v", "0u"},
-                            {"bodies/gather_shares.h", "image % 3u", "1u"},
-                            {"bodies/shares.h", "? 1u : 0u", "? 0u : 0u"}});
+                            {"bodies/gather_shares.h", "image % 3u", "1u"}});
+}
+
+// A few samples with many lattice points each: their moments take more than 32 bits.
+TEST_P(RelaxFaults, InTheCarryOfSumsAreNoticed) {
+    const tests::Scene few{"few", tests::random_points(3, 1, 1, 1),
+                           lacuna::tests::constant_field(64, 64), tests::on(1, 1, Boundary::torus)};
+    expect_noticed(few, {{"bodies/shares.h", "? 1u : 0u", "? 0u : 0u"}});
 }
 
 TEST_P(RelaxFaults, InSettleAreNoticed) {
@@ -114,7 +120,7 @@ TEST_P(RelaxFaults, InCrowdedLeavesAreNoticed) {
     ASSERT_TRUE(on_cpu(crowd_) != crowd_.sites(crowd_.lattice()));
     expect_noticed(crowd_, {{"bodies/own_crowded.h", "power < least ||", "false ||"},
                             {"bodies/own_crowded.h", "if (power <= least)", "if (false)"},
-                            {"bodies/own_crowded.h", "wide * moment_offset(u", "moment_offset(u"},
+                            {"bodies/own_crowded.h", "wide * moment_offset(", "moment_offset("},
                             {"bodies/own_crowded.h", "!= CROWDED) continue", "!= 0u) continue"}});
 }
 
