@@ -57,6 +57,19 @@ configure_file(${CMAKE_CURRENT_LIST_DIR}/lacuna.pc.in ${PROJECT_BINARY_DIR}/lacu
 install(FILES ${PROJECT_BINARY_DIR}/lacuna.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
     COMPONENT development)
 
+# What lacuna::extras is made of. Its targets have a file of their own: whoever wants the library
+# alone needs none of these packages.
+if(LACUNA_EXTRAS)
+    install(TARGETS lacuna_extras lacuna_analysis lacuna_pictures lacuna_files EXPORT lacuna-extras-targets
+        ARCHIVE COMPONENT development)
+    install(EXPORT lacuna-extras-targets NAMESPACE lacuna:: DESTINATION ${package_dir}
+        COMPONENT development)
+    configure_file(${CMAKE_CURRENT_LIST_DIR}/lacuna-extras.pc.in ${PROJECT_BINARY_DIR}/lacuna-extras.pc
+        @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/lacuna-extras.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+        COMPONENT development)
+endif()
+
 if(LACUNA_COMMAND)
     # So that the command finds a shared library wherever the whole tree was installed to.
     file(RELATIVE_PATH bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})

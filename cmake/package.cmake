@@ -20,6 +20,8 @@ set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "pocl-opencl-icd, mesa-vulkan-drivers"
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME liblacuna-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libtbb-dev)
+# What lacuna::extras links, which the library alone does not need.
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "pkg-config, libcairo2-dev, libfmt-dev, libjpeg-dev, libpng-dev, libssl-dev, zlib1g-dev")
 if(TARGET OpenCL::OpenCL AND LACUNA_OPENCL)
     string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", ocl-icd-opencl-dev")
 endif()

@@ -19,8 +19,6 @@
 #include "files/point_files.h"
 #include "files/read_sets.h"
 #include "files/read_whole.h"
-#include "verify/closest.h"
-#include "verify/domain.h"
 #include "verify/verify.h"
 
 namespace lacuna::cli {
@@ -91,23 +89,11 @@ Claim claim_of(const Options& options, const files::SetsOfFile& file, const std:
 
 // With distances_only the search for the emptiest spot is left out, which takes most of the time.
 verify::Verdict verdict_of(const Claim& claim) {
-    const auto check = [&](std::span<const Point> points) {
-        return verify::check(points, claim.width, claim.height, claim.torus, claim.radius,
-                             claim.tolerance);
-    };
-    if (!claim.distances_only) return check(claim.points);
-    check({});  // refuses bad options
-    const verify::Domain domain{claim.width, claim.height, claim.torus};
-    verify::Verdict verdict;
-    const auto outside = std::find_if(claim.points.begin(), claim.points.end(),
-                                      [&](const Point& p) { return !domain.contains(p); });
-    if (outside != claim.points.end()) {
-        verdict.outside = static_cast<std::size_t>(outside - claim.points.begin());
-        return verdict;
-    }
-    verdict.closest = verify::closest_pair(domain, claim.points);
-    verdict.kept = verdict.closest.distance >= claim.radius;
-    return verdict;
+    if (claim.distances_only)
+        return verify::check_distances(claim.points, claim.width, claim.height, claim.torus,
+                                       claim.radius);
+    return verify::check(claim.points, claim.width, claim.height, claim.torus, claim.radius,
+                         claim.tolerance);
 }
 
 // Refuses bad options before a large file is read.

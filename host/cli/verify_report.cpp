@@ -126,11 +126,11 @@ std::string Claim::conclusion() const {
         return fmt::format(
             "a Poisson-disk set of radius {}; whether there is room for more was not asked",
             radius);
-    if (tolerance > kMostTolerance * radius)
+    if (tolerance > verify::kMostTolerance * radius)
         return fmt::format(
             "a Poisson-disk set of radius {}, and no spot is farther than {} from a point: not "
             "proven maximal, as the tolerance is over {:.0f} % of the radius",
-            radius, radius + tolerance, 100 * kMostTolerance);
+            radius, radius + tolerance, 100 * verify::kMostTolerance);
     return fmt::format("a maximal Poisson-disk set of radius {}, to a tolerance of {}", radius,
                        tolerance);
 }

@@ -10,11 +10,6 @@
 
 namespace lacuna::cli {
 
-// A gap wider by more than this share of the radius is no rounding: a point taken out of a maximal
-// set leaves its own place at least a radius from every other point, in the mean 1.054 radii, so
-// that with a tolerance of some 5 % a set with holes would pass for maximal.
-inline constexpr double kMostTolerance = 0.01;
-
 // One set, what is claimed of it, and what was found.
 struct Claim {
     std::string name;  // of the file, for messages

@@ -1,7 +1,9 @@
 // Point files and pictures, named by their extension; a file appears whole or not at all.
 #pragma once
 
+#include <lacuna/files.h>
 #include <lacuna/lacuna.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -51,15 +53,8 @@ struct PointSet {
     const Dots* dots = nullptr;      // null: not wanted
 };
 
-// A file could not be read or written: names the path and the system's reason.
-class FileError : public Error {
-    using Error::Error;
-};
-
-// Nobody reads any more what is written into a pipe, as behind `| head -1`.
-class ClosedPipe : public FileError {
-    using FileError::FileError;
-};
+using lacuna::ClosedPipe;
+using lacuna::FileError;
 
 // ASCII only: what the locale takes for a letter must not change which file is meant.
 char lower_case(char c);

@@ -2,22 +2,13 @@
 #pragma once
 
 #include <lacuna/lacuna.h>
+#include <lacuna/pictures.h>
 
 #include "pictures/image.h"
 
 namespace lacuna::pictures {
 
-// How luminance becomes importance.
-struct Importance {
-    // Luminance / white that becomes 0 and 1, 0 <= black < white <= 1; what is between is
-    // stretched.
-    double black = 0;
-    double white = 1;
-    bool auto_levels = false;   // instead: what half a percent of the pixels are darker, or lighter
-    bool invert = false;        // bright is dense
-    double gamma = 1;           // the power that importance is raised to, > 0
-    double min_importance = 0;  // where importance would be less it is this, 0 to 1
-};
+using Importance = lacuna::Tone;
 
 // Throws BadRequest if a value is not allowed; what importance_of() checks, without a picture.
 void check(const Importance& options);

@@ -35,6 +35,19 @@ void check_lengths(double radius, double tolerance, double longer) {
         throw BadRequest("tolerance", text(tolerance), "must be a finite number of at least 0");
 }
 
+// Refuses what makes no sense, and looks for a point outside.
+Verdict begin(std::span<const Point> points, const Domain& domain, double radius,
+              double tolerance) {
+    check_domain(domain.width, domain.height);
+    check_lengths(radius, tolerance, domain.longer_side());
+    Verdict verdict;
+    const auto outside = std::find_if(points.begin(), points.end(),
+                                      [&](const Point& p) { return !domain.contains(p); });
+    if (outside != points.end())
+        verdict.outside = static_cast<std::size_t>(outside - points.begin());
+    return verdict;
+}
+
 }  // namespace
 
 void check_domain(double width, double height) {
@@ -55,22 +68,24 @@ double default_tolerance(double width, double height) {
 
 Verdict check(std::span<const Point> points, double width, double height, bool torus, double radius,
               double tolerance) {
-    check_domain(width, height);
-    check_lengths(radius, tolerance, std::max(width, height));
     const Domain domain{width, height, torus};
-
-    Verdict verdict;
-    const auto outside = std::find_if(points.begin(), points.end(),
-                                      [&](const Point& p) { return !domain.contains(p); });
-    if (outside != points.end()) {
-        verdict.outside = static_cast<std::size_t>(outside - points.begin());
-        return verdict;
-    }
+    Verdict verdict = begin(points, domain, radius, tolerance);
+    if (verdict.outside) return verdict;
     const double limit = radius + tolerance;
     oneapi::tbb::parallel_invoke([&] { verdict.closest = closest_pair(domain, points); },
                                  [&] { verdict.emptiest = emptiest_spot(domain, points, limit); });
     verdict.kept = verdict.closest.distance >= radius;
     verdict.covered = verdict.emptiest.distance <= limit + domain.rounding();
+    return verdict;
+}
+
+Verdict check_distances(std::span<const Point> points, double width, double height, bool torus,
+                        double radius) {
+    const Domain domain{width, height, torus};
+    Verdict verdict = begin(points, domain, radius, 0);
+    if (verdict.outside) return verdict;
+    verdict.closest = closest_pair(domain, points);
+    verdict.kept = verdict.closest.distance >= radius;
     return verdict;
 }
 

@@ -30,6 +30,14 @@ if(EXISTS ${SCRATCH}/prefix)
     message(FATAL_ERROR "as a part Lacuna installs what the whole did not ask for")
 endif()
 
+# With what reads pictures and writes files, where it asks for that.
+execute_process(COMMAND ${CMAKE_COMMAND} ${toolchain} -D LACUNA_EXTRAS=ON -S ${SCRATCH}/whole
+    -B ${SCRATCH}/whole/extras OUTPUT_VARIABLE out ERROR_VARIABLE err RESULT_VARIABLE code)
+string(REGEX MATCHALL "-- target [a-z_]+" targets "${out}")
+if(NOT code EQUAL 0 OR NOT targets STREQUAL "-- target lacuna;-- target lacuna_files")
+    message(FATAL_ERROR "with LACUNA_EXTRAS (${code}): got ${targets}\n${out}${err}")
+endif()
+
 # expect(MISSING DEBIAN OPTION...)
 function(expect missing debian)
     execute_process(COMMAND ${CMAKE_COMMAND} ${toolchain} -S ${SOURCE} -B ${SCRATCH}/${missing} ${ARGN}

@@ -56,6 +56,32 @@ if(NOT output MATCHES "^2[5-9][0-9] points\n${first}\n$")
     message(FATAL_ERROR "built by pkg-config the example printed:\n${output}")
 endif()
 
+# What is installed beside the library alone: the example that uses all of it, by CMake and pkg-config.
+file(GLOB_RECURSE extras ${prefix}/lacuna-extras.pc)
+if(extras)
+    set(example ${EXAMPLE}/../stippled_picture)
+    set(picture ${EXAMPLE}/../raccoon.png)
+    set(expected "^2000 points, distances kept: yes, [0-9]+ rings of the spectrum\n$")
+    file(REMOVE_RECURSE ${SCRATCH}/extras)
+    run("configuring the example of the extras" ${CMAKE_COMMAND} ${toolchain} -S ${example}
+        -B ${SCRATCH}/extras -D CMAKE_PREFIX_PATH=${prefix} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}")
+    run("building the example of the extras" ${CMAKE_COMMAND} --build ${SCRATCH}/extras)
+    run("running the example of the extras" ${SCRATCH}/extras/stippled_picture ${picture}
+        ${SCRATCH}/extras/points.csv)
+    if(NOT output MATCHES "${expected}" OR NOT EXISTS ${SCRATCH}/extras/points.csv)
+        message(FATAL_ERROR "the example of the extras printed:\n${output}")
+    endif()
+    run("asking pkg-config for the extras" ${PKG_CONFIG} --cflags --libs lacuna-extras)
+    separate_arguments(flags UNIX_COMMAND "${output} -Wl,-rpath,${pc_folder}/.. ${CXX_FLAGS}")
+    run("building the extras by pkg-config" ${COMPILER} -std=c++20 ${example}/main.cpp
+        -o ${SCRATCH}/extras/by_pkg_config ${flags})
+    run("running the extras by pkg-config" ${SCRATCH}/extras/by_pkg_config ${picture}
+        ${SCRATCH}/extras/points.npy)
+    if(NOT output MATCHES "${expected}")
+        message(FATAL_ERROR "built by pkg-config the example of the extras printed:\n${output}")
+    endif()
+endif()
+
 # The installed command, asked for the same, starts with the same point.
 if(EXISTS ${prefix}/bin/lacuna)
     run("running the installed command" ${prefix}/bin/lacuna sample --radius 0.05 --torus -o -)

@@ -1,0 +1,52 @@
+// The public door to the analysis.
+#include <lacuna/analysis.h>
+
+#include <algorithm>
+#include <string>
+
+#include "analysis/analyse.h"
+#include "verify/verify.h"
+
+namespace lacuna {
+namespace {
+
+void check(std::span<const std::vector<Point>> sets, const analysis::Domain& domain) {
+    verify::check_domain(domain.width, domain.height);
+    if (sets.empty()) throw BadRequest("sets", "none", "there must be at least one");
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        if (sets[i].empty())
+            throw BadRequest("sets", std::to_string(i), "must have at least one point");
+        // As for analyse(), upper edges are inside on a torus too.
+        const auto is_inside = [&](Point p) {
+            return p.x >= 0 && p.x <= domain.width && p.y >= 0 && p.y <= domain.height;
+        };
+        if (!std::all_of(sets[i].begin(), sets[i].end(), is_inside))
+            throw BadRequest("sets", std::to_string(i), "must lie in the domain");
+    }
+}
+
+}  // namespace
+
+Statistics analyze(std::span<const std::vector<Point>> sets, double width, double height,
+                   Boundary boundary, const std::function<bool(double share)>& keep_going) {
+    const analysis::Domain domain{width, height, boundary == Boundary::torus};
+    check(sets, domain);
+    const analysis::Analysis found = analysis::analyse(
+        sets, domain, {}, [&](double share) { return !keep_going || keep_going(share); });
+    Statistics statistics;
+    statistics.mean_count = found.counts.mean;
+    if (found.distances) {
+        statistics.least_distance = found.distances->least;
+        statistics.mean_distance = found.distances->mean;
+        statistics.relative_radius = found.distances->relative_radius;
+        statistics.pair_correlation = found.distances->pair_correlation;
+    }
+    for (const analysis::Annulus& annulus : found.radial.annuli)
+        statistics.rings.push_back({annulus.frequency, annulus.power, annulus.anisotropy_db});
+    statistics.effective_nyquist = found.effective_nyquist;
+    statistics.oscillations = found.oscillations;
+    if (found.bond_order) statistics.psi_6 = found.bond_order->local;
+    return statistics;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,32 @@
+// The public door to the proofs.
+#include <lacuna/verify.h>
+
+#include "verify/verify.h"
+
+namespace lacuna {
+
+Proof prove(std::span<const Point> points, const Claim& claim) {
+    const bool torus = claim.boundary == Boundary::torus;
+    const double tolerance =
+        claim.tolerance.value_or(verify::default_tolerance(claim.width, claim.height));
+    const verify::Verdict verdict =
+        claim.distances_only
+            ? verify::check_distances(points, claim.width, claim.height, torus, claim.radius)
+            : verify::check(points, claim.width, claim.height, torus, claim.radius, tolerance);
+    Proof proof;
+    proof.outside = verdict.outside;
+    if (proof.outside) return proof;
+    proof.kept = verdict.kept;
+    proof.first = verdict.closest.first;
+    proof.second = verdict.closest.second;
+    proof.least_distance = verdict.closest.distance;
+    if (claim.distances_only) return proof;
+    proof.covered = verdict.covered;
+    proof.emptiest = verdict.emptiest.at;
+    proof.emptiest_distance = verdict.emptiest.distance;
+    proof.maximal =
+        proof.kept && proof.covered && tolerance <= verify::kMostTolerance * claim.radius;
+    return proof;
+}
+
+}  // namespace lacuna

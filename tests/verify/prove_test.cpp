@@ -1,0 +1,70 @@
+// Given points, prove() tells through the public header what holds.
+#include <gtest/gtest.h>
+#include <lacuna/verify.h>
+
+#include <vector>
+
+namespace {
+
+using namespace lacuna;
+
+TEST(Prove, OfAMaximalSetOfTheSamplersFindsAllThatIsPromised) {
+    Request request;
+    request.radius = 0.05;
+    request.boundary = Boundary::torus;
+    request.backend = "cpu";
+    const Result result = sample(request);
+    Claim claim;
+    claim.radius = 0.05;
+    claim.boundary = Boundary::torus;
+    const Proof proof = prove(result.points, claim);
+    EXPECT_TRUE(proof.kept && proof.covered && proof.maximal);
+    EXPECT_GE(proof.least_distance, 0.05);
+    EXPECT_LE(proof.emptiest_distance, 0.05 + 0x1p-28);
+}
+
+TEST(Prove, OfASetWithAHoleNamesTheSpot) {
+    const std::vector<Point> points{{0.25, 0.5}};
+    Claim claim;
+    claim.radius = 0.7;
+    const Proof proof = prove(points, claim);
+    EXPECT_TRUE(proof.kept);
+    EXPECT_FALSE(proof.covered || proof.maximal);
+    EXPECT_NEAR(proof.emptiest.x, 1, 1e-6);
+    EXPECT_NEAR(proof.emptiest_distance, 0.90138782, 1e-6);
+}
+
+TEST(Prove, OfDistancesOnlySaysNothingOfGapsAndNamesThePair) {
+    const std::vector<Point> points{{0.1, 0.1}, {0.9, 0.9}, {0.1, 0.2}};
+    Claim claim;
+    claim.radius = 0.15;
+    claim.distances_only = true;
+    const Proof proof = prove(points, claim);
+    EXPECT_FALSE(proof.kept || proof.covered || proof.maximal);
+    EXPECT_EQ(proof.first, 0U);
+    EXPECT_EQ(proof.second, 2U);
+    claim.radius = 0.1;
+    EXPECT_TRUE(prove(points, claim).kept);
+}
+
+TEST(Prove, WithAToleranceOverAPercentFindsNoSetMaximal) {
+    const std::vector<Point> points{{0.5, 0.5}};
+    Claim claim;
+    claim.radius = 0.708;
+    EXPECT_TRUE(prove(points, claim).maximal);
+    claim.tolerance = 0.01;
+    EXPECT_TRUE(prove(points, claim).covered);
+    EXPECT_FALSE(prove(points, claim).maximal);
+}
+
+TEST(Prove, TellsOfAPointOutsideAndRefusesNonsense) {
+    const std::vector<Point> points{{1, 1}, {1.5, 0}};
+    Claim claim;
+    claim.radius = 0.1;
+    EXPECT_EQ(prove(points, claim).outside, 1U);
+    claim.boundary = Boundary::torus;
+    EXPECT_EQ(prove(points, claim).outside, 0U);
+    EXPECT_THROW(prove(points, Claim{}), BadRequest);  // no radius
+}
+
+}  // namespace
