@@ -34,6 +34,7 @@ constexpr const char* kDescription =
 Examples:
   lacuna analyze points.txt --torus                 numbers on standard output
   lacuna analyze a.json -o sheet.pdf -o a-numbers.json   a plot sheet, and all numbers
+  lacuna analyze a.json --json                      all numbers on standard output
   lacuna analyze set*.txt --radius 0.01 --torus     the mean of many sets
   lacuna sample --radius 0.01 | lacuna analyze - --radius 0.01
   lacuna analyze sets.dat other.rps                 files of the tools UTK and PSA
@@ -64,6 +65,7 @@ struct Options {
     std::optional<Sides> sides;
     std::optional<double> radius;
     bool torus = false;
+    bool json = false;
     bool quiet = false;
 };
 
@@ -82,8 +84,13 @@ struct Input {
 std::vector<Output> check(const Options& options) {
     if (options.sides) verify::check_domain(options.sides->width, options.sides->height);
     if (options.radius) analysis::check_radius(*options.radius);
-    std::vector<Output> outputs =
-        outputs_of(options.output, ".json " + files::picture_extensions(), "json");
+    OutputOptions asked = options.output;
+    if (options.json) {
+        if (!asked.format.empty())
+            throw BadRequest("json", "with --format", "is another format of standard output");
+        asked.paths.emplace_back("-");
+    }
+    std::vector<Output> outputs = outputs_of(asked, ".json " + files::picture_extensions(), "json");
     for (const Output& output : outputs)
         for (const std::string& file : options.files)
             if (file != "-" && is_same_file(output.path, file))
@@ -122,12 +129,23 @@ void add_boundary(Input& input, const files::SetsOfFile& file, const std::string
     input.boundary_from = name;
 }
 
+// A file that tells no domain would be taken for one of that of another file.
+void check_told(const Input& input, const std::vector<std::string>& silent) {
+    const bool is_usual = !input.sides || (input.sides->width == 1 && input.sides->height == 1);
+    if (is_usual || silent.empty()) return;
+    throw files::FileError(
+        fmt::format("{}: tells no domain, but {} does, and of {} x {}: give --domain",
+                    silent.front(), input.sides_from, input.sides->width, input.sides->height));
+}
+
 Input read(const Options& options) {
     Input input;
+    std::vector<std::string> silent;  // files that tell no domain
     for (const std::string& path : options.files) {
         files::SetsOfFile file = files::read_sets(path);
         const std::string name = path == "-" ? "standard input" : path;
         if (!options.sides) add_sides(input, file, name);
+        if (!options.sides && !file.width) silent.push_back(name);
         if (!options.torus) add_boundary(input, file, name);
         for (std::size_t i = 0; i < file.sets.size(); ++i) {
             input.names.push_back(file.sets.size() == 1 ? name
@@ -139,6 +157,7 @@ Input read(const Options& options) {
             input.sets.push_back(std::move(file.sets[i]));
         }
     }
+    check_told(input, silent);
     return input;
 }
 
@@ -212,6 +231,9 @@ void add_analyze(CLI::App& app) {
     add_outputs(command, options->output, "REPORT",
                 "Numbers and curves as .json, or a plot sheet as " + files::picture_extensions() +
                     "; - is standard output, as .json; may be given several times");
+    command
+        .add_flag("--json", options->json, "Numbers and curves on standard output, as -o - does")
+        ->disable_flag_override();
     command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
     command.callback([options] { run(*options); });
 }

@@ -131,26 +131,40 @@ bool takes_arguments(const CLI::App& command) {
                        [](const CLI::Option* option) { return option->get_positional(); });
 }
 
+// A word that is no command, no option of `command` and none of its arguments.
+std::string explain_extra(const CLI::App& app, const std::string& extra, const CLI::App* command) {
+    if (command == nullptr)
+        return fmt::format("{}: no such command or option{}", shown(extra),
+                           nearest_text(extra, extra.starts_with("-") ? names_of_options(app)
+                                                                      : names_of_commands(app)));
+    const std::vector<std::string> options = names_of_options(*command);
+    const std::string_view arguments =
+        takes_arguments(*command) ? "no more arguments are taken" : "no arguments are taken";
+    if (extra.starts_with("-"))
+        return fmt::format("{}: no such option, and {}{}", shown(extra), arguments,
+                           nearest_text(extra, options));
+    // `stipple photo.jpg dots.svg`, `sample help`.
+    std::string meant;
+    if (command->get_option_no_throw("--output") != nullptr &&
+        files::find_format_of(extra) != nullptr)
+        meant = ", did you mean -o " + shown(extra) + "?";
+    if (std::find(options.begin(), options.end(), "--" + extra) != options.end())
+        meant = ", did you mean --" + extra + "?";
+    return fmt::format("{}: {}{}", shown(extra), arguments, meant);
+}
+
 // CLI11's messages begin with the option's name and leave out what is allowed.
 std::string explain(const CLI::App& app, const CLI::ParseError& error, const std::string& extra,
                     const CLI::App* command) {
-    if (!extra.empty()) {
-        const std::string_view wanted = command == nullptr ? "command or option"
-                                        : takes_arguments(*command)
-                                            ? "option, and no more arguments are taken"
-                                            : "option, and no arguments are taken";
-        const std::vector<std::string> known =
-            extra.starts_with("-") ? names_of_options(command == nullptr ? app : *command)
-            : command == nullptr   ? names_of_commands(app)
-                                   : std::vector<std::string>{};
-        return fmt::format("{}: no such {}{}", shown(extra), wanted, nearest_text(extra, known));
-    }
+    if (!extra.empty()) return explain_extra(app, extra, command);
     std::string what = error.what();
     const std::string option = what.substr(0, what.find_first_of(": "));
     if (what.ends_with(" missing")) return option + ": a value must follow";
     if (what.find("At Most") != std::string::npos) return option + ": must be given only once";
     if (what.ends_with("flag override")) return "--" + option + ": takes no value";
     if (error.get_name() == "RequiredError" && command == nullptr) return "a command must follow";
+    // Whoever pipes a picture in thinks that this is enough.
+    if (what == "IMAGE is required") return what + " (- is standard input)";
     return what;
 }
 

@@ -46,6 +46,13 @@ std::string nearest_text(const std::string& word, const std::vector<std::string>
     constexpr std::size_t kMostSteps = 2;
     constexpr std::size_t kLongestWord = 64;
     const std::string stem = word.substr(0, word.find('='));
+    // A short option that there is not, such as -r: the first that begins with its letter.
+    if (stem.size() == 2 && stem[0] == '-' && stem[1] != '-') {
+        const auto same = std::find_if(known.begin(), known.end(), [&](const std::string& name) {
+            return name.starts_with("-" + stem);
+        });
+        return same == known.end() ? "" : ", did you mean " + *same + "?";
+    }
     if (stem.size() > kLongestWord) return "";
     const std::size_t most = std::min(kMostSteps, stem.size() / 3);
     const auto nearer = [&](const std::string& a, const std::string& b) {

@@ -86,7 +86,7 @@ void read(const std::string& option, const std::string& text, std::uint32_t& val
 void read_domain(const std::string& option, const std::string& text, double& width,
                  double& height) {
     const std::string_view view = text;
-    const std::size_t cross = view.find('x');
+    const std::size_t cross = view.find_first_of("xX");
     if (cross == std::string_view::npos ||
         parse_whole_text(view.substr(0, cross), width) != std::errc{} ||
         parse_whole_text(view.substr(cross + 1), height) != std::errc{})

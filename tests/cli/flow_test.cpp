@@ -167,6 +167,25 @@ TEST(AMisspeltWord, IsSetRightWhereOneIsNear) {
     EXPECT_EQ(far.err.find("did you mean"), std::string::npos) << far.err;
 }
 
+TEST(AWordTooMany, IsNoOptionAndTellsWhatWasMeant) {
+    const auto refused = [](const Words& words, const std::string& told) {
+        expect_one_error(run(words), 2, {told});
+    };
+    refused({"stipple", kRaccoon, "dots.svg"},
+            "dots.svg: no more arguments are taken, did you mean -o dots.svg?");
+    refused({"sample", "help"}, "help: no arguments are taken, did you mean --help?");
+    refused({"sample", "0.1"}, "0.1: no arguments are taken; see");
+    refused({"sample", "-r", "0.1"},
+            "-r: no such option, and no arguments are taken, did you mean --radius?");
+    refused({"stipple", kRaccoon, "-c", "9"}, "did you mean --count?");
+    refused({"stipple", "--count", "9"}, "IMAGE is required (- is standard input)");
+}
+
+TEST(ADomain, MayBeWrittenWithACapitalX) {
+    EXPECT_EQ(run({"sample", "--radius", "0.3", "--domain", "2X1"}).out,
+              run({"sample", "--radius", "0.3", "--domain", "2x1"}).out);
+}
+
 TEST(ADoubleDash, EndsTheOptions) {
     const Folder folder;
     write_file(folder.path("-a.txt"), "0.5 0.5\n");

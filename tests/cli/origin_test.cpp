@@ -84,6 +84,30 @@ TEST(AnalyzeAndVerify, KnowBoundaryDomainAndRadiusFromAJsonFile) {
                      {"c.json: its boundary is not that of", "--torus"});
 }
 
+TEST(Analyze, RefusesToTakeAFileWithoutADomainForOneOfAnother) {
+    const Folder folder;
+    const std::string told = folder.path("a.json");
+    ASSERT_EQ(
+        run({"sample", "--radius", "16", "--domain", "512x512", "--quiet", "-o", told}).exit_code,
+        0);
+    write_file(folder.path("b.csv"), "0.1,0.1\n0.9,0.9\n");
+    expect_one_error(run({"analyze", told, folder.path("b.csv")}), 3,
+                     {"b.csv: tells no domain, but ", "512 x 512: give --domain"});
+    EXPECT_EQ(
+        run({"analyze", told, folder.path("b.csv"), "--domain", "512x512", "--quiet"}).exit_code,
+        0);
+}
+
+TEST(Analyze, WritesItsNumbersAsJsonWhereJsonIsAskedFor) {
+    const Folder folder;
+    write_file(folder.path("b.csv"), "0.1,0.1\n0.9,0.9\n");
+    const Outcome json = run({"analyze", folder.path("b.csv"), "--json", "--quiet"});
+    EXPECT_EQ(json.out, run({"analyze", folder.path("b.csv"), "-o", "-", "--quiet"}).out);
+    EXPECT_EQ(Json::parse(json.out).at("sets"), 1);
+    expect_one_error(run({"analyze", folder.path("b.csv"), "--json", "--format", "svg"}), 2,
+                     {"--json with --format:"});
+}
+
 TEST(Verify, OfAStippledJsonAsksForDistancesOnly) {
     const Folder folder;
     const std::string path = folder.path("a.json");
