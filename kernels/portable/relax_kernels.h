@@ -65,14 +65,12 @@ LACUNA_END
     B(0, BOTH, u32x4, sites) B(1, READ, u32, shares) B(2, READ, u32, moments)       \
     B(3, SHARED, u32, least)
 #define FIND_LEAST_BINDINGS(B) B(0, READ, u32x4, sites) B(1, SHARED, u32, least)
-// clang-format on
 
 #define LACUNA_RELAX_BUFFERS(B)                                                                 \
-    B(u32x4, sites)                                                                             \
-    B(u32x4, node_boxes)                                                                        \
-    B(u32x2, node_lifts) B(u32, least) B(u32, leaves) B(u32, indices) B(u32, hints)             \
-        B(u32x4, rivals) B(u32x2, rival_ids) B(u32, ranked) B(u32, rival_counts) B(u32, masses) \
-            B(u32x4, row_masses) B(u32x2, winners) B(u32, owners) B(u32, shares) B(u32, moments)
+    B(u32x4, sites) B(u32x4, node_boxes) B(u32x2, node_lifts) B(u32, least) B(u32, leaves)      \
+    B(u32, indices) B(u32, hints) B(u32x4, rivals) B(u32x2, rival_ids) B(u32, ranked)           \
+    B(u32, rival_counts) B(u32, masses) B(u32x4, row_masses) B(u32x2, winners) B(u32, owners)   \
+    B(u32, shares) B(u32, moments)
 
 #define LACUNA_RELAX_KERNELS(K)                             \
     K(level_sites, SiteArguments, LEVEL_SITES_BINDINGS)     \
@@ -82,5 +80,6 @@ LACUNA_END
     K(gather_shares, LeafArguments, GATHER_SHARES_BINDINGS) \
     K(settle, SiteArguments, SETTLE_BINDINGS)               \
     K(find_least, SiteArguments, FIND_LEAST_BINDINGS)
+// clang-format on
 
 #endif
