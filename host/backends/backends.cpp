@@ -95,14 +95,17 @@ std::string names() {
     return all;
 }
 
-// The request's choice, or else the environment's.
-std::string wanted_backend(const Request& request) {
-    if (request.backend != "auto") return request.backend;
+}  // namespace
+
+std::string wanted_backend(const std::string& asked) {
+    if (asked != "auto") return asked;
     const char* forced = std::getenv("LACUNA_BACKEND");
     return forced != nullptr && *forced != '\0' ? forced : "auto";
 }
 
-}  // namespace
+BadRequest no_such_backend(const std::string& wanted) {
+    return BadRequest("backend", wanted, "must be one of " + names());
+}
 
 std::vector<Device> devices() {
     std::vector<Device> all;
@@ -114,7 +117,7 @@ std::vector<Device> devices() {
 }
 
 Run run_on_backend(const Request& request, const Plan& plan, Observer& observer) {
-    const std::string wanted = wanted_backend(request);
+    const std::string wanted = wanted_backend(request.backend);
     for (const Entry& entry : kBackends) {
         if (wanted != "auto" && wanted != entry.name) continue;
         if (!request.device.empty() && !entry.has_devices)
@@ -125,7 +128,7 @@ Run run_on_backend(const Request& request, const Plan& plan, Observer& observer)
         run.backend = entry.name;
         return run;
     }
-    throw BadRequest("backend", wanted, "must be one of " + names());
+    throw no_such_backend(wanted);
 }
 
 }  // namespace lacuna

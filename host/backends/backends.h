@@ -3,6 +3,8 @@
 
 #include <lacuna/lacuna.h>
 
+#include <string>
+
 #include "generate.h"
 #include "plan/plan.h"
 
@@ -13,6 +15,12 @@ struct Run {
     std::string backend;
     std::string device;
 };
+
+// The backend that was asked for or, where that is "auto", the environment's LACUNA_BACKEND.
+std::string wanted_backend(const std::string& asked);
+
+// For a backend of another name than those there are. All builds know the same names.
+BadRequest no_such_backend(const std::string& wanted);
 
 // Runs the plan on the backend that the request asks for, or throws Unavailable.
 Run run_on_backend(const Request& request, const Plan& plan, Observer& observer);

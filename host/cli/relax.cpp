@@ -43,8 +43,8 @@ Shares are of the area or, with a picture, of its darkness. 10 to 30 iterations 
 begin to look like a lattice. The same points come back on every backend and any number of threads,
 in the order given. No least distance is promised, and no dot is where the picture is white.
 
-Without --domain and --torus the domain is what a .json tells, or the picture's shape with a longer side of 1, or
-1x1. Points and pictures are read as analyze and stipple read them.
+Without --domain and --torus the domain is what a .json tells, or the picture's shape with a longer
+side of 1, or 1x1. Points and pictures are read as analyze and stipple read them.
 
 Exit code: 0 done, 2 bad usage, 3 a file cannot be read or written, 4 no such backend, 130
 interrupted.
@@ -83,20 +83,16 @@ files::SetsOfFile read_one_set(const std::string& path) {
 }
 
 Json json_of(const Options& options, const Request& request) {
-    return {{"points", options.points},
-            {"image", options.picture.path.empty() ? Json(nullptr) : Json(options.picture.path)},
-            {"width", request.width},
-            {"height", request.height},
-            {"boundary", request.boundary == Boundary::torus ? "torus" : "box"},
-            {"invert", options.picture.importance.invert},
-            {"gamma", options.picture.importance.gamma},
-            {"black", options.picture.importance.black},
-            {"white", options.picture.importance.white},
-            {"auto_levels", options.picture.importance.auto_levels},
-            {"min_importance", options.picture.importance.min_importance},
-            {"backend", request.backend},
-            {"device", request.device},
-            {"threads", request.threads}};
+    Json json{{"points", options.points},
+              {"image", options.picture.path.empty() ? Json(nullptr) : Json(options.picture.path)},
+              {"width", request.width},
+              {"height", request.height},
+              {"boundary", request.boundary == Boundary::torus ? "torus" : "box"}};
+    json.update(json_of_importance(options.picture.importance));
+    json["backend"] = request.backend;
+    json["device"] = request.device;
+    json["threads"] = request.threads;
+    return json;
 }
 
 void sum_up(const Options& options, const std::vector<Output>& outputs, const Made& made,

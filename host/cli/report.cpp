@@ -89,6 +89,15 @@ std::string report_of(const Request& request, const Made& made, const Json& more
     return text_of(report);
 }
 
+Json json_of_importance(const pictures::Importance& importance) {
+    return {{"invert", importance.invert},
+            {"gamma", importance.gamma},
+            {"black", importance.black},
+            {"white", importance.white},
+            {"auto_levels", importance.auto_levels},
+            {"min_importance", importance.min_importance}};
+}
+
 std::string relax_report(const Json& request, const Made& made, const Json& more) {
     Json seconds;
     for (const Verb verb : kRelaxVerbs)

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/common_options.h"
+#include "pictures/importance.h"
 
 namespace lacuna::cli {
 
@@ -14,6 +15,9 @@ using Json = nlohmann::ordered_json;
 
 // All of the request that decides which points are made.
 Json what_decides(const Request& request, const Result& result);
+
+// How a picture became importance.
+Json json_of_importance(const pictures::Importance& importance);
 
 // Seconds are those of the sampling, without the writing of files. `more` is merged into what there
 // is to say of every set.

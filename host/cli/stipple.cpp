@@ -139,16 +139,11 @@ Json json_of(const DrawingOptions& options, const drawing::Style& style) {
 }
 
 Json json_of(const Options& options) {
-    const pictures::Importance& importance = options.picture.importance;
-    return {{"image", options.picture.path},
-            {"invert", importance.invert},
-            {"gamma", importance.gamma},
-            {"black", importance.black},
-            {"white", importance.white},
-            {"auto_levels", importance.auto_levels},
-            {"min_importance", importance.min_importance},
-            {"relax", options.relax},
-            {"pen_path", options.pen_path}};
+    Json json{{"image", options.picture.path}};
+    json.update(json_of_importance(options.picture.importance));
+    json["relax"] = options.relax;
+    json["pen_path"] = options.pen_path;
+    return json;
 }
 
 Json report_of_the_rest(const Options& options, const std::vector<Output>& outputs,

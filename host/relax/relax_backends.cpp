@@ -1,9 +1,9 @@
 // The list of backends that relax points, in order of preference.
 #include "relax/relax_backends.h"
 
-#include <cstdlib>
 #include <string_view>
 
+#include "backends/backends.h"
 #ifdef LACUNA_OPENCL
 #include "backends/opencl/make_backend.h"
 #endif
@@ -59,28 +59,16 @@ constexpr Entry kBackends[] = {
     {"reference", reference::make_backend},
 };
 
-std::string names() {
-    std::string all = "auto";
-    for (const Entry& entry : kBackends) all += ", " + std::string(entry.name);
-    return all;
-}
-
-std::string wanted_backend(const RelaxOptions& options) {
-    if (options.backend != "auto") return options.backend;
-    const char* const forced = std::getenv("LACUNA_BACKEND");
-    return forced != nullptr && *forced != '\0' ? forced : "auto";
-}
-
 }  // namespace
 
 Chosen make_relax_backend(const RelaxOptions& options, const Lattice& lattice,
                           std::span<const Site> sites) {
-    const std::string wanted = wanted_backend(options);
+    const std::string wanted = wanted_backend(options.backend);
     for (const Entry& entry : kBackends)
         if (wanted == "auto" || wanted == entry.name)
             return {std::string(entry.name),
                     entry.make(lattice, sites, {options.device, options.threads})};
-    throw BadRequest("backend", wanted, "must be one of " + names());
+    throw no_such_backend(wanted);
 }
 
 }  // namespace lacuna::relaxing

@@ -75,7 +75,8 @@ private:
     // The calling thread asks may_go_on_ at one column in kColumnsPerPoll. A column of the largest
     // sets takes some milliseconds, and asking takes a tenth of a microsecond.
     static constexpr std::uint32_t kColumnsPerPoll = 4;
-    static constexpr std::size_t kMostThreads = 1024;  // of one run, see plan.cpp
+    static constexpr std::size_t kMostThreads =
+        1024;  // of one run: plan/check_request.cpp refuses more
 
     // More threads than cores, if that is what a run asks for. Once a process: of several such
     // controls oneTBB takes the least, and prints a warning when another run asks for more.

@@ -48,4 +48,10 @@ void Queue::wait() {
     queued_ = 0;
 }
 
+DeviceError ended_early(const DeviceEntry& device, const std::string& job) {
+    return DeviceError("device " + device.name + ": " + job +
+                       ": a loop was ended early by the driver: use fewer points, or another "
+                       "backend");
+}
+
 }  // namespace lacuna::device

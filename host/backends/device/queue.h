@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -101,5 +102,13 @@ private:
     std::uint64_t* launches_ = nullptr;
     std::uint64_t queued_ = 0;  // work since the last pause
 };
+
+// How many items it takes to serve so many units of work in chunks.
+inline std::uint64_t items_of(std::uint64_t amount, std::uint32_t chunk) {
+    return (amount + chunk - 1) / chunk;
+}
+
+// For a job whose kernel says that it could not finish its loops (portable/failure.h).
+DeviceError ended_early(const DeviceEntry& device, const std::string& job);
 
 }  // namespace lacuna::device

@@ -82,12 +82,10 @@ void RoundMemory::start_download() {
 void RoundMemory::throw_if_failed() const {
     const std::uint32_t failed = failure_.front();
     if (failed == 0) return;
-    const std::string name = "device " + queue.device().name + ": ";
     if ((failed & FAILED_CHORDS) != 0)
-        throw DeviceError(name + "refine: more chords near a box than there is room for");
-    throw DeviceError(name + kJobs.at(static_cast<std::size_t>(std::countr_zero(failed))) +
-                      ": a loop was ended early by the driver: use fewer points, or another "
-                      "backend");
+        throw DeviceError("device " + queue.device().name +
+                          ": refine: more chords near a box than there is room for");
+    throw ended_early(queue.device(), kJobs.at(static_cast<std::size_t>(std::countr_zero(failed))));
 }
 
 portable::DrawArguments RoundMemory::arguments(std::uint32_t pass) const {

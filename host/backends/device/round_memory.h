@@ -18,11 +18,6 @@ namespace lacuna::device {
 // settle in five or six.
 inline constexpr std::uint32_t kPasses = 8;
 
-// How many items it takes to serve so many units of work in chunks.
-inline std::uint64_t items_of(std::uint64_t amount, std::uint32_t chunk) {
-    return (amount + chunk - 1) / chunk;
-}
-
 // The queue may use the host's vectors until it has been waited for.
 struct RoundMemory {
     RoundMemory(const Plan& plan, Queue& queue);

@@ -148,10 +148,7 @@ private:
                 is_telling);
         get<std::uint32_t>(memory.failure, failure_);
         queue_->wait();
-        if (failure_.front() != 0)
-            throw DeviceError("device " + device() +
-                              ": own: a loop was ended early by the driver: use fewer points, or "
-                              "another backend");
+        if (failure_.front() != 0) throw lacuna::device::ended_early(queue_->device(), "own");
     }
 
     void own_batch(const Memory& memory, std::uint32_t first, std::uint32_t count,
@@ -164,8 +161,7 @@ private:
                 count,    (numbers_.columns - 1) / LEAF_SIDE + 1,
                 depth_,   is_telling ? 1u : 0u};
             lacuna::device::launch<Kernel>(*queue_, memory, arguments,
-                                           (std::uint64_t{units} + chunk - 1) / chunk,
-                                           work * chunk);
+                                           lacuna::device::items_of(units, chunk), work * chunk);
         };
         launch(kernels::find_rivals{}, count, kFindWork);
         launch(kernels::own{}, count * LEAF_SIDE, kRowWork);
@@ -179,7 +175,7 @@ private:
         const std::uint32_t chunk = queue_->chunk_of(units);
         lacuna::device::launch<Kernel>(*queue_, memory_,
                                        {0, chunk, numbers_, level, begin_of_level(depth_, level)},
-                                       (std::uint64_t{units} + chunk - 1) / chunk, work * chunk);
+                                       lacuna::device::items_of(units, chunk), work * chunk);
     }
 
     // Takes the least lift off all, and makes the tree anew.
