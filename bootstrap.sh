@@ -11,7 +11,7 @@ packages=(
     librandom123-dev libcli11-dev libfmt-dev libtbb-dev libcairo2-dev nlohmann-json3-dev libssl-dev
     libeigen3-dev libnanoflann-dev
     libpng-dev libjpeg-dev zlib1g-dev
-    opencl-headers opencl-clhpp-headers ocl-icd-opencl-dev
+    opencl-headers opencl-clhpp-headers ocl-icd-libopencl1
     libvulkan-dev glslang-tools spirv-tools
 )
 # What tests, benchmarks, checks and man pages need besides, with drivers that need no graphics card.

@@ -23,7 +23,7 @@ get_target_property(library_type lacuna TYPE)
 if(library_type STREQUAL "STATIC_LIBRARY")
     get_target_property(libraries lacuna LINK_LIBRARIES)
     foreach(library IN LISTS libraries)
-        if(library MATCHES "^(Threads|TBB|OpenCL|Vulkan)::")
+        if(library MATCHES "^(Threads|TBB)::")
             list(APPEND lacuna_packages ${CMAKE_MATCH_1})
         elseif(NOT library MATCHES "^\\$<BUILD_INTERFACE:")
             message(FATAL_ERROR "cmake/install.cmake: the library links ${library}: name its package"

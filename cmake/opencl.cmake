@@ -1,5 +1,6 @@
-# The backend opencl: finds OpenCL, and embeds the kernels into the library.
-option(LACUNA_OPENCL "Build the backend opencl, where OpenCL is installed" ON)
+# The backend opencl: finds OpenCL's headers, and embeds the kernels into the library. OpenCL itself
+# is loaded when a program asks for it, so that the library also runs where there is none.
+option(LACUNA_OPENCL "Build the backend opencl, where OpenCL's headers are" ON)
 include(${CMAKE_CURRENT_LIST_DIR}/leave_out.cmake)
 
 # lacuna_embed_kernels(TARGET NAME GROUP...) expands the includes of OpenCL C files, and gives TARGET
@@ -18,11 +19,11 @@ function(lacuna_embed_kernels target name)
 endfunction()
 
 function(lacuna_add_opencl)
-    find_package(OpenCL)
-    find_path(OPENCL_HPP_INCLUDE_DIR CL/opencl.hpp HINTS ${OpenCL_INCLUDE_DIRS})
-    if(NOT OpenCL_FOUND OR NOT OPENCL_HPP_INCLUDE_DIR)
-        lacuna_leave_out(opencl "OpenCL is missing: install its loader and its C and C++ headers"
-            "ocl-icd-opencl-dev opencl-clhpp-headers")
+    find_path(OPENCL_INCLUDE_DIR CL/opencl.h)
+    find_path(OPENCL_HPP_INCLUDE_DIR CL/opencl.hpp HINTS ${OPENCL_INCLUDE_DIR})
+    if(NOT OPENCL_INCLUDE_DIR OR NOT OPENCL_HPP_INCLUDE_DIR)
+        lacuna_leave_out(opencl "OpenCL is missing: install its C and C++ headers"
+            "opencl-headers opencl-clhpp-headers")
         return()
     endif()
     file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/host/backends/opencl/*.cpp)
@@ -36,9 +37,10 @@ function(lacuna_add_opencl)
     string(APPEND cells "|${kernels}/subtract_cells.cl")
     set(relax "${kernels}/own_relax.cl|${kernels}/settle_relax.cl")
     lacuna_embed_kernels(lacuna kernel_sources ${spans} ${cells} ${relax})
-    target_include_directories(lacuna SYSTEM PRIVATE ${OPENCL_HPP_INCLUDE_DIR})
+    target_include_directories(lacuna SYSTEM PRIVATE
+        ${OPENCL_INCLUDE_DIR} ${OPENCL_HPP_INCLUDE_DIR})
     target_compile_definitions(lacuna PRIVATE LACUNA_OPENCL)
-    target_link_libraries(lacuna PRIVATE OpenCL::OpenCL)
+    set(LACUNA_HAS_OPENCL ON PARENT_SCOPE)
 endfunction()
 
 if(LACUNA_OPENCL)

@@ -14,15 +14,12 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME lacuna)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
-# Loaded when the backend vulkan is asked for; a driver for it and one for OpenCL are the user's.
-set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS libvulkan1)
+# Loaded when their backends are asked for; their drivers are the user's.
+set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "libvulkan1, ocl-icd-libopencl1")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "pocl-opencl-icd, mesa-vulkan-drivers")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME liblacuna-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libtbb-dev)
 # What lacuna::extras links, which the library alone does not need.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "pkg-config, libcairo2-dev, libfmt-dev, libjpeg-dev, libpng-dev, libssl-dev, zlib1g-dev")
-if(TARGET OpenCL::OpenCL AND LACUNA_OPENCL)
-    string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", ocl-icd-opencl-dev")
-endif()
 include(CPack)

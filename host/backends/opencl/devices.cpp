@@ -76,6 +76,8 @@ std::vector<Found> find_devices() {
     // Drivers set themselves up when they are first asked, and not all of them for several threads.
     static std::mutex mutex;
     const std::lock_guard lock(mutex);
+    const std::string no_loader = why_no_loader();
+    if (!no_loader.empty()) return {without_device("OpenCL", no_loader)};
     std::vector<Found> all;
     for (const cl::Platform& platform : find_platforms()) {
         std::string name = "an OpenCL platform";

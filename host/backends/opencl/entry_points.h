@@ -1,0 +1,90 @@
+// OpenCL's functions, which the library looks up when it first wants them: a program that holds
+// Lacuna starts, and runs on other backends, where no OpenCL is installed.
+#pragma once
+
+#define CL_TARGET_OPENCL_VERSION 200
+#include <CL/opencl.h>
+
+#include <string>
+
+// What the C++ bindings call of them for this folder. One that this list lacks is a symbol that the
+// linker does not find.
+// clang-format off
+#define LACUNA_OPENCL_ENTRIES(ENTRY) \
+    ENTRY(clBuildProgram) ENTRY(clCreateBuffer) ENTRY(clCreateCommandQueueWithProperties) \
+    ENTRY(clCreateContext) ENTRY(clCreateKernel) ENTRY(clCreateProgramWithSource) \
+    ENTRY(clEnqueueNDRangeKernel) ENTRY(clEnqueueReadBuffer) ENTRY(clEnqueueWriteBuffer) \
+    ENTRY(clFinish) ENTRY(clFlush) ENTRY(clGetDeviceIDs) ENTRY(clGetDeviceInfo) \
+    ENTRY(clGetPlatformIDs) ENTRY(clGetPlatformInfo) ENTRY(clGetProgramBuildInfo) \
+    ENTRY(clGetProgramInfo) ENTRY(clReleaseCommandQueue) ENTRY(clReleaseContext) \
+    ENTRY(clReleaseDevice) ENTRY(clReleaseEvent) ENTRY(clReleaseKernel) \
+    ENTRY(clReleaseMemObject) ENTRY(clReleaseProgram) ENTRY(clRetainCommandQueue) \
+    ENTRY(clRetainContext) ENTRY(clRetainDevice) ENTRY(clRetainEvent) ENTRY(clRetainKernel) \
+    ENTRY(clRetainMemObject) ENTRY(clRetainProgram) ENTRY(clSetKernelArg) ENTRY(clWaitForEvents)
+// clang-format on
+
+namespace lacuna::opencl {
+
+// Is called, and its address is taken, as if it were the function that was found.
+template <typename Function>
+struct EntryPoint {
+    Function* found = nullptr;
+    operator Function*() const { return found; }
+    Function* operator&() const { return found; }
+};
+
+}  // namespace lacuna::opencl
+
+// In the global namespace, for the bindings call ::clFinish and the like.
+#define LACUNA_DECLARE(name) extern lacuna::opencl::EntryPoint<decltype(::name)> lacuna_##name;
+LACUNA_OPENCL_ENTRIES(LACUNA_DECLARE)
+#undef LACUNA_DECLARE
+
+namespace lacuna::opencl {
+
+// Looks the functions up, once a process: among what the process has loaded, as Oclgrind has itself
+// loaded first, or else in libOpenCL.so.1. Returns why they are not there; empty when they are.
+// To be called before any of them.
+std::string why_no_loader();
+
+}  // namespace lacuna::opencl
+
+// Under these names the bindings call what was found, and define nothing that a program's own
+// OpenCL defines too. Their messages keep OpenCL's names.
+// clang-format off
+#ifndef LACUNA_OPENCL_OWN_NAMES
+#define clBuildProgram lacuna_clBuildProgram
+#define clCreateBuffer lacuna_clCreateBuffer
+#define clCreateCommandQueueWithProperties lacuna_clCreateCommandQueueWithProperties
+#define clCreateContext lacuna_clCreateContext
+#define clCreateKernel lacuna_clCreateKernel
+#define clCreateProgramWithSource lacuna_clCreateProgramWithSource
+#define clEnqueueNDRangeKernel lacuna_clEnqueueNDRangeKernel
+#define clEnqueueReadBuffer lacuna_clEnqueueReadBuffer
+#define clEnqueueWriteBuffer lacuna_clEnqueueWriteBuffer
+#define clFinish lacuna_clFinish
+#define clFlush lacuna_clFlush
+#define clGetDeviceIDs lacuna_clGetDeviceIDs
+#define clGetDeviceInfo lacuna_clGetDeviceInfo
+#define clGetPlatformIDs lacuna_clGetPlatformIDs
+#define clGetPlatformInfo lacuna_clGetPlatformInfo
+#define clGetProgramBuildInfo lacuna_clGetProgramBuildInfo
+#define clGetProgramInfo lacuna_clGetProgramInfo
+#define clReleaseCommandQueue lacuna_clReleaseCommandQueue
+#define clReleaseContext lacuna_clReleaseContext
+#define clReleaseDevice lacuna_clReleaseDevice
+#define clReleaseEvent lacuna_clReleaseEvent
+#define clReleaseKernel lacuna_clReleaseKernel
+#define clReleaseMemObject lacuna_clReleaseMemObject
+#define clReleaseProgram lacuna_clReleaseProgram
+#define clRetainCommandQueue lacuna_clRetainCommandQueue
+#define clRetainContext lacuna_clRetainContext
+#define clRetainDevice lacuna_clRetainDevice
+#define clRetainEvent lacuna_clRetainEvent
+#define clRetainKernel lacuna_clRetainKernel
+#define clRetainMemObject lacuna_clRetainMemObject
+#define clRetainProgram lacuna_clRetainProgram
+#define clSetKernelArg lacuna_clSetKernelArg
+#define clWaitForEvents lacuna_clWaitForEvents
+#endif
+// clang-format on
