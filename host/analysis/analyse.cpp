@@ -9,6 +9,7 @@
 
 #include "analysis/neighbours.h"
 #include "analysis/pairs.h"
+#include "threads.h"
 #include "verify/verify.h"
 
 namespace lacuna::analysis {
@@ -169,6 +170,7 @@ Analysis analyse(std::span<const std::vector<Point>> sets, const Domain& domain,
     verify::check_domain(domain.width, domain.height);
     for (const std::optional<double>& radius : radii)
         if (radius) check_radius(*radius);
+    make_sure_of_threads();
     // Of the time, that of the sums grows with the square of the count, the rest but linearly.
     constexpr double kShareOfSpectrum = 0.95;
     Analysis analysis{};

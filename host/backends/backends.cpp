@@ -89,6 +89,19 @@ constexpr Entry kBackends[] = {
     {"reference", run_reference, false, list_one_thread},
 };
 
+// A driver that fails is told of as one that cannot be used: it must not hide the others.
+std::vector<DeviceEntry> list(const Entry& backend) {
+    try {
+        return backend.list();
+    } catch (const DeviceError& error) {
+        DeviceEntry entry;
+        entry.unusable = error.what();
+        const std::string prefix = "backend " + std::string(backend.name) + ": ";
+        if (entry.unusable.starts_with(prefix)) entry.unusable.erase(0, prefix.size());
+        return {entry};
+    }
+}
+
 std::string names() {
     std::string all = "auto";
     for (const Entry& entry : kBackends) all += ", " + std::string(entry.name);
@@ -110,7 +123,7 @@ BadRequest no_such_backend(const std::string& wanted) {
 std::vector<Device> devices() {
     std::vector<Device> all;
     for (const Entry& entry : kBackends)
-        for (const DeviceEntry& device : entry.list())
+        for (const DeviceEntry& device : list(entry))
             all.push_back({std::string(entry.name), device.name, device.kind, device.memory_bytes,
                            device.largest_buffer_bytes, device.unusable});
     return all;

@@ -49,8 +49,8 @@ A .txt is `x y` a line, or has a first line of one number, the count, as PSA wri
 line of # ends a set. Domain, boundary and radius that a .json tells hold where no
 option does.
 
-Exit code: 0 done, 2 bad usage, 3 a file cannot be read or written, 130 interrupted
-(143 by SIGTERM).
+Exit code: 0 done, 2 bad usage, 3 a file cannot be read or written, 4 the system makes no threads, 130
+interrupted (143 by SIGTERM).
 )";
 
 struct Sides {

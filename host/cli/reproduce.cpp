@@ -45,7 +45,7 @@ whether it does. What the paper says in words stands in quotes, with the band in
 hold. Times depend on the machine and decide nothing. But for times the same on every machine.
 
 Exit code: 0 all numbers are within their bands, 1 one is not, 2 bad usage, 3 a file cannot be read
-or written, 130 interrupted (143 by SIGTERM).
+or written, 4 the system makes no threads, 130 interrupted (143 by SIGTERM).
 )";
 
 struct Options {

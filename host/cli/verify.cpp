@@ -43,7 +43,8 @@ up to whole units of a grid, 2^30 or more of them along the longer side; T = 0 f
 1e-12 of that side. A T over 1 % of R proves no maximal set, and the verdict says what it does prove.
 Radius, domain and boundary that a .json tells hold where no option does.
 
-Exit code: 0 all that was asked holds, 1 not, 2 bad usage, 3 the file cannot be read.
+Exit code: 0 all that was asked holds, 1 not, 2 bad usage, 3 the file cannot be read, 4 the system
+makes no threads.
 )";
 
 struct Sides {

@@ -10,6 +10,7 @@
 
 #include "baseline/dart_throwing.h"
 #include "plan/plan.h"
+#include "threads.h"
 
 namespace lacuna::reproduce {
 namespace {
@@ -33,6 +34,7 @@ Sets make_each(std::uint64_t first_seed, std::uint32_t runs, Work& work, double 
                const Make& make) {
     using Clock = std::chrono::steady_clock;
     Sets sets{std::vector<std::vector<Point>>(runs), std::vector<double>(runs)};
+    make_sure_of_threads();
     tbb::parallel_for(std::size_t{0}, std::size_t{runs}, [&](std::size_t i) {
         const Clock::time_point begin = Clock::now();
         sets.points[i] = make(first_seed + i);

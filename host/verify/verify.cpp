@@ -9,6 +9,8 @@
 #include <cmath>
 #include <string>
 
+#include "threads.h"
+
 namespace lacuna::verify {
 namespace {
 
@@ -72,6 +74,7 @@ Verdict check(std::span<const Point> points, double width, double height, bool t
     Verdict verdict = begin(points, domain, radius, tolerance);
     if (verdict.outside) return verdict;
     const double limit = radius + tolerance;
+    make_sure_of_threads();
     oneapi::tbb::parallel_invoke([&] { verdict.closest = closest_pair(domain, points); },
                                  [&] { verdict.emptiest = emptiest_spot(domain, points, limit); });
     verdict.kept = verdict.closest.distance >= radius;

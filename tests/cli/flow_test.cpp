@@ -244,6 +244,25 @@ TEST(Devices, ListABackendWhoseDriverIsMissing) {
     EXPECT_TRUE(is_there);
 }
 
+TEST(Devices, OfABrokenDriverDoNotHideTheOthers) {
+    const Folder folder;
+    write_file(folder.path("bad.json"), R"({"file_format_version" : "1.0.0", "ICD": )");
+    Setting broken;
+    broken.environment["VK_DRIVER_FILES"] = folder.path("bad.json");
+    broken.environment["VK_ICD_FILENAMES"] = folder.path("bad.json");
+    const Outcome table = run({"devices"}, broken);
+    EXPECT_EQ(table.exit_code, 0) << table.err;
+    expect_has(line_of(table.out, "vulkan"), {"not available: "});
+    EXPECT_EQ(line_of(table.out, "cpu").find("not available"), std::string::npos);
+    const Outcome comparison = run({"compare", "--radius", "0.2", "--runs", "1"}, broken);
+    EXPECT_EQ(comparison.exit_code, 0) << comparison.err;
+    expect_has(line_of(comparison.out, "vulkan"), {"not run: "});
+    expect_one_error(run({"sample", "--radius", "0.2", "--backend", "vulkan"}, broken), 4,
+                     {"backend vulkan: "});
+    expect_one_error(run({"compare", "--radius", "0.2", "--backends", "cpu,vulkan"}, broken), 4,
+                     {"backend vulkan"});
+}
+
 TEST(Threads, HaveALimitThatIsNamed) {
     expect_one_error(run({"sample", "--radius", "0.1", "--threads", "100000"}), 2,
                      {"--threads 100000: must be at most 1024"});

@@ -39,6 +39,13 @@ int new_file(const std::string& path) {
         limit.rlim_cur = limit.rlim_max = static_cast<rlim_t>(setting.largest_file_bytes);
         setrlimit(RLIMIT_FSIZE, &limit);
     }
+    if (setting.no_threads) {
+        // The limit counts a user's processes, and is none for root.
+        constexpr uid_t kNobody = 65534;
+        const rlimit one{1, 1};
+        if (geteuid() == 0 && setresuid(kNobody, kNobody, kNobody) != 0) _exit(126);
+        setrlimit(RLIMIT_NPROC, &one);
+    }
     for (const auto& [name, value] : setting.environment) setenv(name.c_str(), value.c_str(), 1);
     dup2(out, STDOUT_FILENO);
     dup2(err, STDERR_FILENO);

@@ -94,6 +94,37 @@ TEST(StandardOutput, OnAFullDiskIsAnErrorOfOutput) {
     close(full.stdout_fd);
 }
 
+// Of the commands whose work is shared out among threads.
+TEST(ASystem, ThatMakesNoThreadsIsToldOfInOneLine) {
+    const Folder folder;
+    const std::string points = run({"sample", "--radius", "0.02"}).out;
+    std::filesystem::permissions(folder.path("."), std::filesystem::perms::all);
+    write_file(folder.path("a.txt"), points);
+    std::filesystem::permissions(folder.path("a.txt"), std::filesystem::perms::all);
+    Setting alone;
+    alone.no_threads = true;
+    const Outcome one = run({"sample", "--radius", "0.01", "--threads", "1"}, alone);
+    if (one.exit_code == 126) GTEST_SKIP() << "another user may not start the program";
+    EXPECT_EQ(one.exit_code, 0) << one.err;
+    for (const Names& words : {Names{"sample", "--radius", "0.01", "--threads", "2"},
+                               Names{"sample", "--count", "2000", "--threads", "8", "--relax", "2"},
+                               Names{"relax", folder.path("a.txt"), "--threads", "3"}}) {
+        const Outcome outcome = run(words, alone);
+        EXPECT_EQ(outcome.exit_code, 4) << words.front();
+        EXPECT_EQ(outcome.out, "");
+        expect_one_line(outcome.err);
+        EXPECT_NE(outcome.err.find("the system does not make"), std::string::npos) << outcome.err;
+    }
+    if (std::thread::hardware_concurrency() < 2) return;
+    for (const Names& words : {Names{"analyze", folder.path("a.txt")},
+                               Names{"verify", folder.path("a.txt"), "--radius", "0.02"},
+                               Names{"reproduce", "fig5", "--runs", "2", "--quiet"}}) {
+        const Outcome outcome = run(words, alone);
+        EXPECT_EQ(outcome.exit_code, 4) << words.front();
+        expect_one_line(outcome.err);
+    }
+}
+
 class AnInterruptedRun : public testing::TestWithParam<int> {};
 
 TEST_P(AnInterruptedRun, ExitsWithTheSignalsCodeAndLeavesNothing) {

@@ -17,6 +17,8 @@
 #include <thread>
 #include <utility>
 
+#include "threads.h"
+
 // Stands on the closure that oneTBB copies from one thread to another. ThreadSanitizer does not see
 // into oneTBB, so it would report that copy as a race.
 #define LACUNA_UNSEEN_BY_TSAN __attribute__((no_sanitize("thread"), noinline))
@@ -39,7 +41,7 @@ public:
 
     // Calls work(column) for all columns, in parallel where the amount of work is worth it. The
     // calling thread asks now and then whether to go on; if not, what is left is not done, and
-    // Cancelled is thrown.
+    // Cancelled is thrown. Throws Unavailable where the system makes no such threads.
     template <typename Work>
     void for_columns(std::uint32_t columns, std::size_t amount, Work work) {
         cancelled_.store(false, std::memory_order_relaxed);
@@ -47,6 +49,7 @@ public:
         if (threads_ == 1 || amount < kParallelAmount) {
             for (std::uint32_t column = 0; column < columns; ++column) serve(column, caller, work);
         } else {
+            make_sure_of_threads(threads_);
             handover_.fetch_add(1, std::memory_order_release);
             arena_.execute([&] {
                 tbb::parallel_for(std::uint32_t{0}, columns,

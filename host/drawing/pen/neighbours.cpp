@@ -8,6 +8,8 @@
 #include <array>
 #include <nanoflann.hpp>
 
+#include "threads.h"
+
 namespace lacuna::pen {
 namespace {
 
@@ -49,6 +51,7 @@ Neighbours::Neighbours(std::span<const Spot> spots, std::size_t most)
             std::copy_n(found.begin(), each_, &all_[i * each_]);
         }
     };
+    make_sure_of_threads();
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, spots.size(), 4096), find);
 }
 

@@ -213,8 +213,8 @@ struct Device {
 };
 
 // Every backend's devices: backends in order of preference, the devices of one by number, which is
-// what Request::device may name. A backend that this build lacks has one entry that says so.
-// Throws DeviceError where a driver is there but fails.
+// what Request::device may name. A backend that this build lacks, or whose driver fails, has one
+// entry that says so.
 std::vector<Device> devices();
 
 // The number of points to expect of a maximal set, all lengths in one unit: 0.69656 to a squared

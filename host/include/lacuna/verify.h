@@ -50,7 +50,8 @@ struct Proof {
     bool maximal = false;
 };
 
-// Throws BadRequest for a domain, radius or tolerance that makes no sense.
+// Throws BadRequest for a domain, radius or tolerance that makes no sense, and Unavailable where the
+// system makes no threads.
 Proof prove(std::span<const Point> points, const Claim& claim);
 
 }  // namespace lacuna

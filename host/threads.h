@@ -1,0 +1,14 @@
+// Whether the system makes the threads that work is to be shared out among.
+#pragma once
+
+namespace lacuna {
+
+// oneTBB makes its threads when there is first work for them, and where the system refuses one the
+// whole program dies. To be called right before: makes so many less one, the caller's, and lets
+// them go again, once a process for each greater number. Throws Unavailable where one is refused.
+void make_sure_of_threads(int threads);
+
+// As many as oneTBB uses where nothing else is said.
+void make_sure_of_threads();
+
+}  // namespace lacuna
