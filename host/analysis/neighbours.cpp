@@ -13,23 +13,6 @@
 namespace lacuna::analysis {
 namespace {
 
-// The interface that nanoflann asks of points.
-struct Cloud {
-    std::span<const Point> points;
-
-    std::size_t kdtree_get_point_count() const { return points.size(); }
-    double kdtree_get_pt(std::size_t index, std::size_t axis) const {
-        return axis == 0 ? points[index].x : points[index].y;
-    }
-    template <class Box>
-    bool kdtree_get_bbox(Box&) const {
-        return false;
-    }
-};
-
-using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>,
-                                                  Cloud, 2, std::size_t>;
-
 // The interface that nanoflann asks of a result: puts each pair once into its bin.
 class Bins {
 public:
@@ -77,8 +60,25 @@ public:
     }
 
 private:
+    // The interface that nanoflann asks of points.
+    struct Cloud {
+        std::span<const Point> points;
+
+        std::size_t kdtree_get_point_count() const { return points.size(); }
+        double kdtree_get_pt(std::size_t index, std::size_t axis) const {
+            return axis == 0 ? points[index].x : points[index].y;
+        }
+        template <class Box>
+        bool kdtree_get_bbox(Box&) const {
+            return false;
+        }
+    };
+
+    using KdTree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>,
+                                                       Cloud, 2, std::size_t>;
+
     Cloud cloud_;
-    Index index_;
+    KdTree index_;
 };
 
 Neighbours::Neighbours(std::span<const Point> points, const Domain& domain)

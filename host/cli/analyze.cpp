@@ -28,7 +28,7 @@
 namespace lacuna::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kAnalyzeDescription =
     R"(Spectrum and statistics of point sets; those of several sets are averaged.
 
 Examples:
@@ -59,7 +59,7 @@ struct Sides {
     friend bool operator==(const Sides&, const Sides&) = default;
 };
 
-struct Options {
+struct AnalyzeCommand {
     std::vector<std::string> files;
     OutputOptions output;
     std::optional<Sides> sides;
@@ -81,7 +81,7 @@ struct Input {
 };
 
 // Before the work starts.
-std::vector<Output> check(const Options& options) {
+std::vector<Output> check(const AnalyzeCommand& options) {
     if (options.sides) verify::check_domain(options.sides->width, options.sides->height);
     if (options.radius) analysis::check_radius(*options.radius);
     OutputOptions asked = options.output;
@@ -138,7 +138,7 @@ void check_told(const Input& input, const std::vector<std::string>& silent) {
                     silent.front(), input.sides_from, input.sides->width, input.sides->height));
 }
 
-Input read(const Options& options) {
+Input read(const AnalyzeCommand& options) {
     Input input;
     std::vector<std::string> silent;  // files that tell no domain
     for (const std::string& path : options.files) {
@@ -187,7 +187,7 @@ analysis::Analysis analyse(const Input& input, const analysis::Domain& domain, b
     });
 }
 
-void run(const Options& options) {
+void run(const AnalyzeCommand& options) {
     const std::vector<Output> outputs = check(options);
     Interruption interruption;
     const Input input = read(options);
@@ -208,8 +208,8 @@ void run(const Options& options) {
 }  // namespace
 
 void add_analyze(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("analyze", kDescription);
-    const auto options = std::make_shared<Options>();
+    CLI::App& command = *app.add_subcommand("analyze", kAnalyzeDescription);
+    const auto options = std::make_shared<AnalyzeCommand>();
     command
         .add_option("FILE", options->files,
                     "By extension: " + files::read_extensions() + "; - is standard input, as .txt")

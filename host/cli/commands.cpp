@@ -41,7 +41,7 @@ constexpr int kExitFile = 3;
 constexpr int kExitDevice = 4;
 constexpr int kExitBug = 70;  // EX_SOFTWARE of sysexits.h
 
-constexpr const char* kDescription = R"(Makes blue-noise point sets.
+constexpr const char* kLacunaDescription = R"(Makes blue-noise point sets.
 
 Examples:
   lacuna sample --radius 0.01 -o points.svg
@@ -185,7 +185,7 @@ int finish(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 int parse_and_run(int argc, char** argv, const Sampler& sampler) {
-    CLI::App app(kDescription);
+    CLI::App app(kLacunaDescription);
     try {
         return run(app, argc, argv, sampler);
     } catch (const CLI::ParseError& error) {

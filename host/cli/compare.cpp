@@ -28,7 +28,7 @@
 namespace lacuna::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kCompareDescription =
     R"(Makes one set on every backend and device there is, and tells whether all are the same.
 
 Examples:
@@ -47,7 +47,7 @@ with --backends, or every one, is missing, or one failed at work, 130 interrupte
 (143 by SIGTERM).
 )";
 
-struct Options {
+struct CompareCommand {
     Request request;
     Picture picture;
     std::vector<std::string> backends;
@@ -71,7 +71,7 @@ std::vector<std::string> split(const std::string& text) {
 }
 
 // Before the work starts.
-std::vector<Output> check(const Options& options) {
+std::vector<Output> check(const CompareCommand& options) {
     constexpr std::uint32_t kMostRuns = 1000;
     if (options.runs < 1 || options.runs > kMostRuns)
         throw BadRequest("runs", std::to_string(options.runs),
@@ -106,7 +106,7 @@ private:
     std::string words_;
 };
 
-Comparison compared(const Options& options, const Request& request, const Sampler& sampler,
+Comparison compared(const CompareCommand& options, const Request& request, const Sampler& sampler,
                     Interruption& interruption) {
     const std::vector<Contestant> contestants = find_contestants(options.backends);
     Runs runs(interruption, contestants.size() * (options.runs + std::size_t{1}), options.quiet);
@@ -122,7 +122,7 @@ Comparison compared(const Options& options, const Request& request, const Sample
     return compare(request, contestants, options.runs, shown, runs);
 }
 
-void write(const Options& options, const std::vector<Output>& charts, const Request& request,
+void write(const CompareCommand& options, const std::vector<Output>& charts, const Request& request,
            const Comparison& comparison) {
     if (!options.json.empty()) files::write_whole(options.json, json_of(comparison, request));
     for (const Output& chart : charts)
@@ -132,7 +132,7 @@ void write(const Options& options, const std::vector<Output>& charts, const Requ
 }
 
 // All is told in the tables; what is left is how to end.
-void end(const Options& options, const Comparison& comparison) {
+void end(const CompareCommand& options, const Comparison& comparison) {
     if (!comparison.agree()) throw CheckFailed();
     for (const Entry& entry : comparison.entries)
         if (entry.broke_off ||
@@ -141,7 +141,7 @@ void end(const Options& options, const Comparison& comparison) {
 }
 
 // What would be passed over in silence.
-void check_kind(const CLI::App& command, const Options& options) {
+void check_kind(const CLI::App& command, const CompareCommand& options) {
     const bool is_picture = !options.picture.path.empty();
     for (const std::string option :
          {"metric", "invert", "black", "white", "auto-levels", "gamma", "min-importance"})
@@ -152,7 +152,7 @@ void check_kind(const CLI::App& command, const Options& options) {
             throw BadRequest(option, "with a picture", "is for requests without one");
 }
 
-void run(const Options& options, const Sampler& sampler) {
+void run(const CompareCommand& options, const Sampler& sampler) {
     const std::vector<Output> charts = check(options);
     Request request = options.request;
     Field field;
@@ -172,8 +172,8 @@ void run(const Options& options, const Sampler& sampler) {
 }  // namespace
 
 void add_compare(CLI::App& app, const Sampler& sampler) {
-    CLI::App& command = *app.add_subcommand("compare", kDescription);
-    const auto options = std::make_shared<Options>();
+    CLI::App& command = *app.add_subcommand("compare", kCompareDescription);
+    const auto options = std::make_shared<CompareCommand>();
     add_picture(command, options->picture, options->request);
     command
         .add_option_function<std::string>(

@@ -18,7 +18,7 @@
 namespace lacuna::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kDevicesDescription =
     R"(Lists the backends and their devices, with what Lacuna may use of each.
 
 Examples:
@@ -91,7 +91,7 @@ std::string json_of(const std::vector<Row>& rows) {
 }  // namespace
 
 void add_devices(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("devices", kDescription);
+    CLI::App& command = *app.add_subcommand("devices", kDevicesDescription);
     const auto json = std::make_shared<bool>(false);
     command.add_flag("--json", *json, "As JSON")->disable_flag_override();
     command.callback([json] { files::write_whole("-", *json ? json_of(rows()) : table(rows())); });

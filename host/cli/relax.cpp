@@ -30,7 +30,7 @@
 namespace lacuna::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kRelaxDescription =
     R"(Moves points until each owns an equal share and stands in the middle of it.
 
 Examples:
@@ -50,7 +50,7 @@ Exit code: 0 done, 2 bad usage, 3 a file cannot be read or written, 4 no such ba
 interrupted.
 )";
 
-struct Options {
+struct RelaxCommand {
     CommonOptions common;
     Picture picture;
     DrawingOptions drawing;
@@ -60,7 +60,7 @@ struct Options {
 };
 
 // What is to be written.
-std::vector<Output> check(const Options& options) {
+std::vector<Output> check(const RelaxCommand& options) {
     const std::vector<Output> outputs = checked_outputs(options.common);
     for (const Output& output : outputs)
         for (const std::string& input : {options.points, options.picture.path})
@@ -82,7 +82,7 @@ files::SetsOfFile read_one_set(const std::string& path) {
     return file;
 }
 
-Json json_of(const Options& options, const Request& request) {
+Json json_of(const RelaxCommand& options, const Request& request) {
     Json json{{"points", options.points},
               {"image", options.picture.path.empty() ? Json(nullptr) : Json(options.picture.path)},
               {"width", request.width},
@@ -95,7 +95,7 @@ Json json_of(const Options& options, const Request& request) {
     return json;
 }
 
-void sum_up(const Options& options, const std::vector<Output>& outputs, const Made& made,
+void sum_up(const RelaxCommand& options, const std::vector<Output>& outputs, const Made& made,
             const Relaxation& relaxation) {
     const CommonOptions& common = options.common;
     if (common.quiet || has_standard_output(outputs) || is_standard_output(common.report)) return;
@@ -108,7 +108,7 @@ void sum_up(const Options& options, const std::vector<Output>& outputs, const Ma
         stderr);
 }
 
-void run(const Options& options) {
+void run(const RelaxCommand& options) {
     const std::vector<Output> outputs = check(options);
     Interruption interruption;
     CommonOptions common = options.common;
@@ -150,7 +150,7 @@ void run(const Options& options) {
     sum_up(options, outputs, made, relaxation);
 }
 
-void add_options(CLI::App& command, Options& options) {
+void add_options(CLI::App& command, RelaxCommand& options) {
     Request& request = options.common.request;
     command.add_option("POINTS", options.points, "The points; - is standard input, as .txt")
         ->type_name("")
@@ -184,8 +184,8 @@ void add_options(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_relax_command(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("relax", kDescription);
-    const auto options = std::make_shared<Options>();
+    CLI::App& command = *app.add_subcommand("relax", kRelaxDescription);
+    const auto options = std::make_shared<RelaxCommand>();
     add_options(command, *options);
     command.callback([options] { run(*options); });
 }

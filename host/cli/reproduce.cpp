@@ -28,7 +28,7 @@
 namespace lacuna::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kReproduceDescription =
     R"(Makes the tables and figures of Kalantari & Sen (2011) anew and compares their numbers.
 
 Examples:
@@ -48,7 +48,7 @@ Exit code: 0 all numbers are within their bands, 1 one is not, 2 bad usage, 3 a 
 or written, 4 the system makes no threads, 130 interrupted (143 by SIGTERM).
 )";
 
-struct Options {
+struct ReproduceCommand {
     std::vector<std::string> what;
     std::optional<std::string> folder;
     std::string image;
@@ -88,7 +88,7 @@ std::vector<const reproduce::Item*> chosen(const std::vector<std::string>& what)
     return items;
 }
 
-void check(const Options& options, const std::vector<const reproduce::Item*>& items) {
+void check(const ReproduceCommand& options, const std::vector<const reproduce::Item*>& items) {
     if (options.runs && *options.runs == 0) throw BadRequest("runs", "0", "must be at least 1");
     constexpr double kLargestRadius = 0.05;  // of the tables
     const double smallest = options.smallest_radius.value_or(kLargestRadius);
@@ -137,7 +137,7 @@ void write(const std::vector<Made>& all, const std::filesystem::path& folder) {
     }
 }
 
-void run(const Options& options) {
+void run(const ReproduceCommand& options) {
     const auto items = chosen(options.what);
     check(options, items);
     std::optional<Field> image;
@@ -166,8 +166,8 @@ void run(const Options& options) {
 }  // namespace
 
 void add_reproduce(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("reproduce", kDescription);
-    const auto options = std::make_shared<Options>();
+    CLI::App& command = *app.add_subcommand("reproduce", kReproduceDescription);
+    const auto options = std::make_shared<ReproduceCommand>();
     command.add_option("WHAT", options->what, "table1, table2, fig3 to fig8, or all")
         ->type_name("...")
         ->required();

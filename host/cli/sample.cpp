@@ -23,7 +23,7 @@
 namespace lacuna::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kSampleDescription =
     R"(Makes a blue-noise point set: random, evenly spread points with no room left for another.
 
 Examples:
@@ -36,7 +36,7 @@ Examples:
   lacuna sample --count 10k --format npy > a.npy      another format on standard output
 )";
 
-struct Options {
+struct SampleCommand {
     CommonOptions common;
     DrawingOptions drawing;
     std::uint32_t relax = 0;
@@ -53,7 +53,7 @@ void read_mode(const std::string& text, Mode& mode) {
     throw BadRequest("mode", shown(text), "must be exact or lines");
 }
 
-void run(const CLI::App& command, const Options& all) {
+void run(const CLI::App& command, const SampleCommand& all) {
     const CommonOptions& options = all.common;
     const std::vector<Output> outputs = checked_outputs(options);
     check_drawing(all.drawing, outputs);
@@ -117,8 +117,8 @@ void add_mode(CLI::App& command, Request& request) {
 }
 
 void add_sample(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("sample", kDescription);
-    const auto options = std::make_shared<Options>();
+    CLI::App& command = *app.add_subcommand("sample", kSampleDescription);
+    const auto options = std::make_shared<SampleCommand>();
     Request& request = options->common.request;
     add_size(command, request);
     add_what_to_make(command, request);

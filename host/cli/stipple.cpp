@@ -37,7 +37,7 @@
 namespace lacuna::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kStippleDescription =
     R"(Stipples a picture: random dots, evenly spread, dense where it is dark.
 
 Examples:
@@ -67,7 +67,7 @@ Read are PNG, JPEG, PGM, PPM, PFM, Radiance HDR and NumPy's .npy. A photo that i
 light as a whole comes out better with --auto-levels.
 )";
 
-struct Options {
+struct StippleCommand {
     CommonOptions common;
     Picture picture;
     DrawingOptions drawing;
@@ -75,7 +75,7 @@ struct Options {
     std::uint32_t relax = RelaxOptions{}.iterations;
 };
 
-void add_what_to_stipple(CLI::App& command, Options& options) {
+void add_what_to_stipple(CLI::App& command, StippleCommand& options) {
     Request& request = options.common.request;
     add_picture(command, options.picture, request)->required();
     add_number(
@@ -86,7 +86,7 @@ void add_what_to_stipple(CLI::App& command, Options& options) {
                "Steps of the lattice in the least radius (default 10)");
 }
 
-void add_pen_path(CLI::App& command, Options& options) {
+void add_pen_path(CLI::App& command, StippleCommand& options) {
     command
         .add_flag("--pen-path", options.pen_path,
                   "Dots in the order of a short way for a pen, in every format")
@@ -94,7 +94,7 @@ void add_pen_path(CLI::App& command, Options& options) {
 }
 
 // All that can be checked before the picture is read. What is to be written.
-std::vector<Output> check_options(const Options& options) {
+std::vector<Output> check_options(const StippleCommand& options) {
     const std::vector<Output> outputs = checked_outputs(options.common);
     for (const Output& output : outputs)
         if (options.picture.path != "-" && is_same_file(options.picture.path, output.path))
@@ -113,7 +113,8 @@ struct Work {
     std::optional<Relaxation> relaxation;
 };
 
-void order_for_a_pen(const Options& options, Interruption& interruption, Made& made, Work& work) {
+void order_for_a_pen(const StippleCommand& options, Interruption& interruption, Made& made,
+                     Work& work) {
     std::vector<Point>& points = made.result.points;
     ProgressBar bar(options.common.quiet);
     bar.note(fmt::format("a pen path through {} dots", points.size()));
@@ -138,7 +139,7 @@ Json json_of(const DrawingOptions& options, const drawing::Style& style) {
             {"dpi", style.pixels_per_inch}};
 }
 
-Json json_of(const Options& options) {
+Json json_of(const StippleCommand& options) {
     Json json{{"image", options.picture.path}};
     json.update(json_of_importance(options.picture.importance));
     json["relax"] = options.relax;
@@ -146,7 +147,7 @@ Json json_of(const Options& options) {
     return json;
 }
 
-Json report_of_the_rest(const Options& options, const std::vector<Output>& outputs,
+Json report_of_the_rest(const StippleCommand& options, const std::vector<Output>& outputs,
                         const Field& field, const drawing::Style& style, const Work& work) {
     Json more{{"request", json_of(options)},
               {"image", {{"columns", field.columns}, {"rows", field.rows}}},
@@ -160,7 +161,7 @@ Json report_of_the_rest(const Options& options, const std::vector<Output>& outpu
 }
 
 // What a pen travels, in the last line.
-std::string path_text(const Options& options, const std::vector<Output>& outputs,
+std::string path_text(const StippleCommand& options, const std::vector<Output>& outputs,
                       const files::PointSet& set, const drawing::Style& style, const Work& work) {
     if (!options.pen_path) return "";
     if (!has_picture(outputs))
@@ -169,7 +170,7 @@ std::string path_text(const Options& options, const std::vector<Output>& outputs
                        work.path_length * drawing::millimetres_per_unit(set, style) / 1000);
 }
 
-void run(const CLI::App& command, const Options& options) {
+void run(const CLI::App& command, const StippleCommand& options) {
     const std::vector<Output> outputs = check_options(options);
     Work work;
     const Stopwatch stopwatch;
@@ -213,8 +214,8 @@ void run(const CLI::App& command, const Options& options) {
 }  // namespace
 
 void add_stipple(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("stipple", kDescription);
-    const auto options = std::make_shared<Options>();
+    CLI::App& command = *app.add_subcommand("stipple", kStippleDescription);
+    const auto options = std::make_shared<StippleCommand>();
     add_what_to_stipple(command, *options);
     add_what_to_make(command, options->common.request);
     add_relax(command, options->relax);

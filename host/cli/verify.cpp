@@ -24,7 +24,7 @@
 namespace lacuna::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kVerifyDescription =
     R"(Proves or refutes, from the coordinates alone, that points are a maximal Poisson-disk set.
 
 Examples:
@@ -52,7 +52,7 @@ struct Sides {
     double height = 1;
 };
 
-struct Options {
+struct VerifyCommand {
     std::vector<std::string> files;
     std::optional<double> radius;
     std::optional<double> tolerance;
@@ -64,7 +64,7 @@ struct Options {
 };
 
 // What is claimed of one set of a file: options first, then what the file tells.
-Claim claim_of(const Options& options, const files::SetsOfFile& file, const std::string& name,
+Claim claim_of(const VerifyCommand& options, const files::SetsOfFile& file, const std::string& name,
                const std::vector<Point>& points) {
     const std::optional<double> radius = options.radius ? options.radius : file.radius;
     if (!radius)
@@ -98,7 +98,7 @@ verify::Verdict verdict_of(const Claim& claim) {
 }
 
 // Refuses bad options before a large file is read.
-void check(const Options& options) {
+void check(const VerifyCommand& options) {
     if (options.distances_only && options.tolerance)
         throw BadRequest("tolerance", fmt::format("{}", *options.tolerance),
                          "is for gaps, which --distances-only does not look for");
@@ -110,7 +110,7 @@ void check(const Options& options) {
                       options.tolerance.value_or(0));
 }
 
-void run(const Options& options) {
+void run(const VerifyCommand& options) {
     check(options);
     std::vector<files::SetsOfFile> all;
     for (const std::string& path : options.files) all.push_back(files::read_sets(path));
@@ -135,8 +135,8 @@ void run(const Options& options) {
 }  // namespace
 
 void add_verify(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("verify", kDescription);
-    const auto options = std::make_shared<Options>();
+    CLI::App& command = *app.add_subcommand("verify", kVerifyDescription);
+    const auto options = std::make_shared<VerifyCommand>();
     command
         .add_option("FILE", options->files,
                     "By extension: " + files::read_extensions() + "; - is standard input, as .txt")

@@ -25,7 +25,7 @@ namespace {
 using Json = nlohmann::json;
 constexpr auto kReplaceBadBytes = Json::error_handler_t::replace;
 
-struct Header {
+struct JsonHeader {
     std::optional<double> width;
     std::optional<double> height;
     std::optional<double> radius;
@@ -47,7 +47,7 @@ public:
     }
 
     // Of an object; what is not there, or 0, is not known.
-    const Header& header() const { return header_; }
+    const JsonHeader& header() const { return header_; }
 
     bool null() override { return scalar("null"); }
     bool boolean(bool value) override {
@@ -166,7 +166,7 @@ private:
 
     const std::string& name_;
     std::vector<Point> points_;
-    Header header_;
+    JsonHeader header_;
     std::optional<std::uint64_t> count_;
     std::string key_;  // of the outermost object
     Point point_{};
@@ -240,7 +240,7 @@ SetsOfFile decode_json(std::string_view bytes, const std::string& name) {
     PointsHandler handler(name);
     Json::sax_parse(bytes, &handler);
     SetsOfFile file = one_set(handler.take_points());
-    const Header& header = handler.header();
+    const JsonHeader& header = handler.header();
     if (header.width.has_value() != header.height.has_value())
         refuse(name, R"("width" and "height" must be there both or neither)");
     file.width = header.width;

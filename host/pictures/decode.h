@@ -30,6 +30,9 @@ struct Size {
     std::uint64_t pixels() const { return columns * rows; }
 };
 
+// What parts the words of a text header.
+inline constexpr std::string_view kBlanks = " \t\n\v\f\r";
+
 // A pixel as messages name it.
 inline std::string place(std::size_t row, std::size_t column) {
     return fmt::format("row {}, column {} (from 0, top left)", row, column);

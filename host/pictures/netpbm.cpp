@@ -15,8 +15,6 @@
 namespace lacuna::pictures {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\n\v\f\r";
-
 // The words of a header, or of a picture in text.
 class Words {
 public:

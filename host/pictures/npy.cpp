@@ -82,13 +82,13 @@ private:
     std::size_t channel_step_;
 };
 
-struct Layout {
+struct NpyLayout {
     Size size;
     std::size_t channels;
     bool fortran_order;
 };
 
-Layout layout_of(const files::NpyHeader& header, const Encoded& file) {
+NpyLayout layout_of(const files::NpyHeader& header, const Encoded& file) {
     const auto& shape = header.shape;
     const bool is_flat = shape.size() == 2;
     if (!is_flat && (shape.size() != 3 || (shape[2] != 1 && shape[2] != 3 && shape[2] != 4)))
@@ -96,13 +96,13 @@ Layout layout_of(const files::NpyHeader& header, const Encoded& file) {
             fmt::format("an array of shape {}: must be rows x columns, or rows x columns x "
                         "1, 3 or 4",
                         files::shape_text(shape)));
-    const Layout layout{{shape[1], shape[0]}, is_flat ? 1 : shape[2], header.fortran_order};
+    const NpyLayout layout{{shape[1], shape[0]}, is_flat ? 1 : shape[2], header.fortran_order};
     check_size(file, layout.size);
     return layout;
 }
 
 template <class Number>
-Image read_whole_numbers(const Encoded& file, const Array<Number>& array, const Layout& layout) {
+Image read_whole_numbers(const Encoded& file, const Array<Number>& array, const NpyLayout& layout) {
     Image image = make_image(file, layout.size);
     const std::span<double> all = image.luminance;
     constexpr std::int32_t kMax = std::numeric_limits<Number>::max();
@@ -116,7 +116,7 @@ Image read_whole_numbers(const Encoded& file, const Array<Number>& array, const 
 }
 
 template <class Number>
-Image read_numbers(const Encoded& file, const Array<Number>& array, const Layout& layout) {
+Image read_numbers(const Encoded& file, const Array<Number>& array, const NpyLayout& layout) {
     FloatPixels pixels(file, layout.size, layout.channels == 4);
     std::array<double, 4> pixel{};
     for (std::size_t y = 0; y < layout.size.rows; ++y)
@@ -129,7 +129,7 @@ Image read_numbers(const Encoded& file, const Array<Number>& array, const Layout
 }
 
 template <class Number>
-Image read(const Encoded& file, std::string_view data, std::endian order, const Layout& layout) {
+Image read(const Encoded& file, std::string_view data, std::endian order, const NpyLayout& layout) {
     const std::uint64_t wanted = layout.size.pixels() * layout.channels * sizeof(Number);
     if (data.size() != wanted)
         file.refuse(fmt::format("{} bytes of data: {} are announced, {} x {} x {} of {}",
@@ -147,7 +147,7 @@ Image read(const Encoded& file, std::string_view data, std::endian order, const 
 Image decode_npy(const Encoded& file) {
     std::string_view data = file.bytes;
     const files::NpyHeader header = files::take_npy_header(data, file.name);
-    const Layout layout = layout_of(header, file);
+    const NpyLayout layout = layout_of(header, file);
     const std::string_view type = header.descr;
     const std::endian order = type.starts_with('>') ? std::endian::big : std::endian::little;
     if (type == "|u1") return read<std::uint8_t>(file, data, order, layout);

@@ -17,8 +17,6 @@
 namespace lacuna::pictures {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\n\v\f\r";
-
 // Takes the next word, and the one blank that ends it: after the last word the floats begin.
 std::string_view take_word(std::string_view& rest) {
     const std::size_t begin = rest.find_first_not_of(kBlanks);

@@ -22,11 +22,9 @@ constexpr std::uint32_t kPaperLinesPerRadius = 30;  // section 5.1
 // With fewer units to a radius, rounding it up would show; 1000 lines a radius need 2 units each.
 constexpr double kSmallestRadius = 1.0 / (1 << 20);  // of the longer side
 
-// Random sequential adsorption's jamming density, and the width of its edge effect in radii.
-constexpr double kTorusDensity = 0.69656;
+// Of maximal sets in a box: N r^2 over the area, and the width of the edge's effect in radii.
 constexpr double kBoxDensity = 0.69655;
 constexpr double kBoxEdge = 0.666;
-constexpr double kCountDeviation = 0.244;  // standard deviation of a maximal count over sqrt(N)
 
 std::string gigabytes(double bytes) {
     std::ostringstream out;

@@ -25,6 +25,11 @@ struct Span {
     friend bool operator==(const Span&, const Span&) = default;
 };
 
+// Of maximal sets on a torus (docs/design.md, section 5): N r^2 over the area, which is random
+// sequential adsorption's jamming density, and the standard deviation of N over sqrt(N).
+inline constexpr double kTorusDensity = 0.69656;
+inline constexpr double kCountDeviation = 0.244;
+
 // Everything that decides where samples go. In mode cells the grid is the lattice: a line is one of
 // its columns, a strip is one unit wide, and `radius` is the least of all, rounded up. Equal plans
 // give equal samples on every backend.

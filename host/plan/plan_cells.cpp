@@ -13,11 +13,9 @@ namespace lacuna {
 namespace {
 
 constexpr double kMostLatticeSteps = 1 << 17;  // along a side: squares of radii fit 64 bits
-constexpr double kDensity = 0.69656;           // docs/design.md, section 5
 // The share of samples that a lattice of m steps to the radius loses, times m: measured with
 // constant fields, m from 3 to 40 (docs/cells.md).
 constexpr double kLatticeLoss = 0.47;
-constexpr double kCountDeviation = 0.244;  // standard deviation of a maximal count over sqrt(N)
 
 // The first attempt at a count makes room for kSpare times as many points. Attempt n, counted from
 // 0, makes room for kSpare to the power of 1 + n (n + 1) / 2 times as many.
@@ -33,8 +31,8 @@ std::uint32_t cells_per_radius(const Request& request) {
 double samples_at_radius_one(const Request& request, const FieldSums& sums) {
     const double sum =
         sums.shares - kLatticeLoss / cells_per_radius(request) * sums.shares_and_half;
-    return kDensity * sum / static_cast<double>(request.field->importance.size()) * request.width *
-           request.height;
+    return kTorusDensity * sum / static_cast<double>(request.field->importance.size()) *
+           request.width * request.height;
 }
 
 std::string short_text(double value) {
@@ -44,7 +42,7 @@ std::string short_text(double value) {
 }
 
 // What a run holds at its peak: a bit for each lattice point, the map, and points.
-double memory_needed(const Request& request, double lattice_points, double points) {
+double memory_of_lattice(const Request& request, double lattice_points, double points) {
     constexpr double kBytesPerPixel = 12, kBytesPerPoint = 64;
     const auto pixels = static_cast<double>(request.field->importance.size());
     return lattice_points / 8 + pixels * kBytesPerPixel + points * kBytesPerPoint;
@@ -76,7 +74,7 @@ void check_lattice(const Request& request, const std::string& option, const std:
                              (option == "count" ? "fewer points" : "a larger scale") +
                              " or fewer lines per radius");
     refuse_more_memory(request, option, value,
-                       memory_needed(request, lattice.lines * lattice.height, samples));
+                       memory_of_lattice(request, lattice.lines * lattice.height, samples));
 }
 
 // The scale, if it may be used for a request for a count.

@@ -45,9 +45,10 @@ double variation(const std::vector<Share>& shares) {
 }
 
 // An iteration, or the last, told to the observer verb by verb.
-class Run {
+class Iterations {
 public:
-    Run(RelaxBackend& backend, Observer& observer, std::uint64_t points, std::uint32_t iterations)
+    Iterations(RelaxBackend& backend, Observer& observer, std::uint64_t points,
+               std::uint32_t iterations)
         : backend_(backend), observer_(observer), points_(points), iterations_(iterations) {
         backend_.watch([this] { return keep_going(); });
     }
@@ -96,7 +97,7 @@ private:
 
 // All iterations; returns where the sites end. Looks of which nothing but numbers comes are done
 // after that, from the same lifts and without them.
-std::vector<Site> iterate(Run& run, RelaxBackend& backend, const RelaxOptions& options,
+std::vector<Site> iterate(Iterations& run, RelaxBackend& backend, const RelaxOptions& options,
                           Relaxed& relaxed) {
     Evenness evenness{};
     for (std::uint32_t i = 0; i < options.iterations; ++i) {
@@ -132,7 +133,7 @@ Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOpti
     relaxed.lattice_columns = lattice.numbers.columns;
     relaxed.lattice_rows = lattice.numbers.rows;
 
-    Run run(*chosen.backend, observer, points.size(), options.iterations);
+    Iterations run(*chosen.backend, observer, points.size(), options.iterations);
     const std::vector<Site> sites = iterate(run, *chosen.backend, options, relaxed);
     if (options.iterations == 0) return relaxed;
     for (std::size_t i = 0; i < sites.size(); ++i) relaxed.points[i] = lattice.to_user(sites[i]);

@@ -20,7 +20,7 @@ namespace lacuna::reproduce {
 namespace {
 
 constexpr std::uint32_t kLargestM = 60;
-constexpr std::uint64_t kSamples = 10'000;
+constexpr std::uint64_t kFig3Samples = 10'000;
 constexpr std::uint32_t kStream = 0xf163;  // of random numbers, apart from the samplers'
 
 struct Curves {
@@ -39,15 +39,15 @@ Curves measure(const Setting& setting) {
     for (std::uint32_t m = 1; m <= kLargestM; ++m) {
         double lines = 0;
         double cells = 0;
-        for (std::uint64_t i = 0; i < kSamples; ++i) {
+        for (std::uint64_t i = 0; i < kFig3Samples; ++i) {
             const RandomBits random = random_bits(0, i, kStream);
             const double x = unit(static_cast<std::uint32_t>(random.first >> 32U));
             const double y = unit(static_cast<std::uint32_t>(random.second >> 32U));
             lines += std::abs(area_by_lines(m, x) - 1);
             cells += std::abs(area_by_cells(m, x, y) - 1);
         }
-        curves.lines.push_back(100 * lines / kSamples);
-        curves.cells.push_back(100 * cells / kSamples);
+        curves.lines.push_back(100 * lines / kFig3Samples);
+        curves.cells.push_back(100 * cells / kFig3Samples);
         if (!setting.keep_going(static_cast<double>(m) / kLargestM)) throw Cancelled();
     }
     return curves;
@@ -106,7 +106,7 @@ Reproduction fig3(const Setting& setting) {
                                     {-0.1, 0.1}));
     made.numbers.push_back(in_words("m = 30: % of the area lost by y", "not much",
                                     curves.cells_at(30) - curves.lines_at(30), {kNone, 0.1}));
-    made.data = {{"samples", kSamples},
+    made.data = {{"samples", kFig3Samples},
                  {"unit", "percent of the disk's area, mean absolute error"},
                  {"m", "1 to the number of entries"},
                  {"x_only", curves.lines},

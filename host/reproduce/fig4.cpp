@@ -18,9 +18,9 @@
 namespace lacuna::reproduce {
 namespace {
 
-constexpr double kRadius = 0.01;
+constexpr double kFig4Radius = 0.01;
 constexpr std::uint64_t kDarts = 6400;
-constexpr std::uint32_t kRuns = 10;
+constexpr std::uint32_t kFig4Runs = 10;
 constexpr std::array<std::uint32_t, 5> kLines{30, 10, 5, 2, 1};
 
 struct Row {
@@ -37,13 +37,13 @@ struct Rows {
 };
 
 Rows make(const Setting& setting) {
-    const std::uint32_t runs = setting.runs.value_or(kRuns);
+    const std::uint32_t runs = setting.runs.value_or(kFig4Runs);
     Work work(setting, runs * (3.0 + kLines.size()));
     const auto analysed = [&](const Sets& sets) {
-        return analyse_on_torus(sets.points, kRadius, work);
+        return analyse_on_torus(sets.points, kFig4Radius, work);
     };
     Request request;
-    request.radius = kRadius;
+    request.radius = kFig4Radius;
     request.boundary = Boundary::torus;
     request.backend = "cpu";
     Rows rows;
@@ -63,7 +63,7 @@ Rows make(const Setting& setting) {
 }
 
 double distance(const analysis::Analysis& a, const analysis::Analysis& reference) {
-    constexpr double kReach = 1.6 / kRadius;
+    constexpr double kReach = 1.6 / kFig4Radius;
     double sum = 0;
     double modes = 0;
     const std::size_t annuli =
@@ -110,7 +110,7 @@ double degradation(const Row& row, const Rows& rows, double chance) {
 // As it would be for 10 runs: without direction it is -10 log10(runs).
 double anisotropy_of(const Row& row) {
     return *row.analysis.radial.mean_anisotropy_db() +
-           10 * std::log10(static_cast<double>(row.analysis.sets) / kRuns);
+           10 * std::log10(static_cast<double>(row.analysis.sets) / kFig4Runs);
 }
 
 std::vector<Number> numbers_of(const Rows& rows, double chance) {

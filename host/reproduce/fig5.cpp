@@ -14,9 +14,9 @@
 namespace lacuna::reproduce {
 namespace {
 
-constexpr double kRadius = 0.01;
-constexpr std::uint64_t kSamples = 6000;
-constexpr std::uint32_t kRuns = 10;
+constexpr double kFig5Radius = 0.01;
+constexpr std::uint64_t kFig5Samples = 6000;
+constexpr std::uint32_t kFig5Runs = 10;
 
 struct Method {
     std::string name;
@@ -24,12 +24,12 @@ struct Method {
 };
 
 Method make(const Setting& setting, bool uniform_x, Work& work) {
-    Request request = lines_request(kRadius, Boundary::torus);
-    request.limit = kSamples;
+    Request request = lines_request(kFig5Radius, Boundary::torus);
+    request.limit = kFig5Samples;
     request.uniform_x = uniform_x;
     if (uniform_x) request.backend = "reference";
-    const Sets sets = make_sets(request, setting.runs.value_or(kRuns), work);
-    return {uniform_x ? "uniform-x" : "cdf", analyse_on_torus(sets.points, kRadius, work)};
+    const Sets sets = make_sets(request, setting.runs.value_or(kFig5Runs), work);
+    return {uniform_x ? "uniform-x" : "cdf", analyse_on_torus(sets.points, kFig5Radius, work)};
 }
 
 std::string draw(std::span<const Method> methods, drawing::Medium medium) {
@@ -52,7 +52,7 @@ std::string draw(std::span<const Method> methods, drawing::Medium medium) {
 }  // namespace
 
 Reproduction fig5(const Setting& setting) {
-    Work work(setting, 2.0 * setting.runs.value_or(kRuns));
+    Work work(setting, 2.0 * setting.runs.value_or(kFig5Runs));
     const std::array methods{make(setting, false, work), make(setting, true, work)};
     // Of a set without bias the line's power over the rest is 1, give or take this.
     const auto& line = *methods[0].analysis.horizontal_line;

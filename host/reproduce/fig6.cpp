@@ -16,7 +16,7 @@
 namespace lacuna::reproduce {
 namespace {
 
-constexpr std::uint32_t kRuns = 40;
+constexpr std::uint32_t kFig6Runs = 40;
 constexpr double kScale = 0.012;
 constexpr std::array kMetrics{Metric::max, Metric::mean, Metric::min};  // in the paper's order
 
@@ -52,7 +52,7 @@ std::string draw(const Field& field, Work& work, drawing::Medium medium) {
 
 Reproduction fig6(const Setting& setting) {
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
-    const std::uint32_t runs = setting.runs.value_or(kRuns);
+    const std::uint32_t runs = setting.runs.value_or(kFig6Runs);
     Work work(setting, 3.0 * (runs + 1));
     Reproduction made;
     std::array<Mean, kMetrics.size()> missing{};

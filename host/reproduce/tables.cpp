@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The paper's is 100. A count's standard deviation is under 0.03 % at the smallest radius.
-constexpr std::array<std::uint32_t, 4> kRuns{100, 100, 20, 2};
+constexpr std::array<std::uint32_t, 4> kTableRuns{100, 100, 20, 2};
 
 struct Measured {
     double samples;
@@ -59,7 +59,7 @@ double cost_of(Way way) {
 
 Measurements measure(const Setting& setting, Boundary boundary, std::size_t radii) {
     constexpr std::array kWays{Way::cdf, Way::uniform_x, Way::exact};
-    const auto runs_of = [&](std::size_t i) { return setting.runs.value_or(kRuns[i]); };
+    const auto runs_of = [&](std::size_t i) { return setting.runs.value_or(kTableRuns[i]); };
     const auto cost_at = [&](Way way, std::size_t i) {
         return cost_of(way) * expected_count(1, 1, boundary, kRadii[i]);
     };

@@ -76,7 +76,8 @@ inline std::vector<Request> equality_requests(Mode mode) {
         request.round_size = static_cast<std::uint64_t>(pick({0, 0, 1, 2, 7}));
         if (request.uniform_x) request.round_size = 1;
         // Rounds of a few draws are launches of a few draws: keep those sets small.
-        if (request.round_size != 0) request.radius = std::max(*request.radius, 0.05);
+        if (request.round_size != 0)
+            request.radius = std::max(*request.radius, request.round_size < 7 ? 0.1 : 0.05);
         request.threads = static_cast<std::uint32_t>(pick({1, 2, 5}));
         request.seed = random();
         requests.push_back(request);

@@ -19,7 +19,8 @@ set(toolchain -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPI
 if(SHARED_SOURCE)
     run("configuring the shared library" ${CMAKE_COMMAND} ${toolchain} -S ${SHARED_SOURCE} -B ${BUILD}
         -D BUILD_SHARED_LIBS=ON -D LACUNA_COMMAND=OFF -D LACUNA_TESTS=OFF -D LACUNA_BENCHMARKS=OFF
-        -D CMAKE_BUILD_TYPE=None)  # unoptimised: what is tested is how it is built and found
+        # Unoptimised and by several files at once: what is tested is how it is built and found.
+        -D CMAKE_BUILD_TYPE=None -D CMAKE_UNITY_BUILD=ON)
     run("building the shared library" ${CMAKE_COMMAND} --build ${BUILD})
 endif()
 

@@ -48,9 +48,8 @@ check(--mode lines --radius 0.06 --lines-per-radius 3 --torus --round-size 64)
 check(--mode lines --radius 0.06 --lines-per-radius 3 --round-size 64)
 check(--mode lines --radius 0.4 --lines-per-radius 5 --torus --round-size 1)
 check(--mode exact --radius 0.2 --lines-per-radius 2 --torus --round-size 16)
-check(--mode exact --radius 0.2 --lines-per-radius 2 --round-size 16)
+check(--mode exact --radius 0.15 --lines-per-radius 3 --round-size 64)
 check(--mode exact --radius 0.08 --lines-per-radius 3 --torus --round-size 64)
-check(--mode exact --radius 0.08 --lines-per-radius 3 --round-size 64)
 
 # Mode cells: the test compares the sets with the cpu backend's.
 foreach(metric min mean max)
