@@ -113,7 +113,7 @@ inline std::vector<Scene> random_cells_scenes() {
             cells_plan(noise, 10.0 / height, 10, mean, height % 2 == 0 ? torus : box), 100,
             100 + height));
     // Chunks and work groups: one draw, a few, and the sizes of groups, more or less one.
-    for (const std::uint32_t count : {1u, 2u, 63u, 64u, 65u, 127u, 129u, 255u, 257u, 5000u})
+    for (const std::uint32_t count : {1u, 2u, 63u, 64u, 65u, 127u, 129u, 255u, 257u, 1000u})
         scenes.push_back(random_cells_scene("draws: " + std::to_string(count),
                                             cells_plan(noise, 0.03, 4, min, torus), count,
                                             200 + count));

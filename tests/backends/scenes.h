@@ -249,7 +249,7 @@ inline std::vector<Scene> random_scenes(Mode mode) {
         random_scene("a high box", plan(0.9, 1, box, 1, 1000), 700, 11),
     };
     // Chunks and work groups: one draw, a few, and the sizes of groups, more or less one.
-    for (const std::uint32_t count : {1u, 2u, 63u, 64u, 65u, 127u, 129u, 255u, 257u, 5000u})
+    for (const std::uint32_t count : {1u, 2u, 63u, 64u, 65u, 127u, 129u, 255u, 257u, 1000u})
         scenes.push_back(random_scene("draws: " + std::to_string(count), plan(0.04, 5, torus),
                                       count, 100 + count));
     for (std::uint64_t seed = 0; seed < 24; ++seed)

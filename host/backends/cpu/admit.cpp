@@ -7,6 +7,7 @@
 #include <span>
 
 #include "backends/cpu/precedence.h"
+#include "backends/cpu/reached.h"
 #include "backends/cpu/state.h"
 #include "portable/chord.h"
 #include "portable/column.h"
@@ -17,8 +18,8 @@
 namespace lacuna::cpu {
 namespace {
 
-// A mode says where candidate i counts as being, how far to look around it, in which columns, and
-// the square of the distance that it must keep from candidate j.
+// A mode says where candidate i counts as being, in which columns to look and how far, and the
+// square of the distance that it must keep from candidate j.
 struct InExact {
     const SpanState& state;
     portable::Stretch columns;
@@ -27,8 +28,13 @@ struct InExact {
         : state(the_state),
           columns(portable::stretch_around(column, 1, state.columns, state.plan.period_x)) {}
     Sample place(std::uint32_t i) const { return {state.candidates[i].x, state.candidates[i].y}; }
-    std::uint32_t reach(std::uint32_t) const { return state.plan.radius; }
-    portable::Stretch columns_near(std::uint32_t) const { return columns; }
+    template <typename Visit>
+    bool any_column_near(std::uint32_t, Visit visit) const {
+        for (std::uint32_t k = 0; k < columns.count; ++k)
+            if (visit(portable::nth_of_stretch(columns, k, state.columns), state.plan.radius))
+                return true;
+        return false;
+    }
     std::uint64_t limit_squared(std::uint32_t, std::uint32_t) const {
         return state.plan.radius_squared;
     }
@@ -47,12 +53,10 @@ struct InCells {
 
     InCells(const BitState& the_state, std::uint32_t) : state(the_state) {}
     Sample place(std::uint32_t i) const { return {state.candidates[i].x, state.candidates[i].y}; }
-    std::uint32_t reach(std::uint32_t i) const { return state.reach_of(state.candidates[i]); }
-    portable::Stretch columns_near(std::uint32_t i) const {
-        const Plan& plan = state.plan;
-        return portable::columns_of_stretch(
-            portable::stretch_around(state.candidates[i].x, reach(i), plan.lines, plan.period_x),
-            plan.lines, state.columns);
+    template <typename Visit>
+    bool any_column_near(std::uint32_t i, Visit visit) const {
+        return Reach(state, state.candidates[i], state.candidate_radii[i], state.widest_candidates)
+            .any(visit);
     }
     std::uint64_t limit_squared(std::uint32_t i, std::uint32_t j) const {
         return portable::metric_squared(
@@ -97,7 +101,6 @@ template <typename Mode>
 std::uint32_t fate_of(State& state, const Mode& mode, std::uint32_t i) {
     const Plan& plan = state.plan;
     const Sample place = mode.place(i);
-    const std::uint32_t reach = mode.reach(i);
     bool waits = false;
     const auto covers = [&](std::uint32_t j) {
         const Candidate& other = state.candidates[j];
@@ -109,12 +112,54 @@ std::uint32_t fate_of(State& state, const Mode& mode, std::uint32_t i) {
         waits = waits || fate == FATE_UNDECIDED;
         return fate == FATE_ADMITTED;
     };
-    const portable::Stretch near = mode.columns_near(i);
-    for (std::uint32_t k = 0; k < near.count; ++k)
-        if (any_within(state, portable::nth_of_stretch(near, k, state.columns), place.y, reach,
-                       covers))
-            return FATE_REJECTED;
+    if (mode.any_column_near(i, [&](std::uint32_t column, std::uint32_t reach) {
+            return any_within(state, column, place.y, reach, covers);
+        }))
+        return FATE_REJECTED;
     return waits ? FATE_UNDECIDED : FATE_ADMITTED;
+}
+
+// How many candidates share the buckets that candidate i looks into: about so many it is compared
+// with.
+template <typename Mode>
+std::uint64_t rivals_of(const State& state, const Mode& mode, std::uint32_t i) {
+    const std::uint32_t height = state.plan.height;
+    const std::uint32_t y = state.candidates[i].y;
+    const std::uint32_t windows = state.plan.period_y == 0 ? 1 : 3;
+    std::uint64_t rivals = 0;
+    mode.any_column_near(i, [&](std::uint32_t column, std::uint32_t reach) {
+        ++rivals;  // to look at a column takes as long
+        for (std::uint32_t window = 0; window < windows; ++window)
+            rivals += state.count_between(column, portable::window_begin(window, y, reach, height),
+                                          portable::window_end(window, y, reach, height));
+        return false;
+    });
+    return rivals;
+}
+
+// One candidate in kSampled tells how many the others are compared with.
+constexpr std::uint32_t kSampled = 128;
+// With more rivals than kMostRivals a candidate, parts take less time than a comparison of all;
+// unless candidates are so few that even to compare all pairs takes little.
+constexpr std::uint64_t kMostRivals = 64;
+constexpr std::uint32_t kFewCandidates = 1024;
+
+template <typename Mode, typename ModeState>
+std::uint32_t first_part_in(const ModeState& state) {
+    const auto count = static_cast<std::uint32_t>(state.candidates.size());
+    if (count <= kFewCandidates) return count;
+    std::uint64_t sampled = 0;
+    std::uint64_t rivals = 0;
+    for (std::uint32_t column = 0; column < state.columns; ++column) {
+        const Mode mode(state, column);
+        for (; sampled * kSampled < state.column_begins[column + 1]; ++sampled) {
+            const auto i = static_cast<std::uint32_t>(sampled * kSampled);
+            if (state.fates[i] == FATE_UNDECIDED) rivals += rivals_of(state, mode, i);
+        }
+    }
+    if (rivals <= kMostRivals * sampled) return count;
+    const std::uint64_t few = std::uint64_t{count} * kMostRivals * sampled / rivals;
+    return static_cast<std::uint32_t>(std::max(few, kMostRivals));
 }
 
 template <typename Mode>
@@ -140,6 +185,27 @@ bool admit(SpanState& state, std::uint32_t column) {
 
 bool admit(BitState& state, std::uint32_t column) {
     return admit_in(state, InCells(state, column), column);
+}
+
+std::uint32_t first_part(const SpanState& state) {
+    return state.plan.is_exact() ? first_part_in<InExact>(state) : first_part_in<InLines>(state);
+}
+
+std::uint32_t first_part(const BitState& state) {
+    return first_part_in<InCells>(state);
+}
+
+bool is_covered(const SpanState& state, const Candidate& candidate) {
+    if (state.grid) return state.grid->is_covered(candidate.x, candidate.y);
+    const std::span<const Span> spans =
+        state.slot(candidate.line).first(state.span_counts[candidate.line]);
+    const auto above = std::partition_point(
+        spans.begin(), spans.end(), [&](const Span& span) { return span.end <= candidate.y; });
+    return above == spans.end() || above->begin > candidate.y;
+}
+
+bool is_covered(const BitState& state, const Candidate& candidate) {
+    return (state.line(candidate.x)[candidate.y / 64] >> candidate.y % 64 & 1) == 0;
 }
 
 void screen(SpanState& state, std::uint32_t column) {

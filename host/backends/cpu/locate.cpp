@@ -70,14 +70,22 @@ void locate_in_boxes(SpanState& state, std::span<const Draw> draws, std::uint32_
     }
 }
 
-// Leaves the column's candidates as admit takes them.
-void set_undecided(State& state, std::uint32_t column) {
+void sort(State& state, std::uint32_t column) {
     state.sort_column(column);
     std::fill(state.fates.begin() + state.column_begins[column],
               state.fates.begin() + state.column_begins[column + 1], FATE_UNDECIDED);
 }
 
 }  // namespace
+
+void set_undecided(SpanState& state, std::uint32_t column) {
+    sort(state, column);
+}
+
+void set_undecided(BitState& state, std::uint32_t column) {
+    sort(state, column);
+    state.find_radii(column);
+}
 
 void locate(SpanState& state, std::span<const Draw> draws, std::uint32_t column) {
     if (state.has_boxes)
@@ -90,7 +98,6 @@ void locate(SpanState& state, std::span<const Draw> draws, std::uint32_t column)
 void locate(BitState& state, std::span<const Draw> draws, std::uint32_t column) {
     locate_on_lines(state, draws, column, Words{state});
     set_undecided(state, column);
-    state.find_radii(state.column_begins[column], state.column_begins[column + 1]);
 }
 
 }  // namespace lacuna::cpu

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "backends/cpu/round_backend.h"
 #include "backends/cpu/state.h"
@@ -25,8 +26,7 @@ public:
 
     void subtract() override {
         insert();
-        while (!all_columns([&](std::uint32_t column) { return cpu::subtract(state_, column); }))
-            state_.grow();
+        if (!std::exchange(is_cut_, false)) cut();
     }
 
     void refine(bool halve) override {
@@ -37,12 +37,26 @@ public:
         state_.settle_boxes(width);
     }
 
+protected:
+    // In exact the grid tells what is covered: the spans can wait for the round's end.
+    void take_out() override {
+        if (state_.grid) return insert();
+        cut();
+        is_cut_ = true;
+    }
+
 private:
     void insert() {
         if (state_.grid)
             for_columns(state_.candidates.size(),
                         [&](std::uint32_t column) { cpu::insert(state_, column); });
     }
+    void cut() {
+        while (!all_columns([&](std::uint32_t column) { return cpu::subtract(state_, column); }))
+            state_.grow();
+    }
+
+    bool is_cut_ = false;  // by take_out: nothing is left to subtract
 };
 
 class CellsBackend : public RoundBackend<BitState> {
@@ -50,12 +64,25 @@ public:
     using RoundBackend::RoundBackend;
 
     void subtract() override {
-        state_.find_near();
+        if (!std::exchange(is_cut_, false)) cut();
+    }
+
+    void refine(bool) override { throw std::logic_error("mode cells has nothing to refine"); }
+
+protected:
+    void take_out() override {
+        cut();
+        is_cut_ = true;
+    }
+
+private:
+    void cut() {
+        state_.find_near([&] { poll(); });
         for_columns(state_.near.size(),
                     [&](std::uint32_t column) { cpu::subtract(state_, column); });
     }
 
-    void refine(bool) override { throw std::logic_error("mode cells has nothing to refine"); }
+    bool is_cut_ = false;  // by take_out: nothing is left to subtract
 };
 
 }  // namespace

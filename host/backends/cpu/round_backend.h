@@ -1,6 +1,7 @@
 // The verbs of the cpu backend as all modes do them: columns of lines, shared out over threads.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -10,13 +11,14 @@
 #include <vector>
 
 #include "backends/backend.h"
+#include "backends/cpu/crowd.h"
 #include "backends/cpu/state.h"
 #include "backends/cpu/workers.h"
 #include "portable/fate.h"
 
 namespace lacuna::cpu {
 
-// What a mode adds are subtract and refine (make_backend.cpp).
+// What a mode adds are subtract, refine and take_out (make_backend.cpp).
 template <typename ModeState>
 class RoundBackend : public Backend {
 public:
@@ -31,11 +33,18 @@ public:
         is_set_ = true;
         state_.begin_round(draws);
         for_columns(draws.size(), [&](std::uint32_t i) { cpu::locate(state_, draws, i); });
+        state_.end_locate();
     }
 
+    // All draws at once, or part by part, in the order of the draws, where they crowd.
     void admit() override {
-        while (!all_columns([&](std::uint32_t i) { return cpu::admit(state_, i); })) {
-        }
+        const auto count = static_cast<std::uint32_t>(state_.candidates.size());
+        std::uint32_t end = cpu::first_part(state_);
+        if (end == count) return settle();
+        Crowd<ModeState> crowd(state_);
+        for (std::uint32_t begin = 0; begin < count; begin = end, end += std::min(end, count - end))
+            admit_part(crowd, {begin, end});
+        crowd.give_back(state_);
     }
 
     Round finish_round() override {
@@ -58,6 +67,9 @@ public:
     }
 
 protected:
+    // Takes from the places what the samples of a part cover, so that is_covered tells.
+    virtual void take_out() = 0;
+
     // work(column) for all columns, where so much is to be done in all.
     template <typename Work>
     void for_columns(std::size_t amount, Work work) {
@@ -69,9 +81,28 @@ protected:
         return workers_.all_columns(state_.columns, state_.candidates.size(), work);
     }
 
+    // Asks whether to go on.
+    void poll() const { workers_.poll(); }
+
     ModeState state_;
 
 private:
+    void settle() {
+        while (!all_columns([&](std::uint32_t i) { return cpu::admit(state_, i); })) {
+        }
+    }
+
+    void admit_part(Crowd<ModeState>& crowd, Part part) {
+        const std::size_t count = part.end;
+        for_columns(count, [&](std::uint32_t i) { crowd.screen(state_, i, part); });
+        crowd.make_room(state_);
+        for_columns(count, [&](std::uint32_t i) { crowd.move_in(state_, i, part); });
+        state_.end_locate();
+        settle();
+        for_columns(count, [&](std::uint32_t i) { crowd.move_out(state_, i); });
+        take_out();
+    }
+
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
     Workers workers_;

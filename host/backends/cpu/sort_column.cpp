@@ -52,4 +52,14 @@ std::uint32_t State::first_from(std::uint32_t column, std::uint32_t y) const {
     return i;
 }
 
+std::uint32_t State::count_between(std::uint32_t column, std::uint32_t low,
+                                   std::uint32_t high) const {
+    const std::uint32_t begin = column_begins[column];
+    const std::uint32_t count = column_begins[column + 1] - begin;
+    if (count == 0 || low >= high) return 0;
+    const std::uint32_t next = portable::bucket_of(high - 1, count, plan.height) + 1;
+    const std::uint32_t end = next < count ? buckets[begin + next] : count;
+    return end - buckets[begin + portable::bucket_of(low, count, plan.height)];
+}
+
 }  // namespace lacuna::cpu

@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "backends/columns.h"
+#include "backends/cpu/reached.h"
 #include "plan/first_free.h"
 #include "portable/column.h"
 #include "portable/fate.h"
+#include "portable/metric.h"
 
 namespace lacuna::cpu {
 
@@ -21,10 +23,14 @@ State::State(const Plan& the_plan)
       free_lengths(first_free_lengths(plan)),
       column_begins(columns + std::size_t{1}) {}
 
+void State::make_room(std::size_t count) {
+    candidates.resize(count);
+    fates.resize(count);
+    buckets.resize(count);
+}
+
 void State::begin_round(std::span<const Draw> draws) {
-    candidates.resize(draws.size());
-    fates.resize(draws.size());
-    buckets.resize(draws.size());
+    make_room(draws.size());
     find_column_begins(place_begins, draws, column_begins);
 }
 
@@ -125,7 +131,15 @@ BitState::BitState(const Plan& the_plan)
       words(words_per_line(plan) / 2),
       bits(std::make_unique_for_overwrite<std::uint64_t[]>(plan.lines * words)),
       widest(plan.lines),
-      near_begins(columns + std::size_t{1}) {}
+      near_begins(columns + std::size_t{1}) {
+    widest_candidates.of_columns.resize(columns);
+    widest_open.of_columns.resize(columns);
+}
+
+void BitState::make_room(std::size_t count) {
+    State::make_room(count);
+    candidate_radii.resize(count);
+}
 
 void BitState::begin_round(std::span<const Draw> draws) {
     State::begin_round(draws);
@@ -137,22 +151,46 @@ void BitState::set_bits(std::uint32_t index, std::span<const std::uint32_t> of_l
         line(index)[i] = std::uint64_t{of_line[2 * i + 1]} << 32 | of_line[2 * i];
 }
 
-void BitState::find_radii(std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t i = begin; i < end; ++i)
+void BitState::find_radii(std::uint32_t column) {
+    std::uint32_t widest_radius = 0;
+    for (std::uint32_t i = column_begins[column]; i < column_begins[column + 1]; ++i) {
         candidate_radii[i] = radii.radii[radii.pixel_at(candidates[i].x, candidates[i].y)];
+        widest_radius = std::max(widest_radius, candidate_radii[i]);
+    }
+    widest_candidates.of_columns[column] = widest_radius;
 }
 
-void BitState::find_near() {
+void WidestRadii::find_blocks() {
+    of_blocks.assign(of_columns.size() / kBlock + 1, 0);
+    for (std::size_t column = 0; column < of_columns.size(); ++column)
+        of_blocks[column / kBlock] = std::max(of_blocks[column / kBlock], of_columns[column]);
+}
+
+void BitState::find_widest_open() {
+    if (plan.metric == Metric::min) return;
+    for (std::uint32_t column = 0; column < columns; ++column) {
+        std::uint32_t widest_radius = 0;
+        for (std::uint32_t x = first_lines[column]; x < first_lines[column + 1]; ++x) {
+            if (widest[x] == radii.rows) continue;
+            const std::size_t pixels = std::size_t{radii.column_of[x]} * radii.rows;
+            widest_radius = std::max(
+                widest_radius,
+                portable::class_bound(radii.radii[pixels + radii.widest_rows[pixels + widest[x]]]));
+        }
+        widest_open.of_columns[column] = widest_radius;
+    }
+    widest_open.find_blocks();
+}
+
+void BitState::find_near(const std::function<void()>& poll) {
     // Counted, then listed.
+    find_widest_open();
     const auto for_each_near = [&](auto visit) {
         for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+            if (i % 1024 == 0) poll();
             if (fates[i] != FATE_ADMITTED) continue;
-            const portable::Stretch lines = portable::stretch_around(
-                candidates[i].x, reach_of(candidates[i]), plan.lines, plan.period_x);
-            const portable::Stretch reached =
-                portable::columns_of_stretch(lines, plan.lines, columns);
-            for (std::uint32_t k = 0; k < reached.count; ++k)
-                visit(portable::nth_of_stretch(reached, k, columns), i);
+            Reach(*this, candidates[i], candidate_radii[i], widest_open)
+                .any([&](std::uint32_t column, std::uint32_t) { return visit(column, i), false; });
         }
     };
     std::fill(near_begins.begin(), near_begins.end(), 0);
@@ -183,7 +221,8 @@ void BitState::restore(const Snapshot& snapshot) {
     }
     std::fill(widest.begin(), widest.end(), 0);
     candidate_radii.resize(candidates.size());
-    find_radii(0, static_cast<std::uint32_t>(candidates.size()));
+    for (std::uint32_t column = 0; column < columns; ++column) find_radii(column);
+    end_locate();
 }
 
 void set_free(SpanState& state, std::uint32_t column) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -38,12 +39,18 @@ struct State {
         return {candidates.data() + column_begins[column],
                 column_begins[column + 1] - column_begins[column]};
     }
-    // Makes room for the draws' candidates, and finds where each column's begin.
+    // Room for so many candidates.
+    void make_room(std::size_t count);
+    // For the draws' candidates; and finds where each column's begin.
     void begin_round(std::span<const Draw> draws);
     // Sorts the column's candidates by y, and by order where y is equal.
     void sort_column(std::uint32_t column);
+    // After all columns' candidates were sorted.
+    void end_locate() {}
     // The column's first candidate that is not below y, or its end.
     std::uint32_t first_from(std::uint32_t column, std::uint32_t y) const;
+    // How many of the column's candidates share a bucket with the heights [low, high).
+    std::uint32_t count_between(std::uint32_t column, std::uint32_t low, std::uint32_t high) const;
 
     Snapshot snapshot() const;
     void restore(const Snapshot& snapshot);
@@ -77,6 +84,18 @@ struct SpanState : State {
     void restore(const Snapshot& snapshot);
 };
 
+// In cells: the widest radius of something in each column, and in each block of so many columns: a
+// sample whose reach is long need not look at columns that have but small ones.
+struct WidestRadii {
+    static constexpr std::uint32_t kBlock = 64;
+
+    std::vector<std::uint32_t> of_columns;
+    std::vector<std::uint32_t> of_blocks;
+
+    // From those of the columns.
+    void find_blocks();
+};
+
 // Mode cells: a bit for each lattice point.
 struct BitState : State {
     explicit BitState(const Plan& plan);
@@ -90,11 +109,13 @@ struct BitState : State {
     // first row stands that may still have a free point. Goes up as points are blocked.
     std::vector<std::uint32_t> widest;
 
-    // The radius of each candidate.
+    // The radius of each candidate, and the widest.
     std::vector<std::uint32_t> candidate_radii;
+    WidestRadii widest_candidates;
     // The candidates admitted that may reach each column: near[near_begins[column]] and on.
     std::vector<std::uint32_t> near_begins;
     std::vector<std::uint32_t> near;
+    WidestRadii widest_open;  // of points that may still be free
 
     std::span<std::uint64_t> line(std::uint32_t index) const {
         return {&bits[index * words], words};
@@ -103,13 +124,18 @@ struct BitState : State {
     std::uint32_t reach_of(const Candidate& candidate) const {
         return radii.reaches[radii.pixel_at(candidate.x, candidate.y)];
     }
+    void make_room(std::size_t count);
     void begin_round(std::span<const Draw> draws);
     // Sets the line's bits from words of 32.
     void set_bits(std::uint32_t line, std::span<const std::uint32_t> of_line);
-    // Looks up the radii of the candidates [begin, end).
-    void find_radii(std::uint32_t begin, std::uint32_t end);
-    // For subtract: finds which candidates admitted may reach each column. Sequential.
-    void find_near();
+    // Looks up the radii of the column's candidates.
+    void find_radii(std::uint32_t column);
+    void end_locate() { widest_candidates.find_blocks(); }
+    // What the widest rows of the lines tell.
+    void find_widest_open();
+    // For subtract: finds which candidates admitted may reach each column. Sequential; calls poll
+    // now and then, which may throw.
+    void find_near(const std::function<void()>& poll);
     Snapshot snapshot() const;
     void restore(const Snapshot& snapshot);
 };
@@ -124,6 +150,10 @@ void set_free(BitState& state, std::uint32_t column);
 void locate(SpanState& state, std::span<const Draw> draws, std::uint32_t column);
 void locate(BitState& state, std::span<const Draw> draws, std::uint32_t column);
 
+// Leaves the column's candidates as admit takes them: sorted, and undecided.
+void set_undecided(SpanState& state, std::uint32_t column);
+void set_undecided(BitState& state, std::uint32_t column);
+
 // In exact, before the column is first admitted: settles the candidates that samples of earlier
 // rounds cover.
 void screen(SpanState& state, std::uint32_t column);
@@ -132,6 +162,16 @@ void screen(SpanState& state, std::uint32_t column);
 // passes settle all: the earliest undecided candidate never waits for another.
 bool admit(SpanState& state, std::uint32_t column);
 bool admit(BitState& state, std::uint32_t column);
+
+// Whether a sample that was taken out covers the candidate: in lines from the spans, in exact from
+// what is in the grid, in cells from the bits.
+bool is_covered(const SpanState& state, const Candidate& candidate);
+bool is_covered(const BitState& state, const Candidate& candidate);
+
+// Into how many draws admit should look at first: all of the round's, or so many that they have few
+// enough others within reach of them to be compared with each.
+std::uint32_t first_part(const SpanState& state);
+std::uint32_t first_part(const BitState& state);
 
 // In exact: puts the column's samples of this round into the grid.
 void insert(SpanState& state, std::uint32_t column);

@@ -39,6 +39,11 @@ public:
     }
     void watch(std::function<bool()> may_go_on) { may_go_on_ = std::move(may_go_on); }
 
+    // Asks whether to go on; throws Cancelled if not.
+    void poll() const {
+        if (may_go_on_ && !may_go_on_()) throw Cancelled();
+    }
+
     // Calls work(column) for all columns, in parallel where the amount of work is worth it. The
     // calling thread asks now and then whether to go on; if not, what is left is not done, and
     // Cancelled is thrown. Throws Unavailable where the system makes no such threads.

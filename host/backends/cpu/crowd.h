@@ -1,0 +1,89 @@
+// Rounds whose draws crowd: most of them conflict with others of the round, and comparing all pairs
+// would take time that grows with the square of their number.
+//
+// Such a round is admitted part by part, in the order of the draws. What the samples of the parts
+// so far cover is taken out of the places, which settles most draws of the next part in one look
+// each; only those left are compared among themselves. A part has as many draws as all before it
+// together. Of n draws after which the next is free with probability p, about n p or fewer have
+// become samples: so no more of the next n are left than samples were made before, anywhere.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "backends/cpu/state.h"
+#include "portable/fate.h"
+
+namespace lacuna::cpu {
+
+// Draws [begin, end) of a round.
+struct Part {
+    std::uint32_t begin;
+    std::uint32_t end;
+};
+
+template <typename ModeState>
+class Crowd {
+public:
+    // Takes the round out of the state, whose round are then the parts.
+    explicit Crowd(ModeState& state) { exchange(state); }
+    void give_back(ModeState& state) { exchange(state); }
+
+    // Each column, in this order: settles the part's draws that samples of earlier parts cover;
+    // moves those left into the state, to be admitted there; and tells what became of them.
+    void screen(const ModeState& state, std::uint32_t column, Part part) {
+        std::uint32_t left = 0;
+        for (std::uint32_t i = begins_[column]; i < begins_[column + 1]; ++i) {
+            if (!is_open(i, part)) continue;
+            if (part.begin > 0 && is_covered(state, candidates_[i]))
+                fates_[i] = FATE_REJECTED;
+            else
+                ++left;
+        }
+        left_[column + 1] = left;
+    }
+    void make_room(ModeState& state) {
+        std::inclusive_scan(left_.begin(), left_.end(), state.column_begins.begin());
+        const std::size_t left = state.column_begins.back();
+        origins_.resize(left);
+        state.make_room(left);
+    }
+    void move_in(ModeState& state, std::uint32_t column, Part part) {
+        std::uint32_t to = state.column_begins[column];
+        for (std::uint32_t i = begins_[column]; i < begins_[column + 1]; ++i) {
+            if (!is_open(i, part)) continue;
+            origins_[to] = i;
+            state.candidates[to++] = candidates_[i];
+        }
+        set_undecided(state, column);
+    }
+    void move_out(const ModeState& state, std::uint32_t column) {
+        for (std::uint32_t i = state.column_begins[column]; i < state.column_begins[column + 1];
+             ++i)
+            fates_[origins_[i]] = state.fates[i];
+    }
+
+private:
+    bool is_open(std::uint32_t i, Part part) const {
+        return candidates_[i].order - part.begin < part.end - part.begin &&
+               fates_[i] == FATE_UNDECIDED;
+    }
+    void exchange(ModeState& state) {
+        if (begins_.empty()) begins_.resize(state.column_begins.size());
+        left_.resize(begins_.size());
+        std::swap(candidates_, state.candidates);
+        std::swap(begins_, state.column_begins);
+        std::swap(fates_, state.fates);
+    }
+
+    std::vector<Candidate> candidates_;
+    std::vector<std::uint32_t> begins_;
+    std::vector<std::uint32_t> fates_;
+    std::vector<std::uint32_t> left_;     // of the part, in each column, after a 0
+    std::vector<std::uint32_t> origins_;  // where the state's candidates come from
+};
+
+}  // namespace lacuna::cpu

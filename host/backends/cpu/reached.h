@@ -1,0 +1,78 @@
+// Which columns a candidate of mode cells may conflict with something in.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "backends/cpu/state.h"
+#include "portable/column.h"
+#include "portable/distance.h"
+#include "portable/metric.h"
+
+namespace lacuna::cpu {
+
+// A place on the lattice with its radius, as columns see it.
+class Reach {
+public:
+    Reach(const BitState& state, const Candidate& at, std::uint32_t radius,
+          const WidestRadii& widest)
+        : state_(state), x_(at.x), radius_(radius), reach_(state.reach_of(at)), widest_(widest) {
+        columns_ = portable::columns_of_stretch(
+            portable::stretch_around(x_, reach_, state.plan.lines, state.plan.period_x),
+            state.plan.lines, state.columns);
+        is_far_ = portable::is_far_reach(metric(), reach_, radius);
+    }
+
+    // Calls visit(column, reach) for the columns within reach, until it returns true; true if it
+    // did. Leaves columns out all whose radii are too small for a conflict.
+    template <typename Visit>
+    bool any(Visit visit) const {
+        for (std::uint32_t k = 0; k < columns_.count; ++k) {
+            const std::uint32_t column = portable::nth_of_stretch(columns_, k, state_.columns);
+            std::uint32_t reach = reach_;
+            if (is_far_) {
+                if (skips_block(column, columns_.count - k)) {
+                    k += WidestRadii::kBlock - 1;
+                    continue;
+                }
+                reach = reach_to(widest_.of_columns[column]);
+                if (distance_to(column, column + 1) >= reach) continue;
+            }
+            if (visit(column, reach)) return true;
+        }
+        return false;
+    }
+
+private:
+    std::uint32_t metric() const { return static_cast<std::uint32_t>(state_.plan.metric); }
+
+    // Whether a whole block begins at the column, of `left` to be visited, and none of it is met.
+    bool skips_block(std::uint32_t column, std::uint32_t left) const {
+        constexpr std::uint32_t kBlock = WidestRadii::kBlock;
+        return column % kBlock == 0 && std::min(left, state_.columns - column) >= kBlock &&
+               distance_to(column, column + kBlock) >= reach_to(widest_.of_blocks[column / kBlock]);
+    }
+    // No conflict with something of so wide a radius is as far, in steps. 0: there is nothing.
+    std::uint32_t reach_to(std::uint32_t widest) const {
+        if (widest == 0) return 0;
+        return std::min(reach_, portable::twice_metric_radius(metric(), radius_, widest) / 512 + 1);
+    }
+    std::uint32_t distance_to(std::uint32_t begin, std::uint32_t end) const {
+        const std::uint32_t low = state_.first_lines[begin];
+        const std::uint32_t last = state_.first_lines[end] - 1;
+        if (low <= x_ && x_ <= last) return 0;
+        const std::uint32_t period = state_.plan.period_x;
+        return std::min(portable::axis_distance(x_, low, period),
+                        portable::axis_distance(x_, last, period));
+    }
+
+    const BitState& state_;
+    std::uint32_t x_;
+    std::uint32_t radius_;
+    std::uint32_t reach_;  // in lattice steps
+    const WidestRadii& widest_;
+    portable::Stretch columns_;
+    bool is_far_;
+};
+
+}  // namespace lacuna::cpu
