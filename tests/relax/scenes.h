@@ -95,6 +95,9 @@ inline std::vector<Scene> scenes() {
          on(3, 1, Boundary::torus)},
         {"tall pixels in one row", random_points(12, 1, 1, 16), ramp_field(37, 1), box},
         {"more than there is room for", random_points(400, 1, 1, 17), ring_field(20, 20), torus},
+        {"seven hundred in a corner of a box", random_points(700, 0.02, 0.02, 18), {}, box},
+        {"three in a long strip", random_points(3, 150, 1, 19), constant_field(3000, 20, 1),
+         on(150, 1, Boundary::box)},
         {"far from the only dark pixel", {{0.9, 0.9}, {0.95, 0.9}, {0.9, 0.95}}, {}, box}};
     Field& last = all.back().field.emplace(constant_field(24, 24, 0));
     last.importance[24 * 20 + 3] = 1;

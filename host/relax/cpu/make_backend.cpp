@@ -47,7 +47,6 @@ public:
           pixel_of_row_(pixels(numbers_.rows, numbers_.cut_y)) {
         restore(sites);
         find_tiles();
-        hints_.resize(tiles_.size());
     }
 
     std::string device() const override { return workers_.name(); }
@@ -93,15 +92,43 @@ private:
         return {lattice_, tree_, sites_, indices_, pixel_of_column_, pixel_of_row_};
     }
 
-    // Those with importance.
+    // Those with importance, and which of their leaves have any. A leaf's first hint is a site in
+    // it.
     void find_tiles() {
+        const std::uint32_t tiles_of_row = (numbers_.columns - 1) / Tile::kSide + 1;
+        std::vector<std::uint32_t> first_leaf(
+            std::size_t{tiles_of_row} * ((numbers_.rows - 1) / Tile::kSide + 1), NO_OWNER);
         for (std::uint32_t y = 0; y < numbers_.rows; y += Tile::kSide) {
             for (std::uint32_t x = 0; x < numbers_.columns; x += Tile::kSide) {
                 const Box box{x, y, std::min(x + Tile::kSide, numbers_.columns),
                               std::min(y + Tile::kSide, numbers_.rows)};
-                if (has_importance(box)) tiles_.push_back(box);
+                const std::uint32_t leaves = leaves_with_importance(box);
+                if (leaves == 0) continue;
+                first_leaf[std::size_t{y / Tile::kSide} * tiles_of_row + x / Tile::kSide] =
+                    static_cast<std::uint32_t>(tiles_.size() * Tile::kLeaves);
+                tiles_.push_back({box, leaves});
             }
         }
+        hints_.resize(tiles_.size() * Tile::kLeaves);
+        for (std::uint32_t i = 0; i < sites_.size(); ++i) {
+            const std::uint32_t x = sites_[i].x / numbers_.step_x;
+            const std::uint32_t y = sites_[i].y / numbers_.step_y;
+            const std::uint32_t first =
+                first_leaf[std::size_t{y / Tile::kSide} * tiles_of_row + x / Tile::kSide];
+            if (first == NO_OWNER) continue;
+            hints_[first + y % Tile::kSide / Tile::kLeaf * Tile::kLeavesOfSide +
+                   x % Tile::kSide / Tile::kLeaf] = {i, std::numeric_limits<std::uint64_t>::max()};
+        }
+    }
+
+    std::uint32_t leaves_with_importance(const Box& tile) const {
+        std::uint32_t leaves = 0;
+        for (std::uint32_t i = 0; i < Tile::kLeaves; ++i) {
+            const Box leaf = Tile::leaf_of(tile, i);
+            if (leaf.left < tile.right && leaf.bottom < tile.top && has_importance(leaf))
+                leaves |= std::uint32_t{1} << i;
+        }
+        return leaves;
     }
 
     bool has_importance(const Box& box) const {
@@ -124,12 +151,15 @@ private:
         });
         tree_.look_at(sites_, workers_);
         const Scene scene = this->scene();
-        workers_.for_columns(static_cast<std::uint32_t>(tiles_.size()), lattice_.points,
-                             [&](std::uint32_t i) {
-                                 Tile& tile = tile_of_thread_.local();
-                                 tile.own(scene, tiles_[i], hints_[i], owners);
-                                 for (const Tile::Part& part : tile.parts()) add(part, tiles_[i]);
-                             });
+        workers_.for_columns(
+            static_cast<std::uint32_t>(tiles_.size()), lattice_.points, [&](std::uint32_t i) {
+                Tile& tile = tile_of_thread_.local();
+                const auto& [box, leaves] = tiles_[i];
+                tile.own(scene, box, leaves,
+                         std::span(hints_).subspan(std::size_t{i} * Tile::kLeaves, Tile::kLeaves),
+                         owners);
+                for (const Tile::Part& part : tile.parts()) add(part, box);
+            });
     }
 
     void add(const Tile::Part& part, const Box& box) {
@@ -204,8 +234,8 @@ private:
     SiteTree tree_;
     std::vector<std::uint32_t> pixel_of_column_;
     std::vector<std::uint32_t> pixel_of_row_;
-    std::vector<Box> tiles_;
-    std::vector<Hint> hints_;  // of each tile
+    std::vector<std::pair<Box, std::uint32_t>> tiles_;  // with the leaves to be served, as bits
+    std::vector<Hint> hints_;                           // of each leaf
     tbb::enumerable_thread_specific<Tile> tile_of_thread_;
 };
 

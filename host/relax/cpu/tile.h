@@ -37,7 +37,7 @@ struct Image {
     std::int16_t shift_y;
 };
 
-// What the last look at a tile tells the next: who won in its middle, and within which power all
+// What the last look at a leaf tells the next: who won in its middle, and within which power all
 // that could win lay.
 struct Hint {
     std::uint32_t site = NO_OWNER;
@@ -47,11 +47,19 @@ struct Hint {
 // Works on one tile after the other, of at most kSide lattice points a side.
 class Tile {
 public:
-    static constexpr std::uint32_t kSide = 16;
+    static constexpr std::uint32_t kSide = 32;
+    static constexpr std::uint32_t kLeaf = 8;  // lattice points a side
+    static constexpr std::uint32_t kLeavesOfSide = kSide / kLeaf;
+    static constexpr std::uint32_t kLeaves = kLeavesOfSide * kLeavesOfSide;
 
-    // `hint` makes it fast and is brought up to date. Leaves who owns each lattice point behind in
-    // `owners`, unless it is empty: indices row by row of the whole lattice.
-    void own(const Scene& scene, const Box& box, Hint& hint, std::span<std::uint32_t> owners = {});
+    // Leaf number i is in column i % kLeavesOfSide and row i / kLeavesOfSide of the tile.
+    static Box leaf_of(const Box& tile, std::uint32_t i);
+
+    // Serves the leaves whose bits are set in `leaves`. The hints, one a leaf, make it fast and are
+    // brought up to date. Leaves who owns each lattice point behind in `owners`, unless it is
+    // empty: indices row by row of the whole lattice.
+    void own(const Scene& scene, const Box& box, std::uint32_t leaves, std::span<Hint> hints,
+             std::span<std::uint32_t> owners = {});
 
     // What one image got. Moments are from the tile's lowest lattice point.
     struct Part {
@@ -64,7 +72,6 @@ public:
     std::span<const Part> parts() const { return parts_; }
 
 private:
-    static constexpr std::uint32_t kLeaf = 8;  // lattice points a side
     static constexpr std::size_t kLeafPoints = std::size_t{kLeaf} * kLeaf;
 
     // Where a site's power, less |p|^2, is at + u along_x + v along_y for lattice point (u, v) of
@@ -73,43 +80,85 @@ private:
         std::int64_t at;
         std::int64_t along_x;
         std::int64_t along_y;
-        std::uint64_t order;  // of ties
-        std::uint32_t part;
-
-        std::int64_t value(std::int64_t u, std::int64_t v) const {
-            return at + u * along_x + v * along_y;
-        }
+        Image image;
     };
 
-    void find_candidates(const Box& box, Hint& hint);
-    void add_candidate(const Image& image);
+    // Doubles hold whole numbers exactly: kMost times what a candidate is ahead of the first one,
+    // plus its place in the list. Their least tells the winner, ties and all, and processors have
+    // the least of two doubles in one instruction. With differences below kMostDifference, all that
+    // is computed of them stays below 2^51: kMost * kMostDifference * (1 + 2 * kSide).
+    static constexpr std::size_t kMost = 512;
+    static constexpr std::int64_t kMostDifference = std::int64_t{1} << 35;
+
+    // The same numbers in arrays, as whole numbers or, where they fit, doubles.
+    template <typename Number>
+    struct Planes {
+        std::vector<Number> at;
+        std::vector<Number> along_x;
+        std::vector<Number> along_y;
+        // Of the leaf that is served: at its lowest lattice point, and by how much it is behind the
+        // first in the middle, wherever that is least.
+        std::vector<Number> in_leaf;
+        std::vector<Number> behind;
+
+        void resize(std::size_t count);
+    };
+
+    void find_images();
+    std::uint64_t bound_in(const Box& leaf, Hint& hint) const;
     Rectangle image_of(const Box& box, const Image& image) const;
+    void find_candidates(std::uint64_t bound);
+    void add_candidate(const Image& image);
+    bool fill_doubles();
+    void fill_whole();
     // Boxes are in lattice points of the tile from here on.
-    std::size_t winner_in_middle(const Box& box) const;
-    void keep_winners(const Box& box, const Candidate& winner);
-    void share_out(const Box& box);
-    void fetch_masses(const Box& box);
-    bool find_owners_fast(const Box& box);
-    void find_owners(const Box& box);
-    void add_to_parts(const Box& box);
-    void write_owners(const Box& box);
+    static std::uint32_t place_in_list(double value);
+    static std::size_t first_in_middle(const Planes<double>& planes, double right, double up);
+    static std::size_t first_in_middle(const Planes<std::int64_t>& planes, std::int64_t right,
+                                       std::int64_t up);
+    template <typename Number>
+    void keep_winners(Planes<Number>& planes, const Box& leaf, Number slack);
+    void share_out(const Box& leaf);
+    void fetch_masses(const Box& leaf);
+    void find_owners_of_doubles();
+    void find_owners();
+    void add_to_parts(const Box& leaf);
+    void write_owners(const Box& leaf);
 
     const Scene* scene_ = nullptr;
-    std::uint32_t left_ = 0;  // of the tile
-    std::uint32_t bottom_ = 0;
+    Box box_{};  // of the tile
     std::span<std::uint32_t> owners_;
+    std::array<Image, 9> images_{};  // of the domain
+    std::size_t image_count_ = 0;
     std::vector<Candidate> candidates_;  // of the tile
-    std::vector<Candidate> winners_;     // those that may win in one leaf of it
-    std::vector<Part> parts_;
-    struct Sum {
-        std::uint64_t packed;
-        std::uint64_t moment_y;
+    // Who comes first where two have the same power, from bit 30, and which candidate it is; below
+    // all is in this order. 2^30 candidates would take 100 GB.
+    static constexpr std::uint64_t kMostCandidates = std::uint64_t{1} << 30;
+    std::vector<std::uint64_t> order_;
+    bool has_doubles_ = false;
+    Planes<double> doubles_;
+    Planes<std::int64_t> whole_;
+    // Two numbers that the compiler treats as one.
+    using Pair = double __attribute__((vector_size(16)));
+    struct Row {
+        std::array<Pair, kLeaf / 2> first;
+        Pair up;
     };
-    std::vector<Sum> sums_;  // of the winners
-    // Of a leaf's lattice points: what is summed of them, and who owns them by the place in
-    // winners_.
+    std::vector<Row> rows_;               // of the winners
+    std::vector<std::uint32_t> winners_;  // candidates that may win in the leaf, in their order
+    std::vector<Part> parts_;             // of the candidates
+    // Of the candidates; those of the winners are in use. The masses are summed in two chains, as a
+    // number that was just changed is slow to change again.
+    static constexpr std::size_t kChains = 2;
+    struct Sum {
+        std::array<std::uint64_t, kChains> packed;
+        std::uint64_t moment_y;
+        std::uint64_t all() const { return packed[0] + packed[1]; }
+    };
+    std::vector<Sum> sums_;
+    // Of a leaf's lattice points: what is summed of them, and which candidate owns them.
     std::array<std::uint64_t, kLeafPoints> masses_{};
-    std::array<std::uint64_t, kLeafPoints> who_{};
+    std::array<std::uint32_t, kLeafPoints> who_{};
 };
 
 }  // namespace lacuna::relaxing::cpu

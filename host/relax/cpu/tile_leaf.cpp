@@ -1,0 +1,223 @@
+// A leaf of a tile: of the tile's candidates those are kept that can win in it, and then all of
+// these are tried on each of its lattice points.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
+
+#include "relax/cpu/tile.h"
+
+namespace lacuna::relaxing::cpu {
+namespace {
+
+// What is summed of a leaf's lattice points, in one number: the masses, from bit 24 how many points
+// have any, from bit 32 the masses times u. Of all 64 that is less than 2^22, 2^7 and 2^25.
+constexpr std::uint64_t kOnePoint = 1u << 24;
+constexpr int kMomentBits = 32;
+
+}  // namespace
+
+std::uint32_t Tile::place_in_list(double value) {
+    // In a sum with 1.5 * 2^52 the lowest bits of a double are those of a whole number.
+    constexpr double kShow = 6755399441055744.0;
+    return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(value + kShow) % kMost);
+}
+
+// The candidate of least power in the leaf's middle. A double tells its place in the list itself.
+std::size_t Tile::first_in_middle(const Planes<double>& planes, double right, double up) {
+    constexpr std::size_t kLanes = 4;
+    std::array<double, kLanes> least;
+    least.fill(std::numeric_limits<double>::infinity());
+    const std::size_t count = planes.at.size();
+    const auto value = [&](std::size_t i) {
+        return planes.in_leaf[i] + right * planes.along_x[i] + up * planes.along_y[i];
+    };
+    std::size_t i = 0;
+    for (; i + kLanes <= count; i += kLanes) {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const double one = value(i + lane);
+            least[lane] = one < least[lane] ? one : least[lane];
+        }
+    }
+    for (; i < count; ++i) least[0] = std::min(least[0], value(i));
+    return place_in_list(*std::min_element(least.begin(), least.end()));
+}
+
+std::size_t Tile::first_in_middle(const Planes<std::int64_t>& planes, std::int64_t right,
+                                  std::int64_t up) {
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < planes.at.size(); ++i) {
+        const std::int64_t value =
+            planes.in_leaf[i] + right * planes.along_x[i] + up * planes.along_y[i];
+        if (value >= least) continue;
+        least = value;
+        first = i;
+    }
+    return first;
+}
+
+// Those that the first in the middle does not beat everywhere in the leaf: where two differ most
+// lies in a corner. `slack` is what their places in the list may add to a difference.
+template <typename Number>
+void Tile::keep_winners(Planes<Number>& planes, const Box& leaf, Number slack) {
+    const std::size_t count = planes.at.size();
+    const auto left = static_cast<Number>(leaf.left);
+    const auto bottom = static_cast<Number>(leaf.bottom);
+    for (std::size_t i = 0; i < count; ++i)
+        planes.in_leaf[i] = planes.at[i] + left * planes.along_x[i] + bottom * planes.along_y[i];
+    const auto width = static_cast<Number>(leaf.right - leaf.left);
+    const auto height = static_cast<Number>(leaf.top - leaf.bottom);
+    const std::uint32_t right_of_middle = (leaf.right - leaf.left) / 2;
+    const std::uint32_t up_to_middle = (leaf.top - leaf.bottom) / 2;
+    const std::size_t first = first_in_middle(planes, static_cast<Number>(right_of_middle),
+                                              static_cast<Number>(up_to_middle));
+    const Number at = planes.in_leaf[first];
+    const Number along_x = planes.along_x[first];
+    const Number along_y = planes.along_y[first];
+    for (std::size_t i = 0; i < count; ++i) {
+        const Number right = (width - 1) * (planes.along_x[i] - along_x);
+        const Number up = (height - 1) * (planes.along_y[i] - along_y);
+        planes.behind[i] =
+            planes.in_leaf[i] - at + std::min(right, Number{0}) + std::min(up, Number{0});
+    }
+    winners_.resize(count);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        winners_[kept] = static_cast<std::uint32_t>(i);
+        kept += std::size_t{planes.behind[i] <= slack};
+    }
+    winners_.resize(kept);
+}
+
+void Tile::share_out(const Box& leaf) {
+    if (has_doubles_)
+        keep_winners(doubles_, leaf, static_cast<double>(kMost - 1));
+    else
+        keep_winners(whole_, leaf, std::int64_t{0});
+    fetch_masses(leaf);
+    if (winners_.size() == 1)
+        who_.fill(winners_.front());
+    else if (has_doubles_)
+        find_owners_of_doubles();
+    else
+        find_owners();
+    add_to_parts(leaf);
+    if (!owners_.empty()) write_owners(leaf);
+}
+
+// Outside of the leaf there is no mass: what is owned there counts for nothing.
+void Tile::fetch_masses(const Box& leaf) {
+    const std::uint32_t width = leaf.right - leaf.left;
+    if (width < kLeaf || leaf.top - leaf.bottom < kLeaf) masses_.fill(0);
+    const Lattice& lattice = scene_->lattice;
+    const std::uint32_t* const pixels = &scene_->pixel_of_column[box_.left + leaf.left];
+    std::array<std::uint64_t, kLeaf> of_row{};
+    std::uint32_t last_row = NO_OWNER;
+    for (std::uint32_t v = 0; v < leaf.top - leaf.bottom; ++v) {
+        const std::uint32_t row = scene_->pixel_of_row[box_.bottom + leaf.bottom + v];
+        if (row != last_row) {
+            const std::uint16_t* const masses =
+                &lattice.mass[std::size_t{row} * lattice.numbers.pixel_columns];
+            for (std::uint32_t u = 0; u < width; ++u) {
+                const std::uint64_t mass = masses[pixels[u]];
+                of_row[u] = mass + (mass != 0 ? kOnePoint : 0) + (mass * u << kMomentBits);
+            }
+            last_row = row;
+        }
+        std::copy(of_row.begin(), of_row.end(), &masses_[std::size_t{v} * kLeaf]);
+    }
+}
+
+// Half of four rows at a time, so that what is the least so far stays in registers.
+void Tile::find_owners_of_doubles() {
+    constexpr std::size_t kPairs = kLeaf / 2, kRows = kLeaf / 2, kPairsAtOnce = 2;
+    const std::size_t count = winners_.size();
+    rows_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t one = winners_[i];
+        const double step = doubles_.along_x[one];
+        rows_[i].up = Pair{} + doubles_.along_y[one];
+        Pair pair{doubles_.in_leaf[one], doubles_.in_leaf[one] + step};
+        for (std::size_t u = 0; u < kPairs; ++u) {
+            rows_[i].first[u] = pair;
+            pair += 2 * step;
+        }
+    }
+    for (std::size_t row = 0; row < kLeaf; row += kRows) {
+        for (std::size_t pair = 0; pair < kPairs; pair += kPairsAtOnce) {
+            std::array<std::array<Pair, kPairsAtOnce>, kRows> least;
+            for (auto& of_row : least)
+                of_row.fill(Pair{} + std::numeric_limits<double>::infinity());
+            for (Row& one : rows_) {
+                for (std::size_t u = 0; u < kPairsAtOnce; ++u) {
+                    Pair value = one.first[pair + u];
+                    for (std::size_t v = 0; v < kRows; ++v) {
+                        least[v][u] = value < least[v][u] ? value : least[v][u];
+                        value += one.up;
+                    }
+                    one.first[pair + u] = value;
+                }
+            }
+            for (std::size_t v = 0; v < kRows; ++v) {
+                for (std::size_t u = 0; u < kPairsAtOnce; ++u) {
+                    const std::size_t at = (row + v) * kLeaf + 2 * (pair + u);
+                    who_[at] = place_in_list(least[v][u][0]);
+                    who_[at + 1] = place_in_list(least[v][u][1]);
+                }
+            }
+        }
+    }
+}
+
+void Tile::find_owners() {
+    for (std::uint32_t v = 0; v < kLeaf; ++v) {
+        for (std::uint32_t u = 0; u < kLeaf; ++u) {
+            std::int64_t least = std::numeric_limits<std::int64_t>::max();
+            for (const std::uint32_t one : winners_) {
+                const std::int64_t value =
+                    whole_.in_leaf[one] + u * whole_.along_x[one] + v * whole_.along_y[one];
+                if (value >= least) continue;
+                least = value;
+                who_[v * kLeaf + u] = one;
+            }
+        }
+    }
+}
+
+void Tile::add_to_parts(const Box& leaf) {
+    for (const std::uint32_t one : winners_) sums_[one] = {};
+    // From the top: after each row all sums so far are added once more, so that the masses of row v
+    // are added v times.
+    for (std::size_t v = kLeaf; v-- > 0;) {
+        for (std::size_t u = 0; u < kLeaf; ++u)
+            sums_[who_[v * kLeaf + u]].packed[u % kChains] += masses_[v * kLeaf + u];
+        if (v == 0) break;
+        for (const std::uint32_t one : winners_)
+            sums_[one].moment_y += sums_[one].all() % kOnePoint;
+    }
+    for (const std::uint32_t one : winners_) {
+        const std::uint64_t packed = sums_[one].all();
+        if (packed == 0) continue;
+        Part& part = parts_[one];
+        const std::uint64_t mass = packed % kOnePoint;
+        part.points +=
+            static_cast<std::uint32_t>(packed % (std::uint64_t{1} << kMomentBits) / kOnePoint);
+        part.mass += mass;
+        part.moment_x += (packed >> kMomentBits) + mass * leaf.left;
+        part.moment_y += sums_[one].moment_y + mass * leaf.bottom;
+    }
+}
+
+void Tile::write_owners(const Box& leaf) {
+    for (std::uint32_t v = leaf.bottom; v < leaf.top; ++v) {
+        for (std::uint32_t u = leaf.left; u < leaf.right; ++u) {
+            const std::size_t point = std::size_t{v - leaf.bottom} * kLeaf + (u - leaf.left);
+            if (masses_[point] == 0) continue;
+            owners_[std::size_t{box_.bottom + v} * scene_->lattice.numbers.columns + box_.left +
+                    u] = scene_->indices[parts_[who_[point]].image.site];
+        }
+    }
+}
+
+}  // namespace lacuna::relaxing::cpu
