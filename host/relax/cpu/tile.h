@@ -117,6 +117,12 @@ private:
     static std::size_t first_in_middle(const Planes<std::int64_t>& planes, std::int64_t right,
                                        std::int64_t up);
     template <typename Number>
+    static void find_how_far_behind(Planes<Number>& planes, std::size_t first, Number width,
+                                    Number height);
+    static void find_behind(Planes<double>& planes, std::size_t first, double width, double height);
+    static void find_behind(Planes<std::int64_t>& planes, std::size_t first, std::int64_t width,
+                            std::int64_t height);
+    template <typename Number>
     void keep_winners(Planes<Number>& planes, const Box& leaf, Number slack);
     void share_out(const Box& leaf);
     void fetch_masses(const Box& leaf);
@@ -138,11 +144,11 @@ private:
     bool has_doubles_ = false;
     Planes<double> doubles_;
     Planes<std::int64_t> whole_;
-    // Two numbers that the compiler treats as one.
-    using Pair = double __attribute__((vector_size(16)));
+    // Four numbers that the compiler treats as one, or as two pairs. Aligned as all memory is.
+    using Four = double __attribute__((vector_size(32), aligned(16)));
     struct Row {
-        std::array<Pair, kLeaf / 2> first;
-        Pair up;
+        Four first[kLeaf / 4];
+        Four up;
     };
     std::vector<Row> rows_;               // of the winners
     std::vector<std::uint32_t> winners_;  // candidates that may win in the leaf, in their order

@@ -7,6 +7,15 @@
 
 #include "relax/cpu/tile.h"
 
+// Compiled twice where the loader can choose: most processors take four doubles at once, which the
+// others lack. What is computed is exact either way. Sanitizers start after the loader has chosen.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define LACUNA_WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define LACUNA_WIDE
+#endif
+
 namespace lacuna::relaxing::cpu {
 namespace {
 
@@ -24,6 +33,7 @@ std::uint32_t Tile::place_in_list(double value) {
 }
 
 // The candidate of least power in the leaf's middle. A double tells its place in the list itself.
+LACUNA_WIDE
 std::size_t Tile::first_in_middle(const Planes<double>& planes, double right, double up) {
     constexpr std::size_t kLanes = 4;
     std::array<double, kLanes> least;
@@ -57,6 +67,32 @@ std::size_t Tile::first_in_middle(const Planes<std::int64_t>& planes, std::int64
     return first;
 }
 
+// By how much each is behind the first in the middle in the corner where that is least.
+template <typename Number>
+[[gnu::always_inline]] inline void Tile::find_how_far_behind(Planes<Number>& planes,
+                                                             std::size_t first, Number width,
+                                                             Number height) {
+    const Number at = planes.in_leaf[first];
+    const Number along_x = planes.along_x[first];
+    const Number along_y = planes.along_y[first];
+    for (std::size_t i = 0; i < planes.at.size(); ++i) {
+        const Number right = width * (planes.along_x[i] - along_x);
+        const Number up = height * (planes.along_y[i] - along_y);
+        planes.behind[i] =
+            planes.in_leaf[i] - at + std::min(right, Number{0}) + std::min(up, Number{0});
+    }
+}
+
+LACUNA_WIDE void Tile::find_behind(Planes<double>& planes, std::size_t first, double width,
+                                   double height) {
+    find_how_far_behind(planes, first, width, height);
+}
+
+void Tile::find_behind(Planes<std::int64_t>& planes, std::size_t first, std::int64_t width,
+                       std::int64_t height) {
+    find_how_far_behind(planes, first, width, height);
+}
+
 // Those that the first in the middle does not beat everywhere in the leaf: where two differ most
 // lies in a corner. `slack` is what their places in the list may add to a difference.
 template <typename Number>
@@ -66,21 +102,12 @@ void Tile::keep_winners(Planes<Number>& planes, const Box& leaf, Number slack) {
     const auto bottom = static_cast<Number>(leaf.bottom);
     for (std::size_t i = 0; i < count; ++i)
         planes.in_leaf[i] = planes.at[i] + left * planes.along_x[i] + bottom * planes.along_y[i];
-    const auto width = static_cast<Number>(leaf.right - leaf.left);
-    const auto height = static_cast<Number>(leaf.top - leaf.bottom);
     const std::uint32_t right_of_middle = (leaf.right - leaf.left) / 2;
     const std::uint32_t up_to_middle = (leaf.top - leaf.bottom) / 2;
     const std::size_t first = first_in_middle(planes, static_cast<Number>(right_of_middle),
                                               static_cast<Number>(up_to_middle));
-    const Number at = planes.in_leaf[first];
-    const Number along_x = planes.along_x[first];
-    const Number along_y = planes.along_y[first];
-    for (std::size_t i = 0; i < count; ++i) {
-        const Number right = (width - 1) * (planes.along_x[i] - along_x);
-        const Number up = (height - 1) * (planes.along_y[i] - along_y);
-        planes.behind[i] =
-            planes.in_leaf[i] - at + std::min(right, Number{0}) + std::min(up, Number{0});
-    }
+    find_behind(planes, first, static_cast<Number>(leaf.right - leaf.left - 1),
+                static_cast<Number>(leaf.top - leaf.bottom - 1));
     winners_.resize(count);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -119,8 +146,9 @@ void Tile::fetch_masses(const Box& leaf) {
         if (row != last_row) {
             const std::uint16_t* const masses =
                 &lattice.mass[std::size_t{row} * lattice.numbers.pixel_columns];
-            for (std::uint32_t u = 0; u < width; ++u) {
-                const std::uint64_t mass = masses[pixels[u]];
+            for (std::uint32_t u = 0; u < width; ++u) of_row[u] = masses[pixels[u]];
+            for (std::uint32_t u = 0; u < kLeaf; ++u) {
+                const std::uint64_t mass = of_row[u];
                 of_row[u] = mass + (mass != 0 ? kOnePoint : 0) + (mass * u << kMomentBits);
             }
             last_row = row;
@@ -130,42 +158,32 @@ void Tile::fetch_masses(const Box& leaf) {
 }
 
 // Half of four rows at a time, so that what is the least so far stays in registers.
-void Tile::find_owners_of_doubles() {
-    constexpr std::size_t kPairs = kLeaf / 2, kRows = kLeaf / 2, kPairsAtOnce = 2;
+LACUNA_WIDE void Tile::find_owners_of_doubles() {
+    constexpr std::size_t kHalves = 2, kHalf = kLeaf / kHalves, kRows = 4;
     const std::size_t count = winners_.size();
     rows_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t one = winners_[i];
         const double step = doubles_.along_x[one];
-        rows_[i].up = Pair{} + doubles_.along_y[one];
-        Pair pair{doubles_.in_leaf[one], doubles_.in_leaf[one] + step};
-        for (std::size_t u = 0; u < kPairs; ++u) {
-            rows_[i].first[u] = pair;
-            pair += 2 * step;
-        }
+        rows_[i].first[0] = doubles_.in_leaf[one] + step * Four{0, 1, 2, 3};
+        rows_[i].first[1] = rows_[i].first[0] + kHalf * step;
+        rows_[i].up = Four{} + doubles_.along_y[one];
     }
     for (std::size_t row = 0; row < kLeaf; row += kRows) {
-        for (std::size_t pair = 0; pair < kPairs; pair += kPairsAtOnce) {
-            std::array<std::array<Pair, kPairsAtOnce>, kRows> least;
-            for (auto& of_row : least)
-                of_row.fill(Pair{} + std::numeric_limits<double>::infinity());
+        for (std::size_t half = 0; half < kHalves; ++half) {
+            Four least[kRows];
+            for (Four& one : least) one = Four{} + std::numeric_limits<double>::infinity();
             for (Row& one : rows_) {
-                for (std::size_t u = 0; u < kPairsAtOnce; ++u) {
-                    Pair value = one.first[pair + u];
-                    for (std::size_t v = 0; v < kRows; ++v) {
-                        least[v][u] = value < least[v][u] ? value : least[v][u];
-                        value += one.up;
-                    }
-                    one.first[pair + u] = value;
+                Four value = one.first[half];
+                for (std::size_t v = 0; v < kRows; ++v) {
+                    least[v] = value < least[v] ? value : least[v];
+                    value += one.up;
                 }
+                one.first[half] = value;
             }
-            for (std::size_t v = 0; v < kRows; ++v) {
-                for (std::size_t u = 0; u < kPairsAtOnce; ++u) {
-                    const std::size_t at = (row + v) * kLeaf + 2 * (pair + u);
-                    who_[at] = place_in_list(least[v][u][0]);
-                    who_[at + 1] = place_in_list(least[v][u][1]);
-                }
-            }
+            for (std::size_t v = 0; v < kRows; ++v)
+                for (std::size_t u = 0; u < kHalf; ++u)
+                    who_[(row + v) * kLeaf + half * kHalf + u] = place_in_list(least[v][u]);
         }
     }
 }
