@@ -17,6 +17,7 @@
 #include "analysis/analyse.h"
 #include "analysis/sheet.h"
 #include "cli/analysis_report.h"
+#include "cli/given_files.h"
 #include "cli/interruption.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -91,13 +92,11 @@ std::vector<Output> check(const AnalyzeCommand& options) {
         asked.paths.emplace_back("-");
     }
     std::vector<Output> outputs = outputs_of(asked, ".json " + files::picture_extensions(), "json");
-    for (const Output& output : outputs)
-        for (const std::string& file : options.files)
-            if (file != "-" && is_same_file(output.path, file))
-                throw BadRequest("output", shown(output.path),
-                                 "must be another file than the points");
-    if (std::count(options.files.begin(), options.files.end(), "-") > 1)
-        throw files::FileError("standard input: can be read only once");
+    std::vector<GivenFile> read;
+    for (const std::string& file : options.files) read.push_back({"FILE", file});
+    std::vector<GivenFile> written = given_files(outputs);
+    if (!has_standard_output(outputs)) written.push_back({"--output", "-"});
+    check_given_files(read, written);
     return outputs;
 }
 

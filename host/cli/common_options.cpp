@@ -55,11 +55,17 @@ void add_what_to_write(CLI::App& command, CommonOptions& options) {
         ->disable_flag_override();
 }
 
-std::vector<Output> checked_outputs(const CommonOptions& options) {
+std::vector<Output> checked_outputs(const CommonOptions& options,
+                                    const std::vector<GivenFile>& read) {
     OutputOptions output = options.output;
     if (output.paths.empty()) output.paths.emplace_back("-");
     const std::vector<Output> outputs = outputs_of(output, files::written_extensions(), "txt");
-    if (!options.report.empty()) check_json("report", options.report, outputs);
+    std::vector<GivenFile> written = given_files(outputs);
+    if (!options.report.empty()) {
+        check_json("report", options.report);
+        written.push_back({"--report", options.report});
+    }
+    check_given_files(read, written);
     return outputs;
 }
 

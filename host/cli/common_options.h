@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/app_fwd.h"
+#include "cli/given_files.h"
 #include "cli/interruption.h"
 #include "cli/output.h"
 #include "cli/stopwatch.h"
@@ -30,9 +31,10 @@ void add_place(CLI::App& command, Request& request);
 // --output, --format, --report, --quiet
 void add_what_to_write(CLI::App& command, CommonOptions& options);
 
-// What is to be written, checked before the work starts; without --output standard output. Throws
-// BadRequest and files::FileError.
-std::vector<Output> checked_outputs(const CommonOptions& options);
+// What is to be written, checked before the work starts; without --output standard output. Nothing
+// of `read` may be among it. Throws BadRequest and files::FileError.
+std::vector<Output> checked_outputs(const CommonOptions& options,
+                                    const std::vector<GivenFile>& read);
 
 // A set that has been made, and what it took.
 struct Made {

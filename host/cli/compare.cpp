@@ -15,6 +15,7 @@
 #include "cli/check_failed.h"
 #include "cli/common_options.h"
 #include "cli/comparison_report.h"
+#include "cli/given_files.h"
 #include "cli/interruption.h"
 #include "cli/observers.h"
 #include "cli/options.h"
@@ -77,7 +78,16 @@ std::vector<Output> check(const CompareCommand& options) {
         throw BadRequest("runs", std::to_string(options.runs),
                          fmt::format("must be between 1 and {}", kMostRuns));
     std::vector<Output> charts = outputs_of(options.charts, files::picture_extensions(), "svg");
-    if (!options.json.empty()) check_json("json", options.json, charts);
+    std::vector<GivenFile> written = given_files(charts);
+    if (!options.json.empty()) {
+        check_json("json", options.json);
+        written.push_back({"--json", options.json});
+    }
+    if (!has_standard_output(charts) && !is_standard_output(options.json))
+        written.push_back({"--output", "-"});
+    std::vector<GivenFile> read;
+    if (!options.picture.path.empty()) read.push_back({"IMAGE", options.picture.path});
+    check_given_files(read, written);
     return charts;
 }
 

@@ -39,11 +39,6 @@ bool is_stream(const std::string& path) {
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-// What is written there is gone: it may be named twice.
-bool is_null(const std::string& path) {
-    return path == "/dev/null";
-}
-
 bool is_among(const files::Format* format, const std::string& allowed) {
     return format != nullptr &&
            (allowed + " ").find(fmt::format("{} ", format->extension)) != std::string::npos;
@@ -65,13 +60,6 @@ const files::Format& format_of(const std::string& path, const std::string& wante
     if (is_stream(path)) return *files::find_format(usual);
     throw BadRequest("output", shown(path),
                      "the extension must be one of " + allowed + ", or --format given");
-}
-
-void refuse_two_of_one(const std::vector<Output>& outputs) {
-    for (std::size_t i = 0; i < outputs.size(); ++i)
-        for (std::size_t k = 0; k < i; ++k)
-            if (is_same_file(outputs[i].path, outputs[k].path) && !is_null(outputs[i].path))
-                throw BadRequest("output", shown(outputs[i].path), "is given twice");
 }
 
 }  // namespace
@@ -97,7 +85,6 @@ std::vector<Output> outputs_of(const OutputOptions& options, const std::string& 
         outputs.push_back({path, format_of(path, options.format, allowed, usual)});
         check_writable(path);
     }
-    refuse_two_of_one(outputs);
     std::vector<Output> in_order;
     for (const bool is_last : {false, true})
         for (const Output& output : outputs)
@@ -112,15 +99,6 @@ bool is_standard_output(const std::string& path) {
 bool has_standard_output(const std::vector<Output>& outputs) {
     return std::any_of(outputs.begin(), outputs.end(),
                        [](const Output& output) { return is_standard_output(output.path); });
-}
-
-bool is_same_file(const std::string& a, const std::string& b) {
-    if (is_standard_output(a) || is_standard_output(b))
-        return is_standard_output(a) && is_standard_output(b);
-    std::error_code error;
-    if (fs::equivalent(a, b, error) && !error) return true;
-    return fs::path(a).filename() == fs::path(b).filename() &&
-           fs::equivalent(folder_of(a), folder_of(b), error) && !error;
 }
 
 // As files::write_whole will find it: a new file is made beside the older one and renamed, but a
@@ -142,15 +120,10 @@ void check_writable(const std::string& path) {
         refuse(path, fmt::format("cannot make a file in {}: {}", folder.string(), reason(errno)));
 }
 
-void check_json(const std::string& option, const std::string& path,
-                const std::vector<Output>& outputs) {
+void check_json(const std::string& option, const std::string& path) {
     if (!is_stream(path) && fs::path(path).extension() != ".json")
         throw BadRequest(option, shown(path), "must be - or a file whose name ends in .json");
     check_writable(path);
-    for (const Output& output : outputs)
-        if (is_same_file(path, output.path) && !is_null(path))
-            throw BadRequest(option, shown(path),
-                             "must be another file than --output " + output.path);
 }
 
 }  // namespace lacuna::cli

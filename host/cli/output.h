@@ -29,8 +29,7 @@ struct Output {
 // Each path's format, one of those with the extensions in `allowed`, with blanks between them: that
 // of its extension, that of --format, or `usual` where a path that is no file, such as "-" or
 // /dev/stdout, tells none. Standard output, if any, is the last: who reads it may not read on.
-// Throws BadRequest, also for two paths that lead to one file, and files::FileError where no file
-// of that name could be made.
+// Throws BadRequest, and files::FileError where no file of that name could be made.
 std::vector<Output> outputs_of(const OutputOptions& options, const std::string& allowed,
                                const std::string& usual);
 
@@ -38,14 +37,10 @@ std::vector<Output> outputs_of(const OutputOptions& options, const std::string& 
 bool is_standard_output(const std::string& path);
 bool has_standard_output(const std::vector<Output>& outputs);
 
-// Whether both paths lead to one file, there already or to be made.
-bool is_same_file(const std::string& a, const std::string& b);
-
 // Throws files::FileError where no file of that name could be made.
 void check_writable(const std::string& path);
 
-// What `option` names is "-" or a .json file, and none of the outputs. Throws as outputs_of does.
-void check_json(const std::string& option, const std::string& path,
-                const std::vector<Output>& outputs);
+// What `option` names is "-" or a .json file. Throws as outputs_of does.
+void check_json(const std::string& option, const std::string& path);
 
 }  // namespace lacuna::cli

@@ -61,13 +61,9 @@ struct RelaxCommand {
 
 // What is to be written.
 std::vector<Output> check(const RelaxCommand& options) {
-    const std::vector<Output> outputs = checked_outputs(options.common);
-    for (const Output& output : outputs)
-        for (const std::string& input : {options.points, options.picture.path})
-            if (!input.empty() && input != "-" && is_same_file(input, output.path))
-                throw BadRequest("output", shown(output.path), "must be another file than is read");
-    if (options.points == "-" && options.picture.path == "-")
-        throw files::FileError("standard input: can be read only once");
+    std::vector<GivenFile> read{{"POINTS", options.points}};
+    if (!options.picture.path.empty()) read.push_back({"IMAGE", options.picture.path});
+    const std::vector<Output> outputs = checked_outputs(options.common, read);
     pictures::check(options.picture.importance);
     check_drawing(options.drawing, outputs);
     return outputs;

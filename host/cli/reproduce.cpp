@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "cli/check_failed.h"
+#include "cli/given_files.h"
 #include "cli/interruption.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -108,12 +109,17 @@ void check(const ReproduceCommand& options, const std::vector<const reproduce::I
     if (error)
         throw files::FileError(
             fmt::format("{}: cannot be made: {}", *options.folder, error.message()));
-    for (const reproduce::Item* item : items) {
-        const std::filesystem::path folder = *options.folder;
-        check_writable((folder / fmt::format("{}.json", item->name)).string());
-        check_writable((folder / fmt::format("{}.svg", item->name)).string());
-        check_writable((folder / fmt::format("{}.png", item->name)).string());
-    }
+    std::vector<GivenFile> read;
+    if (!options.image.empty()) read.push_back({"--image", options.image});
+    std::vector<GivenFile> written;
+    for (const reproduce::Item* item : items)
+        for (const std::string_view extension : {"json", "svg", "png"}) {
+            const std::filesystem::path folder = *options.folder;
+            written.push_back(
+                {"--output", (folder / fmt::format("{}.{}", item->name, extension)).string()});
+            check_writable(written.back().path);
+        }
+    check_given_files(read, written);
 }
 
 std::vector<Made> make(const std::vector<const reproduce::Item*>& items,

@@ -55,7 +55,7 @@ void read_mode(const std::string& text, Mode& mode) {
 
 void run(const CLI::App& command, const SampleCommand& all) {
     const CommonOptions& options = all.common;
-    const std::vector<Output> outputs = checked_outputs(options);
+    const std::vector<Output> outputs = checked_outputs(options, {});
     check_drawing(all.drawing, outputs);
     const drawing::Style style =
         style_of(all.drawing, options.request.width, options.request.height);

@@ -95,10 +95,8 @@ void add_pen_path(CLI::App& command, StippleCommand& options) {
 
 // All that can be checked before the picture is read. What is to be written.
 std::vector<Output> check_options(const StippleCommand& options) {
-    const std::vector<Output> outputs = checked_outputs(options.common);
-    for (const Output& output : outputs)
-        if (options.picture.path != "-" && is_same_file(options.picture.path, output.path))
-            throw BadRequest("output", shown(output.path), "is the picture: must be another file");
+    const std::vector<Output> outputs =
+        checked_outputs(options.common, {{"IMAGE", options.picture.path}});
     pictures::check(options.picture.importance);
     check_drawing(options.drawing, outputs);
     return outputs;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "cli/check_failed.h"
+#include "cli/given_files.h"
 #include "cli/options.h"
 #include "cli/verify_report.h"
 #include "files/point_files.h"
@@ -102,8 +103,9 @@ void check(const VerifyCommand& options) {
     if (options.distances_only && options.tolerance)
         throw BadRequest("tolerance", fmt::format("{}", *options.tolerance),
                          "is for gaps, which --distances-only does not look for");
-    if (std::count(options.files.begin(), options.files.end(), "-") > 1)
-        throw files::FileError("standard input: can be read only once");
+    std::vector<GivenFile> read;
+    for (const std::string& file : options.files) read.push_back({"FILE", file});
+    check_given_files(read, {});
     const Sides sides = options.sides.value_or(Sides{});
     if (options.radius)
         verify::check({}, sides.width, sides.height, options.torus, *options.radius,

@@ -14,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "files/links.h"
 #include "files/parse.h"
 #include "files/point_files.h"
 
@@ -113,20 +114,6 @@ mode_t permissions_of_a_new_file() {
     const mode_t mask = ::umask(S_IRWXG | S_IRWXO);
     ::umask(mask);
     return (S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH) & ~mask;
-}
-
-// The file that a chain of links ends at, there or not: the rename must not replace a link.
-std::filesystem::path behind_links(const std::string& path) {
-    constexpr int kMaximalLinks = 40;  // the kernel's own limit
-    std::filesystem::path target = path;
-    std::error_code error;
-    for (int i = 0; i < kMaximalLinks; ++i) {
-        if (!std::filesystem::is_symlink(target, error)) return target;
-        const std::filesystem::path link = std::filesystem::read_symlink(target, error);
-        if (error) fail(path, error.value());
-        target = target.parent_path() / link;
-    }
-    fail(path, ELOOP);
 }
 
 // Whether `path` is a link, such as /dev/stdout, to what standard output goes to.

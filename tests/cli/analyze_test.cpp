@@ -243,7 +243,8 @@ TEST(AnalyzeWithAnOutput, ThatWouldReplaceThePointsOrCannotBeMadeLeavesAllAsItWa
     const std::string path = folder.path("a.json");
     const std::string points = R"({"points": [[0.5, 0.5]]})";
     write_file(path, points);
-    expect_one_error(run({"analyze", path, "-o", path}), 2, {"another file than the points"});
+    expect_one_error(run({"analyze", path, "-o", path}), 2,
+                     {"must be another file than FILE " + path});
     EXPECT_EQ(content_of(path), points);
     expect_one_error(run({"analyze", path, "-o", folder.path("no/b.json")}), 3, {"no folder"});
 }

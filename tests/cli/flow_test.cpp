@@ -76,9 +76,9 @@ TEST(Outputs, MayBeSeveralOfOneSet) {
     EXPECT_TRUE(dots.err.ends_with("b.svg, " + folder.path("b.png") + "\n")) << dots.err;
     expect_one_error(run({"sample", "--radius", "0.1", "-o", folder.path("c.svg"), "-o",
                           folder.path("./c.svg")}),
-                     2, {"--output ", "is given twice"});
+                     2, {"--output ", "must be another file than --output "});
     expect_one_error(run({"sample", "--radius", "0.1", "-o", "-", "-o", "/dev/stdout"}), 2,
-                     {"is given twice"});
+                     {"--output /dev/stdout: must be another file than --output -"});
 }
 
 TEST(Reports, MayGoToStandardOutput) {

@@ -189,7 +189,7 @@ TEST(AnOutput, ThatIsThePictureIsRefusedAndThePictureStays) {
     write_file(image, content_of(kRaccoon));
     const std::string roundabout = folder.path("./photo.png");
     expect_refusal(run({"stipple", image, "--count", "10", "-o", roundabout}), 2,
-                   {"--output " + roundabout + ":", "is the picture"});
+                   {"--output " + roundabout + ": must be another file than IMAGE " + image});
     EXPECT_EQ(content_of(image), content_of(kRaccoon));
 }
 
