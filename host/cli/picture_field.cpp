@@ -1,14 +1,11 @@
 // Options of a picture, and its field.
 #include "cli/picture_field.h"
 
-#include <fmt/core.h>
-
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <utility>
 
 #include "cli/options.h"
-#include "files/point_files.h"
 #include "pictures/image.h"
 
 namespace lacuna::cli {
@@ -62,15 +59,10 @@ void add_importance(CLI::App& command, Picture& picture) {
 }
 
 Field read_field(const Picture& picture, Request& request) {
-    pictures::Image image = pictures::read_image(picture.path);
+    pictures::Image image = pictures::read_image(picture.path, kLargestAspect);
     const double longer = std::max(image.columns, image.rows);
     request.width = image.columns / longer;
     request.height = image.rows / longer;
-    constexpr double kLargestAspect = 1000;  // lacuna.h: Request::height
-    if (longer > kLargestAspect * std::min(image.columns, image.rows))
-        throw files::FileError(
-            fmt::format("{}: {} x {} pixels: the longer side may be at most {} times the shorter",
-                        image.name, image.columns, image.rows, kLargestAspect));
     return pictures::importance_of(std::move(image), picture.importance);
 }
 

@@ -3,6 +3,7 @@
 
 #include <lacuna/lacuna.h>
 
+#include <cstdint>
 #include <string>
 
 #include "cli/app_fwd.h"
@@ -22,6 +23,9 @@ CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request);
 
 // --invert, --gamma and --min-importance alone.
 void add_importance(CLI::App& command, Picture& picture);
+
+// Of a domain, and so of a picture that gives it its shape; lacuna.h: Request::height.
+inline constexpr std::uint64_t kLargestAspect = 1000;
 
 // Reads the picture, and gives the request its shape: the longer side is 1. Throws BadRequest and
 // files::FileError.

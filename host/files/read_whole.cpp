@@ -2,15 +2,18 @@
 #include "files/read_whole.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <string>
 #include <system_error>
 
 #include "files/parse.h"
+#include "plan/plan.h"
 
 namespace lacuna::files {
 namespace {
@@ -19,15 +22,22 @@ namespace {
     refuse(name, std::generic_category().message(error));
 }
 
+[[noreturn]] void refuse_more(const std::string& name, std::uint64_t most) {
+    refuse(name,
+           fmt::format("has more than {} bytes, which a file to be read may have at most", most));
+}
+
 // Until its end, which a pipe does not tell beforehand.
-std::string read_all(int descriptor, const std::string& name) {
+std::string read_all(int descriptor, const std::string& name, std::uint64_t most) {
     constexpr std::size_t kFirstRoom = std::size_t{1} << 16U;
     struct stat status {};
     const bool has_size = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+    if (has_size && static_cast<std::uint64_t>(status.st_size) > most) refuse_more(name, most);
     std::string bytes(has_size ? static_cast<std::size_t>(status.st_size) + 1 : kFirstRoom, '\0');
     std::size_t size = 0;
     for (;;) {
-        if (size == bytes.size()) bytes.resize(2 * size);
+        if (size > most) refuse_more(name, most);
+        if (size == bytes.size()) bytes.resize(std::min(2 * size, std::size_t{most} + 1));
         const ssize_t got = ::read(descriptor, bytes.data() + size, bytes.size() - size);
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) fail(name, errno);
@@ -60,10 +70,14 @@ std::string name_of(const std::string& path) {
     return path == "-" ? "standard input" : path;
 }
 
-std::string read_whole(const std::string& path) {
-    if (path == "-") return read_all(STDIN_FILENO, name_of(path));
+std::uint64_t most_bytes() {
+    return machine_memory_bytes() / 4;
+}
+
+std::string read_whole(const std::string& path, std::uint64_t most) {
+    if (path == "-") return read_all(STDIN_FILENO, name_of(path), most);
     const OpenFile file(path);
-    return read_all(file.descriptor(), path);
+    return read_all(file.descriptor(), path, most);
 }
 
 }  // namespace lacuna::files

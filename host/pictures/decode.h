@@ -18,6 +18,7 @@ struct Encoded {
     std::string_view bytes;
     const std::string& name;
     std::uint64_t max_pixels;
+    std::uint64_t max_aspect;  // of the longer side to the shorter
 
     [[noreturn]] void refuse(const std::string& why) const { files::refuse(name, why); }
 };

@@ -42,10 +42,11 @@ struct Image {
 // Refused, by a FileError of one line that names the file, what was found and what is allowed:
 // other formats, broken and truncated files, pictures without a pixel or over the limits above
 // (before memory is taken for them), and NaN, infinity and negative numbers, with row and column.
-Image read_image(const std::string& path);
+// The longer side may be at most `max_aspect` times the shorter.
+Image read_image(const std::string& path, std::uint64_t max_aspect = kMaxSide);
 
 // The same for bytes that have been read. `name` stands for the file in messages.
 Image decode_image(std::string_view bytes, const std::string& name,
-                   std::uint64_t max_pixels = kMaxPixels);
+                   std::uint64_t max_pixels = kMaxPixels, std::uint64_t max_aspect = kMaxSide);
 
 }  // namespace lacuna::pictures

@@ -76,6 +76,9 @@ void check_size(const Encoded& file, Size size) {
         file.refuse(fmt::format("{}: no side may be over {}", size_text(size), kMaxSide));
     if (size.pixels() > file.max_pixels)
         file.refuse(fmt::format("{}: must be at most {} in all", size_text(size), file.max_pixels));
+    if (std::max(size.columns, size.rows) > file.max_aspect * std::min(size.columns, size.rows))
+        file.refuse(fmt::format("{}: the longer side may be at most {} times the shorter",
+                                size_text(size), file.max_aspect));
 }
 
 Image make_image(const Encoded& file, Size size) {
@@ -87,8 +90,9 @@ Image make_image(const Encoded& file, Size size) {
     return image;
 }
 
-Image decode_image(std::string_view bytes, const std::string& name, std::uint64_t max_pixels) {
-    const Encoded file{bytes, name, max_pixels};
+Image decode_image(std::string_view bytes, const std::string& name, std::uint64_t max_pixels,
+                   std::uint64_t max_aspect) {
+    const Encoded file{bytes, name, max_pixels, max_aspect};
     const auto* known = std::find_if(kFormats.begin(), kFormats.end(), [&](const Known& format) {
         return bytes.starts_with(format.magic);
     });
@@ -103,8 +107,8 @@ Image decode_image(std::string_view bytes, const std::string& name, std::uint64_
         fmt::format("begins with {}: {}", files::excerpt(bytes.substr(0, kShown)), kAllowed));
 }
 
-Image read_image(const std::string& path) {
-    return decode_image(files::read_whole(path), files::name_of(path));
+Image read_image(const std::string& path, std::uint64_t max_aspect) {
+    return decode_image(files::read_whole(path), files::name_of(path), kMaxPixels, max_aspect);
 }
 
 }  // namespace lacuna::pictures

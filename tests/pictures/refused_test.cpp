@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <ostream>
@@ -244,6 +245,30 @@ TEST(APicture, OfMorePixelsThanAllowedIsRefusedAndOneOfExactlyThatManyIsRead) {
         EXPECT_EQ(pixels, std::uint64_t{image.columns} * image.rows) << name;
         EXPECT_EQ(decode_image(bytes, name, pixels).luminance, image.luminance);
         EXPECT_THROW(decode_image(bytes, name, pixels - 1), files::FileError) << name;
+    }
+}
+
+TEST(APicture, ThatIsTooLongIsRefusedByItsHeaderAlone) {
+    // 2.1 GB of luminance, were it decoded.
+    const std::string bytes = "P5 1048576 256 255\n";
+    try {
+        decode_image(bytes, "a.pgm", kMaxPixels, 1000);
+        ADD_FAILURE() << "was read";
+    } catch (const files::FileError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "a.pgm: 1048576 x 256 pixels: the longer side may be at most 1000 times the "
+                  "shorter");
+    }
+    for (const auto& [name, whole] : one_of_each()) {
+        const Image image = decode_image(whole, name);
+        const std::uint64_t longer = std::max(image.columns, image.rows);
+        const std::uint64_t shorter = std::min(image.columns, image.rows);
+        EXPECT_EQ(decode_image(whole, name, kMaxPixels, (longer + shorter - 1) / shorter).luminance,
+                  image.luminance);
+        if (longer == shorter) continue;
+        EXPECT_THROW(decode_image(whole, name, kMaxPixels, (longer - 1) / shorter),
+                     files::FileError)
+            << name;
     }
 }
 
