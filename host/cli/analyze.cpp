@@ -22,6 +22,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/progress_bar.h"
+#include "cli/writing.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
 #include "verify/verify.h"
@@ -175,14 +176,13 @@ void check_inside(const Input& input, const analysis::Domain& domain) {
     }
 }
 
-analysis::Analysis analyse(const Input& input, const analysis::Domain& domain, bool quiet,
-                           Interruption& interruption) {
+analysis::Analysis analyse(const Input& input, const analysis::Domain& domain, bool quiet) {
     ProgressBar bar(quiet);
     const std::string words =
         fmt::format("analysing {} set{}", input.sets.size(), input.sets.size() == 1 ? "" : "s");
     return analysis::analyse(input.sets, domain, input.radii, [&](double share) {
         bar.show(share, words);
-        return interruption.keep_going({});
+        return true;
     });
 }
 
@@ -194,14 +194,17 @@ void run(const AnalyzeCommand& options) {
     const analysis::Domain domain{sides.width, sides.height,
                                   options.torus || input.boundary == Boundary::torus};
     check_inside(input, domain);
-    const analysis::Analysis analysis = analyse(input, domain, options.quiet, interruption);
+    const analysis::Analysis analysis = analyse(input, domain, options.quiet);
 
-    interruption.start_writing(!outputs.empty() && !has_standard_output(outputs));
-    for (const auto& [path, format] : outputs)
-        files::write_whole(
-            path, format.medium ? analysis::draw_sheet(analysis, input.sets.front(), *format.medium)
-                                : json_of(analysis, options.files));
-    if (!has_standard_output(outputs)) files::write_whole("-", text_of(analysis));
+    Writing writing(interruption);
+    for (const Output& output : outputs)
+        writing.add(output.path, [&] {
+            return output.format.medium
+                       ? analysis::draw_sheet(analysis, input.sets.front(), *output.format.medium)
+                       : json_of(analysis, options.files);
+        });
+    if (!has_standard_output(outputs)) writing.add("-", [&] { return text_of(analysis); });
+    writing.write();
 }
 
 }  // namespace

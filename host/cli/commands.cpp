@@ -22,7 +22,7 @@
 #include "cli/check_failed.h"
 #include "cli/compare.h"
 #include "cli/devices.h"
-#include "cli/interruption.h"
+#include "cli/exit_codes.h"
 #include "cli/nearest.h"
 #include "cli/options.h"
 #include "cli/relax.h"
@@ -34,12 +34,6 @@
 
 namespace lacuna::cli {
 namespace {
-
-constexpr int kExitCheckFailed = 1;
-constexpr int kExitBadUsage = 2;
-constexpr int kExitFile = 3;
-constexpr int kExitDevice = 4;
-constexpr int kExitBug = 70;  // EX_SOFTWARE of sysexits.h
 
 constexpr const char* kLacunaDescription = R"(Makes blue-noise point sets.
 
@@ -110,7 +104,7 @@ void add_help_and_version(CLI::App& app) {
 }
 
 int fail(int code, const std::string& message) {
-    std::fputs(fmt::format("lacuna: {}\n", message).c_str(), stderr);
+    std::fputs(fmt::format("lacuna: {}\n", printable(message)).c_str(), stderr);
     return code;
 }
 
@@ -222,8 +216,6 @@ int run_commands(int argc, char** argv, const Sampler& sampler) {
         return fail(kExitDevice, error.what());
     } catch (const DeviceError& error) {
         return fail(kExitDevice, error.what());
-    } catch (const Cancelled&) {
-        return fail(exit_code_of_interruption(), "interrupted, nothing was written");
     } catch (const std::bad_alloc&) {
         return fail(kExitBadUsage, "out of memory: ask for fewer points");
     } catch (const std::exception& error) {

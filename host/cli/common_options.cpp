@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdio>
 
+#include "cli/driver.h"
 #include "cli/observers.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -69,10 +70,11 @@ std::vector<Output> checked_outputs(const CommonOptions& options,
     return outputs;
 }
 
-Made make(const CommonOptions& options, Interruption& interruption) {
+Made make(const CommonOptions& options) {
     Made made;
     ProgressBar bar(options.quiet);
-    Observers observers({interruption, made.stopwatch, bar});
+    DriverAtWork driver(options.request.backend);
+    Observers observers({driver, made.stopwatch, bar});
     made.result = sample(options.request, observers);
     made.seconds = made.stopwatch.seconds_so_far();
     return made;
@@ -91,10 +93,10 @@ void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, co
     for (const Output& output : outputs) paths += (paths.empty() ? "" : ", ") + output.path;
     const std::size_t count = result.points.size();
     const std::string summary =
-        fmt::format("{} {}{}{}{}, {} round{}, {:.3f} s, {}{} -> {}\n", count, what,
+        fmt::format("{} {}{}{}{}, {} round{}, {:.3f} s, {}{} -> {}", count, what,
                     count == 1 ? "" : "s", note, size, result.rounds, result.rounds == 1 ? "" : "s",
                     made.seconds, result.backend, more, paths);
-    std::fputs(summary.c_str(), stderr);
+    std::fputs((printable(summary) + "\n").c_str(), stderr);
 }
 
 }  // namespace lacuna::cli

@@ -8,7 +8,6 @@
 
 #include "cli/app_fwd.h"
 #include "cli/given_files.h"
-#include "cli/interruption.h"
 #include "cli/output.h"
 #include "cli/stopwatch.h"
 
@@ -44,7 +43,7 @@ struct Made {
 };
 
 // Makes the set under a progress bar. Throws what lacuna::sample throws.
-Made make(const CommonOptions& options, Interruption& interruption);
+Made make(const CommonOptions& options);
 
 // Prints the last line, on standard error, unless it is not wanted or the data went to standard
 // output: points or dots, as `what` says in the singular, have been made. `note` is said of their

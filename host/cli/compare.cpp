@@ -24,6 +24,7 @@
 #include "cli/progress_bar.h"
 #include "cli/relaxation.h"
 #include "cli/sample.h"
+#include "cli/writing.h"
 #include "files/point_files.h"
 
 namespace lacuna::cli {
@@ -94,8 +95,7 @@ std::vector<Output> check(const CompareCommand& options) {
 // Shows which run it is.
 class Runs : public Observer {
 public:
-    Runs(Interruption& interruption, std::size_t all, bool quiet)
-        : interruption_(interruption), bar_(quiet), all_(all) {}
+    Runs(std::size_t all, bool quiet) : bar_(quiet), all_(all) {}
 
     void start(const Request& request) {
         words_ = fmt::format("run {} of {}: {}", ++started_, all_, request.backend);
@@ -105,21 +105,19 @@ public:
             static_cast<double>(std::max<std::uint64_t>(progress.expected_points, 1));
         const double share = std::min(1.0, static_cast<double>(progress.points) / expected);
         bar_.show((static_cast<double>(started_ - 1) + share) / static_cast<double>(all_), words_);
-        return interruption_.keep_going(progress);
+        return true;
     }
 
 private:
-    Interruption& interruption_;
     ProgressBar bar_;
     std::size_t all_;
     std::size_t started_ = 0;
     std::string words_;
 };
 
-Comparison compared(const CompareCommand& options, const Request& request, const Sampler& sampler,
-                    Interruption& interruption) {
+Comparison compared(const CompareCommand& options, const Request& request, const Sampler& sampler) {
     const std::vector<Contestant> contestants = find_contestants(options.backends);
-    Runs runs(interruption, contestants.size() * (options.runs + std::size_t{1}), options.quiet);
+    Runs runs(contestants.size() * (options.runs + std::size_t{1}), options.quiet);
     const Sampler shown = [&](const Request& one, Observer& observer) {
         runs.start(one);
         Result result = sampler(one, observer);
@@ -133,12 +131,15 @@ Comparison compared(const CompareCommand& options, const Request& request, const
 }
 
 void write(const CompareCommand& options, const std::vector<Output>& charts, const Request& request,
-           const Comparison& comparison) {
-    if (!options.json.empty()) files::write_whole(options.json, json_of(comparison, request));
+           const Comparison& comparison, Interruption& interruption) {
+    Writing writing(interruption);
+    if (!options.json.empty())
+        writing.add(options.json, [&] { return json_of(comparison, request); });
     for (const Output& chart : charts)
-        files::write_whole(chart.path, draw_chart(comparison, *chart.format.medium));
+        writing.add(chart.path, [&] { return draw_chart(comparison, *chart.format.medium); });
     if (!has_standard_output(charts) && !is_standard_output(options.json))
-        files::write_whole("-", text_of(comparison));
+        writing.add("-", [&] { return text_of(comparison); });
+    writing.write();
 }
 
 // All is told in the tables; what is left is how to end.
@@ -173,9 +174,8 @@ void run(const CompareCommand& options, const Sampler& sampler) {
         request.field = &field;
     }
     Interruption interruption;
-    const Comparison comparison = compared(options, request, sampler, interruption);
-    interruption.start_writing(!charts.empty() || !options.json.empty());
-    write(options, charts, request, comparison);
+    const Comparison comparison = compared(options, request, sampler);
+    write(options, charts, request, comparison, interruption);
     end(options, comparison);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "cli/driver.h"
 #include "cli/observers.h"
 #include "cli/options.h"
 #include "cli/peak_memory.h"
@@ -58,7 +59,7 @@ private:
         const PeakMemory memory;
         Stopwatch stopwatch;
         Observers observers({observer_, stopwatch});
-        const Result result = sampler_(request, observers);
+        const Result result = sampled(request, observers);
         const double seconds = stopwatch.seconds_so_far();
         const auto raised = memory.raised_bytes();
         judge(entry, result);
@@ -74,6 +75,12 @@ private:
         entry.seconds.push_back(seconds - stopwatch.seconds(Verb::first_use));
         auto& verbs = entry.verb_seconds.emplace_back();
         for (std::size_t i = 0; i < kVerbs.size(); ++i) verbs[i] = stopwatch.seconds(kVerbs[i]);
+    }
+
+    Result sampled(const Request& request, Observer& observer) {
+        DriverAtWork driver(request.backend);
+        Observers observers({driver, observer});
+        return sampler_(request, observers);
     }
 
     void judge(Entry& entry, const Result& result) {
@@ -110,7 +117,7 @@ std::vector<Contestant> contestants_of(const std::string& backend,
 
 std::vector<Contestant> find_contestants(const std::vector<std::string>& backends) {
     const std::vector<std::string> usual = {"cpu", "opencl", "vulkan"};
-    const std::vector<Device> devices = lacuna::devices();
+    const std::vector<Device> devices = listed_devices();
     std::vector<Contestant> all;
     for (const std::string& backend : backends.empty() ? usual : backends) {
         if (backend != "reference" && std::find(usual.begin(), usual.end(), backend) == usual.end())

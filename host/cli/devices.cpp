@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cli/comparison.h"
+#include "cli/driver.h"
 #include "files/point_files.h"
 
 namespace lacuna::cli {
@@ -38,7 +39,7 @@ struct Row {
 // A backend whose driver lists no device has a row that says so.
 std::vector<Row> rows() {
     std::vector<Row> rows;
-    const std::vector<Device> devices = lacuna::devices();
+    const std::vector<Device> devices = listed_devices();
     for (const std::string backend : {"cpu", "opencl", "vulkan", "reference"}) {
         std::size_t number = 0;
         for (const Device& device : devices)

@@ -103,7 +103,7 @@ drawing::Style style_of(const DrawingOptions& options, double width, double heig
     return style;
 }
 
-void write_set(const DrawingOptions& options, const std::vector<Output>& outputs,
+void write_set(Writing& writing, const DrawingOptions& options, const std::vector<Output>& outputs,
                files::PointSet set, drawing::Style style, std::span<const double> diameters) {
     std::vector<double> fixed;
     if (options.dot_size_mm)
@@ -116,9 +116,11 @@ void write_set(const DrawingOptions& options, const std::vector<Output>& outputs
         set.dots = &dots;
     }
     for (const Output& output : outputs)
-        files::write_whole(output.path, output.format.medium
-                                            ? drawing::draw(set, *output.format.medium, style)
-                                            : files::encode(set, output.format));
+        writing.add(output.path, [&] {
+            return output.format.medium ? drawing::draw(set, *output.format.medium, style)
+                                        : files::encode(set, output.format);
+        });
+    writing.write();
 }
 
 }  // namespace lacuna::cli

@@ -11,6 +11,7 @@
 #include "cli/app_fwd.h"
 #include "cli/output.h"
 #include "cli/paper.h"
+#include "cli/writing.h"
 #include "drawing/picture.h"
 #include "files/point_files.h"
 
@@ -37,9 +38,9 @@ void check_drawing(const DrawingOptions& options, const std::vector<Output>& out
 // would have more pixels than cairo can draw.
 drawing::Style style_of(const DrawingOptions& options, double width, double height);
 
-// Writes the set to every output. Dots that have no size of their own by --dot-size have
-// `diameters`, in the domain's units, or where there are none the set's.
-void write_set(const DrawingOptions& options, const std::vector<Output>& outputs,
+// Writes what was added to `writing`, and the set to every output. Dots that have no size of their
+// own by --dot-size have `diameters`, in the domain's units, or where there are none the set's.
+void write_set(Writing& writing, const DrawingOptions& options, const std::vector<Output>& outputs,
                files::PointSet set, drawing::Style style, std::span<const double> diameters);
 
 }  // namespace lacuna::cli

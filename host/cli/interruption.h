@@ -1,7 +1,7 @@
-// Ctrl-C and SIGTERM: a run ends at its next round, a file being written is finished first.
+// Ctrl-C, SIGTERM, SIGHUP and SIGQUIT: the program ends at once, but files that are being written
+// are finished first.
 #pragma once
 
-#include <lacuna/lacuna.h>
 #include <signal.h>
 
 #include <array>
@@ -9,27 +9,27 @@
 
 namespace lacuna::cli {
 
-// 128 and the signal's number, as shells have it: 130 after Ctrl-C, 143 after SIGTERM.
-int exit_code_of_interruption();
-
-// One at a time: signals belong to the process. While it lives, the first signal makes keep_going
-// say no, and a second one, for those who do not want to wait for the round, exits at once.
-class Interruption : public Observer {
+// One at a time: signals belong to the process. While it lives, a signal ends the program with 128
+// and its number, as shells have it: 130 after Ctrl-C, 143 after SIGTERM. It does not wait for
+// whatever is under way, a round, a compiler of a driver's, a pipe that nobody writes into:
+// nothing is on the disk that would have to be taken away.
+class Interruption {
 public:
     Interruption();
-    ~Interruption() override;
+    ~Interruption();
     Interruption(const Interruption&) = delete;
     Interruption& operator=(const Interruption&) = delete;
 
-    bool keep_going(const Progress& progress) override;
+    // From now on a signal waits.
+    static void finish_files_first();
+    // No longer: what is written now may block for ever. Ends the program if one has waited.
+    static void exit_at_once();
 
-    // The work is done and will be written, to files or to standard output. Files are finished
-    // whatever comes; standard output may block for ever, so that there a signal exits at once.
-    // Throws Cancelled if a signal came before.
-    void start_writing(bool to_file);
+    // Whether a line on standard error, the progress bar's, is to be cleared first.
+    static void clears_line(bool clears);
 
 private:
-    static constexpr std::array kSignals{SIGINT, SIGTERM};
+    static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
     std::array<struct sigaction, kSignals.size()> before_{};
 };
 

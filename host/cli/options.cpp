@@ -61,9 +61,24 @@ void read_whole_number(const std::string& option, const std::string& text, Value
 }  // namespace
 
 std::string shown(const std::string& text) {
-    const auto is_plain = [](unsigned char c) { return c > ' ' && c != 0x7f; };
-    const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), is_plain);
-    return plain ? text : fmt::format("{:?}", text);
+    const bool plain = !text.empty() && text.find(' ') == std::string::npos;
+    return plain && printable(text) == text ? text : fmt::format("{:?}", text);
+}
+
+// By fmt's escapes, which know Unicode; it escapes quotes and backslashes too, which may stay.
+std::string printable(std::string_view text) {
+    constexpr std::string_view kMayStay = "\"\\";
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t length = std::min(text.find_first_of(kMayStay), text.size());
+        const std::string quoted = fmt::format("{:?}", text.substr(0, length));
+        result += quoted.substr(1, quoted.size() - 2);
+        text.remove_prefix(length);
+        if (text.empty()) break;
+        result += text.front();
+        text.remove_prefix(1);
+    }
+    return result;
 }
 
 void read(const std::string& option, const std::string& text, double& value) {

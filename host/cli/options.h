@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "cli/app_fwd.h"
 
@@ -13,6 +14,10 @@ namespace lacuna::cli {
 // A value as an error line shows it: quoted where it is empty or has blanks, escaped to stay on one
 // line.
 std::string shown(const std::string& text);
+
+// Text for a terminal, on one line: control characters, what is not to be seen and what is no UTF-8
+// are escaped.
+std::string printable(std::string_view text);
 
 // Each throws BadRequest(option, text, what is allowed). Ranges are the library's to check.
 void read(const std::string& option, const std::string& text, double& value);

@@ -31,14 +31,6 @@ fs::path folder_of(const fs::path& path) {
     throw files::FileError(fmt::format("{}: {}", path, why));
 }
 
-// Whether the path names no file of its own: standard output, a descriptor, a device, a pipe.
-bool is_stream(const std::string& path) {
-    if (path == "-" || files::descriptor_named(path)) return true;
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-}
-
 bool is_among(const files::Format* format, const std::string& allowed) {
     return format != nullptr &&
            (allowed + " ").find(fmt::format("{} ", format->extension)) != std::string::npos;
@@ -90,6 +82,13 @@ std::vector<Output> outputs_of(const OutputOptions& options, const std::string& 
         for (const Output& output : outputs)
             if (is_standard_output(output.path) == is_last) in_order.push_back(output);
     return in_order;
+}
+
+bool is_stream(const std::string& path) {
+    if (path == "-" || files::descriptor_named(path)) return true;
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
 bool is_standard_output(const std::string& path) {

@@ -33,6 +33,9 @@ struct Output {
 std::vector<Output> outputs_of(const OutputOptions& options, const std::string& allowed,
                                const std::string& usual);
 
+// Whether the path names no file of its own: standard output, a descriptor, a device, a pipe.
+bool is_stream(const std::string& path);
+
 // Whether it is "-" or another name of standard output.
 bool is_standard_output(const std::string& path);
 bool has_standard_output(const std::vector<Output>& outputs);

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "cli/interruption.h"
+
 namespace lacuna::cli {
 namespace {
 
@@ -72,7 +74,9 @@ ProgressBar::ProgressBar(bool quiet)
     : visible_(!quiet && is_capable_terminal()), colour_(!is_set("NO_COLOR")) {}
 
 ProgressBar::~ProgressBar() {
-    if (drawn_) print(std::string(kClearLine));
+    if (!drawn_) return;
+    print(std::string(kClearLine));
+    Interruption::clears_line(false);
 }
 
 bool ProgressBar::keep_going(const Progress& progress) {
@@ -99,6 +103,7 @@ void ProgressBar::note(const std::string& what) {
 
 void ProgressBar::draw(const std::string& line) {
     drawn_ = true;
+    Interruption::clears_line(true);
     print(std::string(kClearLine) + line);
 }
 

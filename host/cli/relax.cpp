@@ -22,6 +22,7 @@
 #include "cli/picture_field.h"
 #include "cli/relaxation.h"
 #include "cli/report.h"
+#include "cli/writing.h"
 #include "drawing/dot_size.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
@@ -97,11 +98,10 @@ void sum_up(const RelaxCommand& options, const std::vector<Output>& outputs, con
     if (common.quiet || has_standard_output(outputs) || is_standard_output(common.report)) return;
     std::string paths;
     for (const Output& output : outputs) paths += (paths.empty() ? "" : ", ") + output.path;
-    std::fputs(
-        fmt::format("{} points, {} iterations, {:.3f} s, {} -> {}\n", made.result.points.size(),
-                    options.iterations, made.seconds, relaxation.relaxed.backend, paths)
-            .c_str(),
-        stderr);
+    const std::string summary =
+        fmt::format("{} points, {} iterations, {:.3f} s, {} -> {}", made.result.points.size(),
+                    options.iterations, made.seconds, relaxation.relaxed.backend, paths);
+    std::fputs((printable(summary) + "\n").c_str(), stderr);
 }
 
 void run(const RelaxCommand& options) {
@@ -127,21 +127,21 @@ void run(const RelaxCommand& options) {
     Made made;
     made.result.points = std::move(file.sets.front());
     const Field* const field_or_null = field ? &*field : nullptr;
-    const Relaxation relaxation =
-        relax_points(common, outputs, relax_options_of(request, options.iterations), field_or_null,
-                     interruption, made);
-    interruption.start_writing(!has_standard_output(outputs));
+    const Relaxation relaxation = relax_points(
+        common, outputs, relax_options_of(request, options.iterations), field_or_null, made);
 
     const files::PointSet set{made.result.points, request.width, request.height,
                               made.result.radius};
+    Writing writing(interruption);
     if (!common.report.empty())
-        files::write_whole(common.report,
-                           relax_report(json_of(options, request), made, json_of(relaxation)));
+        writing.add(common.report, [&] {
+            return relax_report(json_of(options, request), made, json_of(relaxation));
+        });
     std::vector<double> diameters;
     if (field)
         diameters = drawing::dot_diameters(set.points, *field, set.width, set.height,
                                            drawing::Spread::even);
-    write_set(options.drawing, outputs, set,
+    write_set(writing, options.drawing, outputs, set,
               style_of(options.drawing, request.width, request.height), diameters);
     sum_up(options, outputs, made, relaxation);
 }

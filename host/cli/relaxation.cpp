@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "cli/driver.h"
 #include "cli/observers.h"
 #include "cli/options.h"
 #include "cli/progress_bar.h"
@@ -66,15 +67,15 @@ RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations) 
 }
 
 Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& outputs,
-                        const RelaxOptions& options, const Field* field, Interruption& interruption,
-                        Made& made) {
+                        const RelaxOptions& options, const Field* field, Made& made) {
     RelaxOptions measured = options;
     measured.measure = !common.report.empty();
     Relaxation relaxation;
     relaxation.iterations = options.iterations;
     {
         Iterations bar(common.quiet, options.iterations);
-        Observers observers({interruption, made.stopwatch, bar});
+        DriverAtWork driver(options.backend);
+        Observers observers({driver, made.stopwatch, bar});
         relaxation.relaxed = relax(made.result.points, field, measured, observers);
     }
     made.seconds = made.stopwatch.seconds_so_far();

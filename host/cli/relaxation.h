@@ -12,7 +12,6 @@
 
 #include "cli/app_fwd.h"
 #include "cli/common_options.h"
-#include "cli/interruption.h"
 #include "cli/output.h"
 
 namespace lacuna::cli {
@@ -34,8 +33,7 @@ RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations);
 // for a report; the radius becomes the least distance where a report or a .json needs it, and 0,
 // not known, elsewhere. Throws what lacuna::relax throws.
 Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& outputs,
-                        const RelaxOptions& options, const Field* field, Interruption& interruption,
-                        Made& made);
+                        const RelaxOptions& options, const Field* field, Made& made);
 
 // For a report: {"relax": {...}}, and the request's iterations.
 nlohmann::ordered_json json_of(const Relaxation& relaxation);

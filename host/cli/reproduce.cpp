@@ -20,7 +20,9 @@
 #include "cli/interruption.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/picture_field.h"
 #include "cli/progress_bar.h"
+#include "cli/writing.h"
 #include "files/point_files.h"
 #include "pictures/image.h"
 #include "pictures/importance.h"
@@ -123,23 +125,24 @@ void check(const ReproduceCommand& options, const std::vector<const reproduce::I
 }
 
 std::vector<Made> make(const std::vector<const reproduce::Item*>& items,
-                       reproduce::Setting& setting, ProgressBar& bar, Interruption& interruption) {
+                       reproduce::Setting& setting, ProgressBar& bar) {
     std::vector<Made> all;
     for (const reproduce::Item* item : items) {
         setting.keep_going = [&](double share) {
             bar.show(share, fmt::format("{} ({} of {})", item->name, all.size() + 1, items.size()));
-            return interruption.keep_going({});
+            return true;
         };
         all.push_back({*item, item->make(setting)});
     }
     return all;
 }
 
-void write(const std::vector<Made>& all, const std::filesystem::path& folder) {
+void add(Writing& writing, const std::vector<Made>& all, const std::filesystem::path& folder) {
     for (const Made& made : all) {
-        files::write_whole((folder / made.data_name()).string(),
-                           reproduce::json_of(made.item, made.reproduction));
-        files::write_whole((folder / made.picture_name()).string(), made.reproduction.picture);
+        writing.add((folder / made.data_name()).string(),
+                    [&made] { return reproduce::json_of(made.item, made.reproduction); });
+        writing.add((folder / made.picture_name()).string(),
+                    [&made] { return made.reproduction.picture; });
     }
 }
 
@@ -148,16 +151,16 @@ void run(const ReproduceCommand& options) {
     check(options, items);
     std::optional<Field> image;
     if (!options.image.empty())
-        image = pictures::importance_of(pictures::read_image(options.image), {});
+        image = pictures::importance_of(pictures::read_image(options.image, kLargestAspect), {});
     reproduce::Setting setting{options.runs, options.smallest_radius, image ? &*image : nullptr};
     Interruption interruption;
     std::vector<Made> all;
     {
         ProgressBar bar(options.quiet);
-        all = make(items, setting, bar, interruption);
+        all = make(items, setting, bar);
     }
-    interruption.start_writing(options.folder.has_value());
-    if (options.folder) write(all, *options.folder);
+    Writing writing(interruption);
+    if (options.folder) add(writing, all, *options.folder);
     std::string lines;
     bool all_within = true;
     for (const Made& made : all) {
@@ -165,7 +168,8 @@ void run(const ReproduceCommand& options) {
             lines += reproduce::line_of(made.item.name, number) + "\n";
         all_within = all_within && reproduce::all_within(made.reproduction.numbers);
     }
-    files::write_whole("-", lines);
+    writing.add("-", [&] { return lines; });
+    writing.write();
     if (!all_within) throw CheckFailed();
 }
 

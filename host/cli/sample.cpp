@@ -18,6 +18,7 @@
 #include "cli/output.h"
 #include "cli/relaxation.h"
 #include "cli/report.h"
+#include "cli/writing.h"
 #include "files/point_files.h"
 
 namespace lacuna::cli {
@@ -60,22 +61,22 @@ void run(const CLI::App& command, const SampleCommand& all) {
     const drawing::Style style =
         style_of(all.drawing, options.request.width, options.request.height);
     Interruption interruption;
-    Made made = make(options, interruption);
+    Made made = make(options);
     const Request& request = options.request;
     Json more = Json::object();
     Json relaxed = Json::object();  // of the options
     if (all.relax != 0) {
         relaxed["relax"] = all.relax;
-        more = json_of(relax_points(options, outputs, relax_options_of(request, all.relax), nullptr,
-                                    interruption, made));
+        more = json_of(
+            relax_points(options, outputs, relax_options_of(request, all.relax), nullptr, made));
     }
-    interruption.start_writing(!has_standard_output(outputs));
-
     const files::Origin origin = origin_of(command, request, made.result, relaxed);
     const files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
                               &origin};
-    if (!options.report.empty()) files::write_whole(options.report, report_of(request, made, more));
-    write_set(all.drawing, outputs, set, style, {});
+    Writing writing(interruption);
+    if (!options.report.empty())
+        writing.add(options.report, [&] { return report_of(request, made, more); });
+    write_set(writing, all.drawing, outputs, set, style, {});
     sum_up(options, outputs, made, "point");
 }
 

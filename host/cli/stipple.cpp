@@ -27,6 +27,7 @@
 #include "cli/relaxation.h"
 #include "cli/report.h"
 #include "cli/stopwatch.h"
+#include "cli/writing.h"
 #include "drawing/dot_size.h"
 #include "drawing/pen/pen_path.h"
 #include "drawing/picture.h"
@@ -111,15 +112,12 @@ struct Work {
     std::optional<Relaxation> relaxation;
 };
 
-void order_for_a_pen(const StippleCommand& options, Interruption& interruption, Made& made,
-                     Work& work) {
+void order_for_a_pen(const StippleCommand& options, Made& made, Work& work) {
     std::vector<Point>& points = made.result.points;
     ProgressBar bar(options.common.quiet);
     bar.note(fmt::format("a pen path through {} dots", points.size()));
     const Stopwatch stopwatch;
-    const std::vector<std::uint32_t> order = pen::pen_path(points, [&] {
-        return interruption.keep_going({points.size(), points.size(), made.result.rounds});
-    });
+    const std::vector<std::uint32_t> order = pen::pen_path(points, [] { return true; });
     work.path_seconds = stopwatch.seconds_so_far();
     work.admitted_length = pen::path_length(points);
     std::vector<Point> ordered;
@@ -188,21 +186,22 @@ void run(const CLI::App& command, const StippleCommand& options) {
     work.read_seconds = stopwatch.seconds_so_far();
 
     Interruption interruption;
-    Made made = make(common, interruption);
+    Made made = make(common);
     if (options.relax != 0)
-        work.relaxation = relax_points(common, outputs, relax_options_of(request, options.relax),
-                                       &field, interruption, made);
-    if (options.pen_path) order_for_a_pen(options, interruption, made, work);
-    interruption.start_writing(!has_standard_output(outputs));
+        work.relaxation =
+            relax_points(common, outputs, relax_options_of(request, options.relax), &field, made);
+    if (options.pen_path) order_for_a_pen(options, made, work);
 
     const files::Origin origin = origin_of(command, request, made.result, json_of(options));
     const files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
                               &origin};
+    Writing writing(interruption);
     if (!common.report.empty())
-        files::write_whole(
-            common.report,
-            report_of(request, made, report_of_the_rest(options, outputs, field, style, work)));
-    write_set(options.drawing, outputs, set, style,
+        writing.add(common.report, [&] {
+            return report_of(request, made,
+                             report_of_the_rest(options, outputs, field, style, work));
+        });
+    write_set(writing, options.drawing, outputs, set, style,
               drawing::dot_diameters(
                   set.points, field, set.width, set.height,
                   options.relax != 0 ? drawing::Spread::even : drawing::Spread::random));

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "cli/options.h"
+
 namespace lacuna::cli {
 namespace {
 
@@ -139,8 +141,8 @@ std::string text_of(const std::vector<Claim>& claims) {
     if (claims.size() == 1) return text_of_one(claims.front());
     std::string lines;
     for (const Claim& claim : claims)
-        lines += fmt::format("{}{:<18}{}\n{}", lines.empty() ? "" : "\n", "file", claim.name,
-                             text_of_one(claim));
+        lines += fmt::format("{}{:<18}{}\n{}", lines.empty() ? "" : "\n", "file",
+                             printable(claim.name), text_of_one(claim));
     return lines;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "expectations.h"
@@ -173,6 +174,22 @@ TEST(Compare, RefusesWhatItCannotDo) {
     expect_one_error(
         run({"compare", LACUNA_EXAMPLES "/raccoon.png", "--count", "10", "--mode", "lines"}), 2,
         {"--mode with a picture"});
+}
+
+// Else its exit(1) would say that points differ.
+TEST(Compare, TellsOfADriverThatEndsTheProgram) {
+    const std::string table = run({"devices"}).out;
+    for (const std::string backend : {"opencl", "vulkan"}) {
+        if (line_of(table, backend).find("not available") != std::string::npos) continue;
+        const std::vector<std::pair<std::string, std::string>> ways{
+            {"10", "exit()"}, {"11", "abort()"}, {"12", "SIGSEGV"}};
+        for (const auto& [seed, way] : ways)
+            expect_one_error(run({"compare", "--radius", "0.1", "--runs", "1", "--backends",
+                                  "cpu," + backend, "--seed", seed},
+                                 faulty()),
+                             4,
+                             {"backend " + backend + ": its driver ended the program by " + way});
+    }
 }
 
 }  // namespace

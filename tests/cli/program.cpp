@@ -33,7 +33,8 @@ int new_file(const std::string& path) {
 
 // Between fork and exec: what the test runner ignores or limits must not decide.
 [[noreturn]] void become_program(char* const* arguments, int out, int err, const Setting& setting) {
-    for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) signal(number, SIG_DFL);
+    for (const int number : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGXFSZ})
+        signal(number, SIG_DFL);
     if (setting.largest_file_bytes >= 0) {
         rlimit limit{};
         limit.rlim_cur = limit.rlim_max = static_cast<rlim_t>(setting.largest_file_bytes);

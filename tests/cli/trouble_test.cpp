@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -141,7 +142,70 @@ TEST_P(AnInterruptedRun, ExitsWithTheSignalsCodeAndLeavesNothing) {
     EXPECT_EQ(folder.names(), Names{"a.txt"});
 }
 
-INSTANTIATE_TEST_SUITE_P(ByCtrlCOrTheSystem, AnInterruptedRun, testing::Values(SIGINT, SIGTERM));
+// Of files, those that are no pipes are finished before.
+TEST_P(AnInterruptedRun, ThatWaitsForAReaderOfItsPipeEnds) {
+    const Folder folder;
+    ASSERT_EQ(mkfifo(folder.path("pipe.txt").c_str(), 0600), 0);
+    Program program({"sample", "--radius", "0.2", "-o", folder.path("pipe.txt"), "--report",
+                     folder.path("report.json")});
+    while (content_of(folder.path("report.json")).empty())
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    program.send(GetParam());
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 128 + GetParam());
+    EXPECT_EQ(folder.names(), (Names{"pipe.txt", "report.json"}));
+}
+
+TEST_P(AnInterruptedRun, ThatWaitsForAWriterOfItsPipeEnds) {
+    const Folder folder;
+    ASSERT_EQ(mkfifo(folder.path("pipe.txt").c_str(), 0600), 0);
+    Program program({"relax", folder.path("pipe.txt"), "-o", folder.path("a.txt")});
+    ASSERT_TRUE(program.waits_for(GetParam()));
+    program.send(GetParam());
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 128 + GetParam());
+    expect_one_line(outcome.err);
+    EXPECT_EQ(folder.names(), Names{"pipe.txt"});
+}
+
+// Whenever the signal comes, also while the file has another name.
+TEST_P(AnInterruptedRun, WhileItWritesLeavesAWholeFileOrNone) {
+    const std::string whole = run({"sample", "--radius", "0.003", "--format", "csv"}).out;
+    for (int i = 0; i < 3; ++i) {
+        const Folder folder;
+        Program program({"sample", "--radius", "0.003", "-o", folder.path("a.csv"), "--quiet"});
+        while (program.is_running() && folder.names().empty()) continue;
+        program.send(GetParam());
+        const int code = program.wait().exit_code;
+        EXPECT_TRUE(code == 0 || code == 128 + GetParam()) << code;
+        for (const std::string& name : folder.names()) {
+            EXPECT_EQ(name, "a.csv");
+            EXPECT_EQ(content_of(folder.path(name)), whole);
+        }
+    }
+}
+
+// While a compiler of its driver's is at work, too: its cache is empty.
+TEST_P(AnInterruptedRun, OnADeviceDoesNotWaitForIt) {
+    const Folder folder;
+    Setting cold;
+    cold.environment["POCL_CACHE_DIR"] = folder.path("");
+    cold.environment["MESA_SHADER_CACHE_DISABLE"] = "true";
+    for (const std::string backend : {"opencl", "vulkan"}) {
+        const Folder out;
+        Program program(
+            {"sample", "--radius", "0.001", "--backend", backend, "-o", out.path("a.txt")}, cold);
+        if (!program.waits_for(GetParam())) continue;  // there is no such device
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        program.send(GetParam());
+        const int code = program.wait().exit_code;
+        EXPECT_TRUE(code == 4 || code == 128 + GetParam()) << code;
+        EXPECT_EQ(out.names(), Names{});
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(ByCtrlCOrTheSystem, AnInterruptedRun,
+                         testing::Values(SIGINT, SIGTERM, SIGHUP, SIGQUIT));
 
 TEST_P(AnInterruptedRun, OfTheCpuBackendInExactDoesSoToo) {
     const Folder folder;

@@ -1,0 +1,112 @@
+// Handlers of signals and of exit().
+#include "cli/driver.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <string_view>
+
+#include "backends/backends.h"
+#include "cli/exit_codes.h"
+
+namespace lacuna::cli {
+namespace {
+
+std::atomic<bool> at_work = false;
+static_assert(std::atomic<bool>::is_always_lock_free);  // else not for signal handlers
+
+// The line's beginning. Plain bytes: a handler may not take memory.
+std::array<char, 80> line_begin{};
+
+void say(std::string_view text) {
+    // There is nothing left to do about a failure.
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+}
+
+[[noreturn]] void tell_and_exit(std::string_view how) {
+    at_work = false;  // what is told here is told once
+    say(line_begin.data());
+    say(": its driver ended the program by ");
+    say(how);
+    say("\n");
+    _exit(kExitDevice);
+}
+
+void on_exit() {
+    if (at_work) tell_and_exit("exit()");
+}
+
+std::string_view name_of_signal(int signal) {
+    switch (signal) {
+        case SIGABRT:
+            return "abort()";
+        case SIGBUS:
+            return "SIGBUS";
+        case SIGFPE:
+            return "SIGFPE";
+        case SIGILL:
+            return "SIGILL";
+        default:
+            return "SIGSEGV";
+    }
+}
+
+void on_signal(int signal) {
+    tell_and_exit(name_of_signal(signal));
+}
+
+bool has_driver(const std::string& backend) {
+    const std::string name = wanted_backend(backend);
+    return name != "auto" && name != "cpu" && name != "reference";
+}
+
+}  // namespace
+
+DriverAtWork::DriverAtWork(const std::string& backend) : has_driver_(has_driver(backend)) {
+    if (!has_driver_) return;
+    static const bool is_registered = std::atexit(on_exit) == 0;
+    static_cast<void>(is_registered);
+    const std::string text = "lacuna: backend " + wanted_backend(backend);
+    line_begin = {};
+    std::copy_n(text.begin(), std::min(text.size(), line_begin.size() - 1), line_begin.begin());
+    at_work = true;
+
+    // A stack that has run out leaves none for its own handler.
+    static std::array<char, std::size_t{1} << 16U> other_stack;
+    stack_t stack{};
+    stack.ss_sp = other_stack.data();
+    stack.ss_size = other_stack.size();
+    sigaltstack(&stack, nullptr);
+    for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], nullptr, &before_[i]);
+    set_handlers();
+}
+
+void DriverAtWork::begin(Verb) {
+    if (has_driver_) set_handlers();
+}
+
+void DriverAtWork::set_handlers() const {
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    action.sa_flags = SA_ONSTACK;
+    sigfillset(&action.sa_mask);
+    // Sanitizers have handlers of their own.
+    for (std::size_t i = 0; i < kSignals.size(); ++i)
+        if (before_[i].sa_handler == SIG_DFL) sigaction(kSignals[i], &action, nullptr);
+}
+
+DriverAtWork::~DriverAtWork() {
+    if (!has_driver_) return;
+    for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
+    at_work = false;
+}
+
+std::vector<Device> listed_devices() {
+    const DriverAtWork driver("opencl or vulkan");
+    return devices();
+}
+
+}  // namespace lacuna::cli
