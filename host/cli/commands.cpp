@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <signal.h>
+#include <sys/resource.h>
 
 #include <lacuna/lacuna.h>
 #include <CLI/CLI.hpp>
@@ -194,6 +195,16 @@ int end_by_closed_pipe() {
     return 128 + SIGPIPE;
 }
 
+// A stack that runs out is a crash without a word, in drivers' threads too, whose stacks are as
+// large.
+void check_stack() {
+    constexpr rlim_t kLeastStack = rlim_t{256} << 10U;
+    rlimit limit{};
+    if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= kLeastStack) return;
+    throw BadUsage(fmt::format("the stack is limited to {} KiB (ulimit -s): must be at least {}",
+                               limit.rlim_cur >> 10U, kLeastStack >> 10U));
+}
+
 }  // namespace
 
 int run_commands(int argc, char** argv, const Sampler& sampler) {
@@ -201,6 +212,7 @@ int run_commands(int argc, char** argv, const Sampler& sampler) {
     const bool ignores_pipes = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
     signal(SIGXFSZ, SIG_IGN);
     try {
+        check_stack();
         return parse_and_run(argc, argv, sampler);
     } catch (const BadRequest& error) {
         return fail(kExitBadUsage, std::string("--") + error.what());

@@ -15,28 +15,28 @@
 namespace lacuna::cli {
 namespace {
 
-std::atomic<bool> at_work = false;
+std::atomic<bool> driver_at_work = false;
 static_assert(std::atomic<bool>::is_always_lock_free);  // else not for signal handlers
 
 // The line's beginning. Plain bytes: a handler may not take memory.
 std::array<char, 80> line_begin{};
 
-void say(std::string_view text) {
+void tell(std::string_view text) {
     // There is nothing left to do about a failure.
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
 }
 
-[[noreturn]] void tell_and_exit(std::string_view how) {
-    at_work = false;  // what is told here is told once
-    say(line_begin.data());
-    say(": its driver ended the program by ");
-    say(how);
-    say("\n");
+[[noreturn]] void tell_of_driver_and_exit(std::string_view how) {
+    driver_at_work = false;  // what is told here is told once
+    tell(line_begin.data());
+    tell(": its driver ended the program by ");
+    tell(how);
+    tell("\n");
     _exit(kExitDevice);
 }
 
-void on_exit() {
-    if (at_work) tell_and_exit("exit()");
+void on_driver_exit() {
+    if (driver_at_work) tell_of_driver_and_exit("exit()");
 }
 
 std::string_view name_of_signal(int signal) {
@@ -54,8 +54,8 @@ std::string_view name_of_signal(int signal) {
     }
 }
 
-void on_signal(int signal) {
-    tell_and_exit(name_of_signal(signal));
+void on_driver_signal(int signal) {
+    tell_of_driver_and_exit(name_of_signal(signal));
 }
 
 bool has_driver(const std::string& backend) {
@@ -67,12 +67,12 @@ bool has_driver(const std::string& backend) {
 
 DriverAtWork::DriverAtWork(const std::string& backend) : has_driver_(has_driver(backend)) {
     if (!has_driver_) return;
-    static const bool is_registered = std::atexit(on_exit) == 0;
+    static const bool is_registered = std::atexit(on_driver_exit) == 0;
     static_cast<void>(is_registered);
     const std::string text = "lacuna: backend " + wanted_backend(backend);
     line_begin = {};
     std::copy_n(text.begin(), std::min(text.size(), line_begin.size() - 1), line_begin.begin());
-    at_work = true;
+    driver_at_work = true;
 
     // A stack that has run out leaves none for its own handler.
     static std::array<char, std::size_t{1} << 16U> other_stack;
@@ -90,7 +90,7 @@ void DriverAtWork::begin(Verb) {
 
 void DriverAtWork::set_handlers() const {
     struct sigaction action {};
-    action.sa_handler = on_signal;
+    action.sa_handler = on_driver_signal;
     action.sa_flags = SA_ONSTACK;
     sigfillset(&action.sa_mask);
     // Sanitizers have handlers of their own.
@@ -101,7 +101,7 @@ void DriverAtWork::set_handlers() const {
 DriverAtWork::~DriverAtWork() {
     if (!has_driver_) return;
     for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
-    at_work = false;
+    driver_at_work = false;
 }
 
 std::vector<Device> listed_devices() {

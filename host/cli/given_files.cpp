@@ -18,7 +18,7 @@ namespace lacuna::cli {
 namespace {
 
 // What a path leads to: a file or, where it is not there yet, its folder and its name in it.
-struct Place {
+struct FilePlace {
     std::optional<int> descriptor;  // that the path names
     struct stat status {};
     std::string new_name;  // empty where the file is there
@@ -30,14 +30,14 @@ struct Place {
     }
 };
 
-bool lead_to_one(const Place& a, const Place& b) {
+bool lead_to_one(const FilePlace& a, const FilePlace& b) {
     return a.status.st_dev == b.status.st_dev && a.status.st_ino == b.status.st_ino &&
            a.new_name == b.new_name;
 }
 
 // Nothing where it cannot be told: whoever reads or writes it will say why.
-std::optional<Place> place_of(const std::string& path, int standard) {
-    Place place;
+std::optional<FilePlace> file_place_of(const std::string& path, int standard) {
+    FilePlace place;
     place.descriptor = path == "-" ? standard : files::descriptor_named(path);
     if (path == "/dev/stdin") place.descriptor = STDIN_FILENO;
     if (place.descriptor)
@@ -50,14 +50,14 @@ std::optional<Place> place_of(const std::string& path, int standard) {
 }
 
 // Two descriptors of one file add to it in turn; the same one twice mixes up two contents.
-bool overwrite_each_other(const Place& a, const Place& b) {
+bool overwrite_each_other(const FilePlace& a, const FilePlace& b) {
     if (a.is_null()) return false;
     if (a.descriptor && b.descriptor) return a.descriptor == b.descriptor;
     const bool renames = !a.descriptor && !b.descriptor;
     return lead_to_one(a, b) && (renames || a.is_regular());
 }
 
-[[noreturn]] void refuse(const GivenFile& file, const GivenFile& other) {
+[[noreturn]] void refuse_same(const GivenFile& file, const GivenFile& other) {
     throw BadRequest(file.name.substr(2), shown(file.path),
                      "must be another file than " + other.name + " " + shown(other.path));
 }
@@ -75,16 +75,16 @@ void check_given_files(const std::vector<GivenFile>& read, const std::vector<Giv
     if (std::count_if(read.begin(), read.end(), is_standard) > 1)
         throw files::FileError("standard input: can be read only once");
     for (std::size_t i = 0; i < written.size(); ++i) {
-        const std::optional<Place> place = place_of(written[i].path, STDOUT_FILENO);
+        const std::optional<FilePlace> place = file_place_of(written[i].path, STDOUT_FILENO);
         if (!place) continue;
         for (std::size_t k = 0; k < i; ++k) {
-            const auto other = place_of(written[k].path, STDOUT_FILENO);
-            if (other && overwrite_each_other(*place, *other)) refuse(written[i], written[k]);
+            const auto other = file_place_of(written[k].path, STDOUT_FILENO);
+            if (other && overwrite_each_other(*place, *other)) refuse_same(written[i], written[k]);
         }
         for (const GivenFile& input : read) {
-            const auto other = place_of(input.path, STDIN_FILENO);
+            const auto other = file_place_of(input.path, STDIN_FILENO);
             if (other && place->is_regular() && lead_to_one(*place, *other))
-                refuse(written[i], input);
+                refuse_same(written[i], input);
         }
     }
 }

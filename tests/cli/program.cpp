@@ -40,6 +40,11 @@ int new_file(const std::string& path) {
         limit.rlim_cur = limit.rlim_max = static_cast<rlim_t>(setting.largest_file_bytes);
         setrlimit(RLIMIT_FSIZE, &limit);
     }
+    if (setting.stack_bytes >= 0) {
+        const rlimit limit{static_cast<rlim_t>(setting.stack_bytes),
+                           static_cast<rlim_t>(setting.stack_bytes)};
+        setrlimit(RLIMIT_STACK, &limit);
+    }
     if (setting.no_threads) {
         // The limit counts a user's processes, and is none for root.
         constexpr uid_t kNobody = 65534;

@@ -36,6 +36,7 @@ struct Setting {
     int stdout_fd = -1;            // instead of a file whose content is Outcome::out
     int stderr_fd = -1;            // likewise
     long largest_file_bytes = -1;  // what the system lets it write
+    long stack_bytes = -1;         // likewise
     bool no_threads = false;       // the system makes the program no thread beside its first
     std::map<std::string, std::string> environment;  // on top of this process's
     std::string program;                             // instead of the one under test

@@ -126,6 +126,15 @@ TEST(ASystem, ThatMakesNoThreadsIsToldOfInOneLine) {
     }
 }
 
+TEST(ASystem, ThatGrantsATinyStackIsToldOfInOneLine) {
+    Setting tiny;
+    tiny.stack_bytes = 100 << 10;
+    const Outcome outcome = run({"sample", "--radius", "0.1"}, tiny);
+    EXPECT_EQ(outcome.exit_code, 2);
+    expect_one_line(outcome.err);
+    EXPECT_NE(outcome.err.find("limited to 100 KiB"), std::string::npos) << outcome.err;
+}
+
 class AnInterruptedRun : public testing::TestWithParam<int> {};
 
 TEST_P(AnInterruptedRun, ExitsWithTheSignalsCodeAndLeavesNothing) {
