@@ -94,6 +94,7 @@ std::vector<Output> check(const AnalyzeCommand& options) {
     }
     std::vector<Output> outputs = outputs_of(asked, ".json " + files::picture_extensions(), "json");
     std::vector<GivenFile> read;
+    read.reserve(options.files.size());
     for (const std::string& file : options.files) read.push_back({"FILE", file});
     std::vector<GivenFile> written = given_files(outputs);
     if (!has_standard_output(outputs)) written.push_back({"--output", "-"});

@@ -66,6 +66,7 @@ bool overwrite_each_other(const FilePlace& a, const FilePlace& b) {
 
 std::vector<GivenFile> given_files(const std::vector<Output>& outputs) {
     std::vector<GivenFile> files;
+    files.reserve(outputs.size());
     for (const Output& output : outputs) files.push_back({"--output", output.path});
     return files;
 }

@@ -104,6 +104,7 @@ void check(const VerifyCommand& options) {
         throw BadRequest("tolerance", fmt::format("{}", *options.tolerance),
                          "is for gaps, which --distances-only does not look for");
     std::vector<GivenFile> read;
+    read.reserve(options.files.size());
     for (const std::string& file : options.files) read.push_back({"FILE", file});
     check_given_files(read, {});
     const Sides sides = options.sides.value_or(Sides{});

@@ -1,6 +1,10 @@
 // A device in use, and the compilation of its kernels.
 #include "backends/opencl/device.h"
 
+#include <lacuna/lacuna.h>
+
+#include <new>
+
 namespace lacuna::opencl {
 namespace {
 
@@ -29,6 +33,12 @@ cl::Program Device::compiled(std::string_view source) {
         } catch (const cl::BuildError& error) {
             for (const auto& [device, text] : error.getBuildLog()) log_.add(text.c_str());
             throw;
+        } catch (const std::bad_alloc&) {
+            // It came through the driver, which did not let go of its lock of the program: to
+            // release that would wait for ever.
+            static_cast<void>(std::make_unique<cl::Program>(program).release());
+            throw DeviceError("backend opencl, device " + entry_.name +
+                              ": out of memory while kernels were built");
         }
         return programs_.emplace(source, program).first->second;
     });
