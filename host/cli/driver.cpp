@@ -81,6 +81,8 @@ DriverAtWork::DriverAtWork(const std::string& backend) : has_driver_(has_driver(
     stack.ss_size = other_stack.size();
     sigaltstack(&stack, nullptr);
     for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], nullptr, &before_[i]);
+    for (std::size_t i = 0; i < kInterruptions.size(); ++i)
+        sigaction(kInterruptions[i], nullptr, &interruptions_[i]);
     set_handlers();
 }
 
@@ -96,10 +98,13 @@ void DriverAtWork::set_handlers() const {
     // Sanitizers have handlers of their own.
     for (std::size_t i = 0; i < kSignals.size(); ++i)
         if (before_[i].sa_handler == SIG_DFL) sigaction(kSignals[i], &action, nullptr);
+    for (std::size_t i = 0; i < kInterruptions.size(); ++i)
+        sigaction(kInterruptions[i], &interruptions_[i], nullptr);
 }
 
 DriverAtWork::~DriverAtWork() {
     if (!has_driver_) return;
+    set_handlers();
     for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
     driver_at_work = false;
 }

@@ -15,8 +15,9 @@ namespace lacuna::cli {
 // standard error, and the exit code is that of a device that failed. Not to be nested.
 //
 // It is to watch the run: drivers that compile with LLVM bring LLVM's handlers of the same signals,
-// which come back from an abort() that is then deadly. So those here are set anew at each verb;
-// only an abort() while devices are first looked for ends with 134.
+// which come back from an abort() that is then deadly, and swallow a SIGQUIT. So those here, and
+// those of Interruption, are set anew at each verb; only an abort() while devices are first looked
+// for ends with 134.
 class DriverAtWork : public Observer {
 public:
     // As a request names it. cpu and reference have no driver: a crash of theirs is Lacuna's own.
@@ -33,6 +34,8 @@ private:
     static constexpr std::array kSignals{SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV};
     bool has_driver_;
     std::array<struct sigaction, kSignals.size()> before_{};
+    static constexpr std::array kInterruptions{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+    std::array<struct sigaction, kInterruptions.size()> interruptions_{};
 };
 
 // lacuna::devices(), with its drivers watched.

@@ -207,6 +207,11 @@ TEST_P(AnInterruptedRun, OnADeviceDoesNotWaitForIt) {
         if (!program.waits_for(GetParam())) continue;  // there is no such device
         std::this_thread::sleep_for(std::chrono::milliseconds(200));
         program.send(GetParam());
+        // LLVM's handlers, while a driver sets them, swallow one of these: see cli/driver.h.
+        while (GetParam() == SIGQUIT && program.is_running()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+            program.send(GetParam());
+        }
         const int code = program.wait().exit_code;
         EXPECT_TRUE(code == 4 || code == 128 + GetParam()) << code;
         EXPECT_EQ(out.names(), Names{});
