@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <lacuna/lacuna.h>
+#include <lacuna/verify.h>
 
 #include <CLI/App.hpp>
 #include <algorithm>
@@ -65,8 +66,8 @@ struct VerifyCommand {
 };
 
 // What is claimed of one set of a file: options first, then what the file tells.
-Claim claim_of(const VerifyCommand& options, const files::SetsOfFile& file, const std::string& name,
-               const std::vector<Point>& points) {
+SetClaim claim_of(const VerifyCommand& options, const files::SetsOfFile& file,
+                  const std::string& name, const std::vector<Point>& points) {
     const std::optional<double> radius = options.radius ? options.radius : file.radius;
     if (!radius)
         throw BadRequest("radius", "missing",
@@ -78,24 +79,15 @@ Claim claim_of(const VerifyCommand& options, const files::SetsOfFile& file, cons
                                "--distances-only, for the least of them");
     Sides sides = options.sides.value_or(Sides{});
     if (!options.sides && file.width) sides = {*file.width, *file.height};
-    return {name,
-            points,
-            sides.width,
-            sides.height,
-            options.torus || file.boundary == Boundary::torus,
-            *radius,
-            options.tolerance.value_or(verify::default_tolerance(sides.width, sides.height)),
-            options.distances_only,
-            file.maximal.value_or(true)};
-}
-
-// With distances_only the search for the emptiest spot is left out, which takes most of the time.
-verify::Verdict verdict_of(const Claim& claim) {
-    if (claim.distances_only)
-        return verify::check_distances(claim.points, claim.width, claim.height, claim.torus,
-                                       claim.radius);
-    return verify::check(claim.points, claim.width, claim.height, claim.torus, claim.radius,
-                         claim.tolerance);
+    SetClaim claim{{}, name, points, file.maximal.value_or(true)};
+    claim.radius = *radius;
+    claim.width = sides.width;
+    claim.height = sides.height;
+    if (options.torus || file.boundary == Boundary::torus) claim.boundary = Boundary::torus;
+    claim.tolerance =
+        options.tolerance.value_or(verify::default_tolerance(sides.width, sides.height));
+    claim.distances_only = options.distances_only;
+    return claim;
 }
 
 // Refuses bad options before a large file is read.
@@ -117,7 +109,7 @@ void run(const VerifyCommand& options) {
     check(options);
     std::vector<files::SetsOfFile> all;
     for (const std::string& path : options.files) all.push_back(files::read_sets(path));
-    std::vector<Claim> claims;
+    std::vector<SetClaim> claims;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::string name = files::name_of(options.files[i]);
         const auto& sets = all[i].sets;
@@ -127,8 +119,8 @@ void run(const VerifyCommand& options) {
                 sets[k]));
     }
     bool all_hold = true;
-    for (Claim& claim : claims) {
-        claim.verdict = verdict_of(claim);
+    for (SetClaim& claim : claims) {
+        claim.proof = prove(claim.points, claim);
         all_hold = all_hold && claim.holds();
     }
     if (!options.quiet) files::write_whole("-", options.json ? json_of(claims) : text_of(claims));
