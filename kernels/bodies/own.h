@@ -42,7 +42,11 @@ BODY void own_row(MEMORY const LeafArguments a, const u32 row) {
     const u32x4 masses_of = masses_of_row(ON a, leaf, v);
     AT(row_masses, row) = masses_of;
     const u32 count = AT(rival_counts, index);
-    if (count == CROWDED || v >= leaf.height) return;
+    if (count == CROWDED) return;
+    if (v >= leaf.height) {
+        AT(winners, row) = U32X2(0u, 0u);
+        return;
+    }
 
     i64 least[LEAF_SIDE];
     u32 winner[LEAF_SIDE];

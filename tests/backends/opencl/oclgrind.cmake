@@ -33,8 +33,8 @@ function(run_under_oclgrind)
 endfunction()
 
 function(check)
-    run_under_oclgrind(${PROGRAM} sample --backend opencl --quiet ${ARGN})
-    execute_process(COMMAND ${PROGRAM} sample --backend cpu --quiet ${ARGN}
+    run_under_oclgrind(${PROGRAM} ${ARGN} --backend opencl --quiet)
+    execute_process(COMMAND ${PROGRAM} ${ARGN} --backend cpu --quiet
         OUTPUT_VARIABLE expected COMMAND_ERROR_IS_FATAL ANY)
     if(NOT printed STREQUAL expected)
         message(FATAL_ERROR "${ARGN}: not the points of the cpu backend")
@@ -42,14 +42,25 @@ function(check)
 endfunction()
 
 # Rounds of one size: it takes a buffer for uninitialized that lies where one was released.
-check(--mode lines --radius 0.2 --lines-per-radius 2 --torus --round-size 16)
-check(--mode lines --radius 0.2 --lines-per-radius 2 --round-size 16)
-check(--mode lines --radius 0.06 --lines-per-radius 3 --torus --round-size 64)
-check(--mode lines --radius 0.06 --lines-per-radius 3 --round-size 64)
-check(--mode lines --radius 0.4 --lines-per-radius 5 --torus --round-size 1)
-check(--mode exact --radius 0.2 --lines-per-radius 2 --torus --round-size 16)
-check(--mode exact --radius 0.15 --lines-per-radius 3 --round-size 64)
-check(--mode exact --radius 0.08 --lines-per-radius 3 --torus --round-size 64)
+check(sample --mode lines --radius 0.2 --lines-per-radius 2 --torus --round-size 16)
+check(sample --mode lines --radius 0.2 --lines-per-radius 2 --round-size 16)
+check(sample --mode lines --radius 0.06 --lines-per-radius 3 --torus --round-size 64)
+check(sample --mode lines --radius 0.06 --lines-per-radius 3 --round-size 64)
+check(sample --mode lines --radius 0.4 --lines-per-radius 5 --torus --round-size 1)
+check(sample --mode exact --radius 0.2 --lines-per-radius 2 --torus --round-size 16)
+check(sample --mode exact --radius 0.08 --lines-per-radius 3 --round-size 64)
+
+# Relaxing: leaves that stick out of the lattice, and one with more sites than it has room for.
+file(WRITE ${SCRATCH}/few.txt "0.1 0.2\n0.6 0.7\n0.9 0.3\n0.5 0.5\n0.52 0.5\n0.1 0.9\n")
+check(relax ${SCRATCH}/few.txt --torus --iterations 2)
+set(crowd "")
+foreach(i RANGE 80)
+    math(EXPR x "${i} % 9")
+    math(EXPR y "${i} / 9")
+    string(APPEND crowd "0.00${x}1 0.00${y}1\n")
+endforeach()
+file(WRITE ${SCRATCH}/crowd.txt "${crowd}")
+check(relax ${SCRATCH}/crowd.txt --iterations 1)
 
 # Mode cells: the test compares the sets with the cpu backend's.
 foreach(metric min mean max)
