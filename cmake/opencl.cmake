@@ -28,6 +28,9 @@ function(lacuna_add_opencl)
     endif()
     file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/host/backends/opencl/*.cpp)
     target_sources(lacuna PRIVATE ${sources})
+    # It means OpenCL's own names, which stand for others in the files beside it.
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/host/backends/opencl/entry_points.cpp
+        PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     # What is compiled together: for lines and exact, for mode cells, and for relax. A program each
     # would take a driver longer.
     set(kernels ${PROJECT_SOURCE_DIR}/kernels)

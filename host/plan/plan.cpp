@@ -120,9 +120,9 @@ void refuse_more_memory(const Request& request, const std::string& option, const
                         double bytes) {
     const double limit = memory_limit(request);
     if (bytes <= limit) return;
-    throw BadRequest(option, value,
-                     "needs about " + gigabytes(bytes) + " of memory, more than the " +
-                         gigabytes(limit) + " there is");
+    throw MemoryRefused(option, value,
+                        "needs about " + gigabytes(bytes) + " of memory, more than the " +
+                            gigabytes(limit) + " there is");
 }
 
 std::uint64_t machine_memory_bytes() {

@@ -25,14 +25,14 @@ bool is_below(const Located& a, const Located& b) {
 
 class ClosestPair {
 public:
-    ClosestPair(const Domain& domain, std::span<const Point> points)
-        : domain_(domain), points_(points) {}
+    ClosestPair(const Domain& domain, std::span<const Point> points, const Patience& patience)
+        : domain_(domain), points_(points), patience_(patience) {}
 
     // Looks at all pairs of `located` that could be closer than the closest so far. `blur` is how
     // far the distance of two images may be off.
     void search(std::vector<Located> located, double blur) {
         blur_ = blur;
-        std::sort(located.begin(), located.end(), is_left);
+        std::sort(located.begin(), located.end(), patience_.looking(is_left));
         divide(located);
     }
 
@@ -40,6 +40,7 @@ public:
 
 private:
     static constexpr std::size_t kFewEnoughForAllPairs = 8;
+    static constexpr std::size_t kFewEnoughToHurry = 1000;
 
     // Leaves `part` sorted by y.
     void divide(std::span<Located> part) {
@@ -48,6 +49,7 @@ private:
             compare_upwards(part);
             return;
         }
+        if (part.size() > kFewEnoughToHurry) patience_.look();
         const std::size_t half = part.size() / 2;
         const double seam = part[half].at.x;
         divide(part.first(half));
@@ -87,6 +89,7 @@ private:
 
     const Domain& domain_;
     std::span<const Point> points_;
+    const Patience& patience_;
     double blur_ = 0;
     Pair closest_;
     std::vector<Located> buffer_;
@@ -112,10 +115,10 @@ std::vector<Located> near_seams(const Domain& domain, std::span<const Point> poi
 
 }  // namespace
 
-Pair closest_pair(const Domain& domain, std::span<const Point> points) {
+Pair closest_pair(const Domain& domain, std::span<const Point> points, const Patience& patience) {
     std::vector<Located> located(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) located[i] = {points[i], i};
-    ClosestPair search(domain, points);
+    ClosestPair search(domain, points, patience);
     search.search(std::move(located), 0);
     const double distance = search.closest().distance;
     const double rounding = domain.rounding();

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "verify/domain.h"
+#include "verify/patience.h"
 
 namespace lacuna::verify {
 
@@ -19,6 +20,7 @@ struct Pair {
 
 // All points must lie in the domain. Of several closest pairs, the one of lowest indices, but for
 // points that coincide. Never compares all pairs, however the points are crowded.
-Pair closest_pair(const Domain& domain, std::span<const Point> points);
+Pair closest_pair(const Domain& domain, std::span<const Point> points,
+                  const Patience& patience = {});
 
 }  // namespace lacuna::verify

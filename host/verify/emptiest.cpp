@@ -44,12 +44,12 @@ const Spot& emptier(const Spot& a, const Spot& b) {
 // Searches every `step`-th tile. No tile sees what another finds, or the spot would depend on which
 // thread comes first.
 Spot search_tiles(const Neighbours& neighbours, const std::vector<Cell>& tiles, std::size_t step,
-                  const Goal& goal, const Spot& start) {
+                  const Goal& goal, const Spot& start, const Patience& patience) {
     std::vector<Spot> found((tiles.size() + step - 1) / step);
     oneapi::tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
         const Cell& tile = tiles[i * step];
-        found[i] =
-            Search(goal, start, neighbours.domain().rounding()).run(tile, neighbours.of(tile));
+        found[i] = Search(goal, start, neighbours.domain().rounding(), patience)
+                       .run(tile, neighbours.of(tile));
     });
     Spot emptiest = start;
     for (const Spot& spot : found) emptiest = emptier(emptiest, spot);
@@ -57,26 +57,28 @@ Spot search_tiles(const Neighbours& neighbours, const std::vector<Cell>& tiles, 
 }
 
 // The emptiest spot is found to kSpotPrecision; its surroundings show the place to the last digits.
-Spot sharpen(const Neighbours& neighbours, const Spot& spot, double finest) {
+Spot sharpen(const Neighbours& neighbours, const Spot& spot, double finest,
+             const Patience& patience) {
     const Domain& domain = neighbours.domain();
     const double reach = 4 * kSpotPrecision * spot.distance;
     const Cell around{std::max(0.0, spot.at.x - reach), std::min(domain.width, spot.at.x + reach),
                       std::max(0.0, spot.at.y - reach), std::min(domain.height, spot.at.y + reach)};
     const Goal goal{.relative = 0, .finest = finest, .limit = spot.distance + 2 * reach};
-    return Search(goal, spot, domain.rounding()).run(around, neighbours.of(around));
+    return Search(goal, spot, domain.rounding(), patience).run(around, neighbours.of(around));
 }
 
 }  // namespace
 
-Spot emptiest_spot(const Domain& domain, std::span<const Point> points, double limit) {
+Spot emptiest_spot(const Domain& domain, std::span<const Point> points, double limit,
+                   const Patience& patience) {
     if (points.empty()) return {{domain.width / 2, domain.height / 2}};
-    const Neighbours neighbours(domain, points);
+    const Neighbours neighbours(domain, points, patience);
     const std::vector<Cell> tiles = tiles_of(domain);
     const double finest = kFinest * domain.longer_side();
     const Goal goal{.relative = kSpotPrecision, .finest = finest, .limit = limit};
-    Spot spot = search_tiles(neighbours, tiles, kScoutStep, goal, {{0, 0}, 0});
-    spot = search_tiles(neighbours, tiles, 1, goal, spot);
-    spot = sharpen(neighbours, spot, finest);
+    Spot spot = search_tiles(neighbours, tiles, kScoutStep, goal, {{0, 0}, 0}, patience);
+    spot = search_tiles(neighbours, tiles, 1, goal, spot, patience);
+    spot = sharpen(neighbours, spot, finest, patience);
 
     // As a user would compute it, without the roundings of images.
     spot.distance = domain.distance(spot.at, points[0]);

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "verify/domain.h"
+#include "verify/patience.h"
 
 namespace lacuna::verify {
 
@@ -25,6 +26,7 @@ constexpr double kSpotPrecision = 1e-6;
 // with all images of it. All points must lie in the domain. What is sure:
 //   - no spot's distance is more than kSpotPrecision over that of the one returned;
 //   - when that is at most `limit`, no spot's is over `limit`, but for kFinest of the longer side.
-Spot emptiest_spot(const Domain& domain, std::span<const Point> points, double limit);
+Spot emptiest_spot(const Domain& domain, std::span<const Point> points, double limit,
+                   const Patience& patience = {});
 
 }  // namespace lacuna::verify

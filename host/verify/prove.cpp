@@ -5,14 +5,17 @@
 
 namespace lacuna {
 
-Proof prove(std::span<const Point> points, const Claim& claim) {
+Proof prove(std::span<const Point> points, const Claim& claim,
+            const std::function<bool()>& keep_going) {
+    const verify::Patience patience(keep_going);
     const bool torus = claim.boundary == Boundary::torus;
     const double tolerance =
         claim.tolerance.value_or(verify::default_tolerance(claim.width, claim.height));
-    const verify::Verdict verdict =
-        claim.distances_only
-            ? verify::check_distances(points, claim.width, claim.height, torus, claim.radius)
-            : verify::check(points, claim.width, claim.height, torus, claim.radius, tolerance);
+    const verify::Verdict verdict = claim.distances_only
+                                        ? verify::check_distances(points, claim.width, claim.height,
+                                                                  torus, claim.radius, patience)
+                                        : verify::check(points, claim.width, claim.height, torus,
+                                                        claim.radius, tolerance, patience);
     Proof proof;
     proof.outside = verdict.outside;
     if (proof.outside) return proof;

@@ -75,10 +75,12 @@ std::pair<Cell, Cell> halves_of(const Cell& cell, const Frame& frame, Point near
 
 }  // namespace
 
-Neighbours::Neighbours(const Domain& domain, std::span<const Point> points)
+Neighbours::Neighbours(const Domain& domain, std::span<const Point> points,
+                       const Patience& patience)
     : domain_(domain), by_x_(points.begin(), points.end()) {
-    std::sort(by_x_.begin(), by_x_.end(),
-              [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+    std::sort(by_x_.begin(), by_x_.end(), patience.looking([](Point a, Point b) {
+        return a.x != b.x ? a.x < b.x : a.y < b.y;
+    }));
     by_x_.erase(std::unique(by_x_.begin(), by_x_.end()), by_x_.end());
 }
 
@@ -122,6 +124,8 @@ Spot Search::run(const Cell& cell, std::vector<Point> neighbours) {
 }
 
 void Search::visit(const Cell& cell, std::size_t begin) {
+    constexpr std::uint32_t kSeldom = 1U << 10U;
+    if (++visits_ % kSeldom == 0) patience_.look();
     const Frame frame(cell);
     const std::size_t end = stack_.size();
     const double settled = square(settled_from() - rounding_);

@@ -4,10 +4,12 @@
 #include <lacuna/lacuna.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "verify/emptiest.h"
+#include "verify/patience.h"
 
 namespace lacuna::verify {
 
@@ -23,7 +25,7 @@ struct Cell {
 class Neighbours {
 public:
     // At least one point.
-    Neighbours(const Domain& domain, std::span<const Point> points);
+    Neighbours(const Domain& domain, std::span<const Point> points, const Patience& patience);
 
     std::vector<Point> of(const Cell& cell) const;
     const Domain& domain() const { return domain_; }
@@ -45,8 +47,8 @@ struct Goal {
 class Search {
 public:
     // `rounding`: the most by which a distance may be off.
-    Search(const Goal& goal, const Spot& start, double rounding)
-        : goal_(goal), emptiest_(start), rounding_(rounding) {}
+    Search(const Goal& goal, const Spot& start, double rounding, const Patience& patience)
+        : goal_(goal), emptiest_(start), rounding_(rounding), patience_(patience) {}
 
     // The emptiest spot of the cell, if emptier than the start.
     Spot run(const Cell& cell, std::vector<Point> neighbours);
@@ -66,6 +68,8 @@ private:
     Goal goal_;
     Spot emptiest_;
     double rounding_;
+    const Patience& patience_;
+    std::uint32_t visits_ = 0;
     std::vector<Point> stack_;  // the neighbours of each cell from the first to the one visited
 };
 

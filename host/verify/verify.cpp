@@ -69,25 +69,26 @@ double default_tolerance(double width, double height) {
 }
 
 Verdict check(std::span<const Point> points, double width, double height, bool torus, double radius,
-              double tolerance) {
+              double tolerance, const Patience& patience) {
     const Domain domain{width, height, torus};
     Verdict verdict = begin(points, domain, radius, tolerance);
     if (verdict.outside) return verdict;
     const double limit = radius + tolerance;
     make_sure_of_threads();
-    oneapi::tbb::parallel_invoke([&] { verdict.closest = closest_pair(domain, points); },
-                                 [&] { verdict.emptiest = emptiest_spot(domain, points, limit); });
+    oneapi::tbb::parallel_invoke(
+        [&] { verdict.closest = closest_pair(domain, points, patience); },
+        [&] { verdict.emptiest = emptiest_spot(domain, points, limit, patience); });
     verdict.kept = verdict.closest.distance >= radius;
     verdict.covered = verdict.emptiest.distance <= limit + domain.rounding();
     return verdict;
 }
 
 Verdict check_distances(std::span<const Point> points, double width, double height, bool torus,
-                        double radius) {
+                        double radius, const Patience& patience) {
     const Domain domain{width, height, torus};
     Verdict verdict = begin(points, domain, radius, 0);
     if (verdict.outside) return verdict;
-    verdict.closest = closest_pair(domain, points);
+    verdict.closest = closest_pair(domain, points, patience);
     verdict.kept = verdict.closest.distance >= radius;
     return verdict;
 }

@@ -12,6 +12,7 @@
 
 #include "verify/closest.h"
 #include "verify/emptiest.h"
+#include "verify/patience.h"
 
 namespace lacuna::verify {
 
@@ -46,12 +47,12 @@ double default_tolerance(double width, double height);
 //
 // `kept` is exact. When `covered` is false, emptiest is a spot that is too far from every point;
 // when true, no spot is, but for kFinest of the longer side.
-// Throws BadRequest for a domain, radius or tolerance that makes no sense.
+// Throws BadRequest for a domain, radius or tolerance that makes no sense, and Cancelled.
 Verdict check(std::span<const Point> points, double width, double height, bool torus, double radius,
-              double tolerance);
+              double tolerance, const Patience& patience = {});
 
 // The same without a look for gaps: emptiest and covered stay as they are made.
 Verdict check_distances(std::span<const Point> points, double width, double height, bool torus,
-                        double radius);
+                        double radius, const Patience& patience = {});
 
 }  // namespace lacuna::verify

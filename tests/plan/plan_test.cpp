@@ -134,6 +134,7 @@ TEST(Plan, SaysHowMuchMemoryASmallRadiusNeeds) {
     const std::string message = refusal(request);
     EXPECT_NE(message.find("radius 1e-05: needs about "), std::string::npos) << message;
     EXPECT_NE(message.find(" GB of memory, more than the 1 GB there is"), std::string::npos);
+    EXPECT_THROW(make_plan(request), MemoryRefused);
 }
 
 TEST(Plan, NeedsLessMemoryForFewPoints) {

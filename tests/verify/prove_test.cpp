@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <lacuna/verify.h>
 
+#include <atomic>
 #include <vector>
 
 namespace {
@@ -65,6 +66,24 @@ TEST(Prove, TellsOfAPointOutsideAndRefusesNonsense) {
     claim.boundary = Boundary::torus;
     EXPECT_EQ(prove(points, claim).outside, 0U);
     EXPECT_THROW(prove(points, Claim{}), BadRequest);  // no radius
+}
+
+TEST(Prove, IsCancelledAsSoonAsItIsNotWantedAnyMore) {
+    Request request;
+    request.radius = 0.01;
+    const Result result = sample(request);
+    Claim claim;
+    claim.radius = 0.01;
+    for (const bool distances_only : {false, true}) {
+        claim.distances_only = distances_only;
+        std::atomic<int> asked = 0;
+        EXPECT_TRUE(prove(result.points, claim, [&] { return ++asked > 0; }).kept);
+        const int whole = asked;
+        EXPECT_GT(whole, 2);
+        asked = 0;
+        EXPECT_THROW(prove(result.points, claim, [&] { return ++asked < 2; }), Cancelled);
+        EXPECT_LT(asked, whole);
+    }
 }
 
 }  // namespace

@@ -155,7 +155,7 @@ public:
 };
 
 // Makes the set that `request` asks for.
-// Throws BadRequest, Unavailable, DeviceError, Cancelled.
+// Throws BadRequest, of which MemoryRefused is one, Unavailable, DeviceError, Cancelled.
 Result sample(const Request& request);
 Result sample(const Request& request, Observer& observer);
 
@@ -238,6 +238,11 @@ public:
 
 private:
     std::string option_;
+};
+
+// The set asked for would take more memory than there is, or than Request::memory_limit_bytes.
+class MemoryRefused : public BadRequest {
+    using BadRequest::BadRequest;
 };
 
 // The backend or device asked for is not there.

@@ -12,6 +12,7 @@
 #include <lacuna/lacuna.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -50,8 +51,10 @@ struct Proof {
     bool maximal = false;
 };
 
-// Throws BadRequest for a domain, radius or tolerance that makes no sense, and Unavailable where the
-// system makes no threads.
-Proof prove(std::span<const Point> points, const Claim& claim);
+// `keep_going`, if there is one, is asked often, by every thread that works; false ends the work.
+// Throws BadRequest for a domain, radius or tolerance that makes no sense, Unavailable where the
+// system makes no threads, and Cancelled.
+Proof prove(std::span<const Point> points, const Claim& claim,
+            const std::function<bool()>& keep_going = {});
 
 }  // namespace lacuna
