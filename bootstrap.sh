@@ -13,12 +13,13 @@ packages=(
     libpng-dev libjpeg-dev zlib1g-dev
     opencl-headers opencl-clhpp-headers ocl-icd-libopencl1
     libvulkan-dev glslang-tools spirv-tools
+    python3-dev python3-venv
 )
 # What tests, benchmarks, checks and man pages need besides, with drivers that need no graphics card.
 more_packages=(
     libgtest-dev libbenchmark-dev librapidcheck-dev
     pocl-opencl-icd clinfo oclgrind mesa-vulkan-drivers vulkan-validationlayers
-    clang-format clang-tidy valgrind help2man python3-venv zsh fish
+    clang-format clang-tidy valgrind help2man zsh fish
 )
 
 usage() {
@@ -27,6 +28,7 @@ usage: ./bootstrap.sh COMMAND
 
   run           build the command alone, then make a first maximal set and a picture of it
   test [ARG...] build, then run the tests; arguments go to ctest, for example -R NAME
+  python        build the Python module into build/python/environment, and make a first set with it
   build         install what is missing, configure and build everything into build/
   clean         remove build/
   help          print this
@@ -126,6 +128,23 @@ run() {
     echo "$picture"
 }
 
+# The Python module, as `pip install .` makes it, in an environment of its own.
+python_module() {
+    local environment=$build/python/environment options=()
+    install_packages
+    python3 -m venv "$environment" ||
+        die "python3 -m venv failed: the module needs Python 3.11 or later with venv"
+    [[ -z ${CI:-} ]] || options+=(--config-settings=cmake.define.LACUNA_WERROR=ON)
+    "$environment/bin/pip" install -q "${options[@]}" "$root[scipy]" </dev/null ||
+        die "pip could not install the module: the first error above says why"
+    "$environment/bin/python" -c '
+import lacuna
+made = lacuna.sample(0.02, torus=True, seed=0)
+print(f"import lacuna: {len(made)} points, maximal: {lacuna.verify(made).maximal}")' ||
+        die "the module does not run: its message stands above"
+    echo "$environment/bin/python"
+}
+
 # Programs that show what others see in our pictures, in a Python of their own: tests that want them
 # are skipped where they cannot be installed.
 install_viewers() {
@@ -157,6 +176,7 @@ main() {
     case $command in
         run) run ;;
         test) run_tests "$@" ;;
+        python) python_module ;;
         build) build ;;
         clean) rm -rf "$build" ;;
         help | -h | --help) usage ;;
@@ -164,7 +184,7 @@ main() {
             usage >&2
             exit 2
             ;;
-        *) bad_usage "$command: must be run, test, build, clean or help" ;;
+        *) bad_usage "$command: must be run, test, python, build, clean or help" ;;
     esac
 }
 

@@ -1,0 +1,48 @@
+"""Blue-noise point sets: numpy in and numpy out.
+
+>>> import lacuna
+>>> points = lacuna.sample(0.01, torus=True, seed=1).points
+>>> points.shape[1], points.dtype.name
+(2, 'float64')
+
+``sample`` makes maximal Poisson-disk sets, ``stipple`` turns pictures into dots, ``relax`` makes
+any set more even, ``verify`` proves or refutes one and ``analyze`` measures it; ``devices`` lists
+what there is to run on. ``lacuna.qmc`` has an engine in the manner of scipy.stats.qmc.
+"""
+
+from . import _core
+from ._errors import BadRequest, DeviceError, Error, FileError, MemoryRefused, Unavailable
+from ._judging import analyze, devices, verify
+from ._relax import relax
+from ._results import Analysis, Device, Evenness, PointSet, Relaxed, Stippling, Verdict
+from ._sample import sample
+from ._stipple import stipple
+
+__version__: str = _core.version
+__all__ = [
+    "Analysis",
+    "BadRequest",
+    "Device",
+    "DeviceError",
+    "Error",
+    "Evenness",
+    "FileError",
+    "MemoryRefused",
+    "PointSet",
+    "Relaxed",
+    "Stippling",
+    "Unavailable",
+    "Verdict",
+    "analyze",
+    "devices",
+    "relax",
+    "sample",
+    "stipple",
+    "verify",
+]
+
+# Where people find them, and where tracebacks should say they are.
+for _name in __all__:
+    if isinstance(globals()[_name], type):
+        globals()[_name].__module__ = __name__
+del _name

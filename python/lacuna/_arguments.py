@@ -1,0 +1,149 @@
+"""Checks what the functions of lacuna are given: types, shapes and ranges, by the argument's name.
+
+What a value may be beyond that, the library itself decides.
+"""
+
+from __future__ import annotations
+
+import operator
+import os
+import secrets
+from typing import TYPE_CHECKING, Any, SupportsFloat, SupportsIndex
+
+import numpy as np
+
+from . import _core
+from ._errors import BadRequest
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    Seed = int | np.integer[Any] | np.random.Generator | None
+
+_MOST_PIXELS = 2**28
+_MOST_PIXELS_OF_SIDE = 2**20
+_MOST_POINTS = 2**31
+
+
+def real(name: str, value: SupportsFloat) -> float:
+    """A float; NaN and infinity are the library's to refuse."""
+    if isinstance(value, (str, bytes, bytearray)):
+        raise TypeError(f"{name} must be a number, not {value!r}")
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be a number, not {value!r:.60}") from None
+    except OverflowError:
+        raise BadRequest(f"{name} is too large for a float", name) from None
+
+
+def whole(name: str, value: SupportsIndex, least: int, most: int) -> int:
+    """An int from ``least`` to ``most``."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} must be a whole number (int), not {value!r:.60}") from None
+    if not least <= number <= most:
+        raise BadRequest(f"{name} {number}: must be {least} to {most}", name)
+    return number
+
+
+def flag(name: str, value: object) -> bool:
+    """A bool; numpy's arrays of one are bools, and 0 and 1 are."""
+    if isinstance(value, (bool, np.bool_)) or (isinstance(value, int) and value in (0, 1)):
+        return bool(value)
+    raise TypeError(f"{name} must be True or False, not {value!r:.60}")
+
+
+def choice(name: str, value: object, known: tuple[str, ...]) -> str:
+    """One of some words."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name} must be a str, one of {', '.join(known)}, not {value!r:.60}")
+    if value not in known:
+        raise BadRequest(f"{name} {value!r:.60}: must be one of {', '.join(known)}", name)
+    return value
+
+
+def text(name: str, value: object) -> str:
+    """A str without NUL."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name} must be a str, not {value!r:.60}")
+    if "\0" in value:
+        raise BadRequest(f"{name} {value!r:.60}: must have no NUL", name)
+    return value
+
+
+def device_text(value: object) -> str:
+    """A device by number or by a part of its name."""
+    if value is None:
+        return ""
+    if isinstance(value, str):
+        return text("device", value)
+    return str(whole("device", value, 0, 2**31))  # type: ignore[arg-type]
+
+
+def pair(name: str, value: object) -> tuple[float, float]:
+    """Two floats."""
+    try:
+        both: list[SupportsFloat] = list(value)  # type: ignore[call-overload]
+    except TypeError:
+        both = []
+    if len(both) != 2:
+        raise TypeError(f"{name} must be two numbers, (width, height), not {value!r:.60}")
+    return real(name, both[0]), real(name, both[1])
+
+
+def seed_of(value: Seed) -> int:
+    """A seed of 64 bits: the number itself, or drawn from a generator or from the system."""
+    if value is None:
+        return secrets.randbits(64)
+    if isinstance(value, np.random.Generator):
+        return int(value.integers(2**64, dtype=np.uint64))
+    if isinstance(value, (np.random.RandomState, np.random.BitGenerator, np.random.SeedSequence)):
+        raise TypeError(
+            "seed must be None, an int or a numpy.random.Generator, not a "
+            f"{type(value).__name__}: wrap it with numpy.random.default_rng"
+        )
+    return whole("seed", value, 0, 2**64 - 1)
+
+
+def numbers(name: str, value: object) -> npt.NDArray[Any]:
+    """An array of real numbers, as it lies in memory."""
+    array = np.asarray(value)
+    if array.dtype.kind not in "biuf":
+        raise TypeError(f"{name} must hold real numbers, not dtype {array.dtype}")
+    return array
+
+
+def points_array(name: str, value: object) -> npt.NDArray[np.float64]:
+    """Points as rows of two float64, without a copy where they are."""
+    array = numbers(name, value)
+    if array.size == 0 and array.ndim < 2:
+        array = array.reshape(0, 2)
+    if array.ndim != 2 or array.shape[1] != 2:
+        raise BadRequest(f"{name} of shape {array.shape}: must be N x 2", name)
+    if len(array) >= _MOST_POINTS:
+        raise BadRequest(f"{name} of shape {array.shape}: must be fewer than 2^31", name)
+    return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def field_of(name: str, value: object) -> _core.Field:
+    """Importance, row 0 on top: read where it lies, whatever its numbers and strides, once."""
+    array = numbers(name, value)
+    if array.ndim != 2 or array.size == 0:
+        raise BadRequest(
+            f"{name} of shape {array.shape}: must be rows x columns, at least 1 x 1", name
+        )
+    if array.size > _MOST_PIXELS or max(array.shape) > _MOST_PIXELS_OF_SIDE:
+        raise BadRequest(
+            f"{name} of shape {array.shape}: must have at most 2^28 pixels, 2^20 to a side", name
+        )
+    field = _core.make_field(*array.shape)
+    np.copyto(field.values, array, casting="same_kind")
+    return field
+
+
+def path_text(name: str, value: str | bytes | os.PathLike[Any]) -> str:
+    """A path, as the library takes it: never the standard input."""
+    path = text(name, os.fsdecode(value))
+    return os.path.join(os.curdir, path) if path == "-" else path

@@ -1,0 +1,89 @@
+# What lacuna._core, the compiled part, offers to the rest of the package.
+from typing import Any, Callable
+
+import numpy as np
+import numpy.typing as npt
+
+version: str
+
+class Field:
+    @property
+    def rows(self) -> int: ...
+    @property
+    def columns(self) -> int: ...
+    @property
+    def values(self) -> npt.NDArray[np.float64]: ...
+
+class Tone:
+    black: float
+    white: float
+    auto_levels: bool
+    invert: bool
+    gamma: float
+    min_importance: float
+    def __init__(self) -> None: ...
+
+class Request:
+    width: float
+    height: float
+    torus: bool
+    backend: str
+    device: str
+    threads: int
+    radius: float | None
+    count: int | None
+    scale: float | None
+    lines_per_radius: int | None
+    limit: int | None
+    snap: bool
+    uniform_x: bool
+    round_size: int
+    seed: int
+    memory_limit: int
+    mode: str
+    metric: str
+    def __init__(self) -> None: ...
+
+class RelaxOptions:
+    width: float
+    height: float
+    torus: bool
+    backend: str
+    device: str
+    threads: int
+    iterations: int
+    measure: bool
+    def __init__(self) -> None: ...
+
+def make_field(rows: int, columns: int) -> Field: ...
+def read_field(path: str, tone: Tone) -> Field: ...
+def decode_field(content: bytes, name: str, tone: Tone) -> Field: ...
+def sample(
+    request: Request, field: Field | None, progress: Callable[[int, int], object] | None
+) -> dict[str, Any]: ...
+def relax(
+    points: npt.NDArray[np.float64],
+    field: Field | None,
+    options: RelaxOptions,
+    progress: Callable[[int, int], object] | None,
+) -> dict[str, Any]: ...
+def dot_radii(
+    points: npt.NDArray[np.float64], field: Field, width: float, height: float, relaxed: bool
+) -> npt.NDArray[np.float64]: ...
+def verify(
+    points: npt.NDArray[np.float64],
+    radius: float,
+    width: float,
+    height: float,
+    torus: bool,
+    tolerance: float | None,
+    distances_only: bool,
+) -> dict[str, Any]: ...
+def analyze(
+    points: list[npt.NDArray[np.float64]],
+    width: float,
+    height: float,
+    torus: bool,
+    progress: Callable[[int, int], object] | None,
+) -> dict[str, Any]: ...
+def devices() -> list[tuple[str, str, str, int, int, str]]: ...

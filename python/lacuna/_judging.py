@@ -1,0 +1,186 @@
+"""verify, analyze and devices: what judges points, and what there is to run on."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Sequence, SupportsFloat
+
+import numpy as np
+
+from . import _core
+from ._arguments import flag, pair, points_array, real
+from ._errors import BadRequest
+from ._results import Analysis, Device, PointSet, Relaxed, Verdict
+from ._runs import checked_progress
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    from ._runs import Progress
+
+_BINS_OF_A_SPACING = 20  # of the pair correlation
+
+
+def _domain_of(points: object, domain: object, torus: object | None) -> tuple[float, float, bool]:
+    """What was given, or else what a set knows of itself."""
+    known = isinstance(points, (PointSet, Relaxed))
+    if domain is not None:
+        width, height = pair("domain", domain)
+    else:
+        width, height = points.domain if isinstance(points, (PointSet, Relaxed)) else (1.0, 1.0)
+    if torus is None:
+        torus = known and points.torus  # type: ignore[attr-defined]
+    return width, height, flag("torus", torus)
+
+
+def verify(
+    points: npt.ArrayLike,
+    radius: SupportsFloat | None = None,
+    *,
+    domain: tuple[SupportsFloat, SupportsFloat] | None = None,
+    torus: bool | None = None,
+    tolerance: SupportsFloat | None = None,
+    distances_only: bool = False,
+) -> Verdict:
+    """Prove or refute that points are a maximal Poisson-disk set, from their coordinates alone.
+
+    Parameters
+    ----------
+    points : PointSet or array_like, shape (N, 2)
+        Whoever made them.
+    radius : float, optional
+        Least distance between two points. By default a PointSet's own.
+    domain : tuple of float, optional
+        Width and height. By default a PointSet's own, else (1, 1).
+    torus : bool, optional
+        Whether the edges wrap. By default as a PointSet's do; else they do not.
+    tolerance : float, optional
+        How far over the radius a gap may be; by default 2^-28 of the longer side.
+    distances_only : bool
+        Do not look for gaps, which takes most of the time.
+
+    Returns
+    -------
+    Verdict
+        True where the claim holds; with the closest pair and the emptiest spot.
+
+    Raises
+    ------
+    BadRequest, TypeError, KeyboardInterrupt
+        As ``sample``.
+
+    Examples
+    --------
+    >>> import lacuna
+    >>> made = lacuna.sample(0.05, seed=1)
+    >>> bool(lacuna.verify(made))
+    True
+    >>> verdict = lacuna.verify(made.points[:-1], 0.05)
+    >>> verdict.kept, verdict.covered
+    (True, False)
+    """
+    if radius is None:
+        if not isinstance(points, PointSet):
+            raise BadRequest("radius missing: give the least distance to be proven", "radius")
+        radius = points.radius
+    claimed = real("radius", radius)
+    width, height, wraps = _domain_of(points, domain, torus)
+    allowed = None if tolerance is None else real("tolerance", tolerance)
+    only = flag("distances_only", distances_only)
+    array = points_array("points", points)
+    found = _core.verify(array, claimed, width, height, wraps, allowed, only)
+    inside = found["outside"] is None
+    gaps_known = inside and not only
+    return Verdict(
+        holds=inside and found["kept"] and (only or found["covered"]),
+        maximal=found["maximal"],
+        kept=found["kept"] if inside else None,
+        covered=found["covered"] if gaps_known else None,
+        outside=found["outside"],
+        closest_pair=(found["first"], found["second"]) if inside and len(array) > 1 else None,
+        least_distance=found["least_distance"] if inside and len(array) > 1 else np.inf,
+        emptiest_spot=found["emptiest"] if gaps_known and len(array) else None,
+        emptiest_distance=found["emptiest_distance"] if gaps_known and len(array) else None,
+        radius=claimed,
+        tolerance=2.0**-28 * max(width, height) if allowed is None else allowed,
+    )
+
+
+def analyze(
+    points: npt.ArrayLike | Sequence[npt.ArrayLike],
+    *,
+    domain: tuple[SupportsFloat, SupportsFloat] | None = None,
+    torus: bool | None = None,
+    progress: Progress | None = None,
+) -> Analysis:
+    """Spectrum and statistics of a point set, or of several that are averaged.
+
+    The time grows with the square of the count.
+
+    Parameters
+    ----------
+    points : PointSet or array_like, shape (N, 2), or a list of them
+        Each of at least one point.
+    domain : tuple of float, optional
+        Width and height of all. By default the first PointSet's own, else (1, 1).
+    torus : bool, optional
+        Whether the edges wrap. By default as the first PointSet's do; else they do not.
+    progress : callable, optional
+        Called with thousandths done, and 1000.
+
+    Returns
+    -------
+    Analysis
+
+    Raises
+    ------
+    BadRequest, TypeError, KeyboardInterrupt
+        As ``sample``.
+
+    Examples
+    --------
+    >>> import lacuna
+    >>> sets = [lacuna.sample(0.05, torus=True, seed=seed) for seed in range(3)]
+    >>> found = lacuna.analyze(sets)
+    >>> found.sets, found.power.shape == found.frequency.shape, found.least_distance >= 0.05
+    (3, True, True)
+    """
+    several: list[object] = [points]
+    if isinstance(points, (list, tuple)) and points:
+        if all(isinstance(one, (PointSet, Relaxed)) or np.ndim(one) == 2 for one in points):
+            several = list(points)
+    elif isinstance(points, np.ndarray) and points.ndim == 3:
+        several = list(points)
+    width, height, wraps = _domain_of(several[0], domain, torus)
+    checked_progress(progress)
+    arrays = [points_array("points", one) for one in several]
+    found = _core.analyze(arrays, width, height, wraps, progress)
+    bins = np.arange(len(found["pair_correlation"]))
+    return Analysis(sets=len(arrays), distance=(bins + 0.5) / _BINS_OF_A_SPACING, **found)
+
+
+def devices() -> list[Device]:
+    """List every backend's devices, in order of preference, as ``lacuna devices`` does.
+
+    What is not there has an entry too, whose ``unusable`` says why.
+
+    Returns
+    -------
+    list of Device
+
+    Raises
+    ------
+    DeviceError
+        A driver is there but fails.
+
+    Examples
+    --------
+    >>> import lacuna
+    >>> first = lacuna.devices()[0]
+    >>> first.backend, first.usable
+    ('cpu', True)
+    """
+    listed: list[Device] = []
+    for backend, name, kind, memory, largest, unusable in _core.devices():
+        number = sum(device.backend == backend for device in listed)
+        listed.append(Device(backend, number, name, kind, memory, largest, unusable))
+    return listed

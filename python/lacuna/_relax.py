@@ -1,0 +1,86 @@
+"""relax: points with equal shares."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
+
+from . import _core
+from ._arguments import field_of, flag, pair, points_array, whole
+from ._results import PointSet, Relaxed
+from ._runs import MOST_32, checked_progress, place, relaxed_points, shape_of
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    from ._runs import Progress
+
+
+def relax(
+    points: npt.ArrayLike,
+    field: npt.ArrayLike | None = None,
+    *,
+    iterations: SupportsIndex = 15,
+    domain: tuple[SupportsFloat, SupportsFloat] | None = None,
+    torus: bool | None = None,
+    measure: bool = False,
+    backend: str = "auto",
+    device: int | str | None = None,
+    threads: SupportsIndex = 0,
+    progress: Progress | None = None,
+) -> Relaxed:
+    """Move points until each owns an equal share of the importance and sits in its middle.
+
+    A centroidal power diagram with equal capacities, found in whole numbers: the same points come
+    back on every backend and any number of threads. No least distance is promised.
+
+    Parameters
+    ----------
+    points : PointSet or array_like, shape (N, 2)
+        Points of the domain, in the order in which they come back.
+    field : array_like, shape (rows, columns), optional
+        Importance, as for ``sample``; by default it is the same everywhere.
+    iterations : int
+        How often points are moved, at most 10,000. 10 to 30 are enough.
+    domain : tuple of float, optional
+        Width and height. By default a PointSet's own; else (1, 1), or with a field its shape, the
+        longer side 1.
+    torus : bool, optional
+        Whether the edges wrap. By default as a PointSet's do; else they do not.
+    measure : bool
+        Fill in ``Relaxed.evenness``, which costs two more looks at the lattice.
+    backend, device, threads, progress
+        As for ``sample``; progress is called with points times iterations.
+
+    Returns
+    -------
+    Relaxed
+
+    Raises
+    ------
+    BadRequest, TypeError, Unavailable, DeviceError, KeyboardInterrupt
+        As ``sample``.
+
+    Examples
+    --------
+    >>> import lacuna
+    >>> made = lacuna.sample(n=256, torus=True, seed=1)
+    >>> even = lacuna.relax(made, measure=True)
+    >>> even.points.shape, even.evenness.after_voronoi < even.evenness.before
+    ((256, 2), True)
+    """
+    moved = points_array("points", points)
+    importance = None if field is None else field_of("field", field)
+    options = _core.RelaxOptions()
+    if domain is not None:
+        sides = pair("domain", domain)
+    elif isinstance(points, (PointSet, Relaxed)):
+        sides = points.domain
+    else:
+        sides = (1.0, 1.0) if importance is None else shape_of(importance)
+    if torus is None:
+        torus = isinstance(points, (PointSet, Relaxed)) and points.torus
+    place(options, sides, torus, backend, device, threads)
+    options.iterations = whole("iterations", iterations, 0, MOST_32)
+    options.measure = flag("measure", measure)
+    checked_progress(progress)
+    return relaxed_points(moved, importance, options, progress)

@@ -1,0 +1,299 @@
+"""What the functions of lacuna give back: small frozen objects."""
+
+from __future__ import annotations
+
+import hashlib
+import resource
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Mapping
+
+import numpy as np
+
+from . import _core
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class _HasPoints:
+    """Points of a domain, N x 2 float64, which numpy takes this object for."""
+
+    points: Floats = field(repr=False)
+    domain: tuple[float, float]
+    torus: bool
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> npt.NDArray[Any]:
+        if copy is None:
+            return np.asarray(self.points, dtype=dtype)
+        if not copy and dtype is not None and np.dtype(dtype) != self.points.dtype:
+            raise ValueError(f"points are float64: an array of {np.dtype(dtype)} is a copy")
+        return np.array(self.points, dtype=dtype, copy=copy)
+
+    @property
+    def sha256(self) -> str:
+        """The SHA-256 of the points as little-endian float64, as the command's --report has it."""
+        return hashlib.sha256(np.ascontiguousarray(self.points, "<f8").data).hexdigest()
+
+
+@dataclass(frozen=True, eq=False)
+class Evenness:
+    """How equal the points' shares of the importance are: standard deviation over mean.
+
+    Attributes
+    ----------
+    before : float
+        Of the importance in the points' Voronoi cells.
+    after : float
+        In the power cells that relaxing ends with.
+    after_voronoi : float
+        In the Voronoi cells of the points that it ends with.
+    """
+
+    before: float
+    after: float
+    after_voronoi: float
+
+
+@dataclass(frozen=True, eq=False)
+class Relaxed(_HasPoints):
+    """Points that ``relax`` has moved, in the order given.
+
+    Attributes
+    ----------
+    points : ndarray, shape (N, 2), float64
+        Where they are now.
+    iterations : int
+        How often they were moved.
+    lattice : tuple of int
+        Columns and rows of the lattice on which shares were found; (0, 0) without a point.
+    evenness : Evenness or None
+        Only with ``measure=True``.
+    seconds : mapping of str to float
+        Seconds by step, and "total".
+    backend, device : str
+        What did the work.
+    """
+
+    iterations: int
+    lattice: tuple[int, int]
+    evenness: Evenness | None
+    seconds: Mapping[str, float] = field(repr=False)
+    backend: str
+    device: str
+
+
+@dataclass(frozen=True, eq=False)
+class PointSet(_HasPoints):
+    """A point set, and how it was made.
+
+    Attributes
+    ----------
+    points : ndarray, shape (N, 2), float64
+        Points in the order in which they were admitted: any prefix is itself a Poisson-disk set.
+        The numbers are the library's own, not a copy.
+    domain : tuple of float
+        Width and height; points lie in [0, width) x [0, height).
+    torus : bool
+        Whether the edges wrap.
+    radius : float
+        The least distance asked for, or chosen for ``n``; with a field the least of all radii;
+        after relaxing the least distance that is left.
+    scale : float or None
+        With a field the radius where importance is 1, asked for or chosen.
+    mode, metric : str
+        As asked for; metric matters with a field.
+    seed : int
+        With this seed the same call gives the same points.
+    maximal : bool
+        Whether no room is left. False where ``n`` or ``limit`` ended the run, and after relaxing.
+    rounds, draws : int
+        Rounds of draws, and draws in all.
+    lines_per_radius : int
+        How finely the free space was cut up.
+    relaxed : Relaxed or None
+        What relaxing came to, with ``relax``.
+    seconds : mapping of str to float
+        Seconds by step, and "total".
+    backend, device : str
+        What did the work.
+    """
+
+    radius: float
+    scale: float | None
+    mode: str
+    metric: str
+    seed: int
+    maximal: bool
+    rounds: int
+    draws: int
+    lines_per_radius: int
+    relaxed: Relaxed | None = field(repr=False)
+    seconds: Mapping[str, float] = field(repr=False)
+    backend: str
+    device: str
+    _request: Mapping[str, Any] = field(repr=False)
+
+    def report(self) -> dict[str, Any]:
+        """What the command writes with --report, as a dict of what json can write."""
+        cells = self.mode == "cells"
+        report: dict[str, Any] = {
+            "program": "lacuna",
+            "version": _core.version,
+            "request": dict(self._request),
+            "count": len(self),
+            "radius": self.radius,
+        }
+        if cells:
+            report["scale"] = self.scale
+        report.update(
+            maximal=self.maximal,
+            rounds=self.rounds,
+            draws=self.draws,
+            seconds=dict(self.seconds),
+            backend=self.backend,
+            device=self.device,
+            peak_memory_bytes=resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024,
+            points_sha256=self.sha256,
+        )
+        if self.relaxed is not None:
+            report["relax"] = {
+                "lattice": list(self.relaxed.lattice),
+                "least_distance": self.radius,
+                "backend": self.relaxed.backend,
+                "device": self.relaxed.device,
+            }
+        return report
+
+
+@dataclass(frozen=True, eq=False)
+class Stippling(PointSet):
+    """Dots that show a picture: a PointSet with the dots' radii.
+
+    Attributes
+    ----------
+    radii : ndarray, shape (N,), float64
+        Of the dots to draw, in the domain's unit: they cover as much as the picture is dark.
+    """
+
+    radii: Floats = field(repr=False)
+
+
+@dataclass(frozen=True, eq=False)
+class Verdict:
+    """What ``verify`` has found. True where the claim holds.
+
+    Attributes
+    ----------
+    holds : bool
+        No two points are closer than the radius and, where that was asked, no spot is farther
+        from every point than radius + tolerance.
+    maximal : bool
+        Holds, and with a tolerance of at most 1 % of the radius: nothing is missing.
+    kept, covered : bool or None
+        The two halves of the claim; covered is None with ``distances_only``, and both are where
+        a point lies outside.
+    outside : int or None
+        The first point outside the domain: nothing else is then looked at.
+    closest_pair, least_distance : tuple of int or None, float
+        The indices of the closest two points; how far: infinite for fewer than two.
+    emptiest_spot, emptiest_distance : tuple of float or None, float or None
+        The spot of the domain that is farthest from every point; how far.
+    radius, tolerance : float
+        As claimed.
+    """
+
+    holds: bool
+    maximal: bool
+    kept: bool | None
+    covered: bool | None
+    outside: int | None
+    closest_pair: tuple[int, int] | None
+    least_distance: float
+    emptiest_spot: tuple[float, float] | None
+    emptiest_distance: float | None
+    radius: float
+    tolerance: float
+
+    def __bool__(self) -> bool:
+        return self.holds
+
+
+@dataclass(frozen=True, eq=False)
+class Analysis:
+    """Spectrum and statistics of point sets. What is not known is None.
+
+    Attributes
+    ----------
+    frequency : ndarray, shape (K,)
+        Of rings of the periodogram, in units of sqrt(N), up to 2.
+    power : ndarray, shape (K,)
+        Mean power of each ring: 1 for independent points.
+    anisotropy_db : ndarray, shape (K,)
+        Variance of the power over its squared mean, in dB; NaN where there is no power.
+    distance : ndarray, shape (L,)
+        Middles of bins, in mean spacings, sqrt(area / N).
+    pair_correlation : ndarray, shape (L,)
+        Mean of g in each bin.
+    sets, mean_count : int, float
+        How many were averaged, and their mean number of points.
+    least_distance, mean_distance : float or None
+        Of all sets; to the nearest other point.
+    relative_radius : float or None
+        The least distance over a hexagonal lattice's (Lagae & Dutre 2008).
+    effective_nyquist, oscillations : float or None
+        Of Heck et al. 2013.
+    psi_6 : float or None
+        Mean of abs(psi_6): 1 for a hexagonal lattice.
+    """
+
+    frequency: Floats = field(repr=False)
+    power: Floats = field(repr=False)
+    anisotropy_db: Floats = field(repr=False)
+    distance: Floats = field(repr=False)
+    pair_correlation: Floats = field(repr=False)
+    sets: int
+    mean_count: float
+    least_distance: float | None
+    mean_distance: float | None
+    relative_radius: float | None
+    effective_nyquist: float | None
+    oscillations: float | None
+    psi_6: float | None
+
+
+@dataclass(frozen=True)
+class Device:
+    """A device that a backend can run on, or what stands where one was hoped for.
+
+    Attributes
+    ----------
+    backend : str
+        What to give as ``backend``.
+    number : int
+        What to give as ``device``, for opencl and vulkan.
+    name, kind : str
+        As the driver gives it; and cpu, gpu or other.
+    memory_bytes, largest_buffer_bytes : int
+        0 where that is not known.
+    unusable : str
+        Why it cannot be used; empty when it can.
+    """
+
+    backend: str
+    number: int
+    name: str
+    kind: str
+    memory_bytes: int
+    largest_buffer_bytes: int
+    unusable: str
+
+    @property
+    def usable(self) -> bool:
+        """Whether it can be used."""
+        return not self.unusable

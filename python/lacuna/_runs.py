@@ -1,0 +1,193 @@
+"""What sample, stipple and relax have in common: requests, runs and what comes of them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Callable, SupportsFloat, SupportsIndex
+
+from . import _core
+from ._arguments import choice, device_text, flag, real, seed_of, text, whole
+from ._errors import BadRequest
+from ._results import Evenness, Relaxed
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    from ._arguments import Seed
+
+    Progress = Callable[[int, int], object]
+
+METRICS = ("min", "mean", "max")
+MOST_32 = 2**32 - 1
+MOST_64 = 2**64 - 1
+
+
+def checked_progress(progress: object) -> None:
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress must be callable, not {progress!r:.60}")
+
+
+def shape_of(field: _core.Field) -> tuple[float, float]:
+    """The domain of a picture: its shape, the longer side 1."""
+    longer = max(field.columns, field.rows)
+    return field.columns / longer, field.rows / longer
+
+
+def place(
+    options: _core.Request | _core.RelaxOptions,
+    domain: tuple[float, float],
+    torus: object,
+    backend: object,
+    device: object,
+    threads: SupportsIndex,
+) -> None:
+    """Writes down what all runs have in common."""
+    options.width, options.height = domain
+    options.torus = flag("torus", torus)
+    options.backend = text("backend", backend)
+    options.device = device_text(device)
+    options.threads = whole("threads", threads, 0, MOST_32)
+
+
+def fill(
+    request: _core.Request,
+    *,
+    seed: Seed,
+    limit: SupportsIndex | None,
+    lines_per_radius: SupportsIndex | None,
+    round_size: SupportsIndex,
+    memory_limit: SupportsIndex | None,
+) -> None:
+    """Writes down what sample and stipple both know."""
+    request.seed = seed_of(seed)
+    if limit is not None:
+        request.limit = whole("limit", limit, 1, MOST_64)
+    if lines_per_radius is not None:
+        request.lines_per_radius = whole("lines_per_radius", lines_per_radius, 1, 1000)
+    request.round_size = whole("round_size", round_size, 0, MOST_64)
+    if memory_limit is not None:
+        request.memory_limit = whole("memory_limit", memory_limit, 1, MOST_64)
+
+
+def choose_metric(request: _core.Request, metric: object, iterations: int) -> None:
+    """The metric of a field: mean is what relaxing comes farthest from."""
+    if metric is not None:
+        request.metric = choice("metric", metric, METRICS)
+    elif iterations:
+        request.metric = "mean"
+
+
+def set_size(request: _core.Request, sizes: dict[str, Any]) -> None:
+    """Exactly one of radius or scale, and n."""
+    given = {name: value for name, value in sizes.items() if value is not None}
+    if len(given) != 1:
+        allowed = " or ".join(sizes)
+        if not given:
+            raise BadRequest(f"{next(iter(sizes))} missing: give {allowed}", next(iter(sizes)))
+        raise BadRequest(f"{' and '.join(given)}: give one of {allowed}", next(iter(given)))
+    name, value = next(iter(given.items()))
+    if name == "n":
+        request.count = whole("n", value, 1, MOST_64)
+    else:
+        setattr(request, name, real(name, value))
+
+
+def relaxed_points(
+    points: npt.NDArray[np.float64],
+    field: _core.Field | None,
+    options: _core.RelaxOptions,
+    progress: Progress | None,
+) -> Relaxed:
+    made = _core.relax(points, field, options, progress)
+    evenness = made["evenness"]
+    return Relaxed(
+        points=made["points"],
+        domain=(options.width, options.height),
+        torus=options.torus,
+        iterations=options.iterations,
+        lattice=made["lattice"],
+        evenness=None if evenness is None else Evenness(*evenness),
+        seconds=made["seconds"],
+        backend=made["backend"],
+        device=made["device"],
+    )
+
+
+def _relax_set(
+    points: npt.NDArray[np.float64],
+    field: _core.Field | None,
+    request: _core.Request,
+    iterations: int,
+    progress: Progress | None,
+) -> tuple[Relaxed, float]:
+    """Relaxes a set on the backend that made it; and the least distance that is left."""
+    options = _core.RelaxOptions()
+    options.width, options.height, options.torus = request.width, request.height, request.torus
+    options.backend, options.device = request.backend, request.device
+    options.threads = request.threads
+    options.iterations = iterations
+    try:
+        relaxed = relaxed_points(points, field, options, progress)
+    except BadRequest as error:
+        raise error.called("relax") if error.argument == "iterations" else error from None
+    if len(points) < 2:
+        return relaxed, 0.0
+    longer = max(options.width, options.height)
+    proof = _core.verify(
+        relaxed.points, longer, options.width, options.height, options.torus, None, True
+    )
+    return relaxed, proof["least_distance"]
+
+
+def _request_of(request: _core.Request, lines_per_radius: int) -> dict[str, Any]:
+    """What was asked for, as a report says it."""
+    cells = request.mode == "cells"
+    size = "scale" if cells else "radius"
+    asked: dict[str, Any] = {
+        "width": request.width,
+        "height": request.height,
+        "boundary": "torus" if request.torus else "box",
+        "mode": request.mode,
+    }
+    if cells:
+        asked["metric"] = request.metric
+    asked[size] = getattr(request, size)
+    asked["count"] = request.count
+    asked["lines_per_radius"] = lines_per_radius
+    if not cells:
+        asked.update(snap=request.snap, uniform_x=request.uniform_x)
+    asked.update(limit=request.limit, round_size=request.round_size, seed=request.seed)
+    asked.update(backend=request.backend, device=request.device, threads=request.threads)
+    return asked
+
+
+def make(
+    request: _core.Request,
+    field: _core.Field | None,
+    iterations: int,
+    progress: Progress | None,
+) -> dict[str, Any]:
+    """Samples, relaxes, and gives what a PointSet is made of."""
+    checked_progress(progress)
+    made = _core.sample(request, field, progress)
+    asked = _request_of(request, made["lines_per_radius"])
+    relaxed = None
+    if iterations:
+        relaxed, least = _relax_set(made["points"], field, request, iterations, progress)
+        asked["relax"] = iterations
+        seconds = dict(made["seconds"])
+        for step, spent in relaxed.seconds.items():
+            seconds[step] = seconds.get(step, 0.0) + spent
+        made.update(points=relaxed.points, radius=least, maximal=False, seconds=seconds)
+    if request.mode != "cells":
+        made["scale"] = None
+    return dict(
+        made,
+        domain=(request.width, request.height),
+        torus=request.torus,
+        mode=request.mode,
+        metric=request.metric,
+        seed=request.seed,
+        relaxed=relaxed,
+        _request=asked,
+    )

@@ -1,0 +1,173 @@
+"""sample: a point set."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
+
+from . import _core
+from ._arguments import choice, field_of, flag, pair, whole
+from ._errors import BadRequest
+from ._results import PointSet
+from ._runs import MOST_32, choose_metric, fill, make, place, set_size, shape_of
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    from ._arguments import Seed
+    from ._runs import Progress
+
+_MODES = ("exact", "lines", "cells")
+
+
+def _refuse_what_is_for_fields(request: _core.Request, scale: object, metric: object) -> None:
+    for name, value in (("scale", scale), ("metric", metric)):
+        if value is not None:
+            raise BadRequest(f"{name} {value!r:.60}: is for a field", name)
+    if request.mode == "cells":
+        raise BadRequest("field missing: mode cells needs one", "field")
+
+
+def sample(
+    radius: SupportsFloat | None = None,
+    n: SupportsIndex | None = None,
+    *,
+    field: npt.ArrayLike | None = None,
+    scale: SupportsFloat | None = None,
+    metric: str | None = None,
+    domain: tuple[SupportsFloat, SupportsFloat] | None = None,
+    torus: bool = False,
+    mode: str | None = None,
+    seed: Seed = None,
+    limit: SupportsIndex | None = None,
+    relax: SupportsIndex = 0,
+    lines_per_radius: SupportsIndex | None = None,
+    snap: bool = False,
+    uniform_x: bool = False,
+    round_size: SupportsIndex = 0,
+    backend: str = "auto",
+    device: int | str | None = None,
+    threads: SupportsIndex = 0,
+    memory_limit: SupportsIndex | None = None,
+    progress: Progress | None = None,
+) -> PointSet:
+    """Make a blue-noise point set: random, evenly spread points with no room left for another.
+
+    The same arguments and seed give the same points, bit for bit, on every backend and any number
+    of threads, and the same as the command ``lacuna sample`` or ``lacuna stipple`` gives.
+
+    Parameters
+    ----------
+    radius : float
+        Least distance between two points, in the unit of ``domain``; this or ``n``. Not with a
+        field.
+    n : int
+        Exactly so many points, at a radius or a scale that is chosen to fit.
+    field : array_like, shape (rows, columns), optional
+        Importance: where points are wanted, and how densely. Finite and at least 0; where it is 0
+        no point is. Row 0 is the top, where y is largest. Any real dtype, byte order and strides.
+        It is read once, before the work begins.
+    scale : float
+        With a field, this or ``n``: the radius of a place is ``scale / sqrt(importance there)``.
+    metric : {'min', 'mean', 'max'}, optional
+        With a field: what two points of different radii keep apart. By default 'min', and 'mean'
+        with ``relax``.
+    domain : tuple of float, optional
+        Width and height. By default (1, 1); with a field its shape, the longer side 1.
+    torus : bool
+        Whether the edges wrap.
+    mode : {'exact', 'lines', 'cells'}, optional
+        'exact', the default, leaves no gap; 'lines' is the approximation of Kalantari & Sen 2011;
+        'cells', the default with a field, puts points on a lattice.
+    seed : None, int or numpy.random.Generator
+        An int, 0 to 2^64 - 1, is what the command calls --seed; 64 bits are drawn from a
+        generator, and None takes them from the system. The result tells which seed it was.
+    limit : int, optional
+        Stop after so many points.
+    relax : int
+        Then move the points so many times until their shares of the domain, or of the field, are
+        equal: see ``lacuna.relax``.
+    lines_per_radius : int, optional
+        1 to 1000; by default 6 in 'exact', where it decides nothing but the speed, 30 in 'lines'
+        and 10 in 'cells'.
+    snap, uniform_x : bool
+        In 'lines': points on the lines themselves; lines with room are equally likely.
+    round_size : int
+        Draws in a round; 0 chooses, 1 is the paper's algorithm.
+    backend : {'auto', 'cpu', 'opencl', 'vulkan', 'reference'}
+        'auto' is what the environment variable LACUNA_BACKEND names, or else 'cpu'.
+    device : int or str, optional
+        For opencl and vulkan: a number or a part of the device's name.
+    threads : int
+        0 is one a core.
+    memory_limit : int, optional
+        Refuse a set that takes more bytes; by default the machine's memory.
+    progress : callable, optional
+        Called with the points so far and those expected, at most 50 times a second, on the
+        calling thread. An exception that it raises ends the run. While relaxing it is called with
+        points times iterations.
+
+    Returns
+    -------
+    PointSet
+
+    Raises
+    ------
+    BadRequest
+        A ValueError: a value cannot be met. Names the argument.
+    TypeError
+        An argument is of the wrong type. Names it.
+    MemoryRefused
+        A MemoryError: the set would take more memory than there is.
+    Unavailable, DeviceError
+        RuntimeErrors: there is no such backend or device, or it failed.
+    KeyboardInterrupt
+        On Ctrl-C, within 0.2 s; nothing is left behind.
+
+    Examples
+    --------
+    >>> import lacuna
+    >>> made = lacuna.sample(0.05, torus=True, seed=1)
+    >>> made.points.shape, made.maximal
+    ((278, 2), True)
+    >>> lacuna.sample(n=1000, domain=(2, 1), seed=1).points.shape
+    (1000, 2)
+
+    More points to the right:
+
+    >>> import numpy as np
+    >>> ramp = np.linspace(0, 1, 64) * np.ones((64, 1))
+    >>> dense = lacuna.sample(n=500, field=ramp, seed=1)
+    >>> bool((dense.points[:, 0] > 0.5).mean() > 0.7)
+    True
+    """
+    request = _core.Request()
+    importance = None if field is None else field_of("field", field)
+    if mode is not None:
+        request.mode = choice("mode", mode, _MODES)
+    elif importance is not None:
+        request.mode = "cells"
+    iterations = whole("relax", relax, 0, MOST_32)
+    if importance is None:
+        _refuse_what_is_for_fields(request, scale, metric)
+        set_size(request, {"radius": radius, "n": n})
+        sides = (1.0, 1.0)
+    else:
+        if radius is not None:
+            raise BadRequest(f"radius {radius!r:.60}: with a field give scale or n", "radius")
+        set_size(request, {"scale": scale, "n": n})
+        choose_metric(request, metric, iterations)
+        sides = shape_of(importance)
+    if domain is not None:
+        sides = pair("domain", domain)
+    place(request, sides, torus, backend, device, threads)
+    fill(
+        request,
+        seed=seed,
+        limit=limit,
+        lines_per_radius=lines_per_radius,
+        round_size=round_size,
+        memory_limit=memory_limit,
+    )
+    request.snap = flag("snap", snap)
+    request.uniform_x = flag("uniform_x", uniform_x)
+    return PointSet(**make(request, importance, iterations, progress))

@@ -1,0 +1,148 @@
+"""stipple: a picture as dots."""
+
+from __future__ import annotations
+
+import io
+import os
+from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
+
+import numpy as np
+
+from . import _core
+from ._arguments import flag, numbers, path_text, real, whole
+from ._errors import BadRequest, FileError
+from ._results import Stippling
+from ._runs import MOST_32, choose_metric, fill, make, place, set_size, shape_of
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    from ._arguments import Seed
+    from ._runs import Progress
+
+
+def _tone(
+    invert: object,
+    black: SupportsFloat,
+    white: SupportsFloat,
+    auto_levels: object,
+    gamma: SupportsFloat,
+    min_importance: SupportsFloat,
+) -> _core.Tone:
+    tone = _core.Tone()
+    tone.invert = flag("invert", invert)
+    tone.black = real("black", black)
+    tone.white = real("white", white)
+    tone.auto_levels = flag("auto_levels", auto_levels)
+    tone.gamma = real("gamma", gamma)
+    tone.min_importance = real("min_importance", min_importance)
+    return tone
+
+
+def _picture(image: object, tone: _core.Tone) -> _core.Field:
+    """The importance of a picture in a file or in an array, which is read as .npy is."""
+    if isinstance(image, (str, bytes, os.PathLike)):
+        return _core.read_field(path_text("image", image), tone)
+    encoded = io.BytesIO()
+    np.lib.format.write_array(encoded, numbers("image", image), allow_pickle=False)
+    try:
+        return _core.decode_field(encoded.getvalue(), "image", tone)
+    except FileError as error:
+        raise BadRequest(str(error), "image") from None
+
+
+def stipple(
+    image: str | bytes | os.PathLike[str] | npt.ArrayLike,
+    n: SupportsIndex | None = None,
+    *,
+    scale: SupportsFloat | None = None,
+    relax: SupportsIndex = 15,
+    metric: str | None = None,
+    invert: bool = False,
+    black: SupportsFloat = 0.0,
+    white: SupportsFloat = 1.0,
+    auto_levels: bool = False,
+    gamma: SupportsFloat = 1.0,
+    min_importance: SupportsFloat = 0.0,
+    torus: bool = False,
+    seed: Seed = None,
+    limit: SupportsIndex | None = None,
+    lines_per_radius: SupportsIndex | None = None,
+    round_size: SupportsIndex = 0,
+    backend: str = "auto",
+    device: int | str | None = None,
+    threads: SupportsIndex = 0,
+    memory_limit: SupportsIndex | None = None,
+    progress: Progress | None = None,
+) -> Stippling:
+    """Stipple a picture: random dots, evenly spread, dense where it is dark.
+
+    Parameters
+    ----------
+    image : path or array_like, shape (rows, columns) or (rows, columns, 1, 3 or 4)
+        A picture: PNG, JPEG, PGM, PPM, PFM, Radiance HDR or .npy; or an array, row 0 on top.
+        Bytes and 16-bit numbers count from 0 to the largest one, other numbers from 0 (black) to 1
+        (white), or to the largest of the array where that is over 1.
+    n : int
+        Exactly so many dots; this or ``scale``.
+    scale : float
+        The radius where the picture is black, its longer side being 1.
+    relax : int
+        Then move the dots so many times until their shares of the picture are equal. With 0 they
+        stay at random, as Kalantari & Sen 2011 place them.
+    metric : {'min', 'mean', 'max'}, optional
+        What two dots of different radii keep apart. By default 'mean', and 'min' with
+        ``relax=0``.
+    invert : bool
+        Bright is dense.
+    black, white : float
+        Luminance, 0 to 1, that counts as black and as white.
+    auto_levels : bool
+        Black and white such that half a percent of the pixels are beyond each.
+    gamma : float
+        Importance is raised to this power: over 1 lightens middle tones.
+    min_importance : float
+        Importance is nowhere less, so that white has dots too.
+    torus, seed, limit, lines_per_radius, round_size, backend, device, threads, memory_limit, \
+progress
+        As for ``sample``.
+
+    Returns
+    -------
+    Stippling
+        Points in the picture's shape, its longer side 1, y upwards, with the dots' radii.
+
+    Raises
+    ------
+    FileError
+        An OSError: the file cannot be read, or is no picture.
+    BadRequest, TypeError, MemoryRefused, Unavailable, DeviceError, KeyboardInterrupt
+        As ``sample``.
+
+    Examples
+    --------
+    >>> import lacuna, numpy as np
+    >>> y, x = np.mgrid[0:100, 0:150]
+    >>> disk = np.where(np.hypot(x - 75, y - 50) < 40, 0.0, 1.0)
+    >>> dots = lacuna.stipple(disk, 200, seed=1)
+    >>> dots.points.shape, dots.radii.shape, [round(side, 3) for side in dots.domain]
+    ((200, 2), (200,), [1.0, 0.667])
+    """
+    field = _picture(image, _tone(invert, black, white, auto_levels, gamma, min_importance))
+    request = _core.Request()
+    request.mode = "cells"
+    set_size(request, {"n": n, "scale": scale})
+    iterations = whole("relax", relax, 0, MOST_32)
+    choose_metric(request, metric, iterations)
+    place(request, shape_of(field), torus, backend, device, threads)
+    fill(
+        request,
+        seed=seed,
+        limit=limit,
+        lines_per_radius=lines_per_radius,
+        round_size=round_size,
+        memory_limit=memory_limit,
+    )
+    made = make(request, field, iterations, progress)
+    radii = _core.dot_radii(made["points"], field, request.width, request.height, iterations != 0)
+    return Stippling(**made, radii=radii)

@@ -1,0 +1,199 @@
+"""An engine in the manner of scipy.stats.qmc. Needs scipy.
+
+>>> from lacuna import qmc
+>>> engine = qmc.PoissonDisk(2, radius=0.1, rng=1)
+>>> len(engine.random(10)), len(engine.fill_space()) > 50
+(10, True)
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
+
+import numpy as np
+from scipy.stats import qmc as _qmc
+
+from ._arguments import flag, numbers, real, seed_of, whole
+from ._errors import BadRequest
+from ._sample import sample
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    from ._arguments import Seed
+
+__all__ = ["PoissonDisk"]
+
+
+def _bounds(name: str, value: npt.ArrayLike) -> npt.NDArray[np.float64]:
+    array = numbers(name, value).astype(np.float64)
+    if array.shape not in ((), (1,), (2,)) or not np.isfinite(array).all():
+        raise BadRequest(f"{name} {value!r:.60}: must be one or two finite numbers", name)
+    return np.broadcast_to(array, 2)
+
+
+class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
+    """Maximal Poisson-disk sampling of a rectangle, with the methods of scipy's engine.
+
+    It differs from scipy.stats.qmc.PoissonDisk in what it promises: no two points are closer than
+    ``radius``, with bounds too, and after ``fill_space`` no room is left for another.
+
+    Parameters
+    ----------
+    d : int
+        The dimension, which must be 2.
+    radius : float
+        Least distance between two points, in the unit of the bounds.
+    l_bounds, u_bounds : array_like, shape (2,) or ()
+        The rectangle; by default 0 and 1. Points lie in [l_bounds, u_bounds).
+    rng, seed : None, int or numpy.random.Generator
+        As ``seed`` of ``lacuna.sample``; ``seed`` is scipy's older name.
+    torus : bool
+        Whether the edges wrap.
+    backend, device, threads
+        As for ``lacuna.sample``.
+
+    Attributes
+    ----------
+    num_generated : int
+        How many points were drawn so far.
+
+    Raises
+    ------
+    BadRequest, TypeError
+        As ``lacuna.sample``; the methods raise what it raises.
+
+    Examples
+    --------
+    >>> from lacuna import qmc
+    >>> engine = qmc.PoissonDisk(2, radius=0.05, l_bounds=(-1, 0), u_bounds=(1, 1), rng=7)
+    >>> first = engine.random(100)
+    >>> rest = engine.fill_space()
+    >>> bool((engine.reset().random(100) == first).all())
+    True
+    """
+
+    def __init__(
+        self,
+        d: SupportsIndex = 2,
+        *,
+        radius: SupportsFloat = 0.05,
+        l_bounds: npt.ArrayLike | None = None,
+        u_bounds: npt.ArrayLike | None = None,
+        rng: Seed = None,
+        seed: Seed = None,
+        torus: bool = False,
+        backend: str = "auto",
+        device: int | str | None = None,
+        threads: SupportsIndex = 0,
+    ) -> None:
+        if whole("d", d, 0, 2**31) != 2:
+            raise BadRequest(f"d {d}: must be 2", "d")
+        if rng is not None and seed is not None:
+            raise BadRequest("seed and rng: give one of them", "seed")
+        super().__init__(2)
+        self.radius = real("radius", radius)
+        self.l_bounds = _bounds("l_bounds", 0.0 if l_bounds is None else l_bounds)
+        self.u_bounds = _bounds("u_bounds", 1.0 if u_bounds is None else u_bounds)
+        if not (self.l_bounds < self.u_bounds).all():
+            raise BadRequest("l_bounds must be less than u_bounds", "l_bounds")
+        self._seed = seed_of(seed if rng is None else rng)
+        self._torus = flag("torus", torus)
+        self._place = {"backend": backend, "device": device, "threads": threads}
+        self._points: npt.NDArray[np.float64] = np.empty((0, 2))
+        self._is_full = False
+        # What makes no sense is refused here and not at the first point.
+        self._fetch(1)
+
+    def _fetch(self, count: int | None) -> None:
+        """Has the first ``count`` points of the set ready, or all of them."""
+        if self._is_full or (count is not None and count <= len(self._points)):
+            return
+        sides = self.u_bounds - self.l_bounds
+        radius, limit = self.radius, None
+        if self.l_bounds.any():
+            # Moving points to the bounds rounds them, by up to a unit in the last place each way.
+            last = np.spacing(np.abs([self.l_bounds, self.u_bounds]).max())
+            radius += 8 * float(last)
+        if count is not None:
+            # A prefix of the set; twice as long as asked for, so that few runs make the whole.
+            limit = max(64, 2 * count)
+        made = sample(
+            radius,
+            domain=(float(sides[0]), float(sides[1])),
+            torus=self._torus,
+            seed=self._seed,
+            limit=limit,
+            **self._place,  # type: ignore[arg-type]
+        )
+        points = made.points
+        if self.l_bounds.any():
+            points = points + self.l_bounds
+            np.minimum(points, np.nextafter(self.u_bounds, self.l_bounds), out=points)
+        self._points = points
+        self._is_full = limit is None or len(points) < limit
+
+    def _random(
+        self, n: SupportsIndex = 1, *, workers: SupportsIndex = 1
+    ) -> npt.NDArray[np.float64]:
+        begin = self.num_generated
+        count = whole("n", n, 0, 2**31)
+        self._fetch(begin + count)
+        return self._points[begin : begin + count].copy()
+
+    def random(
+        self, n: SupportsIndex = 1, *, workers: SupportsIndex = 1
+    ) -> npt.NDArray[np.float64]:
+        """Draw the next points; fewer than ``n`` where no more room is left.
+
+        Parameters
+        ----------
+        n : int
+            How many.
+        workers : int
+            Of no effect; see ``threads``.
+
+        Returns
+        -------
+        ndarray, shape (n or fewer, 2)
+        """
+        drawn = self._random(n, workers=workers)
+        self.num_generated += len(drawn)
+        return drawn
+
+    def fill_space(self) -> npt.NDArray[np.float64]:
+        """Draw points until no room is left.
+
+        Returns
+        -------
+        ndarray, shape (N, 2)
+        """
+        self._fetch(None)
+        return self.random(len(self._points) - self.num_generated)
+
+    def reset(self) -> PoissonDisk:
+        """Go back to the first point.
+
+        Returns
+        -------
+        PoissonDisk
+            The engine itself.
+        """
+        self.num_generated = 0
+        return self
+
+    def fast_forward(self, n: SupportsIndex) -> PoissonDisk:
+        """Skip points.
+
+        Parameters
+        ----------
+        n : int
+            How many.
+
+        Returns
+        -------
+        PoissonDisk
+            The engine itself.
+        """
+        self.random(n)
+        return self

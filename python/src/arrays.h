@@ -1,0 +1,50 @@
+// Points and numbers as numpy's arrays.
+#pragma once
+
+#include <lacuna/lacuna.h>
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace lacuna::python {
+
+namespace nb = nanobind;
+
+static_assert(sizeof(Point) == 2 * sizeof(double), "points are rows of two numbers");
+
+// What python/lacuna has made of whatever it was given: N x 2, C order, this machine's bytes.
+using PointArray =
+    nb::ndarray<const double, nb::numpy, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>;
+
+// A copy: other threads may change an array while it is looked at.
+inline std::vector<Point> points_of(const PointArray& array) {
+    std::vector<Point> points(array.shape(0));
+    const double* from = array.data();
+    for (Point& point : points) {
+        point = {from[0], from[1]};
+        from += 2;
+    }
+    return points;
+}
+
+// An array that owns the numbers: nothing is copied.
+template <typename Number>
+nb::object array_of(std::vector<Number>&& numbers) {
+    auto kept = std::make_unique<std::vector<Number>>(std::move(numbers));
+    Number* const data = kept->data();
+    const std::size_t count = kept->size();
+    const nb::capsule owner(kept.get(), [](void* pointer) noexcept {
+        const std::unique_ptr<std::vector<Number>> last(static_cast<std::vector<Number>*>(pointer));
+    });
+    static_cast<void>(kept.release());
+    if constexpr (std::is_same_v<Number, Point>)
+        return nb::cast(nb::ndarray<nb::numpy, double, nb::ndim<2>>(&data->x, {count, 2}, owner));
+    else
+        return nb::cast(nb::ndarray<nb::numpy, Number, nb::ndim<1>>(data, {count}, owner));
+}
+
+}  // namespace lacuna::python

@@ -1,0 +1,53 @@
+// Lacuna's errors as the exceptions of python/lacuna/_errors.py.
+#include <lacuna/files.h>
+#include <lacuna/lacuna.h>
+#include <nanobind/nanobind.h>
+
+#include <exception>
+#include <string>
+
+#include "parts.h"
+
+namespace nb = nanobind;
+
+namespace lacuna::python {
+namespace {
+
+// Drivers and file names need not be UTF-8: bytes that are not are shown by number.
+nb::object text_of(const char* message) {
+    PyObject* const text = PyUnicode_DecodeUTF8(
+        message, static_cast<Py_ssize_t>(std::char_traits<char>::length(message)),
+        "backslashreplace");
+    if (text == nullptr) throw nb::python_error();
+    return nb::steal(text);
+}
+
+void raise(const char* type, const std::exception& thrown, const std::string& argument = "") {
+    const nb::object errors = nb::module_::import_("lacuna._errors");
+    const nb::object error = errors.attr(type)(text_of(thrown.what()), text_of(argument.c_str()));
+    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
+}
+
+void translate(const std::exception_ptr& thrown, void*) {
+    try {
+        std::rethrow_exception(thrown);
+    } catch (const MemoryRefused& error) {
+        raise("MemoryRefused", error, error.option());
+    } catch (const BadRequest& error) {
+        raise("BadRequest", error, error.option());
+    } catch (const Unavailable& error) {
+        raise("Unavailable", error);
+    } catch (const DeviceError& error) {
+        raise("DeviceError", error);
+    } catch (const FileError& error) {
+        raise("FileError", error);
+    }
+}
+
+}  // namespace
+
+void add_errors(nb::module_&) {
+    nb::register_exception_translator(translate);
+}
+
+}  // namespace lacuna::python

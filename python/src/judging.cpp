@@ -1,0 +1,116 @@
+// What judges points: verify and analyze.
+#include <lacuna/analysis.h>
+#include <lacuna/verify.h>
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+#include "background.h"
+#include "parts.h"
+#include "watch.h"
+
+namespace nb = nanobind;
+
+namespace lacuna::python {
+namespace {
+
+// So few are judged before anybody could interrupt it.
+constexpr std::size_t kFewPoints = 10000;
+
+Boundary boundary_of(bool torus) {
+    return torus ? Boundary::torus : Boundary::box;
+}
+
+nb::object or_none(const std::optional<double>& number) {
+    return number ? nb::cast(*number) : nb::none();
+}
+
+nb::dict verify_points(const PointArray& array, double radius, double width, double height,
+                       bool torus, std::optional<double> tolerance, bool distances_only) {
+    const Claim claim{radius, width, height, boundary_of(torus), tolerance, distances_only};
+    const auto work = [&](const std::atomic<bool>& stop) {
+        return prove(points_of(array), claim, [&] { return !stop; });
+    };
+    Proof proof;
+    if (array.shape(0) < kFewPoints) {
+        const std::atomic<bool> never = false;
+        const nb::gil_scoped_release no_gil;
+        proof = work(never);
+    } else {
+        proof = in_background(work);
+    }
+    nb::dict found;
+    found["outside"] = proof.outside ? nb::cast(*proof.outside) : nb::none();
+    found["kept"] = proof.kept;
+    found["first"] = proof.first;
+    found["second"] = proof.second;
+    found["least_distance"] = proof.least_distance;
+    found["covered"] = proof.covered;
+    found["emptiest"] = nb::make_tuple(proof.emptiest.x, proof.emptiest.y);
+    found["emptiest_distance"] = proof.emptiest_distance;
+    found["maximal"] = proof.maximal;
+    return found;
+}
+
+// The rings as three arrays; where there is no power, anisotropy is not a number.
+void add_rings(nb::dict& found, const std::vector<Ring>& rings) {
+    std::vector<double> frequency, power, anisotropy;
+    for (const Ring& ring : rings) {
+        frequency.push_back(ring.frequency);
+        power.push_back(ring.power);
+        anisotropy.push_back(ring.anisotropy_db.value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    found["frequency"] = array_of(std::move(frequency));
+    found["power"] = array_of(std::move(power));
+    found["anisotropy_db"] = array_of(std::move(anisotropy));
+}
+
+nb::dict analyze_sets(const nb::list& arrays, double width, double height, bool torus,
+                      nb::object progress) {
+    std::vector<PointArray> given;
+    for (const nb::handle array : arrays) given.push_back(nb::cast<PointArray>(array));
+    Watch watch(std::move(progress));
+    Statistics statistics;
+    {
+        const nb::gil_scoped_release no_gil;
+        std::vector<std::vector<Point>> sets;
+        for (const PointArray& array : given) sets.push_back(points_of(array));
+        constexpr std::uint64_t kWhole = 1000;  // shares are told to Python in thousandths
+        statistics = analyze(sets, width, height, boundary_of(torus), [&](double share) {
+            watch.look(static_cast<std::uint64_t>(share * static_cast<double>(kWhole)), kWhole);
+            return true;
+        });
+    }
+    nb::dict found;
+    add_rings(found, statistics.rings);
+    found["pair_correlation"] = array_of(std::move(statistics.pair_correlation));
+    found["mean_count"] = statistics.mean_count;
+    found["least_distance"] = or_none(statistics.least_distance);
+    found["mean_distance"] = or_none(statistics.mean_distance);
+    found["relative_radius"] = or_none(statistics.relative_radius);
+    found["effective_nyquist"] = or_none(statistics.effective_nyquist);
+    found["oscillations"] = or_none(statistics.oscillations);
+    found["psi_6"] = or_none(statistics.psi_6);
+    return found;
+}
+
+}  // namespace
+
+void add_judging(nb::module_& module) {
+    module.def("verify", verify_points, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
+               nb::arg().none(), nb::arg());
+    module.def("analyze", analyze_sets, nb::arg(), nb::arg(), nb::arg(), nb::arg(),
+               nb::arg().none());
+}
+
+}  // namespace lacuna::python

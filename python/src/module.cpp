@@ -1,0 +1,39 @@
+// lacuna._core: the library as python/lacuna calls it. What it is given has been checked there for
+// type and shape; what is said of values is the library's.
+#include <lacuna/lacuna.h>
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
+
+#include <vector>
+
+#include "parts.h"
+
+namespace nb = nanobind;
+
+namespace lacuna::python {
+namespace {
+
+nb::list list_devices() {
+    std::vector<Device> all;
+    {
+        const nb::gil_scoped_release no_gil;
+        all = devices();
+    }
+    nb::list entries;
+    for (const Device& device : all)
+        entries.append(nb::make_tuple(device.backend, device.name, device.kind, device.memory_bytes,
+                                      device.largest_buffer_bytes, device.unusable));
+    return entries;
+}
+
+}  // namespace
+}  // namespace lacuna::python
+
+NB_MODULE(_core, module) {
+    namespace python = lacuna::python;
+    module.attr("version") = LACUNA_VERSION;
+    python::add_errors(module);
+    python::add_sampling(module);
+    python::add_judging(module);
+    module.def("devices", python::list_devices);
+}

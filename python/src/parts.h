@@ -1,0 +1,12 @@
+// The parts of the module, which module.cpp puts together.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace lacuna::python {
+
+void add_errors(nanobind::module_& module);
+void add_sampling(nanobind::module_& module);  // requests, fields, sample and relax
+void add_judging(nanobind::module_& module);   // verify and analyze
+
+}  // namespace lacuna::python

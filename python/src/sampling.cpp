@@ -1,0 +1,177 @@
+// What makes points: requests, fields, sample and relax.
+#include <lacuna/lacuna.h>
+#include <lacuna/pictures.h>
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+#include "drawing/dot_size.h"
+#include "parts.h"
+#include "watch.h"
+
+namespace nb = nanobind;
+
+namespace lacuna::python {
+namespace {
+
+using Values = nb::ndarray<double, nb::numpy, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+
+Field make_field(std::uint32_t rows, std::uint32_t columns) {
+    return {columns, rows, std::vector<double>(std::size_t{columns} * rows)};
+}
+
+// The numbers of a field, for numpy to fill: its own copy, which no other thread changes.
+Values values_of(Field& field) {
+    return Values(field.importance.data(), {field.rows, field.columns}, nb::find(field));
+}
+
+nb::dict sample_points(const Request& wanted, const Field* field, nb::object progress) {
+    Request request = wanted;
+    request.field = field;
+    Watch watch(std::move(progress));
+    Result result;
+    {
+        const nb::gil_scoped_release no_gil;
+        result = sample(request, watch);
+    }
+    nb::dict made;
+    made["points"] = array_of(std::move(result.points));
+    made["radius"] = result.radius;
+    made["scale"] = result.scale;
+    made["lines_per_radius"] = result.lines_per_radius;
+    made["maximal"] = result.maximal;
+    made["rounds"] = result.rounds;
+    made["draws"] = result.draws;
+    made["backend"] = result.backend;
+    made["device"] = result.device;
+    made["seconds"] = watch.seconds();
+    return made;
+}
+
+nb::dict relax_points(const PointArray& array, const Field* field, const RelaxOptions& options,
+                      nb::object progress) {
+    Watch watch(std::move(progress));
+    Relaxed relaxed;
+    {
+        const nb::gil_scoped_release no_gil;
+        relaxed = relax(points_of(array), field, options, watch);
+    }
+    nb::dict made;
+    made["points"] = array_of(std::move(relaxed.points));
+    made["lattice"] = nb::make_tuple(relaxed.lattice_columns, relaxed.lattice_rows);
+    made["evenness"] = nb::none();
+    if (relaxed.evenness)
+        made["evenness"] = nb::make_tuple(relaxed.evenness->before, relaxed.evenness->after,
+                                          relaxed.evenness->after_voronoi);
+    made["backend"] = relaxed.backend;
+    made["device"] = relaxed.device;
+    made["seconds"] = watch.seconds();
+    return made;
+}
+
+// The radii of the dots of a stippled picture.
+nb::object dot_radii(const PointArray& array, const Field& field, double width, double height,
+                     bool relaxed) {
+    std::vector<double> sizes;
+    {
+        const nb::gil_scoped_release no_gil;
+        sizes = drawing::dot_diameters(points_of(array), field, width, height,
+                                       relaxed ? drawing::Spread::even : drawing::Spread::random);
+        for (double& size : sizes) size /= 2;
+    }
+    return array_of(std::move(sizes));
+}
+
+Field read_picture(const std::string& path, const Tone& tone) {
+    const nb::gil_scoped_release no_gil;
+    return read_field(path, tone);
+}
+
+Field decode_picture(const nb::bytes& bytes, const std::string& name, const Tone& tone) {
+    const std::string_view content(static_cast<const char*>(bytes.data()), bytes.size());
+    const nb::gil_scoped_release no_gil;
+    return decode_field(content, name, tone);
+}
+
+// An enum by its name; python/lacuna knows the names.
+template <typename Enum>
+Enum named(const std::string& name, const char* option) {
+    for (int i = 0; !name_of(static_cast<Enum>(i)).empty(); ++i)
+        if (name_of(static_cast<Enum>(i)) == name) return static_cast<Enum>(i);
+    throw BadRequest(option, name, "is not known");
+}
+
+// The domain, and where the work is to be done.
+template <typename Options>
+nb::class_<Options>& add_common(nb::class_<Options>& type) {
+    return type.def(nb::init<>())
+        .def_rw("width", &Options::width)
+        .def_rw("height", &Options::height)
+        .def_prop_rw(
+            "torus", [](const Options& options) { return options.boundary == Boundary::torus; },
+            [](Options& options, bool torus) {
+                options.boundary = torus ? Boundary::torus : Boundary::box;
+            })
+        .def_rw("backend", &Options::backend)
+        .def_rw("device", &Options::device)
+        .def_rw("threads", &Options::threads);
+}
+
+void add_request(nb::module_& module) {
+    nb::class_<Request> request(module, "Request");
+    add_common(request)
+        .def_rw("radius", &Request::radius, nb::arg().none())
+        .def_rw("count", &Request::count, nb::arg().none())
+        .def_rw("scale", &Request::scale, nb::arg().none())
+        .def_rw("lines_per_radius", &Request::lines_per_radius, nb::arg().none())
+        .def_rw("limit", &Request::limit, nb::arg().none())
+        .def_rw("snap", &Request::snap)
+        .def_rw("uniform_x", &Request::uniform_x)
+        .def_rw("round_size", &Request::round_size)
+        .def_rw("seed", &Request::seed)
+        .def_rw("memory_limit", &Request::memory_limit_bytes)
+        .def_prop_rw(
+            "mode", [](const Request& r) { return std::string(name_of(r.mode)); },
+            [](Request& r, const std::string& name) { r.mode = named<Mode>(name, "mode"); })
+        .def_prop_rw(
+            "metric", [](const Request& r) { return std::string(name_of(r.metric)); },
+            [](Request& r, const std::string& name) { r.metric = named<Metric>(name, "metric"); });
+}
+
+}  // namespace
+
+void add_sampling(nb::module_& module) {
+    nb::class_<Field>(module, "Field")
+        .def_ro("rows", &Field::rows)
+        .def_ro("columns", &Field::columns)
+        .def_prop_ro("values", values_of);
+    nb::class_<Tone>(module, "Tone")
+        .def(nb::init<>())
+        .def_rw("black", &Tone::black)
+        .def_rw("white", &Tone::white)
+        .def_rw("auto_levels", &Tone::auto_levels)
+        .def_rw("invert", &Tone::invert)
+        .def_rw("gamma", &Tone::gamma)
+        .def_rw("min_importance", &Tone::min_importance);
+    add_request(module);
+    nb::class_<RelaxOptions> options(module, "RelaxOptions");
+    add_common(options)
+        .def_rw("iterations", &RelaxOptions::iterations)
+        .def_rw("measure", &RelaxOptions::measure);
+    module.def("make_field", make_field);
+    module.def("read_field", read_picture);
+    module.def("decode_field", decode_picture);
+    module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg().none());
+    module.def("relax", relax_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none());
+    module.def("dot_radii", dot_radii);
+}
+
+}  // namespace lacuna::python

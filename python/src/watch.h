@@ -1,0 +1,70 @@
+// Watches a run for Python: signals such as Ctrl-C, the caller's progress, and seconds by verb.
+#pragma once
+
+#include <lacuna/lacuna.h>
+#include <nanobind/nanobind.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace lacuna::python {
+
+namespace nb = nanobind;
+
+// Is asked by a run that has released the GIL, on the thread that called it.
+class Watch : public Observer {
+public:
+    // `progress` is called with what is done and what is expected; None is not.
+    explicit Watch(nb::object progress) : progress_(std::move(progress)) {}
+
+    bool keep_going(const Progress& progress) override {
+        look(progress.points, progress.expected_points);
+        return true;
+    }
+
+    // Now and then runs Python's signal handlers, and calls progress; throws what they raise.
+    void look(std::uint64_t done, std::uint64_t expected) {
+        const Clock::time_point now = Clock::now();
+        if (now < next_) return;
+        next_ = now + kInterval;
+        const nb::gil_scoped_acquire gil;
+        if (PyErr_CheckSignals() != 0) throw nb::python_error();
+        if (!progress_.is_none()) progress_(done, std::max(done, expected));
+    }
+
+    void begin(Verb verb) override { begun_[index_of(verb)] = Clock::now(); }
+    void end(Verb verb) override {
+        spent_[index_of(verb)] += Clock::now() - begun_[index_of(verb)];
+    }
+
+    // With the GIL.
+    nb::dict seconds() const {
+        nb::dict all;
+        for (std::size_t i = 0; i < kVerbs; ++i) {
+            const std::string_view name = name_of(static_cast<Verb>(i));
+            if (spent_[i].count() > 0) all[nb::str(name.data(), name.size())] = spent_[i].count();
+        }
+        all["total"] = Seconds(Clock::now() - start_).count();
+        return all;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    using Seconds = std::chrono::duration<double>;
+    // Of the 0.2 s within which Ctrl-C is answered.
+    static constexpr std::chrono::milliseconds kInterval{20};
+    static constexpr std::size_t kVerbs = 1 + static_cast<std::size_t>(Verb::settle);
+    static std::size_t index_of(Verb verb) { return static_cast<std::size_t>(verb); }
+
+    nb::object progress_;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point next_ = start_ + kInterval;
+    std::array<Clock::time_point, kVerbs> begun_{};
+    std::array<Seconds, kVerbs> spent_{};
+};
+
+}  // namespace lacuna::python

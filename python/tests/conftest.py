@@ -1,0 +1,78 @@
+"""What the tests share: the command, the backends of this machine, and fields."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any, Callable
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+
+import lacuna
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+BACKENDS = ("cpu", "opencl", "vulkan", "reference")
+
+Command = Callable[..., npt.NDArray[np.float64]]
+
+
+def required(name: str) -> bool:
+    """Whether CI wants this to be there: what is missing then fails instead of being skipped."""
+    return name in os.environ.get("LACUNA_REQUIRE", "").split(",")
+
+
+def refused(
+    error: type[Exception],
+    argument: str,
+    call: Callable[..., object],
+    *args: Any,
+    **kwargs: Any,
+) -> None:
+    """Calls, which must raise one line that begins with the argument."""
+    with pytest.raises(error) as caught:
+        call(*args, **kwargs)
+    message = str(caught.value)
+    assert message.startswith(argument), message
+    assert "\n" not in message
+    if isinstance(caught.value, lacuna.BadRequest):
+        assert caught.value.argument == argument
+
+
+@pytest.fixture(scope="session")
+def command(tmp_path_factory: pytest.TempPathFactory) -> Command:
+    """Runs the command lacuna; the points that it writes."""
+    path = os.environ.get("LACUNA_COMMAND") or shutil.which(str(REPOSITORY / "build" / "lacuna"))
+    if path is None:
+        if required("python"):
+            pytest.fail("the command is not built: build/lacuna is not there")
+        pytest.skip("the command is not built: run ./bootstrap.sh run")
+    folder = tmp_path_factory.mktemp("command")
+
+    def run(*arguments: object) -> npt.NDArray[np.float64]:
+        file = folder / "points.npy"
+        subprocess.run([path, *map(str, arguments), "--quiet", "-o", str(file)], check=True)
+        points: npt.NDArray[np.float64] = np.load(file)
+        return points
+
+    return run
+
+
+@pytest.fixture(scope="session", params=BACKENDS)
+def backend(request: pytest.FixtureRequest) -> str:
+    """Each backend that can be used here."""
+    name: str = request.param
+    if not any(device.usable for device in lacuna.devices() if device.backend == name):
+        if required(name):
+            pytest.fail(f"backend {name} is not there")
+        pytest.skip(f"backend {name} is not there")
+    return name
+
+
+@pytest.fixture(scope="session")
+def ramp() -> npt.NDArray[np.float64]:
+    """From 0 on the left to 1 on the right."""
+    return np.linspace(0, 1, 48) * np.ones((32, 1))

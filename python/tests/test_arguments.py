@@ -1,0 +1,188 @@
+"""Hostile arguments: an exception that names the argument, never a crash."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import refused
+
+import lacuna
+
+POINTS = np.random.default_rng(1).random((50, 2))
+FIELD = np.ones((8, 8))
+
+
+@pytest.mark.parametrize(
+    ("error", "argument", "arguments"),
+    [
+        (ValueError, "n", {"n": 0}),
+        (ValueError, "n", {"n": -1}),
+        (ValueError, "n", {"n": 2**64}),
+        (TypeError, "n", {"n": 1e4}),
+        (TypeError, "n", {"n": "100"}),
+        (TypeError, "n", {"n": np.array([3, 4])}),
+        (MemoryError, "n", {"n": 10**9, "memory_limit": 10**9}),
+        (ValueError, "radius", {}),
+        (ValueError, "radius", {"radius": 0.1, "n": 10}),
+        (ValueError, "radius", {"radius": 0}),
+        (ValueError, "radius", {"radius": -0.1}),
+        (ValueError, "radius", {"radius": float("nan")}),
+        (ValueError, "radius", {"radius": float("inf")}),
+        (MemoryError, "radius", {"radius": 1e-300}),
+        (ValueError, "radius", {"radius": 10**400}),
+        (TypeError, "radius", {"radius": "0.1"}),
+        (TypeError, "radius", {"radius": 1j}),
+        (TypeError, "radius", {"radius": [0.1, 0.2]}),
+        (ValueError, "radius", {"radius": 0.1, "field": FIELD}),
+        (ValueError, "scale", {"scale": 0.1}),
+        (ValueError, "scale", {"field": FIELD}),
+        (ValueError, "scale", {"field": FIELD, "scale": 0}),
+        (ValueError, "scale", {"field": FIELD, "scale": float("nan")}),
+        (ValueError, "metric", {"n": 10, "metric": "min"}),
+        (ValueError, "metric", {"n": 10, "field": FIELD, "metric": "least"}),
+        (TypeError, "metric", {"n": 10, "field": FIELD, "metric": 3}),
+        (TypeError, "domain", {"radius": 0.1, "domain": 1}),
+        (TypeError, "domain", {"radius": 0.1, "domain": (1, 2, 3)}),
+        (TypeError, "domain", {"radius": 0.1, "domain": ("a", "b")}),
+        (ValueError, "domain", {"radius": 0.1, "domain": (1, 0)}),
+        (ValueError, "domain", {"radius": 0.1, "domain": (1, -1)}),
+        (ValueError, "domain", {"radius": 0.1, "domain": (1, float("nan"))}),
+        (ValueError, "domain", {"radius": 0.1, "domain": (1, 1e6)}),
+        (TypeError, "torus", {"radius": 0.1, "torus": "yes"}),
+        (ValueError, "mode", {"radius": 0.1, "mode": "quick"}),
+        (TypeError, "mode", {"radius": 0.1, "mode": 1}),
+        (ValueError, "field", {"radius": 0.1, "mode": "cells"}),
+        (ValueError, "seed", {"radius": 0.1, "seed": -1}),
+        (ValueError, "seed", {"radius": 0.1, "seed": 2**64}),
+        (TypeError, "seed", {"radius": 0.1, "seed": 1.0}),
+        (TypeError, "seed", {"radius": 0.1, "seed": np.random.RandomState(1)}),
+        (ValueError, "limit", {"radius": 0.1, "limit": 0}),
+        (TypeError, "limit", {"radius": 0.1, "limit": 1.5}),
+        (ValueError, "relax", {"radius": 0.1, "relax": -1}),
+        (ValueError, "relax", {"radius": 0.3, "relax": 10_001}),
+        (ValueError, "lines_per_radius", {"radius": 0.1, "lines_per_radius": 0}),
+        (ValueError, "lines_per_radius", {"radius": 0.1, "lines_per_radius": 1001}),
+        (ValueError, "snap", {"radius": 0.1, "snap": True}),
+        (ValueError, "uniform_x", {"radius": 0.1, "uniform_x": True}),
+        (ValueError, "round_size", {"radius": 0.1, "round_size": -1}),
+        (ValueError, "round_size", {"radius": 0.1, "round_size": 2**40}),
+        (ValueError, "backend", {"radius": 0.1, "backend": "cuda"}),
+        (ValueError, "backend", {"radius": 0.1, "backend": "c\0pu"}),
+        (TypeError, "backend", {"radius": 0.1, "backend": None}),
+        (ValueError, "device", {"radius": 0.1, "backend": "cpu", "device": 1}),
+        (TypeError, "device", {"radius": 0.1, "device": 1.5}),
+        (ValueError, "threads", {"radius": 0.1, "threads": -1}),
+        (ValueError, "threads", {"radius": 0.1, "threads": 10**6}),
+        (ValueError, "memory_limit", {"radius": 0.1, "memory_limit": 0}),
+        (TypeError, "progress", {"radius": 0.1, "progress": 3}),
+    ],
+    ids=lambda value: f"{value!r:.60}",
+)
+def test_sample_refuses(
+    error: type[Exception], argument: str, arguments: dict[str, Any]
+) -> None:
+    refused(error, argument, lacuna.sample, **arguments)
+
+
+def test_a_set_larger_than_the_machine_is_refused_before_memory_is_taken() -> None:
+    with pytest.raises((MemoryError, ValueError), match=r"^n 1000000000000"):
+        lacuna.sample(n=10**12)
+    with pytest.raises(lacuna.MemoryRefused):
+        lacuna.sample(0.001, memory_limit=10_000)
+
+
+@pytest.mark.parametrize(
+    ("error", "argument", "arguments"),
+    [
+        (ValueError, "radius", {}),
+        (ValueError, "radius", {"radius": 0}),
+        (ValueError, "radius", {"radius": float("nan")}),
+        (TypeError, "radius", {"radius": "a"}),
+        (ValueError, "tolerance", {"radius": 0.1, "tolerance": -1}),
+        (ValueError, "tolerance", {"radius": 0.1, "tolerance": float("nan")}),
+        (ValueError, "domain", {"radius": 0.1, "domain": (0, 1)}),
+        (TypeError, "torus", {"radius": 0.1, "torus": 2}),
+        (TypeError, "distances_only", {"radius": 0.1, "distances_only": "no"}),
+    ],
+    ids=lambda value: f"{value!r:.60}",
+)
+def test_verify_refuses(error: type[Exception], argument: str, arguments: dict[str, Any]) -> None:
+    refused(error, argument, lacuna.verify, POINTS, **arguments)
+
+
+@pytest.mark.parametrize(
+    ("error", "argument", "arguments"),
+    [
+        (ValueError, "iterations", {"iterations": -1}),
+        (ValueError, "iterations", {"iterations": 10_001}),
+        (TypeError, "iterations", {"iterations": 1.0}),
+        (ValueError, "domain", {"domain": (1, 0)}),
+        (TypeError, "measure", {"measure": None}),
+        (ValueError, "backend", {"backend": ""}),
+        (TypeError, "progress", {"progress": "often"}),
+    ],
+    ids=lambda value: f"{value!r:.60}",
+)
+def test_relax_refuses(error: type[Exception], argument: str, arguments: dict[str, Any]) -> None:
+    refused(error, argument, lacuna.relax, POINTS, **arguments)
+
+
+@pytest.mark.parametrize(
+    ("error", "argument", "arguments"),
+    [
+        (ValueError, "image", {"image": np.ones(3), "n": 10}),
+        (ValueError, "image", {"image": np.ones((3, 3)), "n": 10}),  # white all over
+        (ValueError, "image", {"image": np.ones((3, 3, 2)), "n": 10}),
+        (ValueError, "image", {"image": np.full((3, 3), np.nan), "n": 10}),
+        (ValueError, "image", {"image": np.full((3, 3), -1), "n": 10}),
+        (ValueError, "image", {"image": np.empty((0, 3)), "n": 10}),
+        (TypeError, "image", {"image": np.full((3, 3), "a"), "n": 10}),
+        (TypeError, "image", {"image": np.full((3, 3), 1j), "n": 10}),
+        (ValueError, "image", {"image": "a\0b.png", "n": 10}),
+        (ValueError, "n", {"image": np.zeros((3, 3))}),
+        (ValueError, "n", {"image": np.zeros((3, 3)), "n": 5, "scale": 0.1}),
+        (ValueError, "gamma", {"image": np.zeros((3, 3)), "n": 5, "gamma": 0}),
+        (ValueError, "gamma", {"image": np.zeros((3, 3)), "n": 5, "gamma": float("nan")}),
+        (ValueError, "black", {"image": np.zeros((3, 3)), "n": 5, "black": 2}),
+        (ValueError, "white", {"image": np.zeros((3, 3)), "n": 5, "white": 0}),
+        (ValueError, "min_importance", {"image": np.eye(3), "n": 5, "min_importance": 2}),
+        (ValueError, "auto_levels", {"image": np.eye(3), "n": 5, "auto_levels": 1, "black": 0.1}),
+        (ValueError, "relax", {"image": np.eye(3), "n": 5, "relax": 10_001}),
+    ],
+    ids=lambda value: f"{value!r:.60}",
+)
+def test_stipple_refuses(error: type[Exception], argument: str, arguments: dict[str, Any]) -> None:
+    refused(error, argument, lacuna.stipple, **arguments)
+
+
+def test_a_file_that_is_not_there_or_no_picture_is_an_oserror(tmp_path: Any) -> None:
+    (tmp_path / "text.png").write_text("no picture")
+    for path in (tmp_path / "none.png", tmp_path / "text.png", tmp_path, "-"):
+        with pytest.raises(OSError) as caught:
+            lacuna.stipple(path, 10)
+        assert isinstance(caught.value, lacuna.FileError) and str(path) in str(caught.value)
+
+
+def test_numbers_of_other_kinds_are_numbers() -> None:
+    expected = lacuna.sample(0.25, seed=1).points
+    for radius in (np.float32(0.25), Decimal("0.25"), np.array(0.25)):
+        assert (lacuna.sample(radius, seed=np.uint8(1)).points == expected).all()
+
+
+def test_a_generator_and_none_give_seeds_that_are_told() -> None:
+    first = lacuna.sample(0.2, seed=np.random.default_rng(5))
+    again = lacuna.sample(0.2, seed=np.random.default_rng(5))
+    assert first.seed == again.seed and (first.points == again.points).all()
+    entropy = lacuna.sample(0.2)
+    assert (lacuna.sample(0.2, seed=entropy.seed).points == entropy.points).all()
+    assert entropy.seed != lacuna.sample(0.2).seed
+
+
+def test_a_backend_or_device_that_is_not_there_is_a_runtimeerror() -> None:
+    for backend in ("opencl", "vulkan"):
+        with pytest.raises(RuntimeError) as caught:
+            lacuna.sample(0.1, backend=backend, device="no such device")
+        assert isinstance(caught.value, lacuna.Unavailable)

@@ -1,0 +1,141 @@
+"""Hostile arrays: an exception that names the argument, never a crash."""
+
+from __future__ import annotations
+
+import threading
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import refused
+
+import lacuna
+
+POINTS = np.random.default_rng(1).random((50, 2))
+
+
+FIELDS: list[tuple[type[Exception], object]] = [
+    (ValueError, []),
+    (ValueError, 3.0),
+    (ValueError, np.ones(8)),
+    (ValueError, np.ones((4, 4, 3))),
+    (ValueError, np.ones((0, 8))),
+    (ValueError, np.zeros((8, 8))),
+    (ValueError, np.full((8, 8), np.nan)),
+    (ValueError, np.full((8, 8), -1.0)),
+    (ValueError, np.full((8, 8), np.inf)),
+    (ValueError, np.broadcast_to(1.0, (10**6, 10**6))),
+    (ValueError, np.broadcast_to(1.0, (1, 2**21))),
+    (TypeError, np.ones((8, 8), complex)),
+    (TypeError, np.full((8, 8), "a")),
+    (TypeError, np.full((8, 8), None)),
+    (TypeError, np.zeros((8, 8), [("a", float)])),
+    (TypeError, np.zeros((8, 8), "datetime64[s]")),
+    (TypeError, object()),
+]
+
+
+@pytest.mark.parametrize(("error", "field"), FIELDS, ids=lambda value: f"{value!r:.30}")
+def test_a_field_that_is_none_is_refused(error: type[Exception], field: object) -> None:
+    refused(error, "field", lacuna.sample, n=10, field=field)
+    refused(error, "field", lacuna.relax, POINTS, field)
+
+
+def test_a_field_may_have_any_layout_and_type() -> None:
+    field = np.arange(1, 49, dtype=np.float64).reshape(6, 8)
+    expected = lacuna.sample(n=100, field=field, seed=1).points
+    padded = np.zeros((12, 24))
+    padded[::2, ::3] = field
+    read_only = field.copy()
+    read_only.flags.writeable = False
+    same: list[object] = [
+        np.asfortranarray(field),
+        field[::-1].copy()[::-1],
+        padded[::2, ::3],
+        field.astype(">f8"),
+        field.astype("<f4"),
+        field.astype(np.float16),
+        field.astype(np.longdouble),
+        field.astype(np.uint8),
+        field.astype(">i2"),
+        field.tolist(),
+        read_only,
+    ]
+    for one in same:
+        made = lacuna.sample(n=100, field=one, seed=1)  # type: ignore[arg-type]
+        assert (made.points == expected).all()
+
+
+def test_a_field_that_another_thread_changes_is_read_once() -> None:
+    field = np.ones((300, 300))
+    done = threading.Event()
+
+    def change() -> None:
+        value = 0
+        while not done.is_set():
+            field[:] = (np.nan, 1e-300, -1.0, 1e300, 0.0, 1.0)[value % 6]
+            value += 1
+
+    thread = threading.Thread(target=change)
+    thread.start()
+    try:
+        for seed in range(20):
+            try:
+                made = lacuna.sample(n=500, field=field, seed=seed)
+            except (lacuna.BadRequest, lacuna.MemoryRefused):
+                continue
+            assert made.points.shape == (500, 2)
+    finally:
+        done.set()
+        thread.join()
+
+
+SETS: list[tuple[type[Exception], object]] = [
+    (ValueError, np.ones((5, 3))),
+    (ValueError, np.ones((2, 2, 2, 2))),
+    (ValueError, np.ones(4)),
+    (ValueError, 1.0),
+    (ValueError, np.broadcast_to(0.5, (10**11, 2))),
+    (TypeError, np.ones((5, 2), complex)),
+    (TypeError, [["a", "b"]]),
+    (TypeError, None),
+]
+
+
+@pytest.mark.parametrize(("error", "points"), SETS, ids=lambda value: f"{value!r:.30}")
+def test_points_that_are_none_are_refused(error: type[Exception], points: object) -> None:
+    refused(error, "points", lacuna.verify, points, 0.1)
+    refused(error, "points", lacuna.relax, points)
+    refused(error, "points", lacuna.analyze, points)
+
+
+@pytest.mark.parametrize("place", [(np.nan, 0.5), (0.5, np.inf), (-0.1, 0.5), (0.5, 1.5)])
+def test_points_outside_the_domain_are_told(place: tuple[float, float]) -> None:
+    points = np.vstack([POINTS, place])
+    assert lacuna.verify(points, 1e-6).outside == 50
+    assert not lacuna.verify(points, 1e-6)
+    refused(ValueError, "points", lacuna.relax, points)
+    refused(ValueError, "points", lacuna.analyze, points)
+
+
+def test_points_may_have_any_layout_and_type() -> None:
+    points = (POINTS * 256).round() / 256
+    expected = lacuna.relax(points, iterations=2).points
+    for same in (
+        np.asfortranarray(points),
+        np.repeat(points, 2, axis=0)[::2],
+        points[::-1].copy()[::-1],
+        points.astype(">f8"),
+        points.astype(np.float32),
+        points.tolist(),
+    ):
+        assert (lacuna.relax(same, iterations=2).points == expected).all()
+
+
+def test_no_points_are_a_set() -> None:
+    sets: list[Any] = [np.empty((0, 2)), []]
+    for empty in sets:
+        assert len(lacuna.relax(empty)) == 0
+        verdict = lacuna.verify(empty, 0.1)
+        assert not verdict and verdict.closest_pair is None and verdict.emptiest_spot is None
+        refused(ValueError, "points", lacuna.analyze, empty)

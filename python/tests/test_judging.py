@@ -1,0 +1,72 @@
+"""verify and analyze tell what holds."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import lacuna
+
+
+@pytest.mark.parametrize("torus", [False, True])
+def test_a_set_of_ours_is_proven_and_one_with_a_hole_is_not(torus: bool) -> None:
+    made = lacuna.sample(0.03, torus=torus, domain=(2, 1), seed=1)
+    verdict = lacuna.verify(made)
+    assert verdict and verdict.maximal and verdict.kept and verdict.covered
+    assert verdict.least_distance >= 0.03
+    missing = made.points[17]
+    refuted = lacuna.verify(np.delete(made.points, 17, axis=0), 0.03, domain=(2, 1), torus=torus)
+    assert not refuted and refuted.kept and not refuted.covered
+    assert refuted.emptiest_spot is not None
+    assert math.dist(refuted.emptiest_spot, missing) < 0.03
+
+
+def test_the_closest_pair_is_named() -> None:
+    verdict = lacuna.verify([(0.1, 0.1), (0.9, 0.9), (0.1, 0.2)], 0.15, distances_only=True)
+    assert not verdict and verdict.kept is False and verdict.covered is None
+    assert verdict.closest_pair == (0, 2)
+    assert verdict.least_distance == pytest.approx(0.1)
+
+
+def test_many_points_are_judged_as_few_are() -> None:
+    made = lacuna.sample(0.005, seed=1)
+    assert len(made) > 20_000 and lacuna.verify(made).maximal
+    assert not lacuna.verify(made.points[1:], 0.005)
+
+
+def test_analyze_gives_arrays_and_numbers() -> None:
+    sets = [lacuna.sample(0.03, torus=True, seed=seed) for seed in range(4)]
+    found = lacuna.analyze(sets)
+    assert found.sets == 4
+    assert found.frequency.shape == found.power.shape == found.anisotropy_db.shape
+    assert found.distance.shape == found.pair_correlation.shape
+    assert found.distance[0] == pytest.approx(0.025)
+    # Blue noise: hardly any power below, a peak near 1.
+    assert found.power[found.frequency < 0.5].mean() < 0.2
+    assert found.power[(found.frequency > 1) & (found.frequency < 1.2)].mean() > 1.3
+    assert found.least_distance is not None and found.least_distance >= 0.03
+    assert found.mean_count == np.mean([len(one) for one in sets])
+
+
+def test_analyze_of_an_array_is_that_of_the_list() -> None:
+    sets = np.random.default_rng(1).random((3, 100, 2))
+    one = lacuna.analyze(sets, torus=True)
+    two = lacuna.analyze(list(sets), torus=True)
+    assert (one.power == two.power).all() and one.sets == 3
+    assert lacuna.analyze([(0.1, 0.1), (0.5, 0.5)]).sets == 1
+
+
+def test_relaxing_makes_shares_more_equal() -> None:
+    made = lacuna.sample(n=500, torus=True, seed=1)
+    relaxed = lacuna.relax(made, measure=True)
+    assert relaxed.torus and relaxed.domain == (1, 1) and relaxed.evenness is not None
+    assert relaxed.evenness.after < relaxed.evenness.before / 2
+    assert lacuna.sample(n=500, torus=True, seed=1, relax=15).sha256 == relaxed.sha256
+
+
+def test_devices_lists_every_backend() -> None:
+    listed = lacuna.devices()
+    assert {device.backend for device in listed} == {"cpu", "opencl", "vulkan", "reference"}
+    assert all(device.usable == (device.unusable == "") for device in listed)

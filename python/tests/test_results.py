@@ -1,0 +1,123 @@
+"""What comes back: frozen objects, arrays that are not copies, reports as the command writes."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+import pickle
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import REPOSITORY
+
+import lacuna
+
+
+def test_points_are_the_librarys_own_numbers() -> None:
+    points = lacuna.sample(0.05, seed=1).points
+    assert points.dtype == np.float64 and points.ndim == 2 and points.shape[1] == 2
+    assert points.flags.c_contiguous and not points.flags.owndata
+    assert points.base is not None and not isinstance(points.base, np.ndarray)
+
+
+def test_points_outlive_the_result() -> None:
+    made = lacuna.sample(0.02, seed=1)
+    points, digest = made.points, made.sha256
+    del made
+    again = lacuna.sample(0.02, seed=1)
+    assert again.sha256 == digest and (again.points == points).all()
+
+
+def test_a_result_is_an_array_to_numpy() -> None:
+    made = lacuna.sample(0.1, seed=1)
+    assert np.asarray(made) is made.points
+    assert np.array(made, dtype=np.float32).dtype == np.float32
+    assert len(made) == len(made.points)
+
+
+def test_a_result_cannot_be_changed() -> None:
+    made = lacuna.sample(0.2, seed=1)
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        made.radius = 1.0  # type: ignore[misc]
+
+
+def test_a_result_can_be_pickled() -> None:
+    made = lacuna.sample(0.2, seed=1, relax=2)
+    again = pickle.loads(pickle.dumps(made))
+    assert (again.points == made.points).all() and again.seed == 1
+    assert again.report()["points_sha256"] == made.sha256
+
+
+def test_a_repr_is_short() -> None:
+    assert len(repr(lacuna.sample(0.01, seed=1))) < 500
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["sample", "--radius", "0.1", "--torus", "--seed", "3"],
+        ["sample", "--count", "50", "--mode", "lines", "--seed", "1"],
+        ["sample", "--radius", "0.1", "--relax", "2"],
+    ],
+    ids=" ".join,
+)
+def test_a_report_says_what_the_command_says(options: list[str], tmp_path: Path) -> None:
+    program = os.environ.get("LACUNA_COMMAND") or str(REPOSITORY / "build" / "lacuna")
+    if not os.path.exists(program):
+        pytest.skip("the command is not built: run ./bootstrap.sh run")
+    file = tmp_path / "report.json"
+    subprocess.run(
+        [program, *options, "--quiet", "-o", tmp_path / "points.npy", "--report", file], check=True
+    )
+    expected = json.loads(file.read_text())
+    words = dict(zip(options[1::2], options[2::2])) if "--torus" not in options else {}
+    made = lacuna.sample(
+        radius=0.1 if "--radius" in options else None,
+        n=50 if "--count" in options else None,
+        torus="--torus" in options,
+        mode=words.get("--mode"),
+        relax=int(words.get("--relax", 0)),
+        seed=int(options[options.index("--seed") + 1]) if "--seed" in options else 0,
+    )
+    found = json.loads(json.dumps(made.report()))
+    for report in (expected, found):
+        assert report.pop("peak_memory_bytes") > 0
+        assert report.pop("seconds")["total"] > 0
+        report.get("relax", {}).pop("capacity_cv", None)
+    assert found == expected
+
+
+MEMORY = """
+import resource, sys, lacuna
+made = lacuna.sample(n=int(sys.argv[1]), torus=True, seed=0)
+print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024)
+"""
+
+
+def test_a_million_points_take_no_memory_that_the_command_does_not(tmp_path: Path) -> None:
+    """At most 24 bytes a point beyond the command's, and what numpy is: docs/python.md has ten
+    million."""
+    program = os.environ.get("LACUNA_COMMAND") or str(REPOSITORY / "build" / "lacuna")
+    if not os.path.exists(program):
+        pytest.skip("the command is not built: run ./bootstrap.sh run")
+    count = 1_000_000
+    report = tmp_path / "report.json"
+    subprocess.run(
+        [program, "sample", "--count", str(count), "--torus", "--quiet"]
+        + ["--report", str(report), "-o", "/dev/null"],
+        check=True,
+        stdout=subprocess.DEVNULL,
+    )
+    command = json.loads(report.read_text())["peak_memory_bytes"]
+
+    def peak(n: int) -> int:
+        run = subprocess.run(
+            [sys.executable, "-c", MEMORY, str(n)], check=True, capture_output=True, text=True
+        )
+        return int(run.stdout)
+
+    assert peak(count) - peak(10) <= command + 24 * count

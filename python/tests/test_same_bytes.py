@@ -1,0 +1,143 @@
+"""The same request gives the same bytes as the command, on every backend."""
+
+from __future__ import annotations
+
+import itertools
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+from conftest import REPOSITORY, Command
+
+import lacuna
+
+RACCOON = REPOSITORY / "examples" / "raccoon.png"
+
+# What Python is asked for, and what the command is.
+Case = tuple[dict[str, Any], list[object]]
+
+
+def uniform_cases() -> list[Case]:
+    cases: list[Case] = []
+    sizes: list[Case] = [({"radius": 0.06}, ["--radius", 0.06]), ({"n": 300}, ["--count", 300])]
+    domains: list[Case] = [
+        ({}, []),
+        ({"torus": True}, ["--torus"]),
+        ({"domain": (2, 1)}, ["--domain", "2x1"]),
+        ({"domain": (0.5, 3), "torus": True}, ["--domain", "0.5x3", "--torus"]),
+    ]
+    modes: list[Case] = [
+        ({"seed": 3}, ["--seed", 3]),
+        ({"mode": "lines", "seed": 2**64 - 1}, ["--mode", "lines", "--seed", 2**64 - 1]),
+    ]
+    for (a, b), (c, d), (e, f) in itertools.product(sizes, domains, modes):
+        cases.append(({**a, **c, **e}, [*b, *d, *f]))
+    base: Case = ({"radius": 0.07, "seed": 5}, ["--radius", 0.07, "--seed", 5])
+    for more, options in (
+        ({"limit": 20}, ["--limit", 20]),
+        ({"round_size": 1}, ["--round-size", 1]),
+        ({"round_size": 50, "torus": True}, ["--round-size", 50, "--torus"]),
+        ({"lines_per_radius": 3}, ["--lines-per-radius", 3]),
+        ({"mode": "lines", "snap": True}, ["--mode", "lines", "--snap"]),
+        ({"mode": "lines", "uniform_x": True}, ["--mode", "lines", "--uniform-x"]),
+        ({"threads": 1}, ["--threads", 1]),
+        ({"relax": 5, "torus": True}, ["--relax", 5, "--torus"]),
+        ({"relax": 3, "domain": (1, 2)}, ["--relax", 3, "--domain", "1x2"]),
+    ):
+        cases.append(({**base[0], **more}, [*base[1], *options]))
+    return cases
+
+
+def picture_cases() -> list[Case]:
+    base: Case = ({"seed": 1}, ["--seed", 1])
+    cases: list[Case] = []
+    random: list[object] = ["--count", 300, "--relax", 0]
+    for more, options in (
+        ({"n": 400}, ["--count", 400]),
+        ({"n": 400, "relax": 0}, ["--count", 400, "--relax", 0]),
+        ({"scale": 0.03, "relax": 0}, ["--scale", 0.03, "--relax", 0]),
+        ({"scale": 0.03, "relax": 4}, ["--scale", 0.03, "--relax", 4]),
+        ({"n": 300, "relax": 0, "metric": "mean"}, [*random, "--metric", "mean"]),
+        ({"n": 300, "relax": 0, "metric": "max"}, [*random, "--metric", "max"]),
+        ({"n": 300, "relax": 2, "metric": "min"}, ["--count", 300, "--relax", 2, "--metric=min"]),
+        ({"n": 200, "invert": True}, ["--count", 200, "--invert"]),
+        ({"n": 200, "gamma": 2.0}, ["--count", 200, "--gamma", 2]),
+        ({"n": 200, "black": 0.2, "white": 0.8}, ["--count", 200, "--black", 0.2, "--white", 0.8]),
+        ({"n": 200, "auto_levels": True}, ["--count", 200, "--auto-levels"]),
+        ({"n": 200, "min_importance": 0.1}, ["--count", 200, "--min-importance", 0.1]),
+        ({"n": 200, "torus": True, "limit": 100}, ["--count", 200, "--torus", "--limit", 100]),
+        ({"n": 200, "lines_per_radius": 5}, ["--count", 200, "--lines-per-radius", 5]),
+        ({"scale": 0.05, "round_size": 1}, ["--scale", 0.05, "--round-size", 1]),
+    ):
+        cases.append(({**base[0], **more}, [*base[1], *options]))
+    return cases
+
+
+def test_there_are_forty_requests() -> None:
+    assert len(uniform_cases()) + len(picture_cases()) >= 40
+
+
+@pytest.mark.parametrize("case", uniform_cases(), ids=lambda case: " ".join(map(str, case[1])))
+def test_of_a_uniform_set(case: Case, command: Command, backend: str) -> None:
+    arguments, options = case
+    expected = command("sample", *options)
+    made = lacuna.sample(**arguments, backend=backend)
+    assert made.backend == backend
+    assert made.points.tobytes() == expected.tobytes()
+
+
+@pytest.fixture(scope="session")
+def small(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A picture of few pixels, for the reference backend."""
+    y, x = np.mgrid[0:60, 0:90]
+    picture = (127.5 + 127.5 * np.sin(x / 9.0) * np.cos(y / 11.0)).astype(np.uint8)
+    path = tmp_path_factory.mktemp("picture") / "small.npy"
+    np.save(path, picture)
+    return path
+
+
+@pytest.mark.parametrize("case", picture_cases(), ids=lambda case: " ".join(map(str, case[1])))
+def test_of_a_picture(case: Case, command: Command, backend: str, small: Path) -> None:
+    arguments, options = case
+    expected = command("stipple", small, *options)
+    from_path = lacuna.stipple(small, **arguments, backend=backend)
+    from_array = lacuna.stipple(np.load(small), **arguments, backend=backend)
+    assert from_path.backend == backend
+    assert from_path.points.tobytes() == expected.tobytes()
+    assert from_array.points.tobytes() == expected.tobytes()
+
+
+def test_of_a_photograph(command: Command) -> None:
+    expected = command("stipple", RACCOON, "--count", 2000)
+    assert lacuna.stipple(RACCOON, 2000, seed=0).points.tobytes() == expected.tobytes()
+
+
+def test_of_a_field(command: Command, backend: str, tmp_path: Path, ramp: npt.ArrayLike) -> None:
+    np.save(tmp_path / "ramp.npy", ramp)
+    expected = command(
+        "stipple", tmp_path / "ramp.npy", "--invert", "--count", 250, "--relax", 0, "--seed", 4
+    )
+    made = lacuna.sample(n=250, field=ramp, seed=4, backend=backend)
+    assert made.points.tobytes() == expected.tobytes()
+
+
+@pytest.mark.parametrize("with_field", [False, True])
+def test_of_relaxed_points(
+    command: Command, backend: str, tmp_path: Path, ramp: npt.ArrayLike, with_field: bool
+) -> None:
+    given = np.random.default_rng(8).random((200, 2)) * (1, 2 / 3)
+    np.save(tmp_path / "given.npy", given)
+    np.save(tmp_path / "ramp.npy", ramp)
+    options: list[object] = ["--iterations", 4, "--domain", "1x0.75"]
+    picture = [tmp_path / "ramp.npy", "--invert"] if with_field else []
+    expected = command("relax", tmp_path / "given.npy", *picture, *options)
+    relaxed = lacuna.relax(
+        given,
+        ramp if with_field else None,
+        iterations=4,
+        domain=(1, 0.75),
+        backend=backend,
+    )
+    assert relaxed.points.tobytes() == expected.tobytes()

@@ -1,0 +1,108 @@
+"""All of the API, for mypy --strict; and it runs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Mapping
+
+import numpy as np
+import numpy.typing as npt
+
+import lacuna
+from lacuna import qmc
+
+Floats = npt.NDArray[np.float64]
+
+
+def told(done: int, expected: int) -> None:
+    assert done <= expected
+
+
+made: lacuna.PointSet = lacuna.sample(
+    0.1,
+    domain=(1, 1),
+    torus=True,
+    mode="exact",
+    seed=1,
+    limit=10_000,
+    lines_per_radius=6,
+    round_size=0,
+    backend="cpu",
+    device=None,
+    threads=1,
+    memory_limit=10**9,
+    progress=told,
+)
+points: Floats = made.points
+numbers: tuple[float, float | None, bool, int] = (made.radius, made.scale, made.maximal, made.seed)
+words: tuple[str, str, str, str] = (made.mode, made.metric, made.backend, made.device)
+counts: tuple[int, int, int, int] = (made.rounds, made.draws, made.lines_per_radius, len(made))
+place: tuple[tuple[float, float], bool] = (made.domain, made.torus)
+seconds: Mapping[str, float] = made.seconds
+digest: str = made.sha256
+report: dict[str, object] = made.report()
+array: npt.NDArray[np.float32] = np.asarray(made, np.float32)
+lines: lacuna.PointSet = lacuna.sample(
+    n=50, mode="lines", snap=True, uniform_x=True, seed=np.random.default_rng(1)
+)
+
+field: Floats = np.ones((4, 6))
+dense: lacuna.PointSet = lacuna.sample(field=field, scale=0.2, metric="max", relax=1)
+relaxed_or_none: lacuna.Relaxed | None = dense.relaxed
+
+dots: lacuna.Stippling = lacuna.stipple(
+    1 - field / 2,
+    20,
+    relax=1,
+    metric="mean",
+    invert=False,
+    black=0.1,
+    white=0.9,
+    auto_levels=False,
+    gamma=1.5,
+    min_importance=0.01,
+    seed=None,
+)
+radii: Floats = dots.radii
+photograph = Path(__file__).resolve().parents[2] / "examples" / "raccoon.png"
+of_a_path: lacuna.Stippling = lacuna.stipple(photograph, scale=0.05, relax=0)
+
+relaxed: lacuna.Relaxed = lacuna.relax(
+    made, field, iterations=2, domain=(1, 1), torus=True, measure=True, progress=told
+)
+evenness: lacuna.Evenness | None = relaxed.evenness
+if evenness is not None:
+    shares: tuple[float, float, float] = (evenness.before, evenness.after, evenness.after_voronoi)
+lattice: tuple[int, int] = relaxed.lattice
+iterations: int = relaxed.iterations
+
+verdict: lacuna.Verdict = lacuna.verify(made, 0.1, domain=(1, 1), torus=True, tolerance=1e-9)
+only: lacuna.Verdict = lacuna.verify([[0.1, 0.2], [0.3, 0.4]], 0.1, distances_only=True)
+holds: bool = bool(verdict)
+pair: tuple[int, int] | None = verdict.closest_pair
+spot: tuple[float, float] | None = verdict.emptiest_spot
+outside: int | None = verdict.outside
+facts: tuple[bool | None, bool | None, bool] = (verdict.kept, verdict.covered, verdict.maximal)
+lengths: tuple[float, float | None] = (verdict.least_distance, verdict.emptiest_distance)
+
+found: lacuna.Analysis = lacuna.analyze([made, made], torus=True, domain=(1, 1), progress=None)
+curves: list[Floats] = [found.frequency, found.power, found.anisotropy_db]
+curves += [found.distance, found.pair_correlation]
+scalars: list[float | None] = [found.psi_6, found.oscillations, found.effective_nyquist]
+scalars += [found.relative_radius, found.least_distance, found.mean_distance, found.mean_count]
+sets: int = found.sets
+
+listed: list[lacuna.Device] = lacuna.devices()
+usable: list[str] = [f"{one.backend} {one.number} {one.name}" for one in listed if one.usable]
+
+engine = qmc.PoissonDisk(2, radius=0.1, l_bounds=(0, 0), u_bounds=(1, 2), rng=1, torus=True)
+first: Floats = engine.random(10)
+rest: Floats = engine.reset().fast_forward(10).fill_space()
+
+try:
+    lacuna.sample(n=0)
+except lacuna.BadRequest as error:
+    argument: str = error.argument
+for kind in (lacuna.MemoryRefused, lacuna.Unavailable, lacuna.DeviceError, lacuna.FileError):
+    base: type[lacuna.Error] = kind
+version: str = lacuna.__version__
