@@ -23,24 +23,24 @@ cl::Program Device::compiled(std::string_view source) {
     const auto found = programs_.find(source);
     if (found != programs_.end()) return found->second;
     return guard([&] {
-        cl::Program program(context_, std::string(source));
+        auto program = std::make_unique<cl::Program>(context_, std::string(source));
         // See kernels/bodies/prelude.h.
         const bool is_oclgrind = entry_.name.find("Oclgrind") != std::string::npos;
         const char* const options =
             is_oclgrind ? "-cl-std=CL1.2 -DLACUNA_ATOMIC_LOOKS" : "-cl-std=CL1.2";
         try {
-            program.build(device_, options);
+            program->build(device_, options);
         } catch (const cl::BuildError& error) {
             for (const auto& [device, text] : error.getBuildLog()) log_.add(text.c_str());
             throw;
         } catch (const std::bad_alloc&) {
             // It came through the driver, which did not let go of its lock of the program: to
-            // release that would wait for ever.
-            static_cast<void>(std::make_unique<cl::Program>(program).release());
+            // release that, or to count it once more, would wait for ever.
+            static_cast<void>(program.release());
             throw DeviceError("backend opencl, device " + entry_.name +
                               ": out of memory while kernels were built");
         }
-        return programs_.emplace(source, program).first->second;
+        return programs_.emplace(source, *program).first->second;
     });
 }
 
