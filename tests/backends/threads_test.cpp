@@ -6,7 +6,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -64,6 +66,42 @@ TEST_P(Threads, ThatSampleFirstAllGetTheirSets) {
     for (const std::string& error : errors) EXPECT_EQ(error, "");
     for (std::size_t i = 0; i < got.size(); ++i)
         EXPECT_TRUE(are_equal(got[i], sample(small_request("reference", i)).points)) << i;
+}
+
+// How often each thread calls; more by hand, in LACUNA_THREAD_CALLS.
+int calls_of_a_thread() {
+    const char* const given = std::getenv("LACUNA_THREAD_CALLS");
+    return given == nullptr ? 5 : std::stoi(given);
+}
+
+// Each thread goes from one backend to the next, so that all are met at once, from the first call
+// on. Without a device, or one that this build has: the others.
+TEST(Threads, OfAllBackendsAtOnceAllGetTheirSets) {
+    const std::vector<std::string> backends{"cpu", "opencl", "vulkan", "reference"};
+    constexpr std::uint64_t kSeeds = 4;
+    std::vector<std::vector<Point>> expected;
+    for (std::uint64_t seed = 0; seed < kSeeds; ++seed)
+        expected.push_back(sample(small_request("reference", seed)).points);
+    const int calls = calls_of_a_thread();
+    std::atomic<int> made = 0;
+    std::vector<std::string> errors(kThreads);
+    in_threads([&](int thread) {
+        for (int call = 0; call < calls; ++call) {
+            const auto turn = static_cast<std::size_t>(thread + call);
+            const std::uint64_t seed = turn / backends.size() % kSeeds;
+            const Request request = small_request(backends[turn % backends.size()], seed);
+            try {
+                if (!are_equal(sample(request).points, expected[seed]))
+                    errors[static_cast<std::size_t>(thread)] = "other points: " + request.backend;
+                ++made;
+            } catch (const Unavailable&) {
+            } catch (const std::exception& error) {
+                errors[static_cast<std::size_t>(thread)] = error.what();
+            }
+        }
+    });
+    for (const std::string& error : errors) EXPECT_EQ(error, "");
+    EXPECT_GE(made, kThreads * calls / 2) << "cpu and reference, at least";
 }
 
 TEST(Threads, ThatListDevicesFirstAllSeeTheSame) {
