@@ -61,7 +61,7 @@ struct ReproduceCommand {
 };
 
 // An item with all that is made for it.
-struct Made {
+struct MadeItem {
     const reproduce::Item& item;
     reproduce::Reproduction reproduction;
 
@@ -124,9 +124,9 @@ void check(const ReproduceCommand& options, const std::vector<const reproduce::I
     check_given_files(read, written);
 }
 
-std::vector<Made> make(const std::vector<const reproduce::Item*>& items,
-                       reproduce::Setting& setting, ProgressBar& bar) {
-    std::vector<Made> all;
+std::vector<MadeItem> make(const std::vector<const reproduce::Item*>& items,
+                           reproduce::Setting& setting, ProgressBar& bar) {
+    std::vector<MadeItem> all;
     for (const reproduce::Item* item : items) {
         setting.keep_going = [&](double share) {
             bar.show(share, fmt::format("{} ({} of {})", item->name, all.size() + 1, items.size()));
@@ -137,8 +137,8 @@ std::vector<Made> make(const std::vector<const reproduce::Item*>& items,
     return all;
 }
 
-void add(Writing& writing, const std::vector<Made>& all, const std::filesystem::path& folder) {
-    for (const Made& made : all) {
+void add(Writing& writing, const std::vector<MadeItem>& all, const std::filesystem::path& folder) {
+    for (const MadeItem& made : all) {
         writing.add((folder / made.data_name()).string(),
                     [&made] { return reproduce::json_of(made.item, made.reproduction); });
         writing.add((folder / made.picture_name()).string(),
@@ -154,7 +154,7 @@ void run(const ReproduceCommand& options) {
         image = pictures::importance_of(pictures::read_image(options.image, kLargestAspect), {});
     reproduce::Setting setting{options.runs, options.smallest_radius, image ? &*image : nullptr};
     Interruption interruption;
-    std::vector<Made> all;
+    std::vector<MadeItem> all;
     {
         ProgressBar bar(options.quiet);
         all = make(items, setting, bar);
@@ -163,7 +163,7 @@ void run(const ReproduceCommand& options) {
     if (options.folder) add(writing, all, *options.folder);
     std::string lines;
     bool all_within = true;
-    for (const Made& made : all) {
+    for (const MadeItem& made : all) {
         for (const reproduce::Number& number : made.reproduction.numbers)
             lines += reproduce::line_of(made.item.name, number) + "\n";
         all_within = all_within && reproduce::all_within(made.reproduction.numbers);

@@ -43,11 +43,12 @@ protected:
         request.snap = snap;
         request.round_size = 1;
         request.backend = "reference";
-        constexpr std::uint64_t kSeeds = 20;
+        // The counts of large sets differ less: of 8 the mean is known six times better than asked.
+        const std::uint64_t seeds = row.radius < 0.01 ? 8 : 20;
         std::size_t total = 0;
-        for (request.seed = 0; request.seed < kSeeds; ++request.seed)
+        for (request.seed = 0; request.seed < seeds; ++request.seed)
             total += sample(request).points.size();
-        return static_cast<double>(total) / kSeeds;
+        return static_cast<double>(total) / static_cast<double>(seeds);
     }
 };
 
