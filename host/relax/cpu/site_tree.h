@@ -30,9 +30,6 @@ public:
     // less than `bound`; otherwise `bound`.
     std::uint64_t least_worst_power(const Rectangle& box, std::uint64_t bound) const;
 
-    // The power that one site has in the rectangle's worst corner.
-    static std::uint64_t worst_power(const Site& site, const Rectangle& box);
-
     // Calls found(site) for all sites whose power is at most `bound` somewhere in the rectangle,
     // and for some others.
     template <typename Found>
@@ -82,6 +79,8 @@ private:
                 found(static_cast<std::uint32_t>(child));
         }
     }
+    // The power that one site has in the rectangle's worst corner.
+    static std::uint64_t worst_power(const Site& site, const Rectangle& box);
     void lower_worst_power(std::size_t level, std::size_t node, const Rectangle& box,
                            std::uint64_t& bound) const;
 

@@ -106,7 +106,6 @@ void Tile::find_candidates(std::uint64_t bound) {
     for (const std::uint64_t key : order_)
         parts_.push_back({candidates_[key % kMostCandidates].image, 0, 0, 0, 0});
     sums_.resize(candidates_.size());
-    winners_.resize(candidates_.size());
     has_doubles_ = fill_doubles();
     if (!has_doubles_) fill_whole();
 }
