@@ -1,9 +1,10 @@
 // The order of sites along Hilbert's curve.
 #include "relax/hilbert.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
+
+#include "relax/ranked.h"
 
 namespace lacuna::relaxing {
 namespace {
@@ -27,13 +28,14 @@ std::uint64_t hilbert_rank(std::uint32_t x, std::uint32_t y) {
 
 }  // namespace
 
-std::vector<std::uint32_t> hilbert_order(std::span<const Site> sites) {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> ranked(sites.size());
-    for (std::uint32_t i = 0; i < sites.size(); ++i)
-        ranked[i] = {hilbert_rank(sites[i].x, sites[i].y), i};
-    std::sort(ranked.begin(), ranked.end());
+std::vector<std::uint32_t> hilbert_order(std::span<const Site> sites, const Poll& poll) {
+    std::vector<Ranked> ranked(sites.size());
+    for_each_polled(sites.size(), poll, [&](std::size_t i) {
+        ranked[i] = {hilbert_rank(sites[i].x, sites[i].y), static_cast<std::uint32_t>(i)};
+    });
+    sort_by_rank(ranked, poll);
     std::vector<std::uint32_t> order(sites.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = ranked[i].second;
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = ranked[i].index;
     return order;
 }
 

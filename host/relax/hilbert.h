@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "relax/lattice.h"
+#include "relax/poll.h"
 
 namespace lacuna::relaxing {
 
 // Indices of the sites, so that those near each other are near each other in memory.
-std::vector<std::uint32_t> hilbert_order(std::span<const Site> sites);
+std::vector<std::uint32_t> hilbert_order(std::span<const Site> sites, const Poll& poll);
 
 }  // namespace lacuna::relaxing

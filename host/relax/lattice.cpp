@@ -51,16 +51,18 @@ std::uint64_t pixels_of_importance(const Field& field) {
 }
 
 // In 65535ths of the greatest importance, rounded; at least 1 where there is any.
-std::vector<std::uint16_t> masses_of(const Field& field) {
+std::vector<std::uint16_t> masses_of(const Field& field, const Poll& poll) {
     const double greatest = *std::max_element(field.importance.begin(), field.importance.end());
     std::vector<std::uint16_t> masses;
     masses.reserve(field.importance.size());
-    for (std::uint32_t row = field.rows; row-- > 0;)
+    for (std::uint32_t row = field.rows; row-- > 0;) {
+        poll();
         for (std::uint32_t column = 0; column < field.columns; ++column) {
             const double one = field.importance[std::size_t{row} * field.columns + column];
             const double mass = std::max(1.0, std::round(one / greatest * kMostMass));
             masses.push_back(one > 0 ? static_cast<std::uint16_t>(mass) : std::uint16_t{0});
         }
+    }
     return masses;
 }
 
@@ -113,7 +115,8 @@ std::uint32_t unit_of(double coordinate, double side, std::uint32_t length, bool
 
 }  // namespace
 
-Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions& options) {
+Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions& options,
+                     const Poll& poll) {
     static const Field nothing{1, 1, {1.0}};
     const Field& importance = field != nullptr ? *field : nothing;
     const double pixels = static_cast<double>(pixels_of_importance(importance));
@@ -121,7 +124,7 @@ Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions&
     const double wanted = field != nullptr ? kPointsOfField : kPointsWithoutField;
     const Cut cut = possible_cut(importance, aspect, wanted * static_cast<double>(points) / pixels);
 
-    Lattice lattice{numbers_of(importance, cut, options), 0, masses_of(importance), 0, 0};
+    Lattice lattice{numbers_of(importance, cut, options), 0, masses_of(importance, poll), 0, 0};
     portable::RelaxLattice& numbers = lattice.numbers;
     const std::uint64_t points_per_pixel = std::uint64_t{numbers.cut_x} * numbers.cut_y;
     std::uint64_t mass = 0;
@@ -138,23 +141,22 @@ Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions&
 }
 
 std::vector<Site> sites_of(std::span<const Point> points, const Lattice& lattice,
-                           const RelaxOptions& options) {
+                           const RelaxOptions& options, const Poll& poll) {
     const portable::RelaxLattice& numbers = lattice.numbers;
     const bool wraps = options.boundary == Boundary::torus;
-    std::vector<Site> sites;
-    sites.reserve(points.size());
-    for (const Point& point : points) {
+    std::vector<Site> sites(points.size());
+    for_each_polled(points.size(), poll, [&](std::size_t i) {
+        const Point& point = points[i];
         // Also false for what is no number.
         if (!(point.x >= 0 && point.x <= options.width && point.y >= 0 &&
               point.y <= options.height))
             throw BadRequest("points", "(" + shortest(point.x) + ", " + shortest(point.y) + ")",
                              "must lie in the domain, [0, " + shortest(options.width) + "] x [0, " +
                                  shortest(options.height) + "]");
-        sites.push_back({unit_of(point.x, options.width, numbers.columns * numbers.step_x, wraps),
-                         unit_of(point.y, options.height, numbers.rows * numbers.step_y, wraps),
-                         0});
-    }
-    take_apart(sites, numbers);
+        sites[i] = {unit_of(point.x, options.width, numbers.columns * numbers.step_x, wraps),
+                    unit_of(point.y, options.height, numbers.rows * numbers.step_y, wraps), 0};
+    });
+    take_apart(sites, numbers, poll);
     return sites;
 }
 

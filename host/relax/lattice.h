@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "portable/power.h"
+#include "relax/poll.h"
 
 namespace lacuna::relaxing {
 
@@ -61,11 +62,12 @@ struct Lattice {
 };
 
 // For so many points, at least one. Throws BadRequest.
-Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions& options);
+Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions& options,
+                     const Poll& poll = nobody_asks);
 
 // Where points start: on distinct spots as long as there are any. Throws BadRequest for one that
 // lies outside of the domain.
 std::vector<Site> sites_of(std::span<const Point> points, const Lattice& lattice,
-                           const RelaxOptions& options);
+                           const RelaxOptions& options, const Poll& poll = nobody_asks);
 
 }  // namespace lacuna::relaxing

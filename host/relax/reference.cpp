@@ -137,7 +137,7 @@ private:
 }  // namespace
 
 std::unique_ptr<RelaxBackend> make_backend(const Lattice& lattice, std::span<const Site> sites,
-                                           const Placement&) {
+                                           const Placement&, const Poll&) {
     return std::make_unique<Reference>(lattice, sites);
 }
 

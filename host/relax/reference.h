@@ -11,6 +11,6 @@ namespace lacuna::relaxing::reference {
 
 // The lattice must outlive the backend.
 std::unique_ptr<RelaxBackend> make_backend(const Lattice& lattice, std::span<const Site> sites,
-                                           const Placement& placement);
+                                           const Placement& placement, const Poll& poll);
 
 }  // namespace lacuna::relaxing::reference

@@ -123,10 +123,14 @@ Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOpti
     Relaxed relaxed;
     relaxed.points.assign(points.begin(), points.end());
     if (points.empty()) return relaxed;
-    const Lattice lattice = relaxing::make_lattice(points.size(), field, options);
-    const std::vector<Site> start = relaxing::sites_of(points, lattice, options);
+    const relaxing::Poll poll = [&] {
+        const std::uint64_t all = points.size() * std::max<std::uint64_t>(options.iterations, 1);
+        if (!observer.keep_going({0, all, 0})) throw Cancelled();
+    };
+    const Lattice lattice = relaxing::make_lattice(points.size(), field, options, poll);
+    const std::vector<Site> start = relaxing::sites_of(points, lattice, options, poll);
     observer.begin(Verb::first_use);
-    const relaxing::Chosen chosen = relaxing::make_relax_backend(options, lattice, start);
+    const relaxing::Chosen chosen = relaxing::make_relax_backend(options, lattice, start, poll);
     observer.end(Verb::first_use);
     relaxed.backend = chosen.name;
     relaxed.device = chosen.backend->device();

@@ -19,26 +19,27 @@ namespace {
 
 struct Entry {
     std::string_view name;
-    std::unique_ptr<RelaxBackend> (*make)(const Lattice&, std::span<const Site>, const Placement&);
+    std::unique_ptr<RelaxBackend> (*make)(const Lattice&, std::span<const Site>, const Placement&,
+                                          const Poll&);
 };
 
 #ifdef LACUNA_OPENCL
 std::unique_ptr<RelaxBackend> make_opencl(const Lattice& lattice, std::span<const Site> sites,
-                                          const Placement& placement) {
-    return device::make_backend(opencl::open_queue(placement), lattice, sites);
+                                          const Placement& placement, const Poll& poll) {
+    return device::make_backend(opencl::open_queue(placement), lattice, sites, {}, poll);
 }
 #endif
 
 #ifdef LACUNA_VULKAN
 std::unique_ptr<RelaxBackend> make_vulkan(const Lattice& lattice, std::span<const Site> sites,
-                                          const Placement& placement) {
-    return device::make_backend(vulkan::open_queue(placement), lattice, sites);
+                                          const Placement& placement, const Poll& poll) {
+    return device::make_backend(vulkan::open_queue(placement), lattice, sites, {}, poll);
 }
 #endif
 
 #if !defined(LACUNA_OPENCL) || !defined(LACUNA_VULKAN)
-std::unique_ptr<RelaxBackend> make_left_out(const Lattice&, std::span<const Site>,
-                                            const Placement&) {
+std::unique_ptr<RelaxBackend> make_left_out(const Lattice&, std::span<const Site>, const Placement&,
+                                            const Poll&) {
     throw Unavailable("this build was made without it");
 }
 #endif
@@ -62,12 +63,12 @@ constexpr Entry kBackends[] = {
 }  // namespace
 
 Chosen make_relax_backend(const RelaxOptions& options, const Lattice& lattice,
-                          std::span<const Site> sites) {
+                          std::span<const Site> sites, const Poll& poll) {
     const std::string wanted = wanted_backend(options.backend);
     for (const Entry& entry : kBackends)
         if (wanted == "auto" || wanted == entry.name)
             return {std::string(entry.name),
-                    entry.make(lattice, sites, {options.device, options.threads})};
+                    entry.make(lattice, sites, {options.device, options.threads}, poll)};
     throw no_such_backend(wanted);
 }
 

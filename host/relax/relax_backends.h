@@ -17,6 +17,6 @@ struct Chosen {
 // As options.backend says, or the environment's LACUNA_BACKEND where that is "auto". The lattice
 // must outlive the backend. Throws BadRequest and Unavailable.
 Chosen make_relax_backend(const RelaxOptions& options, const Lattice& lattice,
-                          std::span<const Site> sites);
+                          std::span<const Site> sites, const Poll& poll = nobody_asks);
 
 }  // namespace lacuna::relaxing

@@ -5,9 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <numeric>
 #include <set>
-#include <tuple>
+#include <utility>
+
+#include "relax/ranked.h"
 
 namespace lacuna::relaxing {
 namespace {
@@ -31,14 +32,18 @@ Offset spiral(std::uint64_t i) {
     return {-ring, -way};
 }
 
+std::uint64_t key(std::int64_t x, std::int64_t y) {
+    return static_cast<std::uint64_t>(x) << 32 | static_cast<std::uint64_t>(y);
+}
+
 class Spots {
 public:
-    Spots(const portable::RelaxLattice& numbers, const std::vector<Site>& sites)
-        : width_(std::int64_t{numbers.columns} * numbers.step_x),
+    // `places` are the keys of all sites, sorted.
+    Spots(const portable::RelaxLattice& numbers, const std::vector<Ranked>& places)
+        : places_(places),
+          width_(std::int64_t{numbers.columns} * numbers.step_x),
           height_(std::int64_t{numbers.rows} * numbers.step_y),
-          wraps_(numbers.period_x != 0) {
-        for (const Site& site : sites) taken_.insert(key(site.x, site.y));
-    }
+          wraps_(numbers.period_x != 0) {}
 
     void move_away(Site& site) {
         std::uint64_t& next = tried_[key(site.x, site.y)];
@@ -51,7 +56,7 @@ public:
                 y = (y % height_ + height_) % height_;
             }
             if (x < 0 || x >= width_ || y < 0 || y >= height_) continue;
-            if (!taken_.insert(key(x, y)).second) continue;
+            if (!take(key(x, y))) continue;
             site.x = static_cast<std::uint32_t>(x);
             site.y = static_cast<std::uint32_t>(y);
             return;
@@ -59,33 +64,40 @@ public:
     }
 
 private:
-    static std::uint64_t key(std::int64_t x, std::int64_t y) {
-        return static_cast<std::uint64_t>(x) << 32 | static_cast<std::uint64_t>(y);
+    // False where some site is.
+    bool take(std::uint64_t spot) {
+        const auto place = std::lower_bound(
+            places_.begin(), places_.end(), spot,
+            [](const Ranked& site, std::uint64_t wanted) { return site.rank < wanted; });
+        return (place == places_.end() || place->rank != spot) && taken_.insert(spot).second;
     }
 
+    const std::vector<Ranked>& places_;
     std::int64_t width_;
     std::int64_t height_;
     bool wraps_;
-    std::set<std::uint64_t> taken_;
+    std::set<std::uint64_t> taken_;                 // by those that were moved
     std::map<std::uint64_t, std::uint64_t> tried_;  // offsets around each crowded spot
 };
 
 }  // namespace
 
-void take_apart(std::vector<Site>& sites, const portable::RelaxLattice& numbers) {
-    std::vector<std::uint32_t> order(sites.size());
-    std::iota(order.begin(), order.end(), 0u);
-    const auto place = [&](std::uint32_t i) { return std::tie(sites[i].x, sites[i].y); };
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return place(a) != place(b) ? place(a) < place(b) : a < b;
+void take_apart(std::vector<Site>& sites, const portable::RelaxLattice& numbers, const Poll& poll) {
+    std::vector<Ranked> places(sites.size());
+    for_each_polled(sites.size(), poll, [&](std::size_t i) {
+        places[i] = {key(sites[i].x, sites[i].y), static_cast<std::uint32_t>(i)};
     });
-    std::vector<std::uint32_t> again;
-    for (std::size_t i = 1; i < order.size(); ++i)
-        if (place(order[i]) == place(order[i - 1])) again.push_back(order[i]);
-    if (again.empty()) return;
-    std::sort(again.begin(), again.end());
-    Spots spots(numbers, sites);
-    for (const std::uint32_t i : again) spots.move_away(sites[i]);
+    sort_by_rank(places, poll);
+    std::vector<Ranked> again;
+    for (std::size_t i = 1; i < places.size(); ++i)
+        if (places[i].rank == places[i - 1].rank) again.push_back({places[i].index, 0});
+    sort_by_rank(again, poll);
+    Spots spots(numbers, places);
+    constexpr std::size_t kBetweenPolls = 256;  // their way grows with the crowd
+    for (std::size_t i = 0; i < again.size(); ++i) {
+        if (i % kBetweenPolls == 0) poll();
+        spots.move_away(sites[again[i].rank]);
+    }
 }
 
 }  // namespace lacuna::relaxing

@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "relax/lattice.h"
+#include "relax/poll.h"
 
 namespace lacuna::relaxing {
 
 // Sites on one spot would stay together for ever, as one of them owns all that is nearest to both:
 // those after the first, by index, go to the nearest free spots around it, a unit apart.
-void take_apart(std::vector<Site>& sites, const portable::RelaxLattice& numbers);
+void take_apart(std::vector<Site>& sites, const portable::RelaxLattice& numbers, const Poll& poll);
 
 }  // namespace lacuna::relaxing

@@ -123,6 +123,32 @@ TEST_P(Relax, is_asked_whether_to_go_on_and_stops) {
     EXPECT_EQ(stop.iterations, 3u);
 }
 
+TEST_P(Relax, is_asked_before_the_first_iteration_too) {
+    class Stop : public Observer {
+    public:
+        explicit Stop(int at) : at_(at) {}
+        bool keep_going(const Progress& progress) override {
+            rounds = progress.rounds;
+            return ++asked < at_;
+        }
+        int asked = 0;
+        std::uint64_t rounds = 0;
+
+    private:
+        int at_;
+    };
+    RelaxOptions options = on(1, 1, Boundary::box);
+    options.backend = GetParam();
+    std::vector<Point> points = random_points(200'000, 1, 1, 1);
+    points.resize(201'000, {0.5, 0.5});  // a crowd, which is taken apart
+    for (int at = 1; at <= 50; ++at) {
+        Stop stop(at);
+        EXPECT_THROW(relax(points, nullptr, options, stop), Cancelled);
+        EXPECT_EQ(stop.asked, at);
+        EXPECT_EQ(stop.rounds, 0u);
+    }
+}
+
 TEST(RelaxOptionsGiven, zero_iterations_change_no_bit) {
     RelaxOptions options;
     options.iterations = 0;

@@ -35,18 +35,19 @@ void add(std::uint64_t& sum, std::uint64_t more) {
 
 class CpuRelax : public RelaxBackend {
 public:
-    CpuRelax(const Lattice& lattice, std::span<const Site> sites, const Placement& placement)
+    CpuRelax(const Lattice& lattice, std::span<const Site> sites, const Placement& placement,
+             const Poll& poll)
         : lattice_(lattice),
           numbers_(lattice.numbers),
           workers_(placement.threads),
-          indices_(hilbert_order(sites)),
+          indices_(hilbert_order(sites, poll)),
           sites_(sites.size()),
           moved_(sites.size()),
           shares_(sites.size()),
           pixel_of_column_(pixels(numbers_.columns, numbers_.cut_x)),
           pixel_of_row_(pixels(numbers_.rows, numbers_.cut_y)) {
         restore(sites);
-        find_tiles();
+        find_tiles(poll);
     }
 
     std::string device() const override { return workers_.name(); }
@@ -94,11 +95,12 @@ private:
 
     // Those with importance, and which of their leaves have any. A leaf's first hint is a site in
     // it.
-    void find_tiles() {
+    void find_tiles(const Poll& poll) {
         const std::uint32_t tiles_of_row = (numbers_.columns - 1) / Tile::kSide + 1;
         std::vector<std::uint32_t> first_leaf(
             std::size_t{tiles_of_row} * ((numbers_.rows - 1) / Tile::kSide + 1), NO_OWNER);
         for (std::uint32_t y = 0; y < numbers_.rows; y += Tile::kSide) {
+            poll();
             for (std::uint32_t x = 0; x < numbers_.columns; x += Tile::kSide) {
                 const Box box{x, y, std::min(x + Tile::kSide, numbers_.columns),
                               std::min(y + Tile::kSide, numbers_.rows)};
@@ -242,8 +244,8 @@ private:
 }  // namespace
 
 std::unique_ptr<RelaxBackend> make_backend(const Lattice& lattice, std::span<const Site> sites,
-                                           const Placement& placement) {
-    return std::make_unique<CpuRelax>(lattice, sites, placement);
+                                           const Placement& placement, const Poll& poll) {
+    return std::make_unique<CpuRelax>(lattice, sites, placement, poll);
 }
 
 }  // namespace lacuna::relaxing::cpu

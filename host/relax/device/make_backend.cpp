@@ -45,7 +45,7 @@ Words4 packed(const Site& site) {
 class DeviceRelax : public RelaxBackend {
 public:
     DeviceRelax(std::unique_ptr<Queue> queue, const Lattice& lattice, std::span<const Site> sites,
-                const Tuning& tuning)
+                const Tuning& tuning, const Poll& poll)
         : queue_(std::move(queue)),
           lattice_(lattice),
           numbers_(lattice.numbers),
@@ -53,7 +53,7 @@ public:
           leaves_of_batch_(tuning.leaves_of_batch != 0      ? tuning.leaves_of_batch
                            : queue_->device().kind == "cpu" ? kLeavesOfProcessor
                                                             : kLeavesOfGraphics),
-          indices_(hilbert_order(sites)),
+          indices_(hilbert_order(sites, poll)),
           depth_(depth_of(sites.size())),
           memory_(make_memory(*queue_, lattice, sites.size(), leaves_.size(), leaves_of_batch_)),
           sites_(sites.size()),
@@ -237,8 +237,9 @@ private:
 }  // namespace
 
 std::unique_ptr<RelaxBackend> make_backend(std::unique_ptr<Queue> queue, const Lattice& lattice,
-                                           std::span<const Site> sites, const Tuning& tuning) {
-    return std::make_unique<DeviceRelax>(std::move(queue), lattice, sites, tuning);
+                                           std::span<const Site> sites, const Tuning& tuning,
+                                           const Poll& poll) {
+    return std::make_unique<DeviceRelax>(std::move(queue), lattice, sites, tuning, poll);
 }
 
 }  // namespace lacuna::relaxing::device

@@ -17,6 +17,7 @@ struct Tuning {
 // The lattice must outlive the backend. Throws Unavailable where the device is too small for it.
 std::unique_ptr<RelaxBackend> make_backend(std::unique_ptr<lacuna::device::Queue> queue,
                                            const Lattice& lattice, std::span<const Site> sites,
-                                           const Tuning& tuning = {});
+                                           const Tuning& tuning = {},
+                                           const Poll& poll = nobody_asks);
 
 }  // namespace lacuna::relaxing::device

@@ -1,0 +1,31 @@
+// A radix sort: it can be left after any number of elements, which std::sort cannot, and takes less
+// time than that.
+#include "relax/ranked.h"
+
+#include <array>
+#include <cstddef>
+
+namespace lacuna::relaxing {
+
+void sort_by_rank(std::vector<Ranked>& all, const Poll& poll) {
+    constexpr unsigned kBits = 11, kRankBits = 64;
+    constexpr std::size_t kDigits = std::size_t{1} << kBits;
+    std::vector<Ranked> sorted(all.size());
+    for (unsigned shift = 0; shift < kRankBits; shift += kBits) {
+        const auto digit = [&](const Ranked& one) { return (one.rank >> shift) % kDigits; };
+        std::array<std::size_t, kDigits> next{};  // place of the next one of each digit
+        for_each_polled(all.size(), poll, [&](std::size_t i) { ++next[digit(all[i])]; });
+        if (!all.empty() && next[digit(all.front())] == all.size()) continue;
+        std::size_t before = 0;
+        for (std::size_t& place : next) {
+            const std::size_t count = place;
+            place = before;
+            before += count;
+        }
+        for_each_polled(all.size(), poll,
+                        [&](std::size_t i) { sorted[next[digit(all[i])]++] = all[i]; });
+        all.swap(sorted);
+    }
+}
+
+}  // namespace lacuna::relaxing
