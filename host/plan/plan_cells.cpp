@@ -54,12 +54,17 @@ struct Lattice {
     double height;
 };
 
-// Section 4.2: m / r_min lines, and the same step along y, as nearly as the height allows.
+// Section 4.2: m / r_min lines, and the same step along y, as nearly as the height allows. Where
+// the whole height is less than half a step, steps are as long as the height.
 Lattice lattice_of(const Request& request, const FieldSums& sums, double scale) {
     Lattice lattice{scale / std::sqrt(sums.greatest), 0, 0};
     lattice.lines =
         std::max(1.0, std::ceil(cells_per_radius(request) * request.width / lattice.least_radius));
-    lattice.height = std::max(1.0, std::round(lattice.lines * request.height / request.width));
+    lattice.height = std::round(lattice.lines * request.height / request.width);
+    if (lattice.height < 1) {
+        lattice.lines = std::ceil(request.width / request.height);
+        lattice.height = 1;
+    }
     return lattice;
 }
 

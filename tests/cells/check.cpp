@@ -75,8 +75,11 @@ CellsCheck::CellsCheck(const Request& request, std::vector<Point> points)
         *request.scale / std::sqrt(*std::max_element(importance.begin(), importance.end()));
     const double across = std::ceil(*request.lines_per_radius * request.width / least_radius_);
     columns_ = std::max(static_cast<std::int64_t>(across), std::int64_t{1});
-    rows_ =
-        std::max(std::llround(static_cast<double>(columns_) * request.height / request.width), 1LL);
+    rows_ = std::llround(static_cast<double>(columns_) * request.height / request.width);
+    if (rows_ < 1) {
+        columns_ = std::llround(std::ceil(request.width / request.height));
+        rows_ = 1;
+    }
     step_ = std::min(request.width / static_cast<double>(columns_),
                      request.height / static_cast<double>(rows_));
     for (const Point point : points_) places_.push_back(place_of(point));

@@ -162,6 +162,28 @@ TEST(CellsSets, RadiiFarLargerThanTheDomainCountInFull) {
     }
 }
 
+TEST(CellsSets, ARowOfPixelsIsFilledToItsEnds) {
+    const Field field = tests::constant_field(1000, 1);
+    Request request;
+    request.mode = Mode::cells;
+    request.field = &field;
+    request.width = 1000;
+    request.scale = 125;
+    for (request.seed = 0; request.seed < 20; ++request.seed) {
+        std::vector<double> places;
+        for (const Point point : sample(request).points) places.push_back(point.x);
+        std::sort(places.begin(), places.end());
+        ASSERT_FALSE(places.empty());
+        constexpr double kStep = 1;  // as long as the row is high
+        EXPECT_LE(places.front(), 125 + kStep);
+        EXPECT_GE(places.back(), 1000 - 125 - kStep);
+        for (std::size_t i = 1; i < places.size(); ++i) {
+            EXPECT_GE(places[i] - places[i - 1], 125);
+            EXPECT_LE(places[i] - places[i - 1], 2 * (125 + kStep));
+        }
+    }
+}
+
 TEST(CellsSets, NoPointLiesWhereImportanceIsZero) {
     // One dark pixel among white ones: all points lie on it, however many there are.
     Field field = tests::constant_field(5, 4, 0);

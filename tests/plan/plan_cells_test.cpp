@@ -173,6 +173,24 @@ TEST(CellsPlan, RefusesMOutsideItsRange) {
     }
 }
 
+// Steps that differ by more make distances wrong: a radius is counted in the smaller.
+TEST(CellsPlan, HasStepsAlikeAtEveryAspect) {
+    const Field field = tests::constant_field(2, 2);
+    for (const double aspect : {1.0, 7.0, 30.0, 1000.0}) {
+        for (const double scale : {0.2, 0.9, 8.0, 60.0, 125.0, 900.0, 5000.0}) {
+            for (const bool is_wide : {true, false}) {
+                Request request = cells_request(field);
+                (is_wide ? request.width : request.height) = aspect;
+                request.scale = scale;
+                const Plan plan = make_plan(request);
+                EXPECT_LE(std::abs(plan.lines * request.height / request.width - plan.height), 0.5)
+                    << request.width << "x" << request.height << " at scale " << scale;
+                EXPECT_GE(plan.lines, 10 * request.width / scale);
+            }
+        }
+    }
+}
+
 TEST(CellsPlan, TakesNumbersOfAnySize) {
     for (const double size : {1e-90, 1.0, 1e90}) {
         for (const double importance : {1e-300, 1e-12, 1e12, 1e300}) {
