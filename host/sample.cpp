@@ -1,5 +1,8 @@
 // lacuna::sample: from the request to the points, by way of the plan and a backend's rounds.
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -41,18 +44,27 @@ private:
     Observer& observer_;
 };
 
-// A maximal set of the field of a request for a count.
+// A maximal set of the field of a request for a count, or so many points of one that it is plain
+// that there are too many.
 struct Pilot {
     Request request;
     std::uint64_t points;
 };
+
+// A pilot of so many times fewer or more points than the count tells little of the right scale: one
+// sample may cover all of a field, and a slightly smaller scale let in thousands.
+constexpr std::uint64_t kFar = 4;
+
+bool is_far(const Pilot& pilot, std::uint64_t count) {
+    return pilot.points < count / kFar || pilot.points > kFar * count;
+}
 
 Pilot run_pilot(const Request& request, const FieldSums& sums, double scale,
                 std::uint32_t cells_per_radius, Observer& observer) {
     Pilot pilot{request, 0};
     pilot.request.scale = scale;
     pilot.request.count.reset();
-    pilot.request.limit.reset();
+    pilot.request.limit = kFar * kFar * *request.count;
     pilot.request.round_size = 0;
     pilot.request.lines_per_radius = cells_per_radius;
     pilot.request.backend = "cpu";
@@ -64,17 +76,29 @@ Pilot run_pilot(const Request& request, const FieldSums& sums, double scale,
 
 // From the formula of docs/design.md, section 5, on a coarse lattice. Where a field is so rough
 // that this misses the count by far, again at the scale that it tells, on the request's own
-// lattice.
+// lattice; at most a few times smaller or larger, and between those that were too large and too
+// small.
 Pilot find_pilot(const Request& request, const FieldSums& sums, Observer& observer) {
     constexpr std::uint32_t kCoarse = 4;  // cells a radius; a sixth of the work of 10
     constexpr int kCorrections = 3;
+    constexpr int kFarCorrections = 20;
+    const std::uint64_t count = *request.count;
     const std::uint32_t own = request.lines_per_radius.value_or(kCellsPerRadius);
-    double scale = scale_for_count(request, sums, *request.count);
+    double scale = scale_for_count(request, sums, count);
+    double too_large = std::numeric_limits<double>::infinity();
+    double too_small = 0;
     Pilot pilot = run_pilot(request, sums, scale, std::min(own, kCoarse), observer);
-    for (int i = 0; i < kCorrections; ++i) {
-        const double next =
-            scale_for_count(request, sums, *request.count, pilot.request, pilot.points, 0);
+    for (int i = 0; i < kFarCorrections; ++i) {
+        const bool far = is_far(pilot, count);
+        if (i >= kCorrections && !far) break;
+        const std::uint64_t points = std::max(pilot.points, count / (kFar * kFar));
+        double next = scale_for_count(request, sums, count, pilot.request, points, 0);
         if (next > 0.92 * scale && next < 1.08 * scale) break;
+        if (far) {
+            (pilot.points < count ? too_large : too_small) = scale;
+            if (too_large < 1.08 * too_small) break;
+            if (next <= too_small || next >= too_large) next = std::sqrt(too_small * too_large);
+        }
         scale = next;
         pilot = run_pilot(request, sums, scale, own, observer);
     }

@@ -86,6 +86,18 @@ TEST(CellsCounts, AreMetWherePixelsAreFinerThanTheLattice) {
     }
 }
 
+// With max the first sample covers the light half, and the dark half beside it as far as its wide
+// radius: a scale slightly smaller lets in thousands of points instead of one.
+TEST(CellsCounts, AreMetWhereOneSampleMayCoverAll) {
+    const Field field =
+        tests::made_field(64, 64, [](double x, double) { return x < 0.5 ? 1 : 1e-5; });
+    for (const std::uint64_t count : {5u, 100u, 3000u, 10'000u}) {
+        Request request = count_request(field, count);
+        request.metric = Metric::max;
+        EXPECT_EQ(sample(request).points.size(), count);
+    }
+}
+
 TEST(CellsCounts, ALimitStopsThemEarlier) {
     const Field field = tests::ramp_field(32, 24);
     Request request = count_request(field, 1000);
