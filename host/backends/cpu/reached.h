@@ -20,7 +20,8 @@ public:
         columns_ = portable::columns_of_stretch(
             portable::stretch_around(x_, reach_, state.plan.lines, state.plan.period_x),
             state.plan.lines, state.columns);
-        is_far_ = portable::is_far_reach(metric(), reach_, radius);
+        is_far_ = columns_.count >= 2 * WidestRadii::kBlock ||
+                  portable::is_far_reach(metric(), reach_, radius);
     }
 
     // Calls visit(column, reach) for the columns within reach, until it returns true; true if it

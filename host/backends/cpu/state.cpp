@@ -133,7 +133,9 @@ BitState::BitState(const Plan& the_plan)
       widest(plan.lines),
       near_begins(columns + std::size_t{1}) {
     widest_candidates.of_columns.resize(columns);
-    widest_open.of_columns.resize(columns);
+    // With min nothing is known of the radii that are open: any may be as wide as the sample's.
+    widest_open.of_columns.resize(columns, plan.metric == Metric::min ? ~std::uint32_t{0} : 0);
+    widest_open.find_blocks();
 }
 
 void BitState::make_room(std::size_t count) {
