@@ -9,3 +9,7 @@ BINDINGS(DrawArguments, ADMIT_BINDINGS)
 #include "bodies/limit.h"
 #include "bodies/admit.h"
 ENTRY(admit, serve_admit, DrawArguments, ADMIT_BINDINGS)
+
+BINDINGS(SlabArguments, SCREEN_ON_LINES_BINDINGS)
+#include "bodies/screen_on_lines.h"
+ENTRY(screen_on_lines, serve_screen_on_lines, SlabArguments, SCREEN_ON_LINES_BINDINGS)

@@ -5,3 +5,7 @@ BINDINGS(DrawArguments, ADMIT_IN_CELLS_BINDINGS)
 #include "bodies/limit_in_cells.h"
 #include "bodies/admit.h"
 ENTRY(admit_in_cells, serve_admit, DrawArguments, ADMIT_IN_CELLS_BINDINGS)
+
+BINDINGS(DrawArguments, SCREEN_IN_CELLS_BINDINGS)
+#include "bodies/screen_in_cells.h"
+ENTRY(screen_in_cells, serve_screen_in_cells, DrawArguments, SCREEN_IN_CELLS_BINDINGS)

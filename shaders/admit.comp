@@ -15,3 +15,9 @@ BINDINGS(DrawArguments, ADMIT_BINDINGS)
 #include "bodies/admit.h"
 ENTRY(admit, serve_admit, DrawArguments, ADMIT_BINDINGS)
 #endif
+
+#ifdef ENTRY_screen_on_lines
+BINDINGS(SlabArguments, SCREEN_ON_LINES_BINDINGS)
+#include "bodies/screen_on_lines.h"
+ENTRY(screen_on_lines, serve_screen_on_lines, SlabArguments, SCREEN_ON_LINES_BINDINGS)
+#endif

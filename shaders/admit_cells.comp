@@ -9,3 +9,9 @@ BINDINGS(DrawArguments, ADMIT_IN_CELLS_BINDINGS)
 #include "bodies/admit.h"
 ENTRY(admit_in_cells, serve_admit, DrawArguments, ADMIT_IN_CELLS_BINDINGS)
 #endif
+
+#ifdef ENTRY_screen_in_cells
+BINDINGS(DrawArguments, SCREEN_IN_CELLS_BINDINGS)
+#include "bodies/screen_in_cells.h"
+ENTRY(screen_in_cells, serve_screen_in_cells, DrawArguments, SCREEN_IN_CELLS_BINDINGS)
+#endif

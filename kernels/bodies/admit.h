@@ -11,8 +11,13 @@ BODY u32 lower_bound(MEMORY const u32 begin, const u32 end, const u32 low, const
     return bucket > 0u ? AT(buckets, begin + bucket - 1u) : begin;
 }
 
-// What can be said of candidate i now. Items of one pass read each other's fates while they are
-// decided; whatever they see, a fate once decided is the right one.
+// How many others an item looks at, before it leaves the rest of its candidates to the next pass:
+// where they crowd, its loops would take more turns than lavapipe allows (failure.h).
+#define MOST_RIVALS 2048u
+
+// What can be said of candidate i now: its fate, and four times the number of others looked at.
+// Items of one pass read each other's fates while they are decided; whatever they see, a fate once
+// decided is the right one.
 BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate) {
     const u32 height = a.g.height;
     const u32 x = place_of(a, candidate);
@@ -23,6 +28,7 @@ BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate
 
     // Look at all earlier candidates within reach.
     bool waits = false;
+    u32 looks = 0u;
     for (u32 k = 0u; k < columns.count; ++k) {
         const u32 column = nth_of_stretch(columns, k, a.g.columns);
         const u32 begin = AT(column_begins, column);
@@ -30,7 +36,8 @@ BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate
         for (u32 window = 0u; window < windows; ++window) {
             const u32 low = window_begin(window, candidate.y, reach, height);
             const u32 high = window_end(window, candidate.y, reach, height);
-            u32 j = low >= high ? end : lower_bound(ON begin, end, low, height);
+            const u32 from = low >= high ? end : lower_bound(ON begin, end, low, height);
+            u32 j = from;
             for (; j < end; ++j) {
                 const u32x4 other = AT(candidates, j);
                 if (other.y >= high) break;
@@ -40,27 +47,35 @@ BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate
                     continue;
                 // A sample covers this candidate for good; an undecided one may yet.
                 const u32 fate = ATOMIC_OR(fates, j, 0u);
-                if (fate == FATE_ADMITTED) return FATE_REJECTED;
+                if (fate == FATE_ADMITTED) return FATE_REJECTED + 4u * (looks + j - from);
                 waits = waits || fate == FATE_UNDECIDED;
             }
+            looks += j - from;
         }
     }
-    return waits ? FATE_UNDECIDED : FATE_ADMITTED;
+    return waits ? FATE_UNDECIDED + 4u * looks : FATE_ADMITTED + 4u * looks;
 }
 
 // One pass over all candidates. undecided[pass] counts those it leaves; a pass after one that left
 // none has nothing to do. samples[order] is where the host looks for what became of that draw.
 BODY void serve_admit(MEMORY const DrawArguments a, const u32 item) {
     if (a.pass > 0u && AT(undecided, a.pass - 1u) == 0u) return;
-    const u32 begin = item * a.chunk;
+    const u32 begin = a.first + item * a.chunk;
     const u32 end = min(begin + a.chunk, a.count);
     u32 left = 0u;
+    u32 looks = 0u;
     for (u32 i = begin; i < end; ++i) {
         // Items in lockstep look for work together.
         while (i < end && LOOK_AT(fates, i) != FATE_UNDECIDED) ++i;
         if (i == end) break;
+        if (looks > MOST_RIVALS) {
+            ++left;
+            break;
+        }
         const u32x4 candidate = AT(candidates, i);
-        const u32 fate = decide(ON a, i, candidate);
+        const u32 decided = decide(ON a, i, candidate);
+        const u32 fate = decided % 4u;
+        looks += decided / 4u;
         if (fate == FATE_UNDECIDED) {
             ++left;
             continue;

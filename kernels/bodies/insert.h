@@ -3,7 +3,7 @@
 
 BODY void serve_insert(MEMORY const DrawArguments a, const u32 item) {
     if (AT(undecided, a.pass) != 0u) return;
-    const u32 begin = item * a.chunk;
+    const u32 begin = a.first + item * a.chunk;
     const u32 end = min(begin + a.chunk, a.count);
     for (u32 i = begin; i < end; ++i) {
         if (AT(fates, i) != FATE_ADMITTED) continue;

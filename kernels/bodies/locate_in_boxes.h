@@ -1,7 +1,7 @@
 // The body of locate where places are boxes: draws are place, rank, offset, order.
 
 BODY void serve_locate_in_boxes(MEMORY const DrawArguments a, const u32 item) {
-    const u32 begin = item * a.chunk;
+    const u32 begin = a.first + item * a.chunk;
     const u32 end = min(begin + a.chunk, a.count);
     for (u32 i = begin; i < end; ++i) {
         const u32x4 draw = AT(draws, i);

@@ -1,7 +1,7 @@
 // The body of look_up_radii: the radius of each candidate in mode cells is that of its pixel.
 
 BODY void serve_look_up_radii(MEMORY const DrawArguments a, const u32 item) {
-    const u32 begin = item * a.chunk;
+    const u32 begin = a.first + item * a.chunk;
     const u32 end = min(begin + a.chunk, a.count);
     for (u32 i = begin; i < end; ++i) {
         const u32x4 candidate = AT(candidates, i);

@@ -1,4 +1,5 @@
-// The body of screen: in exact, settles the candidates that samples of earlier rounds cover.
+// The body of screen: in exact, settles the candidates that samples of the grid cover: those of
+// earlier rounds or, for the later parts of a round, those of earlier parts.
 #include "portable/distance.h"
 #include "portable/stretch.h"
 
@@ -47,13 +48,13 @@ BODY bool is_covered(MEMORY const Geometry g, const u32 x, const u32 y) {
 
 // samples[order] is where the host looks for what became of that draw.
 BODY void serve_screen(MEMORY const DrawArguments a, const u32 item) {
-    const u32 begin = item * a.chunk;
+    const u32 begin = a.first + item * a.chunk;
     const u32 end = min(begin + a.chunk, a.count);
     for (u32 i = begin; i < end; ++i) {
         if (AT(fates, i) != FATE_UNDECIDED) continue;
         const u32x4 candidate = AT(candidates, i);
         if (!is_covered(ON a.g, candidate.x, candidate.y)) continue;
-        AT(fates, i) = FATE_COVERED;
-        AT(samples, candidate.w) = U32X2(NO_SAMPLE, FATE_COVERED);
+        AT(fates, i) = a.pass;
+        AT(samples, candidate.w) = U32X2(NO_SAMPLE, a.pass);
     }
 }

@@ -34,13 +34,15 @@ struct DrawArguments {
     u32 first_item;
     u32 chunk;
     Geometry g;
-    u32 count;       // of draws
-    u32 pass;        // of admit; elsewhere the last pass, which tells whether admission is settled
+    u32 count;       // of draws, or the end of those to serve
+    u32 pass;        // of admit; elsewhere the last pass, which tells whether admission is settled;
+                     // of screen: what becomes of candidates that are covered
     u32 rows;        // of pixels in a column of them
     u32 metric;      // see metric.h
     u32 slices;      // of subtract_in_cells: an item serves every slices-th line near its samples
     u32 most_reach;  // samples that reach farther are left for the next launch
     u32 is_listed;   // 1 where the candidates to serve are those of `todo`
+    u32 first;       // of the draws to serve, which end at `count`
 };
 LACUNA_TYPEDEF(DrawArguments)
 
@@ -112,6 +114,12 @@ LACUNA_END
 #define SCREEN_BINDINGS(B)                                                        \
     B(0, READ, u32x4, candidates) B(1, READ, u32, grid_x) B(2, READ, u32, grid_y) \
     B(3, BOTH, u32, fates) B(4, WRITE, u32x2, samples)
+#define SCREEN_ON_LINES_BINDINGS(B)                                                       \
+    B(0, READ, u32x4, candidates) B(1, READ, u32x2, spans) B(2, READ, u32, span_counts) \
+    B(3, BOTH, u32, fates) B(4, WRITE, u32x2, samples)
+#define SCREEN_IN_CELLS_BINDINGS(B)                                                  \
+    B(0, READ, u32x4, candidates) B(1, READ, u32, bits) B(2, BOTH, u32, fates)       \
+    B(3, WRITE, u32x2, samples)
 #define ADMIT_BINDINGS(B)                                                                    \
     B(0, READ, u32, column_begins) B(1, READ, u32, buckets) B(2, READ, u32x4, candidates)    \
     B(3, SHARED, u32, fates) B(4, SHARED, u32, undecided) B(5, WRITE, u32x2, samples)        \
@@ -177,6 +185,8 @@ LACUNA_END
     K(sort_columns, ColumnArguments, SORT_COLUMNS_BINDINGS)           \
     K(look_up_radii, DrawArguments, LOOK_UP_RADII_BINDINGS)           \
     K(screen, DrawArguments, SCREEN_BINDINGS)                         \
+    K(screen_on_lines, SlabArguments, SCREEN_ON_LINES_BINDINGS)       \
+    K(screen_in_cells, DrawArguments, SCREEN_IN_CELLS_BINDINGS)       \
     K(admit, DrawArguments, ADMIT_BINDINGS)                           \
     K(admit_in_cells, DrawArguments, ADMIT_IN_CELLS_BINDINGS)         \
     K(insert, DrawArguments, INSERT_BINDINGS)                         \

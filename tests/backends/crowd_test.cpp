@@ -95,6 +95,6 @@ TEST_P(Crowd, OfAMillionEnds) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Backend, Crowd, testing::Values("cpu"), tests::name_of_parameter);
+INSTANTIATE_TEST_SUITE_P(Backend, Crowd, tests::kParallelBackends, tests::name_of_parameter);
 
 }  // namespace

@@ -245,8 +245,8 @@ inline std::vector<Scene> random_scenes(Mode mode) {
         random_scene("two columns of a box", plan(0.45, 9, box), 90, 7),
         random_scene("three columns of a box", plan(0.3, 9, box), 90, 8),
         random_scene("a wide torus", plan(0.9, 2, torus, 1000, 1), 700, 9),
-        random_scene("a high torus", plan(0.9, 2, torus, 1, 1000), 700, 10),
-        random_scene("a high box", plan(0.9, 1, box, 1, 1000), 700, 11),
+        random_scene("a high torus", plan(0.9, 2, torus, 1, 1000), 500, 10),
+        random_scene("a high box", plan(0.9, 1, box, 1, 1000), 500, 11),
     };
     // Chunks and work groups: one draw, a few, and the sizes of groups, more or less one.
     for (const std::uint32_t count : {1u, 2u, 63u, 64u, 65u, 127u, 129u, 255u, 257u, 1000u})

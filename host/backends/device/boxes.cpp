@@ -59,8 +59,18 @@ void Boxes::locate() {
     round_.launch_over_draws<kernels::locate_in_boxes>(round_.arguments(), 1);
 }
 
+// Of all parts: no sample of the round is in the grid yet.
 void Boxes::screen() {
-    round_.launch_over_draws<kernels::screen>(round_.arguments(), kScreenWork);
+    portable::DrawArguments arguments = round_.arguments(FATE_COVERED);
+    arguments.first = 0;
+    arguments.count = round_.draw_count;
+    round_.launch_over_draws<kernels::screen>(arguments, kScreenWork);
+}
+
+void Boxes::screen_again(std::uint32_t end) {
+    portable::DrawArguments arguments = round_.arguments(FATE_REJECTED);
+    arguments.count = end;
+    round_.launch_over_draws<kernels::screen>(arguments, kScreenWork);
 }
 
 void Boxes::insert() {

@@ -27,6 +27,7 @@ public:
 
     void locate();
     void screen();
+    void screen_again(std::uint32_t end);
     // The round's samples, into the grid.
     void insert();
 

@@ -1,6 +1,8 @@
 // The backend of every device: the settle-grow-retry loop over a queue.
 #include "backends/device/device_backend.h"
 
+#include <bit>
+#include <cstdint>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -30,28 +32,44 @@ public:
     // Each verb waits, so that an observer can tell their times apart.
     void locate(std::span<const Draw> draws) override {
         finish();
-        round_.upload(draws, places_->begins());
-        places_->begin_round();
-        places_->locate(draws);
-        sort();
+        const auto count = static_cast<std::uint32_t>(draws.size());
+        round_.upload(draws, places_->begins(), places_->part_limits(count));
+        for_parts([&] {
+            places_->locate(round_.draws_of_part());
+            sort();
+        });
         ends_with_ = End::none;
-        has_fates_ = false;
+        has_fates_ = are_out_ = false;
         settle_later();
     }
 
+    // Part by part: the samples of each are taken out, but for those of the last.
     void admit() override {
         places_->screen();
-        queue_passes();
+        const bool had_fates = has_fates_;
+        std::vector<bool> is_done(round_.parts(), false);
+        for (std::uint32_t part = 0; part < round_.parts(); ++part) {
+            if (is_done[part]) continue;
+            if (part > 0) take_out();
+            if (round_.parts() > 1) open_part(part);
+            if (part > 0) screen_again(part, is_done);
+            if (is_done[part]) continue;
+            has_fates_ = had_fates;
+            queue_passes();
+        }
+        are_out_ = true;
         settle_later();
     }
 
     void subtract() override {
+        if (!are_out_ || !places_->is_cut_by_take_out()) end_parts(End::subtract);
         ends_with_ = End::subtract;
         queue_end();
         settle_later();
     }
 
     void refine(bool halve) override {
+        if (!are_out_) end_parts(End::take_out);
         if (places_->queue_before_refine()) {
             is_open_ = true;
             finish();
@@ -80,16 +98,55 @@ public:
     void restore(const Snapshot& snapshot) override {
         finish();
         places_->restore(snapshot);
-        round_.restore_candidates(snapshot);
-        places_->begin_round();
-        sort();  // for the buckets' sake
+        const auto count = static_cast<std::uint32_t>(snapshot.candidates.size());
+        round_.restore_candidates(snapshot, places_->part_limits(count));
+        for_parts([&] { sort(); });  // for the buckets' sake
         round_.restore_fates(snapshot);
         ends_with_ = End::none;
         has_fates_ = true;
+        are_out_ = false;
     }
 
 private:
-    enum class End { none, subtract, refine };  // of the round
+    enum class End { none, take_out, subtract, refine };  // of the part, or the round
+
+    void open_part(std::uint32_t part) {
+        if (round_.parts() > 1) queue_->wait();
+        round_.open_part(part);
+        places_->begin_part();
+    }
+
+    template <typename Work>
+    void for_parts(Work work) {
+        for (std::uint32_t part = 0; part < round_.parts(); ++part) {
+            open_part(part);
+            work();
+        }
+    }
+
+    // Ends the part that is open, once it is settled.
+    void end_part(End with) {
+        ends_with_ = with;
+        queue_end();
+        settle(false);
+        ends_with_ = End::none;
+    }
+    // Takes its samples out.
+    void take_out() { end_part(End::take_out); }
+    // Of several parts, ends all; the last one is then to be ended once more, which does nothing.
+    void end_parts(End with) {
+        if (round_.parts() == 1) return;
+        if (is_open_) settle(false);
+        for_parts([&] { end_part(with); });
+    }
+
+    // The part that was opened, and now and then all later ones too: most have nothing left after
+    // the first few, and are done.
+    void screen_again(std::uint32_t part, std::vector<bool>& is_done) {
+        if (!std::has_single_bit(part)) return places_->screen_again(round_.part.end);
+        places_->screen_again(round_.draw_count);
+        round_.find_done(part, is_done);
+    }
 
     void sort() {
         round_.sort();
@@ -105,6 +162,7 @@ private:
 
     // Does nothing on the device while admission is unsettled.
     void queue_end() {
+        if (ends_with_ == End::take_out) places_->take_out();
         if (ends_with_ == End::subtract) places_->subtract();
         if (ends_with_ == End::refine) places_->refine(halves_);
     }
@@ -118,8 +176,15 @@ private:
     // Waits until the verbs are done, with what more they take: passes, room, samples left over.
     void finish() {
         if (!is_open_) return;
+        settle(true);
+        places_->end_round();
+        is_open_ = false;
+        ends_with_ = End::none;
+    }
+
+    void settle(bool with_samples) {
         while (true) {
-            round_.start_download();
+            round_.start_download(with_samples);
             places_->start_download();
             queue_->wait();
             round_.throw_if_failed();
@@ -127,12 +192,9 @@ private:
                 queue_passes();
                 queue_end();
             } else if (!places_->queue_rest()) {
-                break;
+                return;
             }
         }
-        places_->end_round();
-        is_open_ = false;
-        ends_with_ = End::none;
     }
 
     std::unique_ptr<Queue> queue_;
@@ -141,6 +203,7 @@ private:
     std::vector<Sample> samples_;
     bool is_open_ = false;    // verbs whose outcome is not known yet
     bool has_fates_ = false;  // passes have something to take up
+    bool are_out_ = false;    // the samples of all parts but the one that is open
     End ends_with_ = End::none;
     bool halves_ = false;
 };

@@ -66,6 +66,7 @@ static_assert(sizeof(portable::Geometry) == 64 && offsetof(portable::DrawArgumen
               offsetof(portable::ColumnArguments, g) == 8);
 static_assert(offsetof(portable::DrawArguments, count) == 72 &&
               offsetof(portable::DrawArguments, is_listed) == 96 &&
+              offsetof(portable::DrawArguments, first) == 100 &&
               offsetof(portable::SlabArguments, is_counting) == 108 &&
               offsetof(portable::StripArguments, room) == 92 &&
               offsetof(portable::ColumnArguments, room) == 72);

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -31,6 +32,9 @@ constexpr std::uint32_t kLongestChunk = 64;
 constexpr std::uint64_t kWordsPerWork = 32;
 constexpr std::uint64_t kFirstPassWork = 6;
 constexpr std::uint64_t kTurnsPerWork = 8;
+
+// So few draws are compared all with all, however wide their radii.
+constexpr std::uint32_t kFewDraws = 1024;
 
 constexpr std::uint32_t kPartWords = 1 << 20;  // of bits on their way up
 
@@ -63,7 +67,20 @@ public:
 
     std::span<const std::uint32_t> begins() const override { return first_lines_; }
 
-    void begin_round() override {
+    // The first part so small that a candidate has few others within its own radius, where those
+    // of wide radii lie beside those of small ones. All so small that one of the widest reach,
+    // which may look at all others, takes no more turns than there are.
+    PartLimits part_limits(std::uint32_t count) const override {
+        constexpr double kMostRivals = 64;
+        PartLimits limits;
+        const double most = std::max<double>(kFewDraws, kMostTurns / share_);
+        if (count > most) limits.most = static_cast<std::uint32_t>(most);
+        if (count > kFewDraws && count * mean_share_ > kMostRivals)
+            limits.first = static_cast<std::uint32_t>(std::max(kMostRivals / mean_share_, 64.0));
+        return limits;
+    }
+
+    void begin_part() override {
         Memory& m = round_.memory;
         for (Buffer* const one : {&m.candidate_radii, &m.todo, &m.left})
             round_.make_room(*one, round_.draw_count);
@@ -75,9 +92,10 @@ public:
         portable::SlabArguments arguments{};
         arguments.chunk = chunk_of(words_);  // a draw may walk the whole line
         arguments.g = round_.geometry;
-        arguments.end_draw = round_.draw_count;
+        arguments.first_draw = round_.part.begin;
+        arguments.end_draw = round_.part.end;
         launch<kernels::locate_in_cells>(round_.queue, round_.memory, arguments,
-                                         items_of(round_.draw_count, arguments.chunk),
+                                         items_of(round_.part_count(), arguments.chunk),
                                          arguments.chunk * (words_ / kWordsPerWork + 1));
     }
 
@@ -85,13 +103,19 @@ public:
         round_.launch_over_draws<kernels::look_up_radii>(arguments_of(kPasses - 1), 1);
     }
 
+    void screen_again(std::uint32_t end) override {
+        portable::DrawArguments arguments = round_.arguments();
+        arguments.count = end;
+        round_.launch_over_draws<kernels::screen_in_cells>(arguments, 1);
+    }
+
     void admit(std::uint32_t pass) override {
         // A candidate looks at all columns within its reach, and at their candidates.
         constexpr double kTurnsOfColumn = 4;
-        const double near =
-            kTurnsOfColumn * share_of_lines_ * round_.geometry.columns + share_ * round_.draw_count;
+        const double near = kTurnsOfColumn * share_of_lines_ * round_.geometry.columns +
+                            share_ * round_.part_count();
         portable::DrawArguments arguments = arguments_of(pass);
-        arguments.chunk = chunk_of(static_cast<std::uint64_t>(near) + 16);
+        arguments.chunk = round_.chunk_of_admit(chunk_of(static_cast<std::uint64_t>(near) + 16));
         round_.launch_over_draws<kernels::admit_in_cells>(arguments,
                                                           pass == 0 ? kFirstPassWork : 1);
     }
@@ -99,7 +123,7 @@ public:
     void subtract() override {
         is_subtracting_ = true;
         served_reach_ = short_reach_;
-        queue_cuts(round_.draw_count, false, mean_reach_);
+        queue_cuts(round_.part_count(), false, mean_reach_);
     }
 
     void refine(bool) override { throw std::logic_error("mode cells has nothing to refine"); }
@@ -164,6 +188,7 @@ private:
         const double side = 2.0 * widest_ + 1;
         share_of_lines_ = std::min(side / round_.plan.lines, 1.0);
         share_ = share_of_lines_ * std::min(side / round_.plan.height, 1.0);
+        find_mean_share();
 
         // Of a sample anywhere: samples are as dense as their reaches are short, squared.
         double density = 0;
@@ -177,6 +202,21 @@ private:
             std::min(static_cast<std::uint32_t>(std::sqrt(pixels / density)), short_reach_);
     }
 
+    // Of the lattice, within the radius of a pixel with importance, on average.
+    void find_mean_share() {
+        constexpr double kUnitsPerStep = 256;
+        double sum = 0;
+        std::size_t open = 0;
+        for (const std::uint32_t radius : round_.plan.radii->radii) {
+            if (radius == 0) continue;
+            const double side = 2 * radius / kUnitsPerStep + 1;
+            sum +=
+                std::min(side / round_.plan.lines, 1.0) * std::min(side / round_.plan.height, 1.0);
+            ++open;
+        }
+        mean_share_ = sum / static_cast<double>(open);
+    }
+
     // Into how many slices the lines near a sample are cut that reaches so far.
     std::uint32_t slices_of(std::uint32_t reach) const {
         if (fixed_slices_ != 0) return fixed_slices_;
@@ -185,7 +225,7 @@ private:
 
     // Draws that one item serves, of so many turns each.
     std::uint32_t chunk_of(std::uint64_t turns) const {
-        const std::uint32_t chunk = round_.queue.run_of(round_.draw_count);
+        const std::uint32_t chunk = round_.queue.run_of(round_.part_count());
         if (serves_chunks_) return chunk;
         return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(kMostTurns / turns, 1, chunk));
     }
@@ -209,7 +249,8 @@ private:
         round_.queue.fill(round_.memory.left_count, 0, 1);
         portable::DrawArguments arguments = arguments_of(kPasses - 1);
         arguments.chunk = chunk;
-        arguments.count = count;
+        if (is_listed) arguments.first = 0;
+        arguments.count = arguments.first + count;
         arguments.slices = slices;
         arguments.most_reach = served_reach_;
         arguments.is_listed = is_listed ? 1 : 0;
@@ -230,6 +271,7 @@ private:
     std::uint32_t fixed_slices_ = 0;
     double share_of_lines_ = 0;  // that the widest reach spans of the lattice
     double share_ = 0;
+    double mean_share_ = 0;
     bool is_subtracting_ = false;
 };
 

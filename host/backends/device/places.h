@@ -21,15 +21,24 @@ public:
 
     // The first place of each column; columns + 1.
     virtual std::span<const std::uint32_t> begins() const = 0;
-    // After the round's draws were uploaded, or its candidates restored.
-    virtual void begin_round() = 0;
+    // Of a round of so many draws.
+    virtual PartLimits part_limits(std::uint32_t) const { return {}; }
+    // After a part of the round's draws, or of its candidates restored, was opened.
+    virtual void begin_part() = 0;
     virtual void locate(std::span<const Draw> draws) = 0;
     // After the candidates were sorted: what admit looks up of each.
     virtual void look_up() {}
-    // Before the first pass: settles what samples of earlier rounds cover.
+    // Before the first pass of the first part: settles what samples of earlier rounds cover.
     virtual void screen() {}
+    // Before the first pass of a later part: settles what samples of earlier parts cover, of the
+    // draws from the part's begin to `end`.
+    virtual void screen_again(std::uint32_t end) = 0;
     virtual void admit(std::uint32_t pass) = 0;
     virtual void subtract() = 0;
+    // Takes the part's samples out, so that screen_again sees them. In exact they are only put into
+    // the grid, and subtract is still to do.
+    virtual void take_out() { subtract(); }
+    virtual bool is_cut_by_take_out() const { return true; }
     // What refine must know before it can be queued, see there; false: nothing.
     virtual bool queue_before_refine() { return false; }
     virtual void refine(bool halve) = 0;

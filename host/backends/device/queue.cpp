@@ -50,8 +50,8 @@ void Queue::wait() {
 
 DeviceError ended_early(const DeviceEntry& device, const std::string& job) {
     return DeviceError("device " + device.name + ": " + job +
-                       ": a loop was ended early by the driver: use fewer points, or another "
-                       "backend");
+                       ": a loop was ended early by the driver, which grants fewer turns than "
+                       "this set takes: use another backend");
 }
 
 }  // namespace lacuna::device

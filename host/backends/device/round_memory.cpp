@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <string>
+#include <tuple>
 
 #include "backends/columns.h"
 #include "backends/device/layout.h"
+#include "portable/column.h"
 #include "portable/failure.h"
+#include "portable/fate.h"
 
 namespace lacuna::device {
 namespace {
@@ -43,24 +47,41 @@ Buffer RoundMemory::copy_of(std::span<const std::uint32_t> words) {
     return copy;
 }
 
-// Expects column_begins.
 void RoundMemory::begin(std::uint32_t count) {
     draw_count = count;
+    part = {0, count};
     by_order.resize(count);
     const std::uint64_t words = count;
     for (Buffer* const one : {&memory.buckets, &memory.fates}) make_room(*one, words);
     make_room(memory.samples, 2 * words);
     for (Buffer* const four : {&memory.draws, &memory.located, &memory.candidates})
         make_room(*four, 4 * words);
-    put<std::uint32_t>(memory.column_begins, column_begins);
-    queue.fill(memory.undecided, 0, kPasses);
     queue.fill(memory.failure, 0, 1);
 }
 
-void RoundMemory::upload(std::span<const Draw> draws, std::span<const std::uint32_t> place_begins) {
+void RoundMemory::upload(std::span<const Draw> draws, std::span<const std::uint32_t> place_begins,
+                         PartLimits limits) {
     find_column_begins(place_begins, draws, column_begins);
+    arrangement_ = arrange(draws, column_begins, limits);
     begin(static_cast<std::uint32_t>(draws.size()));
-    put(memory.draws, draws);
+    arranged_.clear();
+    for (const std::uint32_t origin : arrangement_.origins) arranged_.push_back(draws[origin]);
+    draws_ = parts() == 1 ? draws : arranged_;
+    put(memory.draws, draws_);
+}
+
+void RoundMemory::open_part(std::uint32_t number) {
+    part = {number == 0 ? 0 : arrangement_.ends[number - 1], arrangement_.ends[number]};
+    if (parts() > 1) {
+        column_begins.assign(geometry.columns + std::size_t{1}, 0);
+        for (std::uint32_t i = part.begin; i < part.end; ++i)
+            ++column_begins[arrangement_.columns[i] + 1];
+        column_begins[0] = part.begin;
+        std::partial_sum(column_begins.begin(), column_begins.end(), column_begins.begin());
+    }
+    put<std::uint32_t>(memory.column_begins, column_begins);
+    queue.fill(memory.undecided, 0, kPasses);
+    has_more_passes_ = false;
 }
 
 void RoundMemory::sort() {
@@ -71,10 +92,23 @@ void RoundMemory::sort() {
 void RoundMemory::begin_more_passes() {
     queue.fill(memory.undecided, 0, kPasses);
     queue.fill(memory.undecided, 1, 1);
+    has_more_passes_ = true;
 }
 
-void RoundMemory::start_download() {
-    get<Sample>(memory.samples, by_order);
+void RoundMemory::find_done(std::uint32_t first, std::vector<bool>& is_done) {
+    std::vector<std::uint32_t> fates(draw_count);
+    get<std::uint32_t>(memory.fates, fates);
+    queue.wait();
+    for (std::uint32_t number = first; number < parts(); ++number) {
+        const std::uint32_t begin = number == 0 ? 0 : arrangement_.ends[number - 1];
+        const auto of_part = std::span(fates).subspan(begin, arrangement_.ends[number] - begin);
+        is_done[number] =
+            std::find(of_part.begin(), of_part.end(), FATE_UNDECIDED) == of_part.end();
+    }
+}
+
+void RoundMemory::start_download(bool with_samples) {
+    if (with_samples) get<Sample>(memory.samples, by_order);
     get<std::uint32_t>(memory.undecided, undecided_);
     get<std::uint32_t>(memory.failure, failure_);
 }
@@ -89,7 +123,7 @@ void RoundMemory::throw_if_failed() const {
 }
 
 portable::DrawArguments RoundMemory::arguments(std::uint32_t pass) const {
-    return {0, queue.chunk_of(draw_count), geometry, draw_count, pass, 0, 0, 0, 0, 0};
+    return {0, queue.chunk_of(part_count()), geometry, part.end, pass, 0, 0, 0, 0, 0, part.begin};
 }
 
 void RoundMemory::snapshot(Snapshot& snapshot) {
@@ -99,17 +133,42 @@ void RoundMemory::snapshot(Snapshot& snapshot) {
     get<Candidate>(memory.candidates, snapshot.candidates);
     get<std::uint32_t>(memory.fates, snapshot.fates);
     queue.wait();
+    if (parts() > 1) merge_parts(snapshot);
 }
 
-void RoundMemory::restore_candidates(const Snapshot& snapshot) {
+void RoundMemory::merge_parts(Snapshot& snapshot) const {
+    const Snapshot by_part = snapshot;
+    std::vector<std::uint32_t> all(draw_count);
+    std::iota(all.begin(), all.end(), 0);
+    const auto key = [&](std::uint32_t i) {
+        const Candidate& candidate = by_part.candidates[i];
+        return std::tuple(portable::column_of_line(candidate.line, plan.lines, geometry.columns),
+                          candidate.y, candidate.order);
+    };
+    std::sort(all.begin(), all.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    for (std::uint32_t i = 0; i < draw_count; ++i) {
+        snapshot.candidates[i] = by_part.candidates[all[i]];
+        snapshot.fates[i] = by_part.fates[all[i]];
+    }
+}
+
+void RoundMemory::restore_candidates(const Snapshot& snapshot, PartLimits limits) {
     find_column_begins(plan, geometry.columns, snapshot.candidates, column_begins);
+    arrangement_ = arrange(std::span(snapshot.candidates), column_begins, limits);
     begin(static_cast<std::uint32_t>(snapshot.candidates.size()));
-    put<Candidate>(memory.located, snapshot.candidates);
+    std::vector<Candidate> candidates = snapshot.candidates;
+    for (std::size_t i = 0; i < arrangement_.origins.size(); ++i)
+        candidates[i] = snapshot.candidates[arrangement_.origins[i]];
+    put<Candidate>(memory.located, candidates);
     queue.wait();
 }
 
 void RoundMemory::restore_fates(const Snapshot& snapshot) {
-    put<std::uint32_t>(memory.fates, snapshot.fates);
+    std::vector<std::uint32_t> fates = snapshot.fates;
+    for (std::size_t i = 0; i < arrangement_.origins.size(); ++i)
+        fates[i] = snapshot.fates[arrangement_.origins[i]];
+    put<std::uint32_t>(memory.fates, fates);
     const std::vector<Sample> samples = samples_by_order(snapshot);
     put<Sample>(memory.samples, samples);
     queue.wait();

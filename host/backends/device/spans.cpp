@@ -41,7 +41,7 @@ public:
         return has_boxes() ? boxes_->begins() : first_lines_;
     }
 
-    void begin_round() override {
+    void begin_part() override {
         find_near_begins(round_.plan, round_.geometry.columns, round_.column_begins, near_begins_);
         round_.make_room(round_.memory.near, 2 * std::uint64_t{near_begins_.back()});
         round_.put<std::uint32_t>(round_.memory.near_begins, near_begins_);
@@ -49,13 +49,13 @@ public:
 
     void locate(std::span<const Draw> draws) override {
         if (has_boxes()) return boxes_->locate();
-        const std::uint32_t chunk = round_.queue.run_of(round_.draw_count);
+        const std::uint32_t chunk = chunk_of_lines();
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
             const Range range = draws_of(slabs_[i], draws);
             portable::SlabArguments arguments = arguments_of(i);
             arguments.chunk = chunk;
-            arguments.first_draw = range.begin;
-            arguments.end_draw = range.end;
+            arguments.first_draw = round_.part.begin + range.begin;
+            arguments.end_draw = round_.part.begin + range.end;
             launch<kernels::locate>(round_.queue, memory_of(i), arguments,
                                     items_of(range.end - range.begin, chunk), kLocateWork * chunk);
         }
@@ -65,9 +65,23 @@ public:
         if (boxes_) boxes_->screen();
     }
 
+    void screen_again(std::uint32_t end) override {
+        if (boxes_) return boxes_->screen_again(end);
+        const std::uint32_t chunk = chunk_of_lines();
+        const std::uint32_t begin = round_.part.begin;
+        for (std::size_t i = 0; i < slabs_.size(); ++i) {
+            portable::SlabArguments arguments = arguments_of(i);
+            arguments.chunk = chunk;
+            arguments.first_draw = begin;
+            arguments.end_draw = end;
+            launch<kernels::screen_on_lines>(round_.queue, memory_of(i), arguments,
+                                             items_of(end - begin, chunk), kLocateWork * chunk);
+        }
+    }
+
     void admit(std::uint32_t pass) override {
         portable::DrawArguments arguments = round_.arguments(pass);
-        arguments.chunk = round_.queue.run_of(round_.draw_count);
+        arguments.chunk = round_.chunk_of_admit(round_.queue.run_of(round_.part_count()));
         round_.launch_over_draws<kernels::admit>(arguments, pass == 0 ? kFirstPassWork : 1);
     }
 
@@ -75,6 +89,12 @@ public:
         if (boxes_) boxes_->insert();
         cut_spans();
     }
+
+    void take_out() override {
+        if (boxes_) return boxes_->insert();
+        cut_spans();
+    }
+    bool is_cut_by_take_out() const override { return !boxes_; }
 
     bool queue_before_refine() override {
         if (!boxes_) throw std::logic_error("mode lines has nothing to refine");
@@ -146,6 +166,15 @@ public:
     }
 
 private:
+    // Draws that one item serves, each of which may walk along a whole line: lavapipe grants 65,535
+    // turns of loops.
+    std::uint32_t chunk_of_lines() const {
+        constexpr std::uint32_t kMostTurns = 1u << 14;
+        const std::uint32_t run = round_.queue.run_of(round_.part_count());
+        if (!round_.queue.runs_in_lockstep()) return run;
+        return std::clamp(kMostTurns / round_.geometry.capacity, 1u, run);
+    }
+
     bool has_boxes() const { return boxes_ && boxes_->are_places(); }
 
     // What is free at the start, with no room between lines, then spread out.

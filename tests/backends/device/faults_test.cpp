@@ -122,6 +122,28 @@ TEST_P(Faults, InCellsAreNoticed) {
          {"portable/bits.h", "lowest_bit(rest)", "lowest_bit(word)"}});
 }
 
+// Rounds of so many draws in so few columns are admitted in parts.
+TEST_P(Faults, InCrowdedRoundsAreNoticed) {
+    const auto crowded = [](Plan plan) {
+        plan.round_size = 3000;
+        return plan;
+    };
+    expect_noticed(
+        crowded(tests::plan_of(0.9, 2, Boundary::torus, 1, 1000)),
+        {{"bodies/screen_on_lines.h", "low == count || AT(spans, slot + low).x > y", "false"},
+         {"bodies/screen_on_lines.h", ".y <= y", ".x <= y"},
+         {"bodies/screen_on_lines.h", "a.first_draw + item", "item"}});
+    expect_noticed(crowded(tests::plan_of(0.9, 2, Boundary::torus, 1, 1000, Mode::exact)),
+                   {{"bodies/screen.h", "a.first + item * a.chunk", "item * a.chunk + a.count"},
+                    {"bodies/insert.h", "a.first + item * a.chunk", "item * a.chunk + a.count"}});
+    expect_noticed(
+        crowded(tests::cells_plan(tests::noise_field(40, 30, 5), 0.1, 5, Metric::mean,
+                                  Boundary::torus)),
+        {{"bodies/screen_in_cells.h", "& 1u) != 0u) continue;", "& 1u) == 0u) continue;"},
+         {"bodies/screen_in_cells.h", "a.first + item * a.chunk", "item * a.chunk + a.count"},
+         {"bodies/subtract_in_cells.h", "a.first + item / a.slices", "item / a.slices"}});
+}
+
 // Thin boxes near the rims of two disks, each of which takes a chord out of their middle.
 Snapshot boxes_between_disks(const Plan& plan) {
     Snapshot scene = tests::empty_memory(plan);

@@ -44,11 +44,27 @@ protected:
             EXPECT_EQ(got->snapshot(), expected->snapshot());
         } catch (const DeviceError& error) {
             const std::string what = error.what();
-            EXPECT_NE(what.find(name + ": a loop was ended early by the driver: use fewer points"),
-                      std::string::npos)
+            EXPECT_NE(what.find(name + ": a loop was ended early by the driver"), std::string::npos)
                 << what;
+            EXPECT_NE(what.find("use another backend"), std::string::npos) << what;
             EXPECT_NE(what.find(got->device()), std::string::npos) << what;
         }
+    }
+
+    // Draws of one column, far more than a loop may take turns.
+    void expect_located_right(const std::vector<Draw>& draws) {
+        const auto expected = cpu::make_backend(plan_, {});
+        const auto got = vulkan::make_backend(plan_, {});
+        for (Backend* const each : {expected.get(), got.get()}) {
+            each->restore(scene_);
+            each->locate(draws);
+        }
+        const Snapshot left = got->snapshot();
+        const Snapshot right = expected->snapshot();
+        EXPECT_TRUE(left.candidates == right.candidates);
+        EXPECT_TRUE(left.fates == right.fates);
+        EXPECT_TRUE(left.spans == right.spans);
+        EXPECT_TRUE(left.bits == right.bits);
     }
 
     const Plan plan_;
@@ -79,11 +95,11 @@ TEST_F(ManySpans, AreAnErrorOfLocateOrLocatedAsByTheCpu) {
     expect_right_or_failed("locate", [&](Backend& backend) { backend.locate(draws); });
 }
 
-TEST_F(ManySpans, AreAnErrorOfLocateOrSortedAsByTheCpu) {
+TEST_F(ManySpans, OrOneWithManyDrawsAreSortedAsByTheCpu) {
     scene_.spans[0] = {{0, kTurns}};
     std::vector<Draw> draws;
     for (std::uint32_t i = 0; i < kTurns; ++i) draws.push_back({0, i, 0, kTurns - 1 - i});
-    expect_right_or_failed("sort_columns", [&](Backend& backend) { backend.locate(draws); });
+    expect_located_right(draws);
 }
 
 TEST_F(ManySpans, AreAnErrorOfSubtractOrSubtractedAsByTheCpu) {
@@ -110,11 +126,11 @@ protected:
     }
 };
 
-TEST_F(ManyPixels, AreAnErrorOfLocateOrSortedAsByTheCpu) {
+TEST_F(ManyPixels, AreSortedAsByTheCpu) {
     ASSERT_EQ(count_columns(plan_), 1u);
     std::vector<Draw> draws;
     for (std::uint32_t i = 0; i < kTurns; ++i) draws.push_back({0, i / 2, 0, kTurns - 1 - i});
-    expect_right_or_failed("sort_columns", [&](Backend& backend) { backend.locate(draws); });
+    expect_located_right(draws);
 }
 
 TEST_F(ManyPixels, AreAnErrorOfSubtractOrSubtractedAsByTheCpu) {

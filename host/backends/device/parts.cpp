@@ -1,0 +1,32 @@
+// The parts of a round whose draws crowd.
+#include "backends/device/parts.h"
+
+namespace lacuna::device {
+
+bool is_one_part(std::span<const std::uint32_t> column_begins, PartLimits limits) {
+    if (column_begins.back() > std::min(limits.first, limits.most)) return false;
+    for (std::size_t column = 1; column < column_begins.size(); ++column)
+        if (column_begins[column] - column_begins[column - 1] > kMostOfColumn) return false;
+    return true;
+}
+
+std::vector<std::uint32_t> find_part_ends(std::span<const std::uint32_t> column_of_order,
+                                          std::uint32_t columns, PartLimits limits) {
+    const auto count = static_cast<std::uint32_t>(column_of_order.size());
+    std::vector<std::uint32_t> ends;
+    std::vector<std::uint32_t> of_column(columns, 0);
+    std::uint32_t begin = 0;
+    std::uint32_t room = std::min(limits.first, limits.most);
+    for (std::uint32_t order = 0; order < count; ++order) {
+        if (order - begin == room || of_column[column_of_order[order]] == kMostOfColumn) {
+            ends.push_back(begin = order);
+            room = std::min(std::max(order, limits.first), limits.most);
+            std::fill(of_column.begin(), of_column.end(), 0);
+        }
+        ++of_column[column_of_order[order]];
+    }
+    ends.push_back(count);
+    return ends;
+}
+
+}  // namespace lacuna::device
