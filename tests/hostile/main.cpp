@@ -1,0 +1,129 @@
+// hostile: random requests, each made by all backends, whose answers must be the same to the byte.
+//
+//     hostile [--seconds S] [--seed N] [--skip K]
+//
+// runs for S seconds (20) and tells the seed, which is another one each time unless it is given;
+// --skip goes to request K of the seed. Ends with 1 at the first difference, and names the request.
+#include <lacuna/lacuna.h>
+
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hostile/random_request.h"
+
+namespace {
+
+using namespace lacuna;
+
+struct Options {
+    double seconds = 20;
+    std::uint64_t seed = std::random_device()();
+    std::uint64_t skip = 0;
+};
+
+Options read_options(int argc, char** argv) {
+    Options options;
+    for (int i = 1; i + 1 < argc; i += 2) {
+        const std::string_view name = argv[i];
+        if (name == "--seconds") options.seconds = std::stod(argv[i + 1]);
+        if (name == "--seed") options.seed = std::stoull(argv[i + 1]);
+        if (name == "--skip") options.skip = std::stoull(argv[i + 1]);
+    }
+    return options;
+}
+
+// The backends that are there, the reference first.
+std::vector<std::string> backends() {
+    std::vector<std::string> names = {"reference", "cpu"};
+    for (const Device& device : devices())
+        if (device.unusable.empty() && (device.backend == "opencl" || device.backend == "vulkan") &&
+            names.back() != device.backend)
+            names.push_back(device.backend);
+    return names;
+}
+
+// A set, or why there is none: what a backend that is alike answers, too.
+struct Answer {
+    Result result;
+    std::string refusal;
+};
+
+Answer answer_of(Request request, const std::string& backend) {
+    request.backend = backend;
+    try {
+        return {sample(request), ""};
+    } catch (const BadRequest& error) {
+        return {{}, error.what()};
+    }
+}
+
+bool are_same(const Answer& a, const Answer& b) {
+    if (a.refusal != b.refusal || a.result.rounds != b.result.rounds ||
+        a.result.draws != b.result.draws || a.result.maximal != b.result.maximal ||
+        a.result.points.size() != b.result.points.size())
+        return false;
+    for (std::size_t i = 0; i < a.result.points.size(); ++i)
+        if (a.result.points[i].x != b.result.points[i].x ||
+            a.result.points[i].y != b.result.points[i].y)
+            return false;
+    return true;
+}
+
+std::string told(const Answer& answer) {
+    if (!answer.refusal.empty()) return answer.refusal;
+    return std::to_string(answer.result.points.size()) + " points, " +
+           std::to_string(answer.result.rounds) + " rounds, " +
+           std::to_string(answer.result.draws) + " draws";
+}
+
+// Whether all backends answer alike.
+bool passes(const tests::HostileRequest& made, const std::vector<std::string>& names) {
+    const Answer expected = answer_of(made.request, names.front());
+    for (const std::string& name : names) {
+        std::string got;
+        try {
+            const Answer answer = answer_of(made.request, name);
+            if (are_same(expected, answer)) continue;
+            got = told(answer);
+        } catch (const std::exception& error) {
+            got = error.what();
+        }
+        std::cerr << "hostile: " << name << " answers: " << got << "\n  " << names.front()
+                  << " answers: " << told(expected) << "\n";
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const Options options = read_options(argc, argv);
+    const std::vector<std::string> names = backends();
+    std::cout << "hostile: seed " << options.seed << ", backends";
+    for (const std::string& name : names) std::cout << " " << name;
+    std::cout << std::endl;
+
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    tests::RandomRequests requests(options.seed);
+    std::uint64_t number = 0;
+    for (; number < options.skip; ++number) requests.next();
+    do {
+        const tests::HostileRequest made = requests.next();
+        if (!passes(made, names)) {
+            std::cerr << "  at --seed " << options.seed << " --skip " << number << ": "
+                      << tests::describe(made) << std::endl;
+            return EXIT_FAILURE;
+        }
+        ++number;
+    } while (std::chrono::duration<double>(Clock::now() - start).count() < options.seconds);
+    std::cout << "hostile: " << number - options.skip << " requests, failures 0" << std::endl;
+}
