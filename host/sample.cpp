@@ -14,9 +14,16 @@
 namespace lacuna {
 namespace {
 
+// Before the first point.
+void ask(const Request& request, Observer& observer) {
+    const std::uint64_t expected = request.count.value_or(request.limit.value_or(1));
+    if (!observer.keep_going({0, expected, 0})) throw Cancelled();
+}
+
 // For a request that was checked, with its field's sums in cells.
 Result run(const Request& request, const std::optional<FieldSums>& sums, Observer& observer) {
-    const Plan plan = sums ? make_cells_plan(request, *sums) : make_plan(request);
+    const Poll poll = [&] { ask(request, observer); };
+    const Plan plan = sums ? make_cells_plan(request, *sums, poll) : make_plan(request);
     const Run run = run_on_backend(request, plan, observer);
     Result result;
     result.points.reserve(run.outcome.samples.size());
@@ -160,7 +167,8 @@ std::string_view name_of(Verb verb) {
 Result sample(const Request& request, Observer& observer) {
     check_request(request);
     std::optional<FieldSums> sums;
-    if (request.mode == Mode::cells) sums = sums_of(*request.field);
+    if (request.mode == Mode::cells)
+        sums = sums_of(*request.field, [&] { ask(request, observer); });
     if (!request.count) return run(request, sums, observer);
 
     // A count: at a radius with room to spare it is met at the first attempt but for a few in a

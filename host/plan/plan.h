@@ -97,9 +97,9 @@ struct FieldSums {
     double shares;
     double shares_and_half;  // of shares to the power of 1.5
 };
-FieldSums sums_of(const Field& field);
+FieldSums sums_of(const Field& field, const Poll& poll = nobody_asks);
 // make_plan for mode cells and a request that was checked (plan_cells.cpp).
-Plan make_cells_plan(const Request& request, const FieldSums& sums);
+Plan make_cells_plan(const Request& request, const FieldSums& sums, const Poll& poll = nobody_asks);
 
 // Checks all that does not depend on the radius. Throws BadRequest.
 void check_request(const Request& request);

@@ -92,14 +92,14 @@ double checked_scale(const Request& request, const FieldSums& sums, std::uint64_
 
 }  // namespace
 
-FieldSums sums_of(const Field& field) {
+FieldSums sums_of(const Field& field, const Poll& poll) {
     const std::vector<double>& importance = field.importance;
     FieldSums sums{*std::max_element(importance.begin(), importance.end()), 0, 0};
-    for (const double value : importance) {
-        const double share = value / sums.greatest;
+    for_each_polled(importance.size(), poll, [&](std::size_t i) {
+        const double share = importance[i] / sums.greatest;
         sums.shares += share;
         sums.shares_and_half += share * std::sqrt(share);
-    }
+    });
     return sums;
 }
 
@@ -121,7 +121,7 @@ double scale_for_count(const Request& request, const FieldSums& sums, std::uint6
     return checked_scale(request, sums, count, *pilot.scale * std::sqrt(maximal / wanted));
 }
 
-Plan make_cells_plan(const Request& request, const FieldSums& sums) {
+Plan make_cells_plan(const Request& request, const FieldSums& sums, const Poll& poll) {
     const double scale = *request.scale;
     if (!std::isfinite(scale) || scale <= 0)
         throw BadRequest("scale", shortest(scale), "must be a finite number greater than 0");
@@ -142,7 +142,7 @@ Plan make_cells_plan(const Request& request, const FieldSums& sums) {
     plan.unit_y = request.height / lattice.height;
     const double step = std::min(plan.unit_x, plan.unit_y);
     plan.radii = std::make_shared<const RadiusMap>(*request.field, scale, request.metric,
-                                                   plan.lines, plan.height, step, torus);
+                                                   plan.lines, plan.height, step, torus, poll);
     plan.metric = request.metric;
     plan.radius =
         static_cast<std::uint32_t>(std::min(lattice.least_radius / step, 2 * kMostLatticeSteps)) +

@@ -32,7 +32,7 @@ std::uint32_t steps_of(std::uint32_t radius) {
 }  // namespace
 
 RadiusMap::RadiusMap(const Field& field, double scale, Metric metric, std::uint32_t lines,
-                     std::uint32_t height, double step, bool wraps)
+                     std::uint32_t height, double step, bool wraps, const Poll& poll)
     : columns(field.columns),
       rows(field.rows),
       radii(field.importance.size()),
@@ -48,34 +48,40 @@ RadiusMap::RadiusMap(const Field& field, double scale, Metric metric, std::uint3
     };
     // So many columns at a time: what is written of them stays in the cache from row to row.
     constexpr std::uint32_t kTile = 64;
-    for (std::uint32_t first = 0; first < columns; first += kTile) {
+    const auto fill_tile = [&](std::size_t tile) {
+        const std::uint32_t first = static_cast<std::uint32_t>(tile) * kTile;
         const std::uint32_t end = std::min(first + kTile, columns);
         for (std::uint32_t row = 0; row < rows; ++row) {
             const double* const line = &field.importance[std::size_t{rows - 1 - row} * columns];
             for (std::uint32_t column = first; column < end; ++column)
                 radii[std::size_t{column} * rows + row] = radius_of(line[column]);
         }
-    }
+    };
+    for_each_polled((columns + kTile - 1) / kTile, poll, fill_tile, std::size_t{kTile} * rows);
     row_begins.reserve(rows + std::size_t{1});
     for (std::uint32_t row = 0; row <= rows; ++row)
         row_begins.push_back(static_cast<std::uint32_t>(
             std::lower_bound(row_of.begin(), row_of.end(), row) - row_of.begin()));
-    find_reaches(metric, wraps);
-    if (metric != Metric::min) find_widest_rows();
+    find_reaches(metric, wraps, poll);
+    if (metric != Metric::min) find_widest_rows(poll);
 }
 
 // With min no conflict is farther than a sample's own radius. With mean and max a larger radius
 // nearby reaches here: radii are sorted into classes that double, each with blocks as wide as its
 // largest radius, so that what reaches here lies in the nine blocks around.
-void RadiusMap::find_reaches(Metric metric, bool wraps) {
+void RadiusMap::find_reaches(Metric metric, bool wraps, const Poll& poll) {
     reaches.resize(radii.size());
-    for (std::size_t i = 0; i < radii.size(); ++i) reaches[i] = steps_of(radii[i]);
+    std::uint64_t classes = 0;  // bit i: there are radii of i bits
+    for_each_polled(radii.size(), poll, [&](std::size_t i) {
+        reaches[i] = steps_of(radii[i]);
+        classes |= std::uint64_t{1} << std::bit_width(radii[i]);
+    });
     if (metric == Metric::min) return;
 
-    const std::uint32_t widest = *std::max_element(radii.begin(), radii.end());
     const auto lines = static_cast<double>(column_of.size());
     const auto height = static_cast<double>(row_of.size());
-    for (unsigned bits = 1; bits <= static_cast<unsigned>(std::bit_width(widest)); ++bits) {
+    for (unsigned bits = 1; bits < static_cast<unsigned>(std::bit_width(classes)); ++bits) {
+        if ((classes >> bits & 1) == 0) continue;
         // The class of radii below 2^bits, and its blocks in pixels.
         const double block_steps = static_cast<double>(std::uint64_t{1} << bits) / kUnitsPerStep;
         const auto side = [&](double pixels, double steps) {
@@ -88,17 +94,15 @@ void RadiusMap::find_reaches(Metric metric, bool wraps) {
         const std::uint32_t up = (rows + depth - 1) / depth;
 
         std::vector<std::uint32_t> largest(std::size_t{across} * up, 0);
-        bool any = false;
-        for (std::uint32_t column = 0; column < columns; ++column) {
+        const auto gather_column = [&](std::size_t column) {
             for (std::uint32_t row = 0; row < rows; ++row) {
-                const std::uint32_t radius = radii[std::size_t{column} * rows + row];
+                const std::uint32_t radius = radii[column * rows + row];
                 if (static_cast<unsigned>(std::bit_width(radius)) != bits) continue;
-                std::uint32_t& block = largest[std::size_t{column / width} * up + row / depth];
+                std::uint32_t& block = largest[column / width * up + row / depth];
                 block = std::max(block, radius);
-                any = true;
             }
-        }
-        if (!any) continue;
+        };
+        for_each_polled(columns, poll, gather_column, rows);
 
         // On a torus the last block may be cut short: look one farther.
         const std::int64_t around = wraps ? 2 : 1;
@@ -106,7 +110,8 @@ void RadiusMap::find_reaches(Metric metric, bool wraps) {
         const auto other = [&](std::int64_t index, std::int64_t count) {
             return wraps ? (index % count + count) % count : index;
         };
-        for (std::int64_t i = 0; i < across; ++i)
+        for (std::int64_t i = 0; i < across; ++i) {
+            poll();
             for (std::int64_t j = 0; j < up; ++j)
                 for (std::int64_t di = -around; di <= around; ++di)
                     for (std::int64_t dj = -around; dj <= around; ++dj) {
@@ -116,30 +121,32 @@ void RadiusMap::find_reaches(Metric metric, bool wraps) {
                         std::uint32_t& to = dilated[static_cast<std::size_t>(i * up + j)];
                         to = std::max(to, largest[static_cast<std::size_t>(from_i * up + from_j)]);
                     }
-        for (std::uint32_t column = 0; column < columns; ++column) {
-            for (std::uint32_t row = 0; row < rows; ++row) {
-                std::uint32_t& reach = reaches[std::size_t{column} * rows + row];
-                if (reach == 0) continue;
-                reach = std::max(reach,
-                                 steps_of(dilated[std::size_t{column / width} * up + row / depth]));
-            }
         }
+        const auto widen_column = [&](std::size_t column) {
+            for (std::uint32_t row = 0; row < rows; ++row) {
+                std::uint32_t& reach = reaches[column * rows + row];
+                if (reach == 0) continue;
+                reach = std::max(reach, steps_of(dilated[column / width * up + row / depth]));
+            }
+        };
+        for_each_polled(columns, poll, widen_column, rows);
     }
 }
 
 // Counted by class, then listed from the widest class down.
-void RadiusMap::find_widest_rows() {
+void RadiusMap::find_widest_rows(const Poll& poll) {
     widest_rows.resize(radii.size());
     std::array<std::uint32_t, RADIUS_CLASSES> next{};
-    for (std::uint32_t column = 0; column < columns; ++column) {
-        const std::span<const std::uint32_t> of_column(&radii[std::size_t{column} * rows], rows);
+    const auto list_column = [&](std::size_t column) {
+        const std::span<const std::uint32_t> of_column(&radii[column * rows], rows);
         next.fill(0);
         for (const std::uint32_t radius : of_column) ++next[portable::radius_class(radius)];
-        std::uint32_t sum = column * rows;
+        auto sum = static_cast<std::uint32_t>(column * rows);
         for (auto it = next.rbegin(); it != next.rend(); ++it) sum += std::exchange(*it, sum);
         for (std::uint32_t row = 0; row < rows; ++row)
             widest_rows[next[portable::radius_class(of_column[row])]++] = row;
-    }
+    };
+    for_each_polled(columns, poll, list_column, rows);
 }
 
 }  // namespace lacuna

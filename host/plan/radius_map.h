@@ -6,13 +6,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "poll.h"
+
 namespace lacuna {
 
 struct RadiusMap {
     // The map of `field` at scale g, for a lattice of lines x height points with the given steps in
     // the user's units. Radii are rounded up. Pixels of no importance have radius 0.
     RadiusMap(const Field& field, double scale, Metric metric, std::uint32_t lines,
-              std::uint32_t height, double step, bool wraps);
+              std::uint32_t height, double step, bool wraps, const Poll& poll = nobody_asks);
 
     std::uint32_t columns;  // pixels
     std::uint32_t rows;     // pixels
@@ -35,8 +37,8 @@ struct RadiusMap {
     }
 
 private:
-    void find_reaches(Metric metric, bool wraps);
-    void find_widest_rows();
+    void find_reaches(Metric metric, bool wraps, const Poll& poll);
+    void find_widest_rows(const Poll& poll);
 };
 
 }  // namespace lacuna

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "poll.h"
 #include "relax/lattice.h"
-#include "relax/poll.h"
 
 namespace lacuna::relaxing {
 

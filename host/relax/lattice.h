@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "poll.h"
 #include "portable/power.h"
-#include "relax/poll.h"
 
 namespace lacuna::relaxing {
 

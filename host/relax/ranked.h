@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "relax/poll.h"
+#include "poll.h"
 
 namespace lacuna::relaxing {
 

@@ -123,7 +123,7 @@ Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOpti
     Relaxed relaxed;
     relaxed.points.assign(points.begin(), points.end());
     if (points.empty()) return relaxed;
-    const relaxing::Poll poll = [&] {
+    const Poll poll = [&] {
         const std::uint64_t all = points.size() * std::max<std::uint64_t>(options.iterations, 1);
         if (!observer.keep_going({0, all, 0})) throw Cancelled();
     };

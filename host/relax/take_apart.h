@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "poll.h"
 #include "relax/lattice.h"
-#include "relax/poll.h"
 
 namespace lacuna::relaxing {
 

@@ -166,4 +166,36 @@ TEST(ARefusalBetweenRounds, CancelsInEveryMode) {
     }
 }
 
+TEST(ARefusalBeforeTheFirstRound, CancelsWhileRadiiAreFoundForAField) {
+    class Stop : public Observer {
+    public:
+        explicit Stop(int at) : at_(at) {}
+        bool keep_going(const Progress& progress) override {
+            EXPECT_GE(progress.expected_points, 1u);
+            return ++asked < at_;
+        }
+        void begin(Verb) override { ++begun; }
+        int asked = 0;
+        int begun = 0;
+
+    private:
+        int at_;
+    };
+    // Eight classes of radii, for each of which all pixels are looked at.
+    Field field{1024, 1024, {}};
+    for (std::uint32_t i = 0; i < field.columns * field.rows; ++i)
+        field.importance.push_back(1.0 / (1u << 2 * (i / 31 % 8)));
+    Request request;
+    request.mode = Mode::cells;
+    request.field = &field;
+    request.metric = Metric::mean;
+    request.count = 1000;
+    for (const int at : {1, 16, 17, 100, 300}) {
+        Stop stop(at);
+        EXPECT_THROW(sample(request, stop), Cancelled);
+        EXPECT_EQ(stop.asked, at);
+        EXPECT_EQ(stop.begun, 0) << at;
+    }
+}
+
 }  // namespace
