@@ -15,7 +15,7 @@ constexpr double kMostPairs = 4.5;
 constexpr double kMostNearest = 2.1;
 constexpr std::size_t kBins = 36;
 
-// Calls visit(i, distance in radii) for all ordered pairs closer than `reach` radii on a torus.
+// Calls visit(i, j, distance in radii) for all pairs closer than `reach` radii on a torus.
 template <typename Visit>
 void for_each_pair(const Plan& plan, const std::vector<Sample>& samples, double reach,
                    Visit visit) {
@@ -35,12 +35,12 @@ void for_each_pair(const Plan& plan, const std::vector<Sample>& samples, double 
                 const std::uint64_t column = (column_of(samples[i]) + cells + dx - 1) % cells;
                 const std::uint64_t row = (row_of(samples[i]) + rows + dy - 1) % rows;
                 for (const std::uint32_t j : grid[column * rows + row]) {
-                    if (i == j) continue;
+                    if (j <= i) continue;
                     const double squared = static_cast<double>(portable::squared_length(
                         portable::axis_distance(samples[i].x, samples[j].x, plan.period_x),
                         portable::axis_distance(samples[i].y, samples[j].y, plan.period_y)));
                     const double distance = std::sqrt(squared) / plan.radius;
-                    if (distance < reach) visit(i, distance);
+                    if (distance < reach) visit(i, j, distance);
                 }
             }
         }
@@ -76,17 +76,20 @@ Moments moments(const std::vector<std::vector<double>>& sets, std::size_t entry)
 
 std::vector<double> pair_histogram(const Plan& plan, const std::vector<Sample>& samples) {
     std::vector<double> counts(kBins);
-    for_each_pair(plan, samples, kMostPairs,
-                  [&](std::uint32_t, double distance) { ++counts[bin_of(distance, kMostPairs)]; });
+    for_each_pair(plan, samples, kMostPairs, [&](std::uint32_t, std::uint32_t, double distance) {
+        counts[bin_of(distance, kMostPairs)] += 2;  // one of each
+    });
     divide(counts, samples.size());
     return counts;
 }
 
 std::vector<double> nearest_histogram(const Plan& plan, const std::vector<Sample>& samples) {
-    std::vector<double> nearest(samples.size(), kMostPairs);
-    for_each_pair(plan, samples, kMostPairs, [&](std::uint32_t i, double distance) {
-        nearest[i] = std::min(nearest[i], distance);
-    });
+    std::vector<double> nearest(samples.size(), kMostNearest);
+    for_each_pair(plan, samples, kMostNearest,
+                  [&](std::uint32_t i, std::uint32_t j, double distance) {
+                      nearest[i] = std::min(nearest[i], distance);
+                      nearest[j] = std::min(nearest[j], distance);
+                  });
     std::vector<double> counts(kBins);
     for (const double distance : nearest) ++counts[bin_of(distance, kMostNearest)];
     divide(counts, samples.size());
