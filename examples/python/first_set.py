@@ -19,10 +19,13 @@ for axes, points, title in (
 ):
     axes.scatter(*points.T, s=4, color="black")
     axes.set(title=title, aspect="equal", xlim=(0, 1), ylim=(0, 1), xticks=[], yticks=[])
-for points, label in ((made, "random"), (even, "relaxed")):
-    spectrum = lacuna.analyze(points)
+# Of ten sets each: one set's power is as rough as its points are random.
+for relax, label in ((0, "random"), (30, "relaxed")):
+    sets = [lacuna.sample(n=len(made), torus=True, seed=i, relax=relax) for i in range(10)]
+    spectrum = lacuna.analyze(sets)
     power.plot(spectrum.frequency, spectrum.power, label=label)
-power.set(title="radial power", xlabel="frequency / sqrt(N)")
+power.axhline(1, color="gray", linewidth=0.5)
+power.set(title="radial power of 10 sets", xlabel="frequency / sqrt(N)", xlim=(0, 2), ylim=(0, None))
 power.legend()
 figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "first_set.png", dpi=100)
 

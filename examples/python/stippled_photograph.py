@@ -6,7 +6,7 @@ import lacuna
 
 photo = sys.argv[1]
 output = sys.argv[2] if len(sys.argv) > 2 else "stippled.svg"
-count = int(sys.argv[3]) if len(sys.argv) > 3 else 10_000
+count = int(sys.argv[3]) if len(sys.argv) > 3 else None  # as suits the photograph
 
 dots = lacuna.stipple(photo, count, seed=1)
 

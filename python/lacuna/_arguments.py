@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 _MOST_PIXELS = 2**28
 _MOST_PIXELS_OF_SIDE = 2**20
 _MOST_POINTS = 2**31
+_PIXELS_OF_PART = 2**22
 
 
 def real(name: str, value: SupportsFloat) -> float:
@@ -65,11 +66,15 @@ def choice(name: str, value: object, known: tuple[str, ...]) -> str:
 
 
 def text(name: str, value: object) -> str:
-    """A str without NUL."""
+    """A str that UTF-8 can spell, without NUL."""
     if not isinstance(value, str):
         raise TypeError(f"{name} must be a str, not {value!r:.60}")
     if "\0" in value:
         raise BadRequest(f"{name} {value!r:.60}: must have no NUL", name)
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise BadRequest(f"{name} {value!r:.60}: must have no surrogates", name) from None
     return value
 
 
@@ -109,7 +114,14 @@ def seed_of(value: Seed) -> int:
 
 def numbers(name: str, value: object) -> npt.NDArray[Any]:
     """An array of real numbers, as it lies in memory."""
-    array = np.asarray(value)
+    if isinstance(value, np.ma.MaskedArray):
+        raise TypeError(f"{name} must not be masked: its filled(0) says what is there")
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        if not isinstance(value, (list, tuple)):
+            raise
+        raise BadRequest(f"{name} {value!r:.60}: must have rows of one length", name) from None
     if array.dtype.kind not in "biuf":
         raise TypeError(f"{name} must hold real numbers, not dtype {array.dtype}")
     return array
@@ -139,11 +151,17 @@ def field_of(name: str, value: object) -> _core.Field:
             f"{name} of shape {array.shape}: must have at most 2^28 pixels, 2^20 to a side", name
         )
     field = _core.make_field(*array.shape)
-    np.copyto(field.values, array, casting="same_kind")
+    # In parts, between which Ctrl-C is answered.
+    values, rows = field.values, max(1, _PIXELS_OF_PART // array.shape[1])
+    for begin in range(0, len(array), rows):
+        part = slice(begin, begin + rows)
+        np.copyto(values[part], array[part], casting="same_kind")
     return field
 
 
-def path_text(name: str, value: str | bytes | os.PathLike[Any]) -> str:
+def path_bytes(name: str, value: str | bytes | os.PathLike[Any]) -> bytes:
     """A path, as the library takes it: never the standard input."""
-    path = text(name, os.fsdecode(value))
-    return os.path.join(os.curdir, path) if path == "-" else path
+    path = os.fsencode(value)
+    if b"\0" in path:
+        raise BadRequest(f"{name} {path!r:.60}: must have no NUL", name)
+    return b"./-" if path == b"-" else path

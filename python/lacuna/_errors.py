@@ -6,6 +6,10 @@ from __future__ import annotations
 _SPELLED = {"count": "n", "iterations": "iterations", "sets": "points"}
 
 
+# A path may hold them; a message is one line.
+_CONTROLS = {code: f"\\x{code:02x}" for code in (*range(32), 127)}
+
+
 class Error(Exception):
     """What all exceptions of lacuna are."""
 
@@ -61,3 +65,6 @@ class DeviceError(Error, RuntimeError):
 
 class FileError(Error, OSError):
     """A picture could not be read: names the path and the reason."""
+
+    def __init__(self, message: str, argument: str = "") -> None:
+        super().__init__(message.translate(_CONTROLS))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
 import numpy as np
 
 from . import _core
-from ._arguments import flag, numbers, path_text, real, whole
+from ._arguments import flag, numbers, path_bytes, real, whole
 from ._errors import BadRequest, FileError
 from ._results import Stippling
 from ._runs import MOST_32, choose_metric, fill, make, place, set_size, shape_of
@@ -42,7 +42,7 @@ def _tone(
 def _picture(image: object, tone: _core.Tone) -> _core.Field:
     """The importance of a picture in a file or in an array, which is read as .npy is."""
     if isinstance(image, (str, bytes, os.PathLike)):
-        return _core.read_field(path_text("image", image), tone)
+        return _core.read_field(path_bytes("image", image), tone)
     encoded = io.BytesIO()
     np.lib.format.write_array(encoded, numbers("image", image), allow_pickle=False)
     try:
@@ -83,8 +83,9 @@ def stipple(
         A picture: PNG, JPEG, PGM, PPM, PFM, Radiance HDR or .npy; or an array, row 0 on top.
         Bytes and 16-bit numbers count from 0 to the largest one, other numbers from 0 (black) to 1
         (white), or to the largest of the array where that is over 1.
-    n : int
-        Exactly so many dots; this or ``scale``.
+    n : int, optional
+        Exactly so many dots. By default, without ``scale``, as many as suit the picture: one to 16
+        pixels of black, its longer side counting as 512 to 2048 pixels; at most a million.
     scale : float
         The radius where the picture is black, its longer side being 1.
     relax : int
@@ -127,14 +128,19 @@ progress
     >>> dots = lacuna.stipple(disk, 200, seed=1)
     >>> dots.points.shape, dots.radii.shape, [round(side, 3) for side in dots.domain]
     ((200, 2), (200,), [1.0, 0.667])
+    >>> len(lacuna.stipple(disk, seed=1))  # a third of 512 x 341 pixels, over 16
+    3650
     """
     field = _picture(image, _tone(invert, black, white, auto_levels, gamma, min_importance))
     request = _core.Request()
     request.mode = "cells"
+    sides = shape_of(field)
+    if n is None and scale is None:
+        n = _core.dot_count(field, *sides)
     set_size(request, {"n": n, "scale": scale})
     iterations = whole("relax", relax, 0, MOST_32)
     choose_metric(request, metric, iterations)
-    place(request, shape_of(field), torus, backend, device, threads)
+    place(request, sides, torus, backend, device, threads)
     fill(
         request,
         seed=seed,

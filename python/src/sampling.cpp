@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "arrays.h"
+#include "drawing/dot_count.h"
 #include "drawing/dot_size.h"
 #include "parts.h"
 #include "watch.h"
@@ -77,6 +78,12 @@ nb::dict relax_points(const PointArray& array, const Field* field, const RelaxOp
     return made;
 }
 
+// As many dots as the command makes where nobody says how many.
+std::uint64_t dot_count(const Field& field, double width, double height) {
+    const nb::gil_scoped_release no_gil;
+    return drawing::dot_count(field, width, height);
+}
+
 // The radii of the dots of a stippled picture.
 nb::object dot_radii(const PointArray& array, const Field& field, double width, double height,
                      bool relaxed) {
@@ -90,7 +97,8 @@ nb::object dot_radii(const PointArray& array, const Field& field, double width, 
     return array_of(std::move(sizes));
 }
 
-Field read_picture(const std::string& path, const Tone& tone) {
+Field read_picture(const nb::bytes& bytes, const Tone& tone) {
+    const std::string path(bytes.c_str(), bytes.size());
     const nb::gil_scoped_release no_gil;
     return read_field(path, tone);
 }
@@ -171,6 +179,7 @@ void add_sampling(nb::module_& module) {
     module.def("decode_field", decode_picture);
     module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg().none());
     module.def("relax", relax_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none());
+    module.def("dot_count", dot_count);
     module.def("dot_radii", dot_radii);
 }
 

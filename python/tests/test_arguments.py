@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from decimal import Decimal
 from typing import Any
 
@@ -71,6 +72,8 @@ FIELD = np.ones((8, 8))
         (ValueError, "round_size", {"radius": 0.1, "round_size": 2**40}),
         (ValueError, "backend", {"radius": 0.1, "backend": "cuda"}),
         (ValueError, "backend", {"radius": 0.1, "backend": "c\0pu"}),
+        (ValueError, "backend", {"radius": 0.1, "backend": "\udcff"}),
+        (ValueError, "device", {"radius": 0.1, "backend": "opencl", "device": "\udcff"}),
         (TypeError, "backend", {"radius": 0.1, "backend": None}),
         (ValueError, "device", {"radius": 0.1, "backend": "cpu", "device": 1}),
         (TypeError, "device", {"radius": 0.1, "device": 1.5}),
@@ -142,7 +145,6 @@ def test_relax_refuses(error: type[Exception], argument: str, arguments: dict[st
         (TypeError, "image", {"image": np.full((3, 3), "a"), "n": 10}),
         (TypeError, "image", {"image": np.full((3, 3), 1j), "n": 10}),
         (ValueError, "image", {"image": "a\0b.png", "n": 10}),
-        (ValueError, "n", {"image": np.zeros((3, 3))}),
         (ValueError, "n", {"image": np.zeros((3, 3)), "n": 5, "scale": 0.1}),
         (ValueError, "gamma", {"image": np.zeros((3, 3)), "n": 5, "gamma": 0}),
         (ValueError, "gamma", {"image": np.zeros((3, 3)), "n": 5, "gamma": float("nan")}),
@@ -164,6 +166,16 @@ def test_a_file_that_is_not_there_or_no_picture_is_an_oserror(tmp_path: Any) -> 
         with pytest.raises(OSError) as caught:
             lacuna.stipple(path, 10)
         assert isinstance(caught.value, lacuna.FileError) and str(path) in str(caught.value)
+
+
+def test_a_path_is_any_bytes_and_its_error_one_line(tmp_path: Any) -> None:
+    folder = os.fsencode(tmp_path)
+    np.save(tmp_path / "eye.npy", np.eye(4))
+    os.rename(tmp_path / "eye.npy", folder + b"/\xff\xfe.npy")
+    assert len(lacuna.stipple(folder + b"/\xff\xfe.npy", 7)) == 7
+    assert len(lacuna.stipple(os.fsdecode(folder + b"/\xff\xfe.npy"), 7)) == 7
+    with pytest.raises(lacuna.FileError, match=r"^[^\n]*a\\x0ab\.png: [^\n]*$"):
+        lacuna.stipple(tmp_path / "a\nb.png", 7)
 
 
 def test_numbers_of_other_kinds_are_numbers() -> None:

@@ -32,6 +32,8 @@ FIELDS: list[tuple[type[Exception], object]] = [
     (TypeError, np.zeros((8, 8), [("a", float)])),
     (TypeError, np.zeros((8, 8), "datetime64[s]")),
     (TypeError, object()),
+    (TypeError, np.ma.masked_array(np.ones((3, 3)), mask=np.eye(3))),
+    (ValueError, [[1, 2], [3]]),
 ]
 
 
@@ -99,6 +101,8 @@ SETS: list[tuple[type[Exception], object]] = [
     (TypeError, np.ones((5, 2), complex)),
     (TypeError, [["a", "b"]]),
     (TypeError, None),
+    (TypeError, np.ma.masked_array(POINTS, mask=POINTS > 0.5)),
+    (ValueError, [[0.1, 0.2], [0.3]]),
 ]
 
 

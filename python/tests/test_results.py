@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import dataclasses
 import json
 import os
@@ -9,6 +10,7 @@ import pickle
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -121,3 +123,33 @@ def test_a_million_points_take_no_memory_that_the_command_does_not(tmp_path: Pat
         return int(run.stdout)
 
     assert peak(count) - peak(10) <= command + 24 * count
+
+
+RESULTS: list[Any] = [
+    lacuna.sample(0.2, seed=1),
+    lacuna.sample(n=30, seed=1, relax=1),
+    lacuna.stipple(np.eye(8), 10, seed=1),
+    lacuna.relax(np.random.default_rng(1).random((9, 2)), measure=True),
+    lacuna.verify([[0.1, 0.2]], 0.1),
+    lacuna.analyze(np.random.default_rng(1).random((9, 2))),
+    lacuna.devices()[0],
+]
+
+
+@pytest.mark.parametrize("result", RESULTS, ids=lambda one: type(one).__name__)
+def test_results_can_be_copied_pickled_and_shown(result: Any) -> None:
+    for same in (copy.copy(result), copy.deepcopy(result), pickle.loads(pickle.dumps(result))):
+        assert type(same) is type(result) and repr(same) == repr(result)
+        for name, value in vars(result).items():
+            if isinstance(value, np.ndarray):
+                assert (getattr(same, name) == value).all()
+    assert repr(result).startswith(type(result).__name__) and "\n" not in repr(result)
+
+
+def test_errors_can_be_copied_and_pickled() -> None:
+    for arguments in ({"n": 0}, {"n": 10**9, "memory_limit": 10**6}):
+        with pytest.raises(lacuna.Error) as caught:
+            lacuna.sample(**arguments)
+        for same in (copy.copy(caught.value), pickle.loads(pickle.dumps(caught.value))):
+            assert type(same) is type(caught.value) and str(same) == str(caught.value)
+            assert same.argument == "n"

@@ -114,6 +114,13 @@ def test_of_a_photograph(command: Command) -> None:
     assert lacuna.stipple(RACCOON, 2000, seed=0).points.tobytes() == expected.tobytes()
 
 
+def test_of_as_many_dots_as_suit_the_picture(command: Command, small: Path) -> None:
+    expected = command("stipple", small, "--relax", 0)
+    made = lacuna.stipple(small, relax=0, seed=0)
+    assert made.report()["request"]["count"] == len(expected)  # type: ignore[index]
+    assert made.points.tobytes() == expected.tobytes()
+
+
 def test_of_a_field(command: Command, backend: str, tmp_path: Path, ramp: npt.ArrayLike) -> None:
     np.save(tmp_path / "ramp.npy", ramp)
     expected = command(

@@ -1,0 +1,84 @@
+"""Times scipy.stats.qmc.PoissonDisk and lacuna side by side: beside_scipy.py [RADIUS] [SETS OF SCIPY]
+
+Wall clock a set, the median of all sets, each of another seed; theirs and ours in turns, so that a
+machine that is busy for a while is so for both. Run it on a machine that does nothing else.
+"""
+
+from __future__ import annotations
+
+import statistics
+import sys
+import time
+from typing import Callable
+
+import numpy as np
+import numpy.typing as npt
+from scipy.stats import qmc as scipy_qmc
+
+import lacuna
+from lacuna import qmc
+
+Points = npt.NDArray[np.float64]
+OURS_TO_ONE_OF_THEIRS = 40
+CALLS_FOR_OVERHEAD = 2000
+
+
+def timed(make: Callable[[int], Points], seed: int) -> tuple[float, Points]:
+    begun = time.perf_counter()
+    points = make(seed)
+    return time.perf_counter() - begun, points
+
+
+def overhead() -> float:
+    """What a call takes around the C++ call within it, at some 300 points."""
+    spent = []
+    for seed in range(CALLS_FOR_OVERHEAD):
+        begun = time.perf_counter()
+        made = lacuna.sample(0.048, seed=seed, threads=1)
+        spent.append(time.perf_counter() - begun - made.seconds["total"])
+    return statistics.median(spent)
+
+
+def main() -> None:
+    radius = float(sys.argv[1]) if len(sys.argv) > 1 else 0.01
+    sets = int(sys.argv[2]) if len(sys.argv) > 2 else 5
+
+    def theirs(seed: int) -> Points:
+        engine = scipy_qmc.PoissonDisk(2, radius=radius, rng=np.random.default_rng(seed))
+        filled: Points = engine.fill_space()
+        return filled
+
+    ours: dict[str, Callable[[int], Points]] = {
+        "lacuna.sample": lambda seed: lacuna.sample(radius, seed=seed).points,
+        "lacuna.sample, threads=1": lambda seed: lacuna.sample(radius, seed=seed, threads=1).points,
+        "lacuna.qmc.PoissonDisk": lambda seed: qmc.PoissonDisk(
+            2, radius=radius, rng=seed
+        ).fill_space(),
+    }
+    everybody = {"scipy.stats.qmc.PoissonDisk": theirs, **ours}
+    seconds: dict[str, list[float]] = {name: [] for name in everybody}
+    counts: dict[str, list[int]] = {name: [] for name in everybody}
+    last: dict[str, Points] = {}
+    for name, make in ours.items():
+        make(sets * OURS_TO_ONE_OF_THEIRS)  # threads are made once
+    for turn in range(sets):
+        for name, make in everybody.items():
+            for again in range(1 if make is theirs else OURS_TO_ONE_OF_THEIRS):
+                spent, last[name] = timed(make, turn * OURS_TO_ONE_OF_THEIRS + again)
+                seconds[name].append(spent)
+                counts[name].append(len(last[name]))
+
+    slowest = statistics.median(seconds["scipy.stats.qmc.PoissonDisk"])
+    print(f"radius {radius}, median of a set: seconds, least, times faster; points; verify")
+    for name in everybody:
+        middle, least = statistics.median(seconds[name]), min(seconds[name])
+        verdict = lacuna.verify(last[name], radius)
+        said = "maximal" if verdict.maximal else f"a spot {verdict.emptiest_distance:.4f} from all"
+        print(
+            f"{name:28} {middle:9.5f} {least:9.5f} {slowest / middle:7.0f}"
+            f" {statistics.mean(counts[name]):8.0f}   {said}"
+        )
+    print(f"a call of some 300 points takes {1000 * overhead():.3f} ms besides the C++ call in it")
+
+
+main()
