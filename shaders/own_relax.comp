@@ -3,6 +3,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bodies/prelude.h"
 
+#ifdef ENTRY_find_hints
+BINDINGS(LeafArguments, FIND_HINTS_BINDINGS)
+#include "bodies/find_hints.h"
+ENTRY(find_hints, serve_find_hints, LeafArguments, FIND_HINTS_BINDINGS)
+#endif
+
 #ifdef ENTRY_find_rivals
 BINDINGS(LeafArguments, FIND_RIVALS_BINDINGS)
 #include "bodies/find_rivals.h"
@@ -19,10 +25,4 @@ ENTRY(own, serve_own, LeafArguments, OWN_BINDINGS)
 BINDINGS(LeafArguments, OWN_CROWDED_BINDINGS)
 #include "bodies/own_crowded.h"
 ENTRY(own_crowded, serve_own_crowded, LeafArguments, OWN_CROWDED_BINDINGS)
-#endif
-
-#ifdef ENTRY_gather_shares
-BINDINGS(LeafArguments, GATHER_SHARES_BINDINGS)
-#include "bodies/gather_shares.h"
-ENTRY(gather_shares, serve_gather_shares, LeafArguments, GATHER_SHARES_BINDINGS)
 #endif

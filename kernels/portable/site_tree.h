@@ -109,15 +109,36 @@ LACUNA_FN Rival rival_of(i32 dx, i32 dy, u64 lift) {
     return rival;
 }
 
-// By how much a rival's value changes from one lattice point of an axis to the next.
-LACUNA_FN i64 rival_slope(i32 off, u32 step) {
-    i64 x = off;
-    i64 wide = step;
-    return x * wide * -2;
+// By how much a rival is behind another, as a rule: in lattice point (u, v) at + u along_x + v
+// along_y.
+struct Lag {
+    i64 at;
+    i64 along_x;
+    i64 along_y;
+};
+LACUNA_TYPEDEF(Lag)
+
+LACUNA_FN Lag lag_of(Rival rival, Rival other, u32 step_x, u32 step_y) {
+    i64 x = rival.dx;
+    i64 y = rival.dy;
+    i64 wide_x = step_x;
+    i64 wide_y = step_y;
+    Lag lag;
+    lag.at = rival.at - other.at;
+    lag.along_x = (x - other.dx) * wide_x * -2;
+    lag.along_y = (y - other.dy) * wide_y * -2;
+    return lag;
 }
 
-LACUNA_FN i64 rival_value(Rival rival, u32 right, u32 up) {
-    return rival.at + rival_slope(rival.dx, right) + rival_slope(rival.dy, up);
+// Whether it stays below 2^29 in all lattice points up to (most, most): then 32 bits hold it there,
+// and the difference of two, wherever in the area each of its two terms is.
+LACUNA_FN bool is_short(Lag lag, u32 most) {
+    i64 limit = 1 << 29;
+    i64 at = lag.at < 0 ? -lag.at : lag.at;
+    i64 along_x = lag.along_x < 0 ? -lag.along_x : lag.along_x;
+    i64 along_y = lag.along_y < 0 ? -lag.along_y : lag.along_y;
+    i64 wide = most;
+    return at < limit && (along_x + along_y) * wide < limit - at;
 }
 
 // Whether `other` fails to beat `rival` somewhere in a leaf of this size in units, from its first

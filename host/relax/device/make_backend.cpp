@@ -1,4 +1,4 @@
-// Relaxation on a device: the lattice's leaves in batches, whose tables one set of buffers holds.
+// Relaxation on a device: the lattice's tiles in batches, whose tables one set of buffers holds.
 #include "relax/device/make_backend.h"
 
 #include <algorithm>
@@ -24,15 +24,15 @@ namespace kernels = lacuna::device::kernels;
 using lacuna::device::Buffer;
 
 // On a processor a batch's tables should stay in its caches; a graphics card wants many items.
-constexpr std::size_t kLeavesOfProcessor = 4096;
-constexpr std::size_t kLeavesOfGraphics = 65536;
+constexpr std::uint32_t kUnitsOfProcessor = 512;
+constexpr std::uint32_t kUnitsOfGraphics = 4096;
 
-// See Queue::launch: tenths of a microsecond that a leaf takes, or a sample.
-constexpr std::uint64_t kFindWork = 20;
-constexpr std::uint64_t kRowWork = 2;
+// See Queue::launch: tenths of a microsecond that a tile or leaf takes, a leaf's lattice points, a
+// row of a leaf that is crowded, or a sample.
+constexpr std::uint64_t kFindWork = 100;
+constexpr std::uint64_t kLeafWork = 20;
+constexpr std::uint64_t kCrowdedWork = 20;
 constexpr std::uint64_t kSiteWork = 1;
-
-constexpr std::uint32_t kItemsOfLeaf = 8;  // of gather_shares
 
 // As a device keeps them.
 using Words2 = std::array<std::uint32_t, 2>;
@@ -49,24 +49,24 @@ public:
         : queue_(std::move(queue)),
           lattice_(lattice),
           numbers_(lattice.numbers),
-          leaves_(leaves_of(lattice)),
-          leaves_of_batch_(tuning.leaves_of_batch != 0      ? tuning.leaves_of_batch
-                           : queue_->device().kind == "cpu" ? kLeavesOfProcessor
-                                                            : kLeavesOfGraphics),
+          tiles_(tiles_of(lattice)),
+          units_of_batch_(std::min(units_of_batch(tuning), count_of_tiles())),
           indices_(hilbert_order(sites, poll)),
           depth_(depth_of(sites.size())),
-          memory_(make_memory(*queue_, lattice, sites.size(), leaves_.size(), leaves_of_batch_)),
+          memory_(make_memory(*queue_, lattice, sites.size(), count_of_tiles(), units_of_batch_)),
           sites_(sites.size()),
           shares_(sites.size()),
           moments_(sites.size()) {
-        put<std::uint32_t>(memory_.leaves, leaves_);
+        put<std::uint32_t>(memory_.units, tiles_.numbers);
+        put<std::uint32_t>(memory_.tile_leaves, tiles_.leaves);
         put<std::uint32_t>(memory_.indices, indices_);
         std::vector<std::uint16_t> masses = lattice.mass;
         masses.resize((masses.size() + 1) / 2 * 2);  // whole words
         put<std::uint16_t>(memory_.masses, masses);
-        queue_->fill(memory_.hints, NO_OWNER, leaves_.size());
+        queue_->fill(memory_.hints, NO_OWNER, memory_.hints.words());
         queue_->fill(memory_.failure, 0, 1);
         restore(sites);
+        find_hints(memory_, {0, count_of_tiles(), TILE_SIDE, false});
     }
 
     // Transfers into this object's memory may be on their way when an error ends a run.
@@ -138,35 +138,78 @@ private:
         queue_->download(from, std::as_writable_bytes(to));
     }
 
-    void own_leaves(const Memory& memory, bool is_telling) {
-        queue_->fill(memory.shares, 0, 4 * indices_.size());
-        queue_->fill(memory.moments, 0, 4 * indices_.size());
-        for (std::size_t first = 0; first < leaves_.size(); first += leaves_of_batch_)
-            own_batch(
-                memory, static_cast<std::uint32_t>(first),
-                static_cast<std::uint32_t>(std::min(leaves_of_batch_, leaves_.size() - first)),
-                is_telling);
+    std::uint32_t units_of_batch(const Tuning& tuning) const {
+        if (tuning.units_of_batch != 0) return tuning.units_of_batch;
+        return queue_->device().kind == "cpu" ? kUnitsOfProcessor : kUnitsOfGraphics;
+    }
+
+    std::uint32_t count_of_tiles() const {
+        return static_cast<std::uint32_t>(tiles_.numbers.size());
+    }
+
+    // Units that are served alike, all of them or a batch: tiles, or leaves that were late.
+    struct Units {
+        std::uint32_t first;
+        std::uint32_t count;
+        std::uint32_t side;  // in leaves
+        bool is_telling;
+    };
+
+    template <typename Kernel>
+    void launch_over_units(const Memory& memory, const Units& units, std::uint32_t items_of_unit,
+                           std::uint64_t work) {
+        const std::uint32_t items = units.count * items_of_unit;
+        const std::uint32_t chunk = queue_->chunk_of(items);
+        const std::uint32_t leaf_columns = leaves_in(numbers_.columns);
+        lacuna::device::launch<Kernel>(*queue_, memory,
+                                       {0, chunk, numbers_, units.first, units.count, units.side,
+                                        units.side == 1 ? leaf_columns : tiles_in(numbers_.columns),
+                                        leaf_columns, depth_, units.is_telling ? 1u : 0u},
+                                       lacuna::device::items_of(items, chunk), work * chunk);
+    }
+
+    void find_hints(const Memory& memory, const Units& units) {
+        launch_over_units<kernels::find_hints>(memory, units, units.side * units.side, kLeafWork);
+    }
+
+    void own_in_batches(const Memory& memory, const Units& all) {
+        for (std::uint32_t first = 0; first < all.count; first += units_of_batch_) {
+            const Units batch{first, std::min(units_of_batch_, all.count - first), all.side,
+                              all.is_telling};
+            launch_over_units<kernels::find_rivals>(memory, batch, 1, kFindWork);
+            launch_over_units<kernels::own>(memory, batch, all.side * all.side, kLeafWork);
+        }
+    }
+
+    // Returns how many leaves are left for later.
+    std::uint32_t wait_for_own(const Memory& memory) {
+        std::array<std::uint32_t, 1> late{};
+        get<std::uint32_t>(memory.late_count, late);
         get<std::uint32_t>(memory.failure, failure_);
         queue_->wait();
         if (failure_.front() != 0) throw lacuna::device::ended_early(queue_->device(), "own");
+        return late.front();
     }
 
-    void own_batch(const Memory& memory, std::uint32_t first, std::uint32_t count,
-                   bool is_telling) {
-        const auto launch = [&]<typename Kernel>(Kernel, std::uint32_t units, std::uint64_t work) {
-            const std::uint32_t chunk = queue_->chunk_of(units);
-            const portable::LeafArguments arguments{
-                0,        chunk,
-                numbers_, first,
-                count,    (numbers_.columns - 1) / LEAF_SIDE + 1,
-                depth_,   is_telling ? 1u : 0u};
-            lacuna::device::launch<Kernel>(*queue_, memory, arguments,
-                                           lacuna::device::items_of(units, chunk), work * chunk);
-        };
-        launch(kernels::find_rivals{}, count, kFindWork);
-        launch(kernels::own{}, count * LEAF_SIDE, kRowWork);
-        launch(kernels::own_crowded{}, count, kRowWork);
-        launch(kernels::gather_shares{}, count * kItemsOfLeaf, kRowWork);
+    // Tiles first; leaves of tiles that have too many rivals each for itself; and leaves that still
+    // have too many lattice point by lattice point.
+    void own_leaves(Memory memory, bool is_telling) {
+        queue_->fill(memory.shares, 0, 4 * indices_.size());
+        queue_->fill(memory.moments, 0, 4 * indices_.size());
+        queue_->fill(memory.late_count, 0, 1);
+        own_in_batches(memory, {0, count_of_tiles(), TILE_SIDE, is_telling});
+        std::uint32_t late = wait_for_own(memory);
+        if (late == 0) return;
+        memory.units = std::exchange(memory.late, queue_->make(late * lacuna::device::kWord));
+        queue_->fill(memory.late_count, 0, 1);
+        find_hints(memory, {0, late, 1, is_telling});
+        own_in_batches(memory, {0, late, 1, is_telling});
+        late = wait_for_own(memory);
+        if (late == 0) return;
+        memory.units = memory.late;
+        launch_over_units<kernels::own_crowded>(memory, {0, late, 1, is_telling}, LEAF_SIDE,
+                                                kCrowdedWork);
+        wait_for_own(memory);
     }
 
     template <typename Kernel>
@@ -225,8 +268,8 @@ private:
     std::unique_ptr<Queue> queue_;
     const Lattice& lattice_;
     const portable::RelaxLattice& numbers_;
-    std::vector<std::uint32_t> leaves_;  // with importance
-    std::size_t leaves_of_batch_;
+    Tiles tiles_;
+    std::uint32_t units_of_batch_;
     std::vector<std::uint32_t> indices_;  // of the device's sites, which lie along Hilbert's curve
     std::uint32_t depth_;
     Memory memory_;

@@ -11,7 +11,7 @@ namespace lacuna::relaxing::device {
 
 // For tests.
 struct Tuning {
-    std::uint32_t leaves_of_batch = 0;  // 0: as many as suit the device
+    std::uint32_t units_of_batch = 0;  // 0: as many as suit the device
 };
 
 // The lattice must outlive the backend. Throws Unavailable where the device is too small for it.

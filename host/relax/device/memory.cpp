@@ -23,30 +23,32 @@ struct Need {
     std::uint64_t words;
 };
 
-std::vector<Need> needs_of(const Lattice& lattice, std::uint64_t sites, std::uint64_t leaves,
+std::vector<Need> needs_of(const Lattice& lattice, std::uint64_t sites, std::uint64_t tiles,
                            std::uint64_t batch) {
     const std::uint32_t depth = depth_of(sites);
     const std::uint64_t nodes =
         begin_of_level(depth, 1) +
         std::uint64_t{portable::nodes_of_level(static_cast<std::uint32_t>(sites), 1)};
-    const std::uint64_t rows = batch * LEAF_SIDE;
+    const std::uint64_t leaves =
+        std::uint64_t{leaves_in(lattice.numbers.columns)} * leaves_in(lattice.numbers.rows);
     const std::uint64_t rivals = batch * RIVAL_ROOM;
     return {{&Memory::sites, 4 * sites},
             {&Memory::node_boxes, 4 * nodes},
             {&Memory::node_lifts, 2 * nodes},
             {&Memory::least, 2},
-            {&Memory::leaves, leaves},
+            {&Memory::units, tiles},
+            {&Memory::tile_leaves, tiles},
             {&Memory::indices, sites},
             {&Memory::hints, leaves},
             {&Memory::rivals, 4 * rivals},
-            {&Memory::rival_ids, 2 * rivals},
-            {&Memory::ranked, rivals},
+            {&Memory::rival_ids, rivals},
             {&Memory::rival_counts, batch},
+            {&Memory::winners, batch * TILE_SIDE * TILE_SIDE * WINNER_ROOM},
             {&Memory::masses, (lattice.mass.size() + 1) / 2},
-            {&Memory::row_masses, 4 * rows},
-            {&Memory::winners, 2 * rows},
             {&Memory::shares, 4 * sites},
             {&Memory::moments, 4 * sites},
+            {&Memory::late, leaves},
+            {&Memory::late_count, 1},
             {&Memory::failure, 1},
             {&Memory::owners, 1}};
 }
@@ -64,28 +66,38 @@ void refuse_if_too_large(const DeviceEntry& device, const std::vector<Need>& nee
                                         device.largest_buffer_bytes);
 }
 
+// Those with importance in row `i` of a row of tiles.
+void mark_leaves(const Lattice& lattice, std::uint32_t row, std::uint32_t i,
+                 std::vector<std::uint32_t>& leaves) {
+    const portable::RelaxLattice& numbers = lattice.numbers;
+    const std::uint32_t bottom = (row * TILE_SIDE + i) * LEAF_SIDE;
+    const std::uint32_t end = std::min(numbers.rows, bottom + LEAF_SIDE);
+    if (bottom >= end) return;
+    for (std::uint32_t y = bottom / numbers.cut_y; y <= (end - 1) / numbers.cut_y; ++y)
+        for (std::uint32_t x = 0; x < numbers.pixel_columns; ++x) {
+            if (lattice.mass[std::size_t{y} * numbers.pixel_columns + x] == 0) continue;
+            const std::uint32_t last = ((x + 1) * numbers.cut_x - 1) / LEAF_SIDE;
+            for (std::uint32_t leaf = x * numbers.cut_x / LEAF_SIDE; leaf <= last; ++leaf)
+                leaves[leaf / TILE_SIDE] |= 1u << (i * TILE_SIDE + leaf % TILE_SIDE);
+        }
+}
+
 }  // namespace
 
-std::vector<std::uint32_t> leaves_of(const Lattice& lattice) {
-    const portable::RelaxLattice& numbers = lattice.numbers;
-    const std::uint32_t columns = (numbers.columns - 1) / LEAF_SIDE + 1;
-    const std::uint32_t rows = (numbers.rows - 1) / LEAF_SIDE + 1;
-    std::vector<std::uint32_t> leaves;
-    std::vector<bool> has_importance(columns);
-    for (std::uint32_t row = 0; row < rows; ++row) {
-        std::fill(has_importance.begin(), has_importance.end(), false);
-        const std::uint32_t top = std::min(numbers.rows, (row + 1) * LEAF_SIDE) - 1;
-        for (std::uint32_t y = row * LEAF_SIDE / numbers.cut_y; y <= top / numbers.cut_y; ++y)
-            for (std::uint32_t x = 0; x < numbers.pixel_columns; ++x) {
-                if (lattice.mass[std::size_t{y} * numbers.pixel_columns + x] == 0) continue;
-                const std::uint32_t end = ((x + 1) * numbers.cut_x - 1) / LEAF_SIDE;
-                for (std::uint32_t leaf = x * numbers.cut_x / LEAF_SIDE; leaf <= end; ++leaf)
-                    has_importance[leaf] = true;
-            }
-        for (std::uint32_t column = 0; column < columns; ++column)
-            if (has_importance[column]) leaves.push_back(row * columns + column);
+Tiles tiles_of(const Lattice& lattice) {
+    const std::uint32_t columns = tiles_in(lattice.numbers.columns);
+    Tiles tiles;
+    std::vector<std::uint32_t> leaves(columns);
+    for (std::uint32_t row = 0; row < tiles_in(lattice.numbers.rows); ++row) {
+        std::fill(leaves.begin(), leaves.end(), 0);
+        for (std::uint32_t i = 0; i < TILE_SIDE; ++i) mark_leaves(lattice, row, i, leaves);
+        for (std::uint32_t column = 0; column < columns; ++column) {
+            if (leaves[column] == 0) continue;
+            tiles.numbers.push_back(row * columns + column);
+            tiles.leaves.push_back(leaves[column]);
+        }
     }
-    return leaves;
+    return tiles;
 }
 
 std::uint32_t depth_of(std::size_t sites) {
@@ -100,10 +112,9 @@ std::uint32_t begin_of_level(std::uint32_t depth, std::uint32_t level) {
     return begin;
 }
 
-Memory make_memory(Queue& queue, const Lattice& lattice, std::size_t sites, std::size_t leaves,
-                   std::size_t leaves_of_batch) {
-    const std::vector<Need> needs =
-        needs_of(lattice, sites, leaves, std::min(leaves, leaves_of_batch));
+Memory make_memory(Queue& queue, const Lattice& lattice, std::size_t sites, std::size_t tiles,
+                   std::size_t units_of_batch) {
+    const std::vector<Need> needs = needs_of(lattice, sites, tiles, units_of_batch);
     refuse_if_too_large(queue.device(), needs, sites);
     Memory memory;
     for (const Need& need : needs) memory.*need.buffer = queue.make(need.words * kWord);

@@ -65,7 +65,7 @@ protected:
                               tests::random_points(600, 1, 1, 1),
                               {},
                               tests::on(1, 1, Boundary::torus)};
-    // Many in a place of few pixels: crowded leaves.
+    // Many in a place of few pixels: leaves that are late, and crowded ones.
     const tests::Scene crowd_{"a crowd", tests::random_points(600, 0.02, 0.02, 1),
                               lacuna::tests::ramp_field(30, 30), tests::on(1, 1, Boundary::box)};
 };
@@ -76,10 +76,11 @@ INSTANTIATE_TEST_SUITE_P(Device, RelaxFaults, lacuna::tests::kDeviceBackends,
 TEST_P(RelaxFaults, InOwnAreNoticed) {
     expect_noticed(torus_,
                    {{"bodies/find_rivals.h", "image < 9u", "image < 5u"},
-                    {"bodies/find_rivals.h", "<= leader.bound &&", "< leader.bound / 2u &&"},
-                    {"bodies/find_rivals.h", "near = near & (near - 1u)", "near = 0u"},
-                    {"bodies/own.h", "value += slope", "value -= slope"},
-                    {"bodies/own.h", "% 2u * 16u) & 0xffffu", "% 2u * 16u) & 0xfffu"},
+                    {"bodies/find_rivals.h", "<= search.bound &&", "< search.bound / 2u &&"},
+                    {"bodies/own.h", "to_i32(u) * near.along_x", "0"},
+                    {"bodies/own.h", "+ min(up, 0) > 0", "> 0"},
+                    {"bodies/own.h", "v < leaf.height) mass", "v < 7u) mass"},
+                    {"bodies/masses.h", "% 2u * 16u) & 0xffffu", "% 2u * 16u) & 0xfffu"},
                     {"portable/site_tree.h", "<= to_i64(wins * 2u)", "<= to_i64(wins)"}});
 }
 
@@ -87,17 +88,19 @@ TEST_P(RelaxFaults, InTheOrderOfTiesAreNoticed) {
     const Lattice lattice = torus_.lattice();
     std::vector<Site> start = torus_.sites(lattice);
     for (std::size_t i = 1; i < start.size(); i += 2) start[i] = start[i - 1];
-    const Fault fault{"bodies/find_rivals.h", ".y > order", ".y < order"};
+    const Fault fault{"bodies/own.h", "near.order < owner##v[u]", "near.order > owner##v[u]"};
     const auto faulty =
         device::make_backend(lacuna::tests::open_faulty_queue(GetParam(), fault), lattice, start);
     EXPECT_TRUE(relaxed(*faulty) != on_cpu(lattice, start));
 }
 
 TEST_P(RelaxFaults, InGatherAreNoticed) {
-    expect_noticed(torus_, {{"bodies/gather_shares.h", "rank += ITEMS_OF_LEAF", "rank += 64u"},
-                            {"bodies/gather_shares.h", "+ second;\n    return", ";\n    return"},
-                            {"bodies/gather_shares.h", "(all.mass - before) * v", "0u"},
-                            {"bodies/gather_shares.h", "image % 3u", "1u"}});
+    expect_noticed(torus_, {{"bodies/own.h", "k < kept; ++k) {\n        const u32 rival",
+                             "k + 1u < kept; ++k) {\n        const u32 rival"},
+                            {"bodies/own.h", "+= mass * u", "+= 0u"},
+                            {"bodies/own.h", "above[u] += column[u]", "above[u] += 0u"},
+                            {"bodies/own.h", "column / ONE_POINT", "1u"},
+                            {"bodies/own.h", "image % 3u", "1u"}});
 }
 
 // A few samples with many lattice points each: their moments take more than 32 bits.
@@ -108,30 +111,33 @@ TEST_P(RelaxFaults, InTheCarryOfSumsAreNoticed) {
 }
 
 TEST_P(RelaxFaults, InSettleAreNoticed) {
-    expect_noticed(torus_, {{"bodies/settle.h", "ATOMIC_MAX(least, 0u, short_by)", ""},
-                            {"bodies/settle.h", "site.z = to_u32(lift)", "site.z = 0u"},
-                            {"bodies/find_least.h", "site.w != upper", "site.w == upper"},
-                            {"bodies/level_sites.h", "max(all.box.z, node.box.z)", "all.box.z"},
-                            {"bodies/level_sites.h", "node.lift < all.lift", "false"},
-                            {"bodies/level_sites.h", "AT(sites, i) = site;", ""}});
+    expect_noticed(torus_,
+                   {{"bodies/settle.h", "ATOMIC_MAX(least, 0u, short_by)", ""},
+                    {"bodies/settle.h", "site.z = to_u32(lift)", "site.z = 0u"},
+                    {"bodies/find_least.h", "site.w != upper", "site.w == upper"},
+                    {"bodies/level_sites.h", "max(all.box.z, node.box.z)", "all.box.z"},
+                    {"bodies/level_sites.h", "node.lift < all.lift ? node.lift :", "node.lift +"},
+                    {"bodies/level_sites.h", "AT(sites, i) = site;", ""}});
 }
 
 TEST_P(RelaxFaults, InCrowdedLeavesAreNoticed) {
     ASSERT_TRUE(on_cpu(crowd_) != crowd_.sites(crowd_.lattice()));
-    expect_noticed(crowd_, {{"bodies/own_crowded.h", "power < least ||", "false ||"},
-                            {"bodies/own_crowded.h", "if (power <= least)", "if (false)"},
+    expect_noticed(crowd_, {{"bodies/owner_of.h", "power < least ||", "false ||"},
+                            {"bodies/owner_of.h", "if (power <= least)", "if (false)"},
                             {"bodies/own_crowded.h", "wide * moment_offset(", "moment_offset("},
-                            {"bodies/own_crowded.h", "!= CROWDED) continue", "!= 0u) continue"}});
+                            {"bodies/own_crowded.h", "row % LEAF_SIDE", "0u"},
+                            {"bodies/late.h", "= leaf;", "= 0u;"}});
 }
 
 // What a driver that ends loops early would leave behind.
 TEST_P(RelaxFaults, ThatEndLoopsEarlyAreAnErrorAndNeverASet) {
-    for (const char* const file : {"bodies/find_rivals.h", "bodies/own_crowded.h"}) {
+    for (const char* const file :
+         {"bodies/find_hints.h", "bodies/find_rivals.h", "bodies/own.h", "bodies/own_crowded.h"}) {
         const Fault fault{file, "CHECK_TURNS(a.lattice.columns, FAILED_OWN);",
                           "ATOMIC_OR(failure, 0, FAILED_OWN);"};
-        const Lattice lattice = torus_.lattice();
+        const Lattice lattice = crowd_.lattice();
         const auto faulty = device::make_backend(
-            lacuna::tests::open_faulty_queue(GetParam(), fault), lattice, torus_.sites(lattice));
+            lacuna::tests::open_faulty_queue(GetParam(), fault), lattice, crowd_.sites(lattice));
         try {
             faulty->own();
             ADD_FAILURE() << file << " went unnoticed";
@@ -146,12 +152,12 @@ TEST_P(RelaxFaults, ThatEndLoopsEarlyAreAnErrorAndNeverASet) {
 TEST_P(RelaxFaults, NoneInWhatIsMeantToBe) {
     for (const tests::Scene& scene : {torus_, crowd_}) {
         const Lattice lattice = scene.lattice();
-        const Fault none{"bodies/own.h", "u32 row", "u32 row"};
-        for (const std::uint32_t leaves : {0u, 1u, 7u}) {
+        const Fault none{"bodies/own.h", "u32 kept", "u32 kept"};
+        for (const std::uint32_t tiles : {0u, 1u, 7u}) {
             const auto backend =
                 device::make_backend(lacuna::tests::open_faulty_queue(GetParam(), none), lattice,
-                                     scene.sites(lattice), {leaves});
-            EXPECT_TRUE(relaxed(*backend) == on_cpu(scene)) << scene << ", " << leaves;
+                                     scene.sites(lattice), {tiles});
+            EXPECT_TRUE(relaxed(*backend) == on_cpu(scene)) << scene << ", " << tiles;
         }
     }
 }
