@@ -66,7 +66,6 @@ public:
         queue_->fill(memory_.hints, NO_OWNER, memory_.hints.words());
         queue_->fill(memory_.failure, 0, 1);
         restore(sites);
-        find_hints(memory_, {0, count_of_tiles(), TILE_SIDE, false});
     }
 
     // Transfers into this object's memory may be on their way when an error ends a run.
@@ -197,7 +196,9 @@ private:
         queue_->fill(memory.shares, 0, 4 * indices_.size());
         queue_->fill(memory.moments, 0, 4 * indices_.size());
         queue_->fill(memory.late_count, 0, 1);
-        own_in_batches(memory, {0, count_of_tiles(), TILE_SIDE, is_telling});
+        const Units tiles{0, count_of_tiles(), TILE_SIDE, is_telling};
+        if (!std::exchange(has_hints_, true)) find_hints(memory, tiles);
+        own_in_batches(memory, tiles);
         std::uint32_t late = wait_for_own(memory);
         if (late == 0) return;
         memory.units = std::exchange(memory.late, queue_->make(late * lacuna::device::kWord));
@@ -275,6 +276,7 @@ private:
     Memory memory_;
     std::vector<Words4> sites_, shares_, moments_;  // on their way up or down
     std::array<std::uint32_t, 1> failure_{};
+    bool has_hints_ = false;  // found when the run can be cancelled
 };
 
 }  // namespace
