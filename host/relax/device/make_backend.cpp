@@ -24,7 +24,7 @@ namespace kernels = lacuna::device::kernels;
 using lacuna::device::Buffer;
 
 // On a processor a batch's tables should stay in its caches; a graphics card wants many items.
-constexpr std::uint32_t kUnitsOfProcessor = 512;
+constexpr std::uint32_t kUnitsOfProcessor = 1024;
 constexpr std::uint32_t kUnitsOfGraphics = 4096;
 
 // See Queue::launch: tenths of a microsecond that a tile or leaf takes, a leaf's lattice points, a
