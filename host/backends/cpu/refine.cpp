@@ -168,7 +168,8 @@ void insert(SpanState& state, std::uint32_t column) {
 }
 
 void refine(SpanState& state, std::uint32_t column, std::uint32_t width) {
-    thread_local std::vector<Box> left;
+    thread_local std::vector<Box> of_thread;
+    std::vector<Box>& left = of_thread;  // looked up once, see subtract.cpp
     left.clear();
     Refinement refinement(state, width);
     if (state.has_boxes) {

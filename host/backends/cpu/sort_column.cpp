@@ -17,7 +17,8 @@ bool comes_before(const Candidate& a, const Candidate& b) {
 
 // Most of the work is to find the bucket.
 void State::sort_column(std::uint32_t column) {
-    thread_local std::vector<Candidate> located;
+    thread_local std::vector<Candidate> of_thread;
+    std::vector<Candidate>& located = of_thread;  // looked up once, see subtract.cpp
     const std::uint32_t count = column_begins[column + 1] - column_begins[column];
     const auto own = std::span(candidates).subspan(column_begins[column], count);
     const auto begins = std::span(buckets).subspan(column_begins[column], count);

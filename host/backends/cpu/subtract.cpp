@@ -130,12 +130,18 @@ void find_chords(const Plan& plan, std::uint32_t centre, std::span<const Sample>
     chords.resize(static_cast<std::size_t>(next - chords.data()));
 }
 
+struct Scratch {
+    std::vector<Sample> near;
+    std::vector<Span> chords;
+    Line line;
+};
+
 }  // namespace
 
 bool subtract(SpanState& state, std::uint32_t column) {
-    thread_local std::vector<Sample> near;
-    thread_local std::vector<Span> chords;
-    thread_local Line line;
+    // Looked up once: in a shared library, as Python's, each look at a thread's own takes a call.
+    thread_local Scratch of_thread;
+    auto& [near, chords, line] = of_thread;
     gather(state, column, near);
     if (near.empty()) return true;
 
