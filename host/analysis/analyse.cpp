@@ -143,15 +143,15 @@ void add_distances(Analysis& analysis, std::span<const std::vector<Point>> sets,
                    std::span<const std::optional<double>> radii, const KeepGoing& keep_going) {
     BondOrders bond_orders;
     Distributions distributions(analysis.domain, sets.size());
-    const auto ask = [&](double sets_done) {
-        if (!keep_going(sets_done / static_cast<double>(sets.size()))) throw Cancelled();
+    double done = 0;  // sets
+    const auto poll = [&] {
+        if (!keep_going(done / static_cast<double>(sets.size()))) throw Cancelled();
     };
     for (std::size_t i = 0; i < sets.size(); ++i) {
-        ask(static_cast<double>(i));
-        const Neighbours neighbours(sets[i], analysis.domain);
-        ask(static_cast<double>(i) + 0.2);
+        done = static_cast<double>(i);
+        const Neighbours neighbours(sets[i], analysis.domain, poll);
         bond_orders.add(bond_order(neighbours));
-        ask(static_cast<double>(i) + 0.6);
+        done += 0.5;
         if (analysis.counts.least > 1)
             distributions.add(neighbours, radii.empty() ? std::nullopt : radii[i]);
     }

@@ -2,13 +2,13 @@
 #include "analysis/neighbours.h"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <nanoflann.hpp>
+#include <utility>
 
 namespace lacuna::analysis {
 namespace {
@@ -81,8 +81,11 @@ private:
     KdTree index_;
 };
 
-Neighbours::Neighbours(std::span<const Point> points, const Domain& domain)
-    : points_(points), domain_(domain), tree_(std::make_unique<Tree>(points)) {}
+Neighbours::Neighbours(std::span<const Point> points, const Domain& domain, Poll poll)
+    : points_(points),
+      domain_(domain),
+      poll_(std::move(poll)),
+      tree_(std::make_unique<Tree>(points)) {}
 
 Neighbours::~Neighbours() = default;
 
@@ -145,7 +148,7 @@ std::vector<std::uint64_t> Neighbours::count_pairs(double width, std::size_t bin
     const double reach = width * static_cast<double>(bins);
     tbb::enumerable_thread_specific<std::vector<std::uint64_t>> parts(
         std::vector<std::uint64_t>(bins, 0));
-    tbb::parallel_for(std::size_t{0}, points_.size(), [&](std::size_t i) {
+    for_each_point([&](std::size_t i) {
         Bins result(width, parts.local());
         result.start_from(i);
         for (const Point& image : images(points_[i], reach)) tree_->search(image, result);

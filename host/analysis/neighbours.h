@@ -2,7 +2,9 @@
 #pragma once
 
 #include <lacuna/lacuna.h>
+#include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -10,13 +12,14 @@
 #include <vector>
 
 #include "analysis/domain.h"
+#include "poll.h"
 
 namespace lacuna::analysis {
 
 class Neighbours {
 public:
     // The points must lie in the domain, its upper edges included, and outlive this.
-    Neighbours(std::span<const Point> points, const Domain& domain);
+    Neighbours(std::span<const Point> points, const Domain& domain, Poll poll = nobody_asks);
     ~Neighbours();
     Neighbours(const Neighbours&) = delete;
     Neighbours& operator=(const Neighbours&) = delete;
@@ -40,6 +43,16 @@ public:
     // How many pairs are closer than `distance`, which has the same bound.
     std::uint64_t pairs_closer_than(double distance) const { return count_pairs(distance, 1)[0]; }
 
+    // Calls work(index) for all points, in parallel; the calling thread polls now and then.
+    template <typename Work>
+    void for_each_point(Work work) const {
+        constexpr std::size_t kPointsPerPoll = 4096;  // of some 5 microseconds each
+        for (std::size_t begin = 0; begin < points_.size(); begin += kPointsPerPoll) {
+            poll_();
+            tbb::parallel_for(begin, std::min(begin + kPointsPerPoll, points_.size()), work);
+        }
+    }
+
 private:
     class Tree;
 
@@ -51,6 +64,7 @@ private:
 
     std::span<const Point> points_;
     Domain domain_;
+    Poll poll_;
     std::unique_ptr<Tree> tree_;
 };
 

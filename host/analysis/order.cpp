@@ -105,7 +105,7 @@ std::optional<BondOrder> bond_order(const Neighbours& neighbours) {
     const std::size_t count = neighbours.points().size();
     if (count < kLeastPoints) return std::nullopt;
     std::vector<std::optional<Psi>> all(count);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { all[i] = psi_6(neighbours, i); });
+    neighbours.for_each_point([&](std::size_t i) { all[i] = psi_6(neighbours, i); });
     Psi sum = 0;
     double magnitudes = 0;
     std::size_t points = 0;

@@ -1,8 +1,6 @@
 // Counts of pairs over what independent points would have.
 #include "analysis/pairs.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -37,9 +35,8 @@ double mean_spacing(const Domain& domain, std::size_t count) {
 
 std::vector<double> nearest_distances(const Neighbours& neighbours) {
     std::vector<double> distances(neighbours.points().size());
-    tbb::parallel_for(std::size_t{0}, distances.size(), [&](std::size_t i) {
-        distances[i] = neighbours.nearest(i, 1).front().distance;
-    });
+    neighbours.for_each_point(
+        [&](std::size_t i) { distances[i] = neighbours.nearest(i, 1).front().distance; });
     return distances;
 }
 
