@@ -13,6 +13,10 @@ BINDINGS(LeafArguments, OWN_BINDINGS)
 #include "bodies/own.h"
 ENTRY(own, serve_own, LeafArguments, OWN_BINDINGS)
 
+BINDINGS(LeafArguments, TELL_OWNERS_BINDINGS)
+#include "bodies/tell_owners.h"
+ENTRY(tell_owners, serve_tell_owners, LeafArguments, TELL_OWNERS_BINDINGS)
+
 BINDINGS(LeafArguments, OWN_CROWDED_BINDINGS)
 #include "bodies/own_crowded.h"
 ENTRY(own_crowded, serve_own_crowded, LeafArguments, OWN_CROWDED_BINDINGS)

@@ -21,6 +21,12 @@ BINDINGS(LeafArguments, OWN_BINDINGS)
 ENTRY(own, serve_own, LeafArguments, OWN_BINDINGS)
 #endif
 
+#ifdef ENTRY_tell_owners
+BINDINGS(LeafArguments, TELL_OWNERS_BINDINGS)
+#include "bodies/tell_owners.h"
+ENTRY(tell_owners, serve_tell_owners, LeafArguments, TELL_OWNERS_BINDINGS)
+#endif
+
 #ifdef ENTRY_own_crowded
 BINDINGS(LeafArguments, OWN_CROWDED_BINDINGS)
 #include "bodies/own_crowded.h"

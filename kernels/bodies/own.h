@@ -2,6 +2,7 @@
 #include "bodies/late.h"
 #include "bodies/leaf.h"
 #include "bodies/masses.h"
+#include "bodies/place.h"
 #include "bodies/shares.h"
 #include "bodies/unit_leaves.h"
 
@@ -9,34 +10,6 @@
 // constants, and it unrolls no loop over more than one row.
 #define FROM_ROW_0(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 #define FROM_ROW_7(DO) DO(7) DO(6) DO(5) DO(4) DO(3) DO(2) DO(1) DO(0)
-
-// A leaf within its unit: `right` and `up` are lattice points.
-struct Place {
-    u32 slot;   // of the unit's rivals
-    u32 count;  // of them
-    i32 right;
-    i32 up;
-};
-LACUNA_TYPEDEF(Place)
-
-// A rival in the leaf, see Lag.
-struct Near {
-    i32 at;
-    i32 along_x;
-    i32 along_y;
-    u32 order;
-};
-LACUNA_TYPEDEF(Near)
-
-BODY Near near_at(MEMORY const Place place, const u32 i) {
-    const u32x4 rival = AT(rivals, place.slot + i);
-    Near near;
-    near.along_x = to_i32(rival.y);
-    near.along_y = to_i32(rival.z);
-    near.at = to_i32(rival.x) + place.right * near.along_x + place.up * near.along_y;
-    near.order = rival.w;
-    return near;
-}
 
 // The one that wins in the leaf's middle; of several any.
 BODY u32 first_in_middle(MEMORY const Place place, const Area leaf) {
@@ -114,11 +87,6 @@ BODY u32 keep_winners(MEMORY const Place place, const Area leaf, const u32 first
         column[u] += owner##v[u] == order ? mass##v[u] : 0u; \
     }
 
-#define TELL_OWNERS(v)                   \
-    for (u32 u = 0u; u < LEAF_SIDE; ++u) \
-        if (mass##v[u] != 0u)            \
-            AT(owners, (leaf.bottom + v) * a.lattice.columns + leaf.left + u) = owner##v[u] / 16u;
-
 // Of lattice points 0, 1, ...: how many, their mass, and that times u or v.
 struct Won {
     u32 points;
@@ -182,21 +150,14 @@ BODY void share_out(MEMORY const LeafArguments a, const Area leaf, const Place p
         for (u32 u = 0u; u < LEAF_SIDE; ++u) won = with_column(won, u, column[u], above[u]);
         if (won.points != 0u) give(ON a, leaf, won, AT(rival_ids, rival));
     }
-    if (a.is_telling != 0u) {
-        FROM_ROW_0(TELL_OWNERS)
-    }
 }
 
 BODY void own_leaf(MEMORY const LeafArguments a, const u32 index, const u32 i) {
     if ((leaves_of_unit(ON a, index) >> i & 1u) == 0u) return;
-    Place place;
-    place.count = AT(rival_counts, index);
-    if (place.count == CROWDED) return;
     const Area unit = unit_at(ON a, index);
     const Area leaf = leaf_of(a, unit, i);
-    place.slot = index * RIVAL_ROOM;
-    place.right = to_i32(leaf.left - unit.left);
-    place.up = to_i32(leaf.bottom - unit.bottom);
+    const Place place = place_of(ON unit, leaf, index);
+    if (place.count == CROWDED) return;
     const u32 first = first_in_middle(ON place, leaf);
     AT(hints, number_of_leaf(a, leaf)) = AT(rival_ids, place.slot + first) / 16u;
     const u32 slot = (index * a.side * a.side + i) * WINNER_ROOM;

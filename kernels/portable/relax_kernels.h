@@ -17,7 +17,7 @@ struct LeafArguments {
     u32 unit_columns;  // of the lattice
     u32 leaf_columns;
     u32 depth;       // of the tree of sites
-    u32 is_telling;  // 1 where owners are written down
+    u32 is_telling;  // of own_crowded: 1 where owners are written down
 };
 LACUNA_TYPEDEF(LeafArguments)
 
@@ -62,8 +62,12 @@ LACUNA_END
     B(0, READ, u32x4, sites) B(1, READ, u32, units) B(2, READ, u32, tile_leaves)    \
     B(3, WRITE, u32, hints) B(4, READ, u32x4, rivals) B(5, READ, u32, rival_ids)    \
     B(6, READ, u32, rival_counts) B(7, BOTH, u32, winners) B(8, READ, u32, masses)  \
-    B(9, SHARED, u32, shares) B(10, SHARED, u32, moments) B(11, WRITE, u32, owners) \
-    B(12, WRITE, u32, late) B(13, SHARED, u32, late_count) B(14, SHARED, u32, failure)
+    B(9, SHARED, u32, shares) B(10, SHARED, u32, moments) B(11, WRITE, u32, late)   \
+    B(12, SHARED, u32, late_count) B(13, SHARED, u32, failure)
+#define TELL_OWNERS_BINDINGS(B)                                                     \
+    B(0, READ, u32, units) B(1, READ, u32, tile_leaves) B(2, READ, u32x4, rivals)   \
+    B(3, READ, u32, rival_counts) B(4, READ, u32, masses) B(5, WRITE, u32, owners)  \
+    B(6, SHARED, u32, failure)
 #define OWN_CROWDED_BINDINGS(B)                                                     \
     B(0, READ, u32x4, sites) B(1, READ, u32x4, node_boxes)                          \
     B(2, READ, u32x2, node_lifts) B(3, READ, u32, units) B(4, READ, u32, indices)   \
@@ -85,6 +89,7 @@ LACUNA_END
     K(find_hints, LeafArguments, FIND_HINTS_BINDINGS)       \
     K(find_rivals, LeafArguments, FIND_RIVALS_BINDINGS)     \
     K(own, LeafArguments, OWN_BINDINGS)                     \
+    K(tell_owners, LeafArguments, TELL_OWNERS_BINDINGS)     \
     K(own_crowded, LeafArguments, OWN_CROWDED_BINDINGS)     \
     K(settle, SiteArguments, SETTLE_BINDINGS)               \
     K(find_least, SiteArguments, FIND_LEAST_BINDINGS)

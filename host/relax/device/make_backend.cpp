@@ -176,7 +176,11 @@ private:
             const Units batch{first, std::min(units_of_batch_, all.count - first), all.side,
                               all.is_telling};
             launch_over_units<kernels::find_rivals>(memory, batch, 1, kFindWork);
-            launch_over_units<kernels::own>(memory, batch, all.side * all.side, kLeafWork);
+            const std::uint32_t leaves = all.side * all.side;
+            launch_over_units<kernels::own>(memory, batch, leaves, kLeafWork);
+            if (all.is_telling)
+                launch_over_units<kernels::tell_owners>(memory, batch, leaves * LEAF_SIDE,
+                                                        kLeafWork);
         }
     }
 

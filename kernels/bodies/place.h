@@ -1,0 +1,38 @@
+// The rivals of a unit as one of its leaves sees them.
+
+// A leaf within its unit: `right` and `up` are lattice points.
+struct Place {
+    u32 slot;   // of the unit's rivals
+    u32 count;  // of them
+    i32 right;
+    i32 up;
+};
+LACUNA_TYPEDEF(Place)
+
+// A rival in the leaf, see Lag.
+struct Near {
+    i32 at;
+    i32 along_x;
+    i32 along_y;
+    u32 order;
+};
+LACUNA_TYPEDEF(Near)
+
+BODY Near near_at(MEMORY const Place place, const u32 i) {
+    const u32x4 rival = AT(rivals, place.slot + i);
+    Near near;
+    near.along_x = to_i32(rival.y);
+    near.along_y = to_i32(rival.z);
+    near.at = to_i32(rival.x) + place.right * near.along_x + place.up * near.along_y;
+    near.order = rival.w;
+    return near;
+}
+
+BODY Place place_of(MEMORY const Area unit, const Area leaf, const u32 index) {
+    Place place;
+    place.slot = index * RIVAL_ROOM;
+    place.count = AT(rival_counts, index);
+    place.right = to_i32(leaf.left - unit.left);
+    place.up = to_i32(leaf.bottom - unit.bottom);
+    return place;
+}
