@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "analysis/domain.h"
-#include "poll.h"
+#include "polling.h"
 
 namespace lacuna::analysis {
 

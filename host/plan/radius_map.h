@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "poll.h"
+#include "polling.h"
 
 namespace lacuna {
 

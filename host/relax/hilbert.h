@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "poll.h"
+#include "polling.h"
 #include "relax/lattice.h"
 
 namespace lacuna::relaxing {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "poll.h"
+#include "polling.h"
 #include "portable/power.h"
 
 namespace lacuna::relaxing {

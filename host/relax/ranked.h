@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "poll.h"
+#include "polling.h"
 
 namespace lacuna::relaxing {
 

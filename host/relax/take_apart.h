@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "poll.h"
+#include "polling.h"
 #include "relax/lattice.h"
 
 namespace lacuna::relaxing {

@@ -1,4 +1,5 @@
-// How what is prepared asks whether to go on: it may take seconds before the first round.
+// How what is prepared asks whether to go on: it may take seconds before the first round. Not
+// poll.h, which would hide the one of the system.
 #pragma once
 
 #include <algorithm>
