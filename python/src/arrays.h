@@ -41,10 +41,12 @@ nb::object array_of(std::vector<Number>&& numbers) {
         const std::unique_ptr<std::vector<Number>> last(static_cast<std::vector<Number>*>(pointer));
     });
     static_cast<void>(kept.release());
-    if constexpr (std::is_same_v<Number, Point>)
-        return nb::cast(nb::ndarray<nb::numpy, double, nb::ndim<2>>(&data->x, {count, 2}, owner));
-    else
+    if constexpr (std::is_same_v<Number, Point>) {
+        double* const first = count != 0 ? &data->x : nullptr;  // of none there is no address
+        return nb::cast(nb::ndarray<nb::numpy, double, nb::ndim<2>>(first, {count, 2}, owner));
+    } else {
         return nb::cast(nb::ndarray<nb::numpy, Number, nb::ndim<1>>(data, {count}, owner));
+    }
 }
 
 }  // namespace lacuna::python
