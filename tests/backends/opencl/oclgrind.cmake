@@ -44,7 +44,6 @@ endfunction()
 # Rounds of one size: it takes a buffer for uninitialized that lies where one was released.
 check(sample --mode lines --radius 0.2 --lines-per-radius 2 --torus --round-size 16)
 check(sample --mode lines --radius 0.2 --lines-per-radius 2 --round-size 16)
-check(sample --mode lines --radius 0.06 --lines-per-radius 3 --torus --round-size 64)
 check(sample --mode lines --radius 0.06 --lines-per-radius 3 --round-size 64)
 check(sample --mode lines --radius 0.4 --lines-per-radius 5 --torus --round-size 1)
 check(sample --mode exact --radius 0.2 --lines-per-radius 2 --torus --round-size 16)
