@@ -18,7 +18,7 @@
 namespace lacuna::files {
 namespace {
 
-[[noreturn]] void fail(const std::string& name, int error) {
+[[noreturn]] void fail_to_read(const std::string& name, int error) {
     refuse(name, std::generic_category().message(error));
 }
 
@@ -40,7 +40,7 @@ std::string read_all(int descriptor, const std::string& name, std::uint64_t most
         if (size == bytes.size()) bytes.resize(std::min(2 * size, std::size_t{most} + 1));
         const ssize_t got = ::read(descriptor, bytes.data() + size, bytes.size() - size);
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) fail(name, errno);
+        if (got < 0) fail_to_read(name, errno);
         if (got == 0) break;
         size += static_cast<std::size_t>(got);
     }
@@ -52,7 +52,7 @@ class OpenFile {
 public:
     explicit OpenFile(const std::string& path)
         : descriptor_(::open(path.c_str(), O_RDONLY | O_NOCTTY | O_CLOEXEC)) {
-        if (descriptor_ < 0) fail(path, errno);
+        if (descriptor_ < 0) fail_to_read(path, errno);
     }
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;

@@ -21,7 +21,7 @@
 namespace lacuna::files {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, int error) {
+[[noreturn]] void fail_to_write(const std::string& path, int error) {
     throw FileError(path + ": " + std::generic_category().message(error));
 }
 
@@ -33,7 +33,7 @@ void write_all(int descriptor, std::string_view bytes, const std::string& path) 
         else if (errno == EPIPE)
             throw ClosedPipe(path + ": " + std::generic_category().message(EPIPE));
         else if (errno != EINTR)
-            fail(path, errno);
+            fail_to_write(path, errno);
     }
 }
 
@@ -49,7 +49,7 @@ public:
 
     // Some file systems say only now that the disk is full.
     void close(const std::string& path) {
-        if (::close(std::exchange(number_, -1)) != 0 && errno != EINTR) fail(path, errno);
+        if (::close(std::exchange(number_, -1)) != 0 && errno != EINTR) fail_to_write(path, errno);
     }
 
 private:
@@ -65,7 +65,7 @@ public:
         : name_(name_beside(target)),
           path_(path),
           descriptor_(::mkostemp(name_.data(), O_CLOEXEC)) {
-        if (descriptor_.number() < 0) fail(path_, errno);
+        if (descriptor_.number() < 0) fail_to_write(path_, errno);
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -78,12 +78,12 @@ public:
         // May fail: some file systems know no permissions, and the points matter more.
         static_cast<void>(::fchmod(descriptor_.number(), permissions));
         // Else a crash after the rename could leave an empty file in place of the older one.
-        if (::fsync(descriptor_.number()) != 0) fail(path_, errno);
+        if (::fsync(descriptor_.number()) != 0) fail_to_write(path_, errno);
         descriptor_.close(path_);
     }
 
     void rename_to(const std::filesystem::path& target) {
-        if (::rename(name_.c_str(), target.c_str()) != 0) fail(path_, errno);
+        if (::rename(name_.c_str(), target.c_str()) != 0) fail_to_write(path_, errno);
         renamed_ = true;
     }
 
@@ -105,7 +105,7 @@ private:
 std::optional<struct stat> status_of(const std::string& path) {
     struct stat status {};
     if (::stat(path.c_str(), &status) == 0) return status;
-    if (errno != ENOENT) fail(path, errno);
+    if (errno != ENOENT) fail_to_write(path, errno);
     return std::nullopt;
 }
 
@@ -128,7 +128,7 @@ bool links_to_standard_output(const std::string& path, const struct stat& status
 // A device or a pipe keeps what it is given: there is nothing to rename.
 void write_into(const std::string& path, std::string_view bytes) {
     Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
-    if (descriptor.number() < 0) fail(path, errno);
+    if (descriptor.number() < 0) fail_to_write(path, errno);
     write_all(descriptor.number(), bytes, path);
     descriptor.close(path);
 }
@@ -152,12 +152,12 @@ void write_whole(const std::string& path, std::string_view bytes) {
     if (path == "-") return write_all(STDOUT_FILENO, bytes, "standard output");
     if (const auto descriptor = descriptor_named(path)) return write_all(*descriptor, bytes, path);
     const std::optional<struct stat> older = status_of(path);
-    if (older && S_ISDIR(older->st_mode)) fail(path, EISDIR);
+    if (older && S_ISDIR(older->st_mode)) fail_to_write(path, EISDIR);
     if (older && links_to_standard_output(path, *older))
         return write_all(STDOUT_FILENO, bytes, path);
     if (older && !S_ISREG(older->st_mode)) return write_into(path, bytes);
     // A rename would replace even a file that is write-protected.
-    if (older && ::access(path.c_str(), W_OK) != 0) fail(path, errno);
+    if (older && ::access(path.c_str(), W_OK) != 0) fail_to_write(path, errno);
 
     const std::filesystem::path target = behind_links(path);
     TemporaryFile file(target, path);
