@@ -55,18 +55,15 @@ std::vector<std::uint16_t> masses_of(const Field& field, const Poll& poll) {
     const double greatest = *std::max_element(field.importance.begin(), field.importance.end());
     std::vector<std::uint16_t> masses;
     masses.reserve(field.importance.size());
-    std::size_t pixels = 0;
-    for (std::uint32_t row = field.rows; row-- > 0;) {
-        if ((pixels += field.columns) >= kBetweenPolls) {
-            pixels = 0;
-            poll();
-        }
+    const auto add_row = [&](std::size_t from_above) {
+        const std::size_t row = field.rows - 1 - from_above;
         for (std::uint32_t column = 0; column < field.columns; ++column) {
-            const double one = field.importance[std::size_t{row} * field.columns + column];
+            const double one = field.importance[row * field.columns + column];
             const double mass = std::max(1.0, std::round(one / greatest * kMostMass));
             masses.push_back(one > 0 ? static_cast<std::uint16_t>(mass) : std::uint16_t{0});
         }
-    }
+    };
+    for_each_polled(field.rows, poll, add_row, field.columns);
     return masses;
 }
 

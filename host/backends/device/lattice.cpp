@@ -17,11 +17,10 @@
 namespace lacuna::device {
 namespace {
 
-// Turns of all its loops that an item is given work for: lavapipe grants 65,535.
-constexpr std::uint64_t kMostTurns = 1u << 14;
-// Of subtract, as cells_layout.h counts them. For each it takes up to 9: lavapipe goes through the
-// roots' loops also where no root is needed, runs end with their words, and where a reach is longer
-// than a torus, the chord is seen from three heights. And a look takes up to 64 a line.
+// Such turns of subtract, as cells_layout.h counts them. For each it takes up to 9: lavapipe goes
+// through the roots' loops also where no root is needed, runs end with their words, and where a
+// reach is longer than a torus, the chord is seen from three heights. And a look takes up to 64 a
+// line.
 constexpr std::uint64_t kMostTurnsOfSlice = kMostTurns / 4;
 // Neighbouring items, which lavapipe runs in lockstep, serve neighbouring lines.
 constexpr std::uint32_t kLeastSlices = 16;

@@ -103,6 +103,9 @@ private:
     std::uint64_t queued_ = 0;  // work since the last pause
 };
 
+// Turns of all its loops that an item is given work for: lavapipe grants 65,535.
+inline constexpr std::uint32_t kMostTurns = 1u << 14;
+
 // How many items it takes to serve so many units of work in chunks.
 inline std::uint64_t items_of(std::uint64_t amount, std::uint32_t chunk) {
     return (amount + chunk - 1) / chunk;

@@ -166,10 +166,8 @@ public:
     }
 
 private:
-    // Draws that one item serves, each of which may walk along a whole line: lavapipe grants 65,535
-    // turns of loops.
+    // Draws that one item serves, each of which may walk along a whole line.
     std::uint32_t chunk_of_lines() const {
-        constexpr std::uint32_t kMostTurns = 1u << 14;
         const std::uint32_t run = round_.queue.run_of(round_.part_count());
         if (!round_.queue.runs_in_lockstep()) return run;
         return std::clamp(kMostTurns / round_.geometry.capacity, 1u, run);
