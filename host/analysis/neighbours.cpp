@@ -1,47 +1,16 @@
 // Searches in a k-d tree; on a torus also from the images of the point that is asked for.
 #include "analysis/neighbours.h"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <nanoflann.hpp>
 #include <utility>
 
+#include "analysis/close_pairs.h"
+
 namespace lacuna::analysis {
 namespace {
-
-// The interface that nanoflann asks of a result: puts each pair once into its bin.
-class Bins {
-public:
-    Bins(double width, std::vector<std::uint64_t>& counts)
-        : width_(width),
-          squared_reach_(std::pow(width * static_cast<double>(counts.size()), 2)),
-          counts_(counts) {}
-
-    void start_from(std::size_t index) { from_ = index; }
-
-    // NOLINTBEGIN(readability-identifier-naming): nanoflann's names
-    double worstDist() const { return squared_reach_; }
-    bool full() const { return true; }
-    std::size_t size() const { return 0; }
-    bool addPoint(double squared_distance, std::size_t index) {
-        if (index > from_) {
-            const auto bin = static_cast<std::size_t>(std::sqrt(squared_distance) / width_);
-            ++counts_[std::min(bin, counts_.size() - 1)];
-        }
-        return true;
-    }
-    // NOLINTEND(readability-identifier-naming)
-
-private:
-    double width_;
-    double squared_reach_;
-    std::vector<std::uint64_t>& counts_;
-    std::size_t from_ = 0;
-};
 
 double shortest(double difference, double side, bool torus) {
     return torus ? difference - side * std::nearbyint(difference / side) : difference;
@@ -51,7 +20,10 @@ double shortest(double difference, double side, bool torus) {
 
 class Neighbours::Tree {
 public:
-    explicit Tree(std::span<const Point> points) : cloud_{points}, index_(2, cloud_) {}
+    Tree(std::span<const Point> points, const Poll& poll)
+        : cloud_{points, &poll}, index_(2, cloud_) {
+        cloud_.poll = nullptr;
+    }
 
     template <class Result>
     void search(Point from, Result& result) const {
@@ -63,9 +35,13 @@ private:
     // The interface that nanoflann asks of points.
     struct Cloud {
         std::span<const Point> points;
+        const Poll* poll;  // while the tree is built, on the calling thread: that takes long too
+        mutable std::size_t looks = 0;
 
         std::size_t kdtree_get_point_count() const { return points.size(); }
         double kdtree_get_pt(std::size_t index, std::size_t axis) const {
+            constexpr std::size_t kLooksPerPoll = 1 << 20;  // some milliseconds
+            if (poll != nullptr && ++looks % kLooksPerPoll == 0) (*poll)();
             return axis == 0 ? points[index].x : points[index].y;
         }
         template <class Box>
@@ -85,7 +61,7 @@ Neighbours::Neighbours(std::span<const Point> points, const Domain& domain, Poll
     : points_(points),
       domain_(domain),
       poll_(std::move(poll)),
-      tree_(std::make_unique<Tree>(points)) {}
+      tree_(std::make_unique<Tree>(points, poll_)) {}
 
 Neighbours::~Neighbours() = default;
 
@@ -145,18 +121,7 @@ std::vector<Neighbours::Neighbour> Neighbours::among_nearest(std::size_t index,
 }
 
 std::vector<std::uint64_t> Neighbours::count_pairs(double width, std::size_t bins) const {
-    const double reach = width * static_cast<double>(bins);
-    tbb::enumerable_thread_specific<std::vector<std::uint64_t>> parts(
-        std::vector<std::uint64_t>(bins, 0));
-    for_each_point([&](std::size_t i) {
-        Bins result(width, parts.local());
-        result.start_from(i);
-        for (const Point& image : images(points_[i], reach)) tree_->search(image, result);
-    });
-    std::vector<std::uint64_t> counts(bins, 0);
-    for (const auto& part : parts)
-        std::transform(counts.begin(), counts.end(), part.begin(), counts.begin(), std::plus<>());
-    return counts;
+    return count_close_pairs(points_, domain_, width, bins, poll_);
 }
 
 }  // namespace lacuna::analysis

@@ -1,4 +1,4 @@
-// Periodograms as matrix products.
+// Periodograms of few points as matrix products; those of many: see fast_sums.cpp.
 //
 // With c and s the cosine and sine of a point's phase, exp(-i (a + b)) is made of the four products
 // c(a) c(b), s(a) s(b), s(a) c(b), c(a) s(b). Summed over the points they are one matrix product of
@@ -12,6 +12,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+
+#include "analysis/fast_sums.h"
 
 namespace lacuna::analysis {
 namespace {
@@ -122,6 +124,12 @@ double Spectrum::magnitude(int kx, int ky) const {
 
 std::vector<double> periodogram(std::span<const Point> points, const Domain& domain, Range range,
                                 const KeepGoing& keep_going) {
+    return (points.size() < kManyPoints ? exact_periodogram : fast_periodogram)(points, domain,
+                                                                                range, keep_going);
+}
+
+std::vector<double> exact_periodogram(std::span<const Point> points, const Domain& domain,
+                                      Range range, const KeepGoing& keep_going) {
     Sums sums(range);
     constexpr auto kBlock = static_cast<std::size_t>(kPointsPerBlock);
     for (std::size_t begin = 0; begin < points.size(); begin += kBlock) {

@@ -46,11 +46,18 @@ struct Spectrum {
     double rounding() const { return 1e-20 * count; }
 };
 
-// The powers, in the order of Spectrum::powers, of one set of at least one point. As matrix
-// products on all cores; the result does not depend on their number. Every P is right to 1e-9 of
-// itself or of 1. Memory: 24 bytes a frequency of half the plane. Throws Cancelled.
+// The powers, in the order of Spectrum::powers, of one set of at least one point. On all cores; the
+// result does not depend on their number. Every P is right to 1e-9 of itself or of 1. Throws
+// Cancelled.
 std::vector<double> periodogram(std::span<const Point> points, const Domain& domain, Range range,
                                 const KeepGoing& keep_going);
+
+// How it is made: from so many points on by fast_periodogram(), see fast_sums.h, where that was
+// measured to be the faster one, and below as matrix products, which take time that grows with the
+// product of points and frequencies, and 24 bytes a frequency of half the plane.
+constexpr std::size_t kManyPoints = 1000;
+std::vector<double> exact_periodogram(std::span<const Point> points, const Domain& domain,
+                                      Range range, const KeepGoing& keep_going);
 
 // Of at least one set, each of at least one point. Throws Cancelled.
 Spectrum mean_spectrum(std::span<const std::vector<Point>> sets, const Domain& domain,

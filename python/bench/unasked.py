@@ -37,7 +37,7 @@ RUNS: dict[str, Callable[[Progress], object]] = {
     "relax of 1,000,000": lambda told: lacuna.relax(
         million, iterations=1, threads=1, progress=told
     ),
-    "analyze of 10,000": lambda told: lacuna.analyze(million[:10_000], progress=told),
+    "analyze of 100,000": lambda told: lacuna.analyze(million[:100_000], progress=told),
 }
 
 

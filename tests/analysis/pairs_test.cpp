@@ -101,6 +101,26 @@ TEST(CountedPairs, AreThoseOfAllPairs) {
     }
 }
 
+TEST(CountedPairs, OfPointsOnTheEdgesOfATorusAreThoseOfAllPairs) {
+    for (const Domain& domain : domains()) {
+        // Far fewer bins than cells, so that not all of the domain is within reach.
+        std::vector<Point> points = white_noise(3000, domain, 5);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (i % 3 == 0) points[i].x = i % 2 == 0 ? 0 : domain.width;
+            if (i % 5 == 0) points[i].y = i % 4 == 0 ? 0 : domain.height;
+        }
+        constexpr std::size_t kBins = 7;
+        const double width = std::min(domain.width, domain.height) / 9 / kBins;
+        std::vector<std::uint64_t> expected(kBins, 0);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            for (std::size_t j = i + 1; j < points.size(); ++j) {
+                const double bin = domain.distance(points[i], points[j]) / width;
+                if (bin < kBins) ++expected[static_cast<std::size_t>(bin)];
+            }
+        EXPECT_EQ(Neighbours(points, domain).count_pairs(width, kBins), expected);
+    }
+}
+
 // A bin of n expected pairs scatters by sqrt(n); five times that.
 TEST(PairCorrelation, OfWhiteNoiseIs1OnTorusAndBox) {
     for (const Domain& domain : domains()) {

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <vector>
 
+#include "analysis/fast_sums.h"
 #include "analysis/sets.h"
 
 namespace lacuna::analysis {
@@ -97,6 +98,9 @@ TEST(Spectrum, OfRandomPointsIsThatOfSumsPointByPoint) {
     // More than two blocks of points, and a frequency range of several tasks.
     const Domain domain{0.7, 3.1, true};
     const std::vector<Point> points = white_noise(1100, domain, 2);
+    const Range range = range_for(domain, 1100);
+    expect_naive_powers(exact_periodogram(points, domain, range, carry_on), range, points, domain,
+                        7);
     const Spectrum spectrum = spectrum_of(points, domain);
     expect_naive_powers(spectrum.powers, spectrum.range, points, domain, 7);
     EXPECT_EQ(spectrum.power(-5, 8), spectrum.power(5, -8));
@@ -107,8 +111,9 @@ TEST(Spectrum, IsExactAtTheFrequenciesOfAHundredThousandPoints) {
     // Recurrences lose digits with k: 2 sqrt(100,000) = 633.
     constexpr Range kFar{640, 640};
     const std::vector<Point> points = white_noise(5, kUnitTorus, 3);
-    expect_naive_powers(periodogram(points, kUnitTorus, kFar, carry_on), kFar, points, kUnitTorus,
-                        41);
+    for (const auto& powers : {exact_periodogram(points, kUnitTorus, kFar, carry_on),
+                               fast_periodogram(points, kUnitTorus, kFar, carry_on)})
+        expect_naive_powers(powers, kFar, points, kUnitTorus, 41);
 }
 
 TEST(Spectrum, CoversTwiceTheSquareRootOfTheCountWhateverTheDomain) {
@@ -140,13 +145,17 @@ TEST(Spectrum, OfSeveralSetsIsTheMeanOfTheirs) {
 
 TEST(Spectrum, IsTheSameOnAnyNumberOfThreads) {
     const std::vector<Point> points = white_noise(3000, kUnitTorus, 7);
-    const Spectrum many = spectrum_of(points);
-    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    EXPECT_EQ(spectrum_of(points).powers, many.powers);
+    const Range range = range_for(kUnitTorus, 3000);
+    for (const auto& made : {exact_periodogram, fast_periodogram}) {
+        const std::vector<double> many = made(points, kUnitTorus, range, carry_on);
+        const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+        EXPECT_EQ(made(points, kUnitTorus, range, carry_on), many);
+    }
 }
 
 TEST(Spectrum, TellsHowFarItIsAndStopsWhenTold) {
-    const Sets sets{white_noise(2000, kUnitTorus, 8), white_noise(1000, kUnitTorus, 9)};
+    // One by fast sums, one by matrix products.
+    const Sets sets{white_noise(2000, kUnitTorus, 8), white_noise(kManyPoints - 1, kUnitTorus, 9)};
     std::vector<double> shares;
     mean_spectrum(sets, kUnitTorus, [&](double share) {
         shares.push_back(share);
