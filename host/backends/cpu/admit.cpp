@@ -1,7 +1,7 @@
-// admit: a candidate becomes a sample unless an earlier sample covers it.
+// admit in lines and cells: a candidate becomes a sample unless an earlier sample covers it.
 //
 // "Earlier" is by the order of the draws, whatever the order of the work. What covers a candidate,
-// and how far away, is the mode's: three small structs, below.
+// and how far away, is the mode's: two small structs, below. Exact is in darts.cpp.
 #include <algorithm>
 #include <atomic>
 #include <span>
@@ -20,14 +20,17 @@ namespace {
 
 // A mode says where candidate i counts as being, in which columns to look and how far, and the
 // square of the distance that it must keep from candidate j.
-struct InExact {
+struct InLines {
     const SpanState& state;
     portable::Stretch columns;
 
-    InExact(const SpanState& the_state, std::uint32_t column)
+    InLines(const SpanState& the_state, std::uint32_t column)
         : state(the_state),
           columns(portable::stretch_around(column, 1, state.columns, state.plan.period_x)) {}
-    Sample place(std::uint32_t i) const { return {state.candidates[i].x, state.candidates[i].y}; }
+    // On a line, what counts is the chord on that line.
+    Sample place(std::uint32_t i) const {
+        return {state.plan.centre_of_line(state.candidates[i].line), state.candidates[i].y};
+    }
     template <typename Visit>
     bool any_column_near(std::uint32_t, Visit visit) const {
         for (std::uint32_t k = 0; k < columns.count; ++k)
@@ -37,14 +40,6 @@ struct InExact {
     }
     std::uint64_t limit_squared(std::uint32_t, std::uint32_t) const {
         return state.plan.radius_squared;
-    }
-};
-
-// On a line, what counts is the chord on that line.
-struct InLines : InExact {
-    using InExact::InExact;
-    Sample place(std::uint32_t i) const {
-        return {state.plan.centre_of_line(state.candidates[i].line), state.candidates[i].y};
     }
 };
 
@@ -179,7 +174,6 @@ bool admit_in(State& state, const Mode& mode, std::uint32_t column) {
 }  // namespace
 
 bool admit(SpanState& state, std::uint32_t column) {
-    if (state.plan.is_exact()) return admit_in(state, InExact(state, column), column);
     return admit_in(state, InLines(state, column), column);
 }
 
@@ -188,7 +182,7 @@ bool admit(BitState& state, std::uint32_t column) {
 }
 
 std::uint32_t first_part(const SpanState& state) {
-    return state.plan.is_exact() ? first_part_in<InExact>(state) : first_part_in<InLines>(state);
+    return first_part_in<InLines>(state);
 }
 
 std::uint32_t first_part(const BitState& state) {
@@ -196,7 +190,6 @@ std::uint32_t first_part(const BitState& state) {
 }
 
 bool is_covered(const SpanState& state, const Candidate& candidate) {
-    if (state.grid) return state.grid->is_covered(candidate.x, candidate.y);
     const std::span<const Span> spans =
         state.slot(candidate.line).first(state.span_counts[candidate.line]);
     const auto above = std::partition_point(
@@ -206,19 +199,6 @@ bool is_covered(const SpanState& state, const Candidate& candidate) {
 
 bool is_covered(const BitState& state, const Candidate& candidate) {
     return (state.line(candidate.x)[candidate.y / 64] >> candidate.y % 64 & 1) == 0;
-}
-
-void screen(SpanState& state, std::uint32_t column) {
-    constexpr std::size_t kAhead = 6;  // what memory needs; 4 to 10 are alike
-    const std::span<const Candidate> candidates = state.candidates_of(column);
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-        const Candidate& later = candidates[std::min(k + kAhead, candidates.size() - 1)];
-        state.grid->fetch_near(later.x, later.y);
-        const std::size_t i = state.column_begins[column] + k;
-        if (state.fates[i] == FATE_UNDECIDED &&
-            state.grid->is_covered(candidates[k].x, candidates[k].y))
-            state.fates[i] = FATE_COVERED;
-    }
 }
 
 }  // namespace lacuna::cpu

@@ -70,8 +70,7 @@ void locate_in_boxes(SpanState& state, std::span<const Draw> draws, std::uint32_
     }
 }
 
-void sort(State& state, std::uint32_t column) {
-    state.sort_column(column);
+void set_fates(State& state, std::uint32_t column) {
     std::fill(state.fates.begin() + state.column_begins[column],
               state.fates.begin() + state.column_begins[column + 1], FATE_UNDECIDED);
 }
@@ -79,11 +78,13 @@ void sort(State& state, std::uint32_t column) {
 }  // namespace
 
 void set_undecided(SpanState& state, std::uint32_t column) {
-    sort(state, column);
+    if (!state.grid) state.sort_column(column);
+    set_fates(state, column);
 }
 
 void set_undecided(BitState& state, std::uint32_t column) {
-    sort(state, column);
+    state.sort_column(column);
+    set_fates(state, column);
     state.find_radii(column);
 }
 
@@ -93,11 +94,13 @@ void locate(SpanState& state, std::span<const Draw> draws, std::uint32_t column)
     else
         locate_on_lines(state, draws, column, Spans{state});
     set_undecided(state, column);
+    state.find_orders(column);
 }
 
 void locate(BitState& state, std::span<const Draw> draws, std::uint32_t column) {
     locate_on_lines(state, draws, column, Words{state});
     set_undecided(state, column);
+    state.find_orders(column);
 }
 
 }  // namespace lacuna::cpu

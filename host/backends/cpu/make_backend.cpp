@@ -1,11 +1,13 @@
 // The cpu backend: the verbs in which the modes differ.
 #include "backends/cpu/make_backend.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "backends/cpu/darts.h"
 #include "backends/cpu/round_backend.h"
 #include "backends/cpu/state.h"
 
@@ -18,10 +20,19 @@ public:
     using RoundBackend::RoundBackend;
 
     void admit() override {
-        if (state_.grid)
-            for_columns(state_.candidates.size(),
-                        [&](std::uint32_t column) { cpu::screen(state_, column); });
-        RoundBackend::admit();
+        if (!state_.grid) return RoundBackend::admit();
+        const auto count = static_cast<std::uint32_t>(state_.candidates.size());
+        for_columns(count, [&](std::uint32_t column) { cpu::screen(state_, column); });
+        for (std::uint32_t end, begin = 0; begin < count; begin = end) {
+            end = begin + std::min(kTurnsAtOnce, count - begin);
+            const std::uint32_t draws = end - begin;
+            darts_.begin(begin, end, draws < kDrawsWorthSlabs ? 1 : slabs());
+            for_slabs(darts_.slabs(), draws,
+                      [&](std::uint32_t slab) { darts_.throw_in(state_, slab); });
+            darts_.finish(state_);
+            poll();
+        }
+        state_.is_inserted = true;
     }
 
     void subtract() override {
@@ -38,16 +49,14 @@ public:
     }
 
 protected:
-    // In exact the grid tells what is covered: the spans can wait for the round's end.
     void take_out() override {
-        if (state_.grid) return insert();
         cut();
         is_cut_ = true;
     }
 
 private:
     void insert() {
-        if (state_.grid)
+        if (state_.grid && !std::exchange(state_.is_inserted, false))
             for_columns(state_.candidates.size(),
                         [&](std::uint32_t column) { cpu::insert(state_, column); });
     }
@@ -56,6 +65,12 @@ private:
             state_.grow();
     }
 
+    // So many draws are thrown in some 0.02 s, after which a run can be cancelled.
+    static constexpr std::uint32_t kTurnsAtOnce = std::uint32_t{1} << 17;
+    // Fewer take one thread less time than slabs take to share out.
+    static constexpr std::uint32_t kDrawsWorthSlabs = 512;
+
+    Darts darts_;
     bool is_cut_ = false;  // by take_out: nothing is left to subtract
 };
 

@@ -1,6 +1,9 @@
 // Which of two candidates of a round comes first.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "backends/backend.h"
 
 namespace lacuna::cpu {
@@ -9,6 +12,12 @@ namespace lacuna::cpu {
 // and bias the set. tests/distribution builds that variant and shows that it is noticed.
 inline bool precedes(const Candidate& a, const Candidate& b) {
     return a.order < b.order;
+}
+
+// The same in exact, where draws are thrown one after another: whose turn it is.
+inline std::uint32_t candidate_of_turn(std::span<const std::uint32_t> by_order,
+                                       std::uint32_t turn) {
+    return by_order[turn];
 }
 
 }  // namespace lacuna::cpu

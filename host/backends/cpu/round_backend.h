@@ -48,15 +48,16 @@ public:
     }
 
     Round finish_round() override {
-        by_order_.assign(state_.candidates.size(), kNone);
         std::uint64_t survivors = 0;
-        for (std::uint32_t i = 0; i < by_order_.size(); ++i) {
+        samples_.resize(state_.candidates.size());
+        Sample* next = samples_.data();
+        for (const std::uint32_t i : state_.by_order) {
+            const Candidate& candidate = state_.candidates[i];
             survivors += state_.fates[i] != FATE_COVERED;
-            if (state_.fates[i] == FATE_ADMITTED) by_order_[state_.candidates[i].order] = i;
+            *next = {candidate.x, candidate.y};
+            next += state_.fates[i] == FATE_ADMITTED;
         }
-        samples_.clear();
-        for (const std::uint32_t i : by_order_)
-            if (i != kNone) samples_.push_back({state_.candidates[i].x, state_.candidates[i].y});
+        samples_.resize(static_cast<std::size_t>(next - samples_.data()));
         return {samples_, survivors, state_.free_lengths, state_.place_width};
     }
 
@@ -81,12 +82,26 @@ protected:
         return workers_.all_columns(state_.columns, state_.candidates.size(), work);
     }
 
+    // The same for so many slabs of columns.
+    template <typename Work>
+    void for_slabs(std::uint32_t slabs, std::size_t amount, Work work) {
+        workers_.for_columns(slabs, amount, work);
+    }
+    // As many as are worth it.
+    std::uint32_t slabs() const {
+        const std::uint32_t most = workers_.count() == 1 ? 1 : 2 * workers_.count();
+        return std::clamp(state_.columns / kColumnsOfSlab, 1u, most);
+    }
+
     // Asks whether to go on.
     void poll() const { workers_.poll(); }
 
     ModeState state_;
 
 private:
+    // In narrower slabs too many draws are put off (darts.h).
+    static constexpr std::uint32_t kColumnsOfSlab = 32;
+
     void settle() {
         while (!all_columns([&](std::uint32_t i) { return cpu::admit(state_, i); })) {
         }
@@ -103,11 +118,8 @@ private:
         take_out();
     }
 
-    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
     Workers workers_;
-    bool is_set_ = false;                  // the places are set free in the first round
-    std::vector<std::uint32_t> by_order_;  // the candidate admitted of each draw, or kNone
+    bool is_set_ = false;  // the places are set free in the first round
     std::vector<Sample> samples_;
 };
 

@@ -28,8 +28,7 @@ public:
     void clear(std::uint32_t share, std::uint32_t shares) {
         const std::size_t columns = plan_.grid_columns + kMargin;
         std::fill(slots_.get() + share * columns / shares * stride_,
-                  slots_.get() + (share + 1) * columns / shares * stride_,
-                  Sample{NO_SAMPLE, NO_SAMPLE});
+                  slots_.get() + (share + 1) * columns / shares * stride_, kNone);
     }
     // The cells of one column of them, row by row.
     Sample* column(std::uint32_t index) { return &slots_[std::size_t{index} * stride_]; }
@@ -38,13 +37,11 @@ public:
     }
 
     // In parallel: no two samples share a cell.
-    void insert(Sample sample) {
-        column(sample.x / plan_.grid_side)[sample.y / plan_.grid_side] = sample;
-    }
+    void insert(Sample sample) { cell_of(sample) = sample; }
 
     // Whether some sample is closer than the radius. A disk that touches no edge lies within 4 x 4
     // cells, 2 sqrt(2) being less than 3, and has no branch: where a sample lies cannot be
-    // foretold. No sample, at -1, is farther away than the radius.
+    // foretold. No sample, at -1, is farther away than the radius, and a mark, at (-1, -2), too.
     bool is_covered(std::uint32_t x, std::uint32_t y) const {
         bool covered = false;
         if (is_inside(x, x + 1, y, y + 1)) {
@@ -64,6 +61,23 @@ public:
                                                             plan_.period_y, plan_.radius_squared);
         });
         return covered;
+    }
+
+    // A mark stands in a cell without a sample, until one is inserted or it is taken away. It
+    // counts as no sample.
+    void mark(Sample place) {
+        Sample& cell = cell_of(place);
+        if (cell == kNone) cell = kMark;
+    }
+    void unmark(Sample place) {
+        Sample& cell = cell_of(place);
+        if (cell == kMark) cell = kNone;
+    }
+    // Whether a mark stands within the radius, or a little farther away.
+    bool has_mark_near(std::uint32_t x, std::uint32_t y) const {
+        bool is_marked = false;
+        for_each_cell_near(x, x + 1, y, y + 1, [&](Sample cell) { is_marked |= cell == kMark; });
+        return is_marked;
     }
 
     // Asks memory for the cells near (x, y), which are to be looked at soon. Inlined by force: a
@@ -106,6 +120,13 @@ public:
     }
 
 private:
+    static constexpr Sample kNone{NO_SAMPLE, NO_SAMPLE};
+    static constexpr Sample kMark{NO_SAMPLE, NO_SAMPLE - 1};
+
+    Sample& cell_of(Sample place) {
+        return column(place.x / plan_.grid_side)[place.y / plan_.grid_side];
+    }
+
     // Whether all within the radius of [x_begin, x_end) x [y_begin, y_end) touches no edge.
     bool is_inside(std::uint32_t x_begin, std::uint32_t x_end, std::uint32_t y_begin,
                    std::uint32_t y_end) const {

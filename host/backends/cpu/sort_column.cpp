@@ -7,13 +7,6 @@
 #include "portable/column.h"
 
 namespace lacuna::cpu {
-namespace {
-
-bool comes_before(const Candidate& a, const Candidate& b) {
-    return a.y < b.y || (a.y == b.y && a.order < b.order);
-}
-
-}  // namespace
 
 // Most of the work is to find the bucket.
 void State::sort_column(std::uint32_t column) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <utility>
 
 #include "backends/columns.h"
@@ -26,11 +27,17 @@ State::State(const Plan& the_plan)
 void State::make_room(std::size_t count) {
     candidates.resize(count);
     fates.resize(count);
-    buckets.resize(count);
+    if (!plan.is_exact()) buckets.resize(count);
+}
+
+void State::find_orders(std::uint32_t column) {
+    for (std::uint32_t i = column_begins[column]; i < column_begins[column + 1]; ++i)
+        by_order[candidates[i].order] = i;
 }
 
 void State::begin_round(std::span<const Draw> draws) {
     make_room(draws.size());
+    by_order.resize(draws.size());
     find_column_begins(place_begins, draws, column_begins);
 }
 
@@ -44,9 +51,13 @@ Snapshot State::snapshot() const {
 void State::restore(const Snapshot& snapshot) {
     candidates = snapshot.candidates;
     fates = snapshot.fates;
-    buckets.resize(candidates.size());
+    make_room(candidates.size());
+    by_order.resize(candidates.size());
     find_column_begins(plan, columns, candidates, column_begins);
-    for (std::uint32_t column = 0; column < columns; ++column) sort_column(column);
+    for (std::uint32_t column = 0; column < columns; ++column) {
+        if (!plan.is_exact()) sort_column(column);
+        find_orders(column);
+    }
 }
 
 SpanState::SpanState(const Plan& the_plan)
@@ -83,6 +94,22 @@ void SpanState::settle_boxes(std::uint32_t width) {
     }
 }
 
+// As snapshots have them, by y.
+void SpanState::sort_columns(Snapshot& snapshot) const {
+    std::vector<std::uint32_t> sorted(candidates.size());
+    std::iota(sorted.begin(), sorted.end(), 0u);
+    for (std::uint32_t column = 0; column < columns; ++column)
+        std::sort(sorted.begin() + column_begins[column],
+                  sorted.begin() + column_begins[column + 1],
+                  [&](std::uint32_t a, std::uint32_t b) {
+                      return comes_before(candidates[a], candidates[b]);
+                  });
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        snapshot.candidates[i] = candidates[sorted[i]];
+        snapshot.fates[i] = fates[sorted[i]];
+    }
+}
+
 Snapshot SpanState::snapshot() const {
     Snapshot snapshot = State::snapshot();
     snapshot.capacity = capacity;
@@ -93,6 +120,12 @@ Snapshot SpanState::snapshot() const {
     for (std::uint32_t i = 0; i < plan.grid_columns && grid; ++i)
         snapshot.grid.insert(snapshot.grid.end(), grid->column(i),
                              grid->column(i) + plan.grid_rows);
+    // The round's samples are told to be in the grid when the round's last verb put them there.
+    for (std::size_t i = 0; is_inserted && i < candidates.size(); ++i)
+        if (fates[i] == FATE_ADMITTED)
+            snapshot.grid[std::size_t{candidates[i].x / plan.grid_side} * plan.grid_rows +
+                          candidates[i].y / plan.grid_side] = {NO_SAMPLE, NO_SAMPLE};
+    if (grid) sort_columns(snapshot);
     snapshot.box_width = has_boxes ? place_width : 0;
     for (const std::vector<Box>& of_column : boxes)
         snapshot.boxes.insert(snapshot.boxes.end(), of_column.begin(), of_column.end());
@@ -101,6 +134,7 @@ Snapshot SpanState::snapshot() const {
 
 void SpanState::restore(const Snapshot& snapshot) {
     State::restore(snapshot);
+    is_inserted = false;
     for (std::uint32_t i = 0; i < plan.grid_columns && grid; ++i)
         std::copy_n(snapshot.grid.data() + std::size_t{i} * plan.grid_rows, plan.grid_rows,
                     grid->column(i));

@@ -15,6 +15,11 @@
 
 namespace lacuna::cpu {
 
+// The order of a column's candidates.
+inline bool comes_before(const Candidate& a, const Candidate& b) {
+    return a.y < b.y || (a.y == b.y && a.order < b.order);
+}
+
 struct State {
     explicit State(const Plan& plan);
 
@@ -27,12 +32,14 @@ struct State {
     std::vector<std::uint32_t> place_begins;
     std::vector<std::uint32_t> free_lengths;
 
-    // The round's candidates, column by column, by y within a column, and what became of them.
+    // The round's candidates, column by column, and what became of them. Within a column they are
+    // sorted by y; in exact they are as their draws were, place by place.
     std::vector<Candidate> candidates;
     std::vector<std::uint32_t> column_begins;  // columns + 1
     std::vector<std::uint32_t> fates;          // portable/fate.h
-    // A column has as many buckets as candidates (portable/column.h). Bucket b of the column begins
-    // at its candidate number buckets[column_begins[column] + b].
+    std::vector<std::uint32_t> by_order;       // the candidate of each draw
+    // But in exact, a column has as many buckets as candidates (portable/column.h). Bucket b of the
+    // column begins at its candidate number buckets[column_begins[column] + b].
     std::vector<std::uint32_t> buckets;
 
     std::span<const Candidate> candidates_of(std::uint32_t column) const {
@@ -41,6 +48,8 @@ struct State {
     }
     // Room for so many candidates.
     void make_room(std::size_t count);
+    // Notes which draws the column's candidates are.
+    void find_orders(std::uint32_t column);
     // For the draws' candidates; and finds where each column's begin.
     void begin_round(std::span<const Draw> draws);
     // Sorts the column's candidates by y, and by order where y is equal.
@@ -66,8 +75,10 @@ struct SpanState : State {
     std::unique_ptr<Span[]> spans;
     std::vector<std::uint32_t> span_counts;
 
-    // In exact: the samples so far and, from the first refinement on, each column's boxes.
+    // In exact: the samples so far, with the round's own once they are inserted; and, from the
+    // first refinement on, each column's boxes.
     std::optional<SampleGrid> grid;
+    bool is_inserted = false;
     bool has_boxes = false;
     std::vector<std::vector<Box>> boxes;
 
@@ -82,6 +93,9 @@ struct SpanState : State {
     void settle_boxes(std::uint32_t width);
     Snapshot snapshot() const;
     void restore(const Snapshot& snapshot);
+
+private:
+    void sort_columns(Snapshot& snapshot) const;
 };
 
 // In cells: the widest radius of something in each column, and in each block of so many columns: a
@@ -158,18 +172,18 @@ void set_undecided(BitState& state, std::uint32_t column);
 // rounds cover.
 void screen(SpanState& state, std::uint32_t column);
 
-// Settles what can be settled of the column's undecided candidates; true when all are. Several
-// passes settle all: the earliest undecided candidate never waits for another.
+// In lines and cells: settles what can be settled of the column's undecided candidates; true when
+// all are. Several passes settle all: the earliest undecided candidate never waits for another. In
+// exact see darts.h.
 bool admit(SpanState& state, std::uint32_t column);
 bool admit(BitState& state, std::uint32_t column);
 
-// Whether a sample that was taken out covers the candidate: in lines from the spans, in exact from
-// what is in the grid, in cells from the bits.
+// In lines and cells: whether a sample that was taken out covers the candidate.
 bool is_covered(const SpanState& state, const Candidate& candidate);
 bool is_covered(const BitState& state, const Candidate& candidate);
 
-// Into how many draws admit should look at first: all of the round's, or so many that they have few
-// enough others within reach of them to be compared with each.
+// In lines and cells: into how many draws admit should look at first: all of the round's, or so
+// many that they have few enough others within reach of them to be compared with each.
 std::uint32_t first_part(const SpanState& state);
 std::uint32_t first_part(const BitState& state);
 

@@ -1,5 +1,6 @@
 // subtract: the chords of the round's samples, cut from the free spans of every line.
 #include <algorithm>
+#include <numeric>
 
 #include "backends/cpu/state.h"
 #include "portable/chord.h"
@@ -9,23 +10,6 @@
 
 namespace lacuna::cpu {
 namespace {
-
-// The samples that may cut a column's lines, in the order of y.
-void gather(SpanState& state, std::uint32_t column, std::vector<Sample>& near) {
-    near.clear();
-    const portable::Stretch columns =
-        portable::stretch_around(column, 1, state.columns, state.plan.period_x);
-    for (std::uint32_t k = 0; k < columns.count; ++k) {
-        const std::uint32_t neighbour = portable::nth_of_stretch(columns, k, state.columns);
-        const auto middle = static_cast<std::ptrdiff_t>(near.size());
-        for (std::size_t i = state.column_begins[neighbour]; i < state.column_begins[neighbour + 1];
-             ++i)
-            if (state.fates[i] == FATE_ADMITTED)
-                near.push_back({state.candidates[i].x, state.candidates[i].y});
-        std::inplace_merge(near.begin(), near.begin() + middle, near.end(),
-                           [](Sample a, Sample b) { return a.y < b.y; });
-    }
-}
 
 // A line's spans in one buffer with a gap in it: the spans that are done lie below the gap, the
 // rest above. Chords come in the order of y, so that the gap moves a little at a time, and each
@@ -79,6 +63,54 @@ private:
     Span* end_ = nullptr;
 };
 
+struct Scratch {
+    std::vector<Sample> near;
+    std::vector<Sample> unsorted;
+    std::vector<std::uint32_t> ends;
+    std::vector<Span> chords;
+    Line line;
+};
+
+// Sorts what is near by y: by buckets, as a column's candidates, then among neighbours.
+void sort_near(Scratch& scratch, std::uint32_t height) {
+    auto& [near, unsorted, ends, chords, line] = scratch;
+    const auto count = static_cast<std::uint32_t>(near.size());
+    const auto bucket_of = [&](Sample sample) {
+        return portable::bucket_of(sample.y, count, height);
+    };
+    ends.assign(count, 0);
+    for (const Sample sample : near) ++ends[bucket_of(sample)];
+    std::inclusive_scan(ends.begin(), ends.end(), ends.begin());
+    unsorted.swap(near);
+    near.resize(count);
+    for (const Sample sample : unsorted) near[--ends[bucket_of(sample)]] = sample;
+    for (std::size_t i = 1; i < near.size(); ++i) {
+        const Sample moved = near[i];
+        std::size_t to = i;
+        for (; to > 0 && moved.y < near[to - 1].y; --to) near[to] = near[to - 1];
+        near[to] = moved;
+    }
+}
+
+// The samples that may cut a column's lines, in the order of y.
+void gather(const SpanState& state, std::uint32_t column, Scratch& scratch) {
+    std::vector<Sample>& near = scratch.near;
+    const portable::Stretch columns =
+        portable::stretch_around(column, 1, state.columns, state.plan.period_x);
+    std::size_t count = 0;
+    for (std::uint32_t k = 0; k < columns.count; ++k) {
+        const std::uint32_t neighbour = portable::nth_of_stretch(columns, k, state.columns);
+        const std::uint32_t end = state.column_begins[neighbour + 1];
+        near.resize(count + end - state.column_begins[neighbour]);
+        for (std::uint32_t i = state.column_begins[neighbour]; i < end; ++i) {
+            near[count] = {state.candidates[i].x, state.candidates[i].y};
+            count += state.fates[i] == FATE_ADMITTED;
+        }
+        near.resize(count);
+    }
+    sort_near(scratch, state.plan.height);
+}
+
 // The chords of a line in the order of their samples' y, all found before the first is cut: the
 // square roots then overlap, and the cuts are what remains to be predicted.
 void find_chords(const Plan& plan, std::uint32_t centre, std::span<const Sample> near,
@@ -130,19 +162,14 @@ void find_chords(const Plan& plan, std::uint32_t centre, std::span<const Sample>
     chords.resize(static_cast<std::size_t>(next - chords.data()));
 }
 
-struct Scratch {
-    std::vector<Sample> near;
-    std::vector<Span> chords;
-    Line line;
-};
-
 }  // namespace
 
 bool subtract(SpanState& state, std::uint32_t column) {
     // Looked up once: in a shared library, as Python's, each look at a thread's own takes a call.
     thread_local Scratch of_thread;
-    auto& [near, chords, line] = of_thread;
-    gather(state, column, near);
+    Scratch& scratch = of_thread;
+    auto& [near, unsorted, ends, chords, line] = scratch;
+    gather(state, column, scratch);
     if (near.empty()) return true;
 
     bool complete = true;

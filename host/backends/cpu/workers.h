@@ -37,6 +37,7 @@ public:
     std::string name() const {
         return std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads");
     }
+    std::uint32_t count() const { return static_cast<std::uint32_t>(threads_); }
     void watch(std::function<bool()> may_go_on) { may_go_on_ = std::move(may_go_on); }
 
     // Asks whether to go on; throws Cancelled if not.

@@ -2,12 +2,20 @@
 // on the include path of the test that must notice it.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "backends/backend.h"
 
 namespace lacuna::cpu {
 
 inline bool precedes(const Candidate& a, const Candidate& b) {
     return a.line != b.line ? a.line < b.line : a.y < b.y;
+}
+
+// Candidates are numbered column by column, line by line.
+inline std::uint32_t candidate_of_turn(std::span<const std::uint32_t>, std::uint32_t turn) {
+    return turn;
 }
 
 }  // namespace lacuna::cpu

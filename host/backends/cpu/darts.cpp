@@ -1,0 +1,125 @@
+// Dart throwing in slabs.
+#include "backends/cpu/darts.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "backends/cpu/precedence.h"
+#include "portable/fate.h"
+
+namespace lacuna::cpu {
+namespace {
+
+// Cells are asked for so many candidates ahead, and the candidates twice as many: what memory
+// needs.
+constexpr std::size_t kAhead = 8;
+
+bool is_in(const Span& stretch, std::uint32_t x) {
+    return x >= stretch.begin && x < stretch.end;
+}
+
+Sample place_of(const Candidate& candidate) {
+    return {candidate.x, candidate.y};
+}
+
+}  // namespace
+
+void screen(SpanState& state, std::uint32_t column) {
+    constexpr std::size_t kAhead = 6;  // what memory needs; 4 to 10 are alike
+    const std::span<const Candidate> candidates = state.candidates_of(column);
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        const Candidate& later = candidates[std::min(k + kAhead, candidates.size() - 1)];
+        state.grid->fetch_near(later.x, later.y);
+        const std::size_t i = state.column_begins[column] + k;
+        if (state.fates[i] == FATE_UNDECIDED &&
+            state.grid->is_covered(candidates[k].x, candidates[k].y))
+            state.fates[i] = FATE_COVERED;
+    }
+}
+
+void Darts::begin(std::uint32_t begin, std::uint32_t end, std::uint32_t slabs) {
+    begin_ = begin;
+    end_ = end;
+    put_off_.resize(slabs);
+    for (std::vector<std::uint32_t>& of_slab : put_off_) of_slab.clear();
+}
+
+Darts::Slab Darts::slab_of(const SpanState& state, std::uint32_t index) const {
+    const std::size_t slabs = put_off_.size();
+    const std::size_t begin = index * std::size_t{state.columns} / slabs;
+    const std::size_t end = (index + std::size_t{1}) * state.columns / slabs;
+    const std::uint32_t first = state.column_begins[begin];
+    constexpr std::uint32_t kBeyond = ~std::uint32_t{0};
+    Slab slab{first, state.column_begins[end] - first, {0, kBeyond}, {0, kBeyond}};
+    if (slabs == 1) return slab;
+    const std::uint32_t side = state.plan.grid_side;
+    const std::uint32_t width = state.plan.strip_width;
+    slab.own.begin = (state.first_lines[begin] * width + side - 1) / side * side;
+    slab.own.end = state.first_lines[end] * width / side * side;
+    // A radius around x touches at most four columns of cells, from that of x - radius on.
+    slab.inner.begin = slab.own.begin + state.plan.radius;
+    slab.inner.end = slab.own.end - std::min(3 * side, slab.own.end) + state.plan.radius;
+    return slab;
+}
+
+// The slab's candidates in their turns; and more entries, to be asked for ahead.
+void Darts::list_turns(const SpanState& state, const Slab& slab,
+                       std::vector<std::uint32_t>& thrown) {
+    thrown.resize(end_ - begin_ + 2 * kAhead);
+    std::size_t count = 0;
+    for (std::uint32_t turn = begin_; turn < end_; ++turn) {
+        const std::uint32_t i = candidate_of_turn(state.by_order, turn);
+        thrown[count] = i;
+        count += i - slab.first < slab.count;
+    }
+    thrown.resize(count);
+    thrown.resize(count + 2 * kAhead, slab.first);
+}
+
+void Darts::throw_in(SpanState& state, std::uint32_t index) {
+    thread_local std::vector<std::uint32_t> of_thread;
+    std::vector<std::uint32_t>& thrown = of_thread;  // looked up once, see subtract.cpp
+    const Slab slab = slab_of(state, index);
+    if (slab.count == 0) return;
+    list_turns(state, slab, thrown);
+    const bool is_shared = put_off_.size() > 1;
+    SampleGrid& grid = *state.grid;
+    for (std::size_t k = 0; k + 2 * kAhead < thrown.size(); ++k) {
+        __builtin_prefetch(&state.candidates[thrown[k + 2 * kAhead]]);
+        const Candidate& later = state.candidates[thrown[k + kAhead]];
+        grid.fetch_near(later.x, later.y);
+        const std::uint32_t i = thrown[k];
+        const Sample place = place_of(state.candidates[i]);
+        std::uint32_t& fate = state.fates[i];
+        if (fate == FATE_ADMITTED) grid.insert(place);
+        if (fate != FATE_UNDECIDED) continue;
+        const bool is_inner = !is_shared || is_in(slab.inner, place.x);
+        if (is_inner && grid.is_covered(place.x, place.y)) {
+            fate = FATE_REJECTED;
+        } else if (is_inner && (!is_shared || !grid.has_mark_near(place.x, place.y))) {
+            fate = FATE_ADMITTED;
+            grid.insert(place);
+        } else {
+            put_off_[index].push_back(i);
+            if (is_in(slab.own, place.x)) grid.mark(place);
+        }
+    }
+}
+
+void Darts::finish(SpanState& state) {
+    std::vector<std::uint32_t>& all = put_off_.front();
+    for (std::size_t slab = 1; slab < put_off_.size(); ++slab)
+        all.insert(all.end(), put_off_[slab].begin(), put_off_[slab].end());
+    std::sort(all.begin(), all.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return precedes(state.candidates[a], state.candidates[b]);
+    });
+    for (const std::uint32_t i : all) {
+        const Sample place = place_of(state.candidates[i]);
+        const bool is_covered = state.grid->is_covered(place.x, place.y);
+        state.fates[i] = is_covered ? FATE_REJECTED : FATE_ADMITTED;
+        if (!is_covered) state.grid->insert(place);
+    }
+    for (const std::uint32_t i : all) state.grid->unmark(place_of(state.candidates[i]));
+}
+
+}  // namespace lacuna::cpu

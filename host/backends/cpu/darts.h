@@ -1,0 +1,41 @@
+// admit in exact: the round's draws are thrown like darts, one after another, at the sample grid.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "backends/cpu/state.h"
+
+namespace lacuna::cpu {
+
+// Draws take their turns in slabs, runs of columns that several threads serve at once. A slab
+// settles a candidate where all that could be closer than the radius lies in cells of its own.
+// Others are put off, and so is what comes later and might conflict with one put off, for each of
+// those leaves a mark in its cell. When all slabs are done, those put off take their turns, in one
+// thread. So every draw is settled after all earlier ones that it could conflict with, as if all
+// were thrown in their order. In slabs of c columns, some 2 draws in c are put off.
+class Darts {
+public:
+    // Turns [begin, end) of the round, in so many slabs: throw_in each, in parallel, then finish.
+    void begin(std::uint32_t begin, std::uint32_t end, std::uint32_t slabs);
+    std::uint32_t slabs() const { return static_cast<std::uint32_t>(put_off_.size()); }
+    void throw_in(SpanState& state, std::uint32_t slab);
+    void finish(SpanState& state);
+
+private:
+    // The candidates of a slab, and the x of its own cells and of those that it may settle.
+    struct Slab {
+        std::uint32_t first;
+        std::uint32_t count;
+        Span own;
+        Span inner;
+    };
+    Slab slab_of(const SpanState& state, std::uint32_t index) const;
+    void list_turns(const SpanState& state, const Slab& slab, std::vector<std::uint32_t>& thrown);
+
+    std::uint32_t begin_ = 0;
+    std::uint32_t end_ = 0;
+    std::vector<std::vector<std::uint32_t>> put_off_;  // of each slab: candidates, by their turns
+};
+
+}  // namespace lacuna::cpu
