@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "backends/cpu/state.h"
+#include "backends/cpu/vectors.h"
 #include "portable/chord.h"
 #include "portable/distance.h"
 #include "portable/fate.h"
@@ -12,30 +13,20 @@
 namespace lacuna::cpu {
 namespace {
 
-// The samples near a box, in arrays of their own so that the arithmetic on them can be vectorised.
-struct Near {
-    // A box and a radius around it reach over at most 7 x 6 cells, those at the seam of a torus
-    // counted twice.
-    static constexpr std::size_t kMost = 64;
-    std::array<std::uint32_t, kMost> x;
-    std::array<std::uint32_t, kMost> y;
-    std::size_t count = 0;
-
-    // Every cell is written, and kept or not: no branch.
-    void add(Sample cell) {
-        x[count] = cell.x;
-        y[count] = cell.y;
-        count += cell.x != NO_SAMPLE;
-    }
-};
-
 class Refinement {
 public:
-    Refinement(const SpanState& state, std::uint32_t width) : state_(state), width_(width) {}
+    Refinement(const SpanState& state, std::uint32_t width)
+        : state_(state), vectors_(vectors_for(state.plan.radius)), width_(width) {}
 
     // Appends what is left of a box as wide as the places were, cut to the new width.
     void cut(Box box, std::vector<Box>& left) {
-        gather(box);
+        near_count_ = 0;
+        // Every cell is written, and kept or not: no branch.
+        state_.grid->for_each_cell_near(box.x, box.x + state_.place_width, box.begin, box.end,
+                                        [&](Sample cell) {
+                                            near_[near_count_] = cell;
+                                            near_count_ += cell.x != NO_SAMPLE;
+                                        });
         for (std::uint32_t x = box.x; x < box.x + state_.place_width; x += width_)
             cut_strip({x, box.begin, box.end}, left);
     }
@@ -51,59 +42,47 @@ public:
     }
 
 private:
-    void gather(const Box& box) {
-        near_.count = 0;
-        state_.grid->for_each_cell_near(box.x, box.x + state_.place_width, box.begin, box.end,
-                                        [&](Sample cell) { near_.add(cell); });
-    }
-
-    // Of a sample near and the far edge of a strip around centre.
-    std::uint32_t distance_to(std::size_t near, std::uint32_t centre) const {
-        return portable::axis_distance(near_.x[near], centre, state_.plan.period_x) + width_ / 2;
+    // From the far edge of a strip around centre.
+    std::uint32_t distance_to(Sample sample, std::uint32_t centre) const {
+        return portable::axis_distance(sample.x, centre, state_.plan.period_x) + width_ / 2;
     }
 
     // Most strips are covered by one sample, and most samples near leave a strip alone: both show
     // in squared distances, and only what is left takes a square root.
-    void cut_strip(const Box& strip, std::vector<Box>& left) {
+    void cut_strip(const Box& box, std::vector<Box>& left) {
         const std::uint64_t radius_squared = state_.plan.radius_squared;
-        const std::uint32_t centre = strip.x + width_ / 2;
-        std::size_t touching = 0;
-        bool covered = false;
-        for (std::size_t i = 0; i < near_.count; ++i) {
-            const std::uint32_t y = near_.y[i];
-            const std::uint32_t dx = distance_to(i, centre);
-            covered |=
-                portable::squared_length(
-                    dx, portable::farthest_distance(y, strip.begin, strip.end)) < radius_squared;
-            touching_[touching] = static_cast<std::uint32_t>(i);
-            touching +=
-                portable::squared_length(
-                    dx, portable::nearest_distance(y, strip.begin, strip.end)) < radius_squared;
+        const std::uint32_t centre = box.x + width_ / 2;
+        std::size_t count = 0;
+        bool is_covered = false;
+        for (const Sample sample : std::span(near_).first(near_count_)) {
+            const std::uint32_t dx = distance_to(sample, centre);
+            const std::uint32_t y = sample.y;
+            is_covered |= portable::squared_length(dx, portable::farthest_distance(
+                                                           y, box.begin, box.end)) < radius_squared;
+            touching_[count] = {dx, y};
+            count += portable::squared_length(
+                         dx, portable::nearest_distance(y, box.begin, box.end)) < radius_squared;
         }
-        if (covered) return;
-        find_chords(strip, touching);
-        std::uint32_t free_from = strip.begin;
+        if (is_covered) return;
+        sort_chords(box, count);
+        std::uint32_t free_from = box.begin;
         for (const Span chord : std::span(chords_).first(chord_count_)) {
-            const std::uint32_t free_to = std::min(chord.begin, strip.end);
-            if (free_from < free_to) left.push_back({strip.x, free_from, free_to});
+            const std::uint32_t free_to = std::min(chord.begin, box.end);
+            if (free_from < free_to) left.push_back({box.x, free_from, free_to});
             free_from = std::max(free_from, chord.end);
         }
     }
 
-    // Of the samples touching, and one that begins where the strip ends.
-    void find_chords(const Box& strip, std::size_t touching) {
+    // Of so many samples that touch the strip, and one that begins where the strip ends.
+    void sort_chords(const Box& strip, std::size_t count) {
         const Plan& plan = state_.plan;
-        const std::uint32_t centre = strip.x + width_ / 2;
+        vectors_.find_chords(std::span(touching_).first(count), plan.radius_squared, plan.height,
+                             found_.data());
         chord_count_ = 0;
-        for (const std::uint32_t i : std::span(touching_).first(touching)) {
-            const std::uint32_t reach =
-                portable::chord_reach(distance_to(i, centre), plan.radius_squared);
-            add_chord({portable::window_begin(0, near_.y[i], reach, plan.height),
-                       portable::window_end(0, near_.y[i], reach, plan.height)});
-        }
+        for (const Span chord : std::span(found_).first(count)) add_chord(chord);
         if (plan.period_y != 0 &&
             (strip.begin < plan.radius || strip.end + plan.radius > plan.height))
-            add_wrapped_chords(centre);
+            add_wrapped_chords(strip.x + width_ / 2);
         add_chord({strip.end, strip.end});
     }
 
@@ -112,10 +91,10 @@ private:
         const Plan& plan = state_.plan;
         Span bottom{0, 0};
         Span top{plan.height, plan.height};
-        for (std::size_t i = 0; i < near_.count; ++i) {
-            const std::uint32_t y = near_.y[i];
+        for (const Sample sample : std::span(near_).first(near_count_)) {
+            const std::uint32_t y = sample.y;
             const std::uint32_t reach =
-                portable::chord_reach(distance_to(i, centre), plan.radius_squared);
+                portable::chord_reach(distance_to(sample, centre), plan.radius_squared);
             bottom.end = std::max(bottom.end, portable::window_end(2, y, reach, plan.height));
             top.begin = std::min(top.begin, portable::window_begin(1, y, reach, plan.height));
         }
@@ -130,11 +109,18 @@ private:
         chords_[to] = chord;
     }
 
+    // A box and a radius around it reach over at most 7 x 6 cells, those at the seam of a torus
+    // counted twice.
+    static constexpr std::size_t kMost = 64;
+
     const SpanState& state_;
+    const Vectors& vectors_;
     std::uint32_t width_;
-    Near near_;
-    std::array<std::uint32_t, Near::kMost> touching_;
-    std::array<Span, Near::kMost + 3> chords_;  // and what wraps, and one at the end
+    std::array<Sample, kMost> near_;
+    std::size_t near_count_ = 0;
+    std::array<Seen, kMost + kVectorPadding> touching_;
+    std::array<Span, kMost + kVectorPadding> found_;
+    std::array<Span, kMost + 3> chords_;  // and what wraps, and one at the end
     std::size_t chord_count_ = 0;
 };
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 
+#include "backends/cpu/vectors.h"
 #include "plan/plan.h"
 #include "portable/distance.h"
 #include "portable/fate.h"
@@ -15,11 +16,27 @@
 
 namespace lacuna::cpu {
 
+// Divides whole numbers below 2^31 by one of 2 to 2^31, exactly, in the time of a multiplication: a
+// quotient of 2^64 that is rounded up adds less than 1 / divisor to the result.
+class Divisor {
+public:
+    explicit Divisor(std::uint32_t divisor) : inverse_(~std::uint64_t{0} / divisor + 1) {}
+    friend std::uint32_t operator/(std::uint32_t dividend, Divisor divisor) {
+        __extension__ using Wide = unsigned __int128;
+        return static_cast<std::uint32_t>(Wide{dividend} * divisor.inverse_ >> 64);
+    }
+
+private:
+    std::uint64_t inverse_;
+};
+
 class SampleGrid {
 public:
     // Room for the plan's samples; clear() all of it before anything else.
     explicit SampleGrid(const Plan& plan)
         : plan_(plan),
+          vectors_(vectors_for(plan.radius)),
+          side_(plan.grid_side),
           stride_(plan.grid_rows + kMargin),
           slots_(std::make_unique_for_overwrite<Sample[]>((plan.grid_columns + kMargin) *
                                                           std::size_t{stride_})) {}
@@ -43,18 +60,12 @@ public:
     // cells, 2 sqrt(2) being less than 3, and has no branch: where a sample lies cannot be
     // foretold. No sample, at -1, is farther away than the radius, and a mark, at (-1, -2), too.
     bool is_covered(std::uint32_t x, std::uint32_t y) const {
-        bool covered = false;
         if (is_inside(x, x + 1, y, y + 1)) {
-            const std::uint32_t grid_x = (x - plan_.radius) / plan_.grid_side;
-            const std::uint32_t grid_y = (y - plan_.radius) / plan_.grid_side;
-            for (std::uint32_t i = 0; i < 4; ++i) {
-                const Sample* const cells = column(grid_x + i) + grid_y;
-                for (std::uint32_t j = 0; j < 4; ++j)
-                    covered |= portable::conflicts_on_box(x, y, cells[j].x, cells[j].y,
-                                                          plan_.radius_squared);
-            }
-            return covered;
+            const Sample* const cells =
+                column((x - plan_.radius) / side_) + (y - plan_.radius) / side_;
+            return vectors_.is_any_closer(cells, stride_, {x, y}, plan_.radius_squared);
         }
+        bool covered = false;
         for_each_cell_near(x, x + 1, y, y + 1, [&](Sample cell) {
             covered |=
                 (cell.x != NO_SAMPLE) & portable::conflicts(cell.x, cell.y, x, y, plan_.period_x,
@@ -85,7 +96,7 @@ public:
     [[gnu::always_inline]] void fetch_near(std::uint32_t x, std::uint32_t y) const {
         const std::uint32_t r = plan_.radius;
         if (x < r || y < r) return;
-        const Sample* const first = column((x - r) / plan_.grid_side) + (y - r) / plan_.grid_side;
+        const Sample* const first = column((x - r) / side_) + (y - r) / side_;
         for (std::size_t i = 0; i < 4; ++i) {
             __builtin_prefetch(first + i * stride_);
             __builtin_prefetch(first + i * stride_ + 3);
@@ -100,10 +111,10 @@ public:
         const std::uint32_t r = plan_.radius;
         const std::uint32_t side = plan_.grid_side;
         if (is_inside(x_begin, x_end, y_begin, y_end)) {
-            const std::uint32_t row = (y_begin - r) / side;
-            const std::uint32_t rows = (y_end - 1 + r) / side - row + 1;
-            const std::uint32_t last = (x_end - 1 + r) / side;
-            for (std::uint32_t i = (x_begin - r) / side; i <= last; ++i)
+            const std::uint32_t row = (y_begin - r) / side_;
+            const std::uint32_t rows = (y_end - 1 + r) / side_ - row + 1;
+            const std::uint32_t last = (x_end - 1 + r) / side_;
+            for (std::uint32_t i = (x_begin - r) / side_; i <= last; ++i)
                 for (const Sample cell : std::span(column(i) + row, rows)) visit(cell);
             return;
         }
@@ -123,9 +134,7 @@ private:
     static constexpr Sample kNone{NO_SAMPLE, NO_SAMPLE};
     static constexpr Sample kMark{NO_SAMPLE, NO_SAMPLE - 1};
 
-    Sample& cell_of(Sample place) {
-        return column(place.x / plan_.grid_side)[place.y / plan_.grid_side];
-    }
+    Sample& cell_of(Sample place) { return column(place.x / side_)[place.y / side_]; }
 
     // Whether all within the radius of [x_begin, x_end) x [y_begin, y_end) touches no edge.
     bool is_inside(std::uint32_t x_begin, std::uint32_t x_end, std::uint32_t y_begin,
@@ -139,6 +148,8 @@ private:
     static constexpr std::uint32_t kMargin = 3;
 
     const Plan& plan_;
+    const Vectors& vectors_;
+    Divisor side_;  // plan.grid_side
     std::uint32_t stride_;
     std::unique_ptr<Sample[]> slots_;
 };

@@ -1,8 +1,11 @@
 // subtract: the chords of the round's samples, cut from the free spans of every line.
 #include <algorithm>
 #include <numeric>
+#include <span>
+#include <vector>
 
 #include "backends/cpu/state.h"
+#include "backends/cpu/vectors.h"
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
@@ -17,7 +20,7 @@ namespace {
 // so that no loop of cut() looks for the buffer's bounds. cut() writes the piece below a chord to
 // done_ in any case, and moves done_ past it only if the piece is not empty; the next write
 // replaces an empty one. So a typical cut has two branches.
-class Line {
+class SpanBuffer {
 public:
     // Loads the line's spans; so many cuts may follow.
     void load(std::span<const Span> spans, std::size_t cuts) {
@@ -31,14 +34,20 @@ public:
         std::copy(spans.begin(), spans.end(), rest_);
     }
 
-    // Takes [begin, end) out.
-    void cut(std::uint32_t begin, std::uint32_t end) {
-        while (done_[-1].end > begin) *--rest_ = *--done_;
-        while (rest_->end <= begin) *done_++ = *rest_++;
-        *done_ = {rest_->begin, begin};
-        done_ += rest_->begin < begin;
-        while (rest_->end <= end) ++rest_;
-        rest_->begin = std::max(rest_->begin, end);
+    // Takes all chords out.
+    void cut(std::span<const Span> chords) {
+        Span* done = done_;
+        Span* rest = rest_;
+        for (const auto& [begin, end] : chords) {
+            while (done[-1].end > begin) *--rest = *--done;
+            while (rest->end <= begin) *done++ = *rest++;
+            *done = {rest->begin, begin};
+            done += rest->begin < begin;
+            while (rest->end <= end) ++rest;
+            rest->begin = std::max(rest->begin, end);
+        }
+        done_ = done;
+        rest_ = rest;
     }
 
     std::size_t count() const {
@@ -63,60 +72,70 @@ private:
     Span* end_ = nullptr;
 };
 
+// What a thread keeps from column to column, so that memory is asked for once. The vectors are as
+// long as the largest column needed, with the padding that vectors.h asks for.
 struct Scratch {
+    std::vector<Sample> found;
     std::vector<Sample> near;
-    std::vector<Sample> unsorted;
     std::vector<std::uint32_t> ends;
+    std::vector<Seen> seen;
     std::vector<Span> chords;
-    Line line;
+    SpanBuffer line;
+
+    void make_room(std::size_t samples) {
+        if (found.size() >= samples + kVectorPadding) return;
+        found.resize(samples + kVectorPadding);
+        near.resize(samples + kVectorPadding);
+        ends.resize(samples);
+        seen.resize(samples + kVectorPadding);
+        chords.resize(samples + 2 + kVectorPadding);  // one for each end of a torus
+    }
 };
 
-// Sorts what is near by y: by buckets, as a column's candidates, then among neighbours.
-void sort_near(Scratch& scratch, std::uint32_t height) {
-    auto& [near, unsorted, ends, chords, line] = scratch;
-    const auto count = static_cast<std::uint32_t>(near.size());
+// Sorts the first `count` samples found by y: by buckets, as a column's candidates, then among
+// neighbours.
+std::span<const Sample> sorted(Scratch& scratch, std::uint32_t count, std::uint32_t height) {
+    const std::span<const Sample> found = std::span(scratch.found).first(count);
+    const std::span<Sample> near = std::span(scratch.near).first(count);
+    const std::span<std::uint32_t> ends = std::span(scratch.ends).first(count);
     const auto bucket_of = [&](Sample sample) {
         return portable::bucket_of(sample.y, count, height);
     };
-    ends.assign(count, 0);
-    for (const Sample sample : near) ++ends[bucket_of(sample)];
+    std::fill(ends.begin(), ends.end(), 0);
+    for (const Sample sample : found) ++ends[bucket_of(sample)];
     std::inclusive_scan(ends.begin(), ends.end(), ends.begin());
-    unsorted.swap(near);
-    near.resize(count);
-    for (const Sample sample : unsorted) near[--ends[bucket_of(sample)]] = sample;
+    for (const Sample sample : found) near[--ends[bucket_of(sample)]] = sample;
     for (std::size_t i = 1; i < near.size(); ++i) {
         const Sample moved = near[i];
         std::size_t to = i;
         for (; to > 0 && moved.y < near[to - 1].y; --to) near[to] = near[to - 1];
         near[to] = moved;
     }
+    return near;
 }
 
 // The samples that may cut a column's lines, in the order of y.
-void gather(const SpanState& state, std::uint32_t column, Scratch& scratch) {
-    std::vector<Sample>& near = scratch.near;
+std::span<const Sample> find_near(const SpanState& state, std::uint32_t column, Scratch& scratch) {
     const portable::Stretch columns =
         portable::stretch_around(column, 1, state.columns, state.plan.period_x);
-    std::size_t count = 0;
+    std::uint32_t count = 0;
     for (std::uint32_t k = 0; k < columns.count; ++k) {
         const std::uint32_t neighbour = portable::nth_of_stretch(columns, k, state.columns);
         const std::uint32_t end = state.column_begins[neighbour + 1];
-        near.resize(count + end - state.column_begins[neighbour]);
+        scratch.make_room(count + end - state.column_begins[neighbour]);
         for (std::uint32_t i = state.column_begins[neighbour]; i < end; ++i) {
-            near[count] = {state.candidates[i].x, state.candidates[i].y};
+            scratch.found[count] = {state.candidates[i].x, state.candidates[i].y};
             count += state.fates[i] == FATE_ADMITTED;
         }
-        near.resize(count);
     }
-    sort_near(scratch, state.plan.height);
+    return sorted(scratch, count, state.plan.height);
 }
 
 // The chords of a line in the order of their samples' y, all found before the first is cut: the
 // square roots then overlap, and the cuts are what remains to be predicted.
-void find_chords(const Plan& plan, std::uint32_t centre, std::span<const Sample> near,
-                 std::vector<Span>& chords) {
-    chords.resize(near.size() + 2);  // and one for each end of a torus
-    Span* next = chords.data();
+std::span<const Span> find_chords(const Plan& plan, std::uint32_t centre,
+                                  std::span<const Sample> near, Scratch& scratch) {
+    Span* next = scratch.chords.data();
     // On a torus, what sticks out at one end is cut at the other.
     Span bottom{0, 0};
     Span top{plan.height, plan.height};
@@ -141,25 +160,18 @@ void find_chords(const Plan& plan, std::uint32_t centre, std::span<const Sample>
     }
     *next = bottom;
     next += bottom.end > 0;
-    // Two samples in five are too far away: they are left out before any root is taken. Until its
-    // chord is known, an entry holds the sample's distance and y.
-    Span* const first = next;
+    // Two samples in five are too far away: they are left out before any root is taken.
+    std::size_t count = 0;
     for (const Sample sample : near) {
-        *next = {distance_to(sample), sample.y};
-        next += next->begin < plan.radius;
+        scratch.seen[count] = {distance_to(sample), sample.y};
+        count += scratch.seen[count].distance < plan.radius;
     }
-    const Span* const end = next;
-    next = first;
-    for (const Span* entry = first; entry != end; ++entry) {
-        const std::uint32_t y = entry->end;
-        const std::uint32_t reach = portable::chord_reach(entry->begin, plan.radius_squared);
-        *next = {portable::window_begin(0, y, reach, plan.height),
-                 portable::window_end(0, y, reach, plan.height)};
-        next += reach > 0;
-    }
+    vectors_for(plan.radius)
+        .find_chords(std::span(scratch.seen).first(count), plan.radius_squared, plan.height, next);
+    next += count;
     *next = top;
     next += top.begin < plan.height;
-    chords.resize(static_cast<std::size_t>(next - chords.data()));
+    return {scratch.chords.data(), next};
 }
 
 }  // namespace
@@ -168,16 +180,17 @@ bool subtract(SpanState& state, std::uint32_t column) {
     // Looked up once: in a shared library, as Python's, each look at a thread's own takes a call.
     thread_local Scratch of_thread;
     Scratch& scratch = of_thread;
-    auto& [near, unsorted, ends, chords, line] = scratch;
-    gather(state, column, scratch);
+    const std::span<const Sample> near = find_near(state, column, scratch);
     if (near.empty()) return true;
 
     bool complete = true;
     for (std::uint32_t i = state.first_lines[column]; i < state.first_lines[column + 1]; ++i) {
         if (state.span_counts[i] == 0) continue;
-        find_chords(state.plan, state.plan.centre_of_line(i), near, chords);
+        const std::span<const Span> chords =
+            find_chords(state.plan, state.plan.centre_of_line(i), near, scratch);
+        SpanBuffer& line = scratch.line;
         line.load(state.slot(i).first(state.span_counts[i]), chords.size());
-        for (const Span chord : chords) line.cut(chord.begin, chord.end);
+        line.cut(chords);
         if (line.count() > state.capacity) {
             complete = false;
             continue;

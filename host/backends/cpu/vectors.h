@@ -1,0 +1,45 @@
+// The cpu backend's inner loops over samples near a place, for the vectors of the processor at
+// hand.
+//
+// Each is there in plain C++, which says what it does with the arithmetic of kernels/portable/, and
+// in the words of AVX2 (vectors_avx2.cpp). All give the same whole numbers; tests go through all
+// that the processor has, by name.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "plan/plan.h"
+
+namespace lacuna::cpu {
+
+// A sample as a line sees it: the distance in x that counts, and the height.
+struct Seen {
+    std::uint32_t distance;
+    std::uint32_t y;
+    friend bool operator==(const Seen&, const Seen&) = default;
+};
+
+struct Vectors {
+    const char* name;
+    // Whether one of the 4 x 4 cells from *cells on, in columns `stride` apart, holds a sample
+    // closer to the place than the radius. No coordinate wraps.
+    bool (*is_any_closer)(const Sample* cells, std::size_t stride, Sample place,
+                          std::uint64_t radius_squared);
+    // The chord of each, cut to [0, height). All distances are below the radius.
+    void (*find_chords)(std::span<const Seen> seen, std::uint64_t radius_squared,
+                        std::uint32_t height, Span* chords);
+};
+
+// So many entries past the end of what find_chords reads and writes may be read and overwritten.
+inline constexpr std::size_t kVectorPadding = 8;
+
+// All that the processor has, the fastest first; the last are those in plain C++. But the others
+// are for radii below kLargestVectorRadius only.
+std::span<const Vectors* const> all_vectors();
+inline constexpr std::uint32_t kLargestVectorRadius = std::uint32_t{1} << 30;
+// The fastest that are for the radius.
+const Vectors& vectors_for(std::uint32_t radius);
+
+}  // namespace lacuna::cpu

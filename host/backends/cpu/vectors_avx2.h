@@ -1,0 +1,11 @@
+// The inner loops in the words of x86 processors that have AVX2.
+#pragma once
+
+#include "backends/cpu/vectors.h"
+
+namespace lacuna::cpu {
+
+// Null on processors without it.
+const Vectors* avx2_vectors();
+
+}  // namespace lacuna::cpu
