@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <thread>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -33,13 +34,18 @@ SpanState thrown_at(const Plan& plan, std::uint32_t count, tests::Chance chance)
     return state;
 }
 
+// A thread for each slab.
 void throw_all(SpanState& state, std::uint32_t slabs) {
     const auto count = static_cast<std::uint32_t>(state.candidates.size());
     Darts darts;
     // In two parts, of which the second sees the samples of the first.
     for (const auto& [begin, end] : {std::pair{0u, count / 3}, std::pair{count / 3, count}}) {
         darts.begin(begin, end, slabs);
-        for (std::uint32_t slab = slabs; slab-- > 0;) darts.throw_in(state, slab);
+        {
+            std::vector<std::jthread> threads;
+            for (std::uint32_t slab = 0; slab < slabs; ++slab)
+                threads.emplace_back([&, slab] { darts.throw_in(state, slab); });
+        }
         darts.finish(state);
     }
 }
