@@ -1,0 +1,76 @@
+// Point sets as svg, written without cairo.
+#include "drawing/picture_svg.h"
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+#include <string>
+
+#include "drawing/page.h"
+#include "drawing/xml.h"
+
+namespace lacuna::drawing {
+namespace {
+
+// In Dublin Core, which Inkscape and others show.
+std::string svg_metadata(const files::Origin& origin) {
+    return fmt::format(
+        "<metadata>\n<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
+        "xmlns:dc=\"http://purl.org/dc/elements/1.1/\">\n<rdf:Description rdf:about=\"\">"
+        "<dc:creator>{}</dc:creator><dc:source>{}</dc:source><dc:description>{}</dc:description>"
+        "</rdf:Description>\n</rdf:RDF>\n</metadata>\n",
+        program_text(origin), in_xml(origin.command), seed_text(origin));
+}
+
+std::string svg_head(const files::PointSet& set, const Page& page, bool is_sheet,
+                     bool has_background) {
+    std::string head = fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.9g}{2}\" height=\"{1:.9g}{2}\" "
+        "viewBox=\"0 0 {0:.9g} {1:.9g}\">\n",
+        page.width, page.height, is_sheet ? "mm" : "pt");
+    if (set.origin != nullptr) head += svg_metadata(*set.origin);
+    if (has_background)
+        head += fmt::format("<rect width=\"{:.9g}\" height=\"{:.9g}\" fill=\"white\"/>\n",
+                            page.width, page.height);
+    return head + "<g fill=\"none\" stroke=\"black\" stroke-linecap=\"round\">\n";
+}
+
+}  // namespace
+
+std::string seed_text(const files::Origin& origin) {
+    return fmt::format("seed {}", origin.seed);
+}
+
+std::string program_text(const files::Origin& origin) {
+    return fmt::format("Lacuna {}", origin.version);
+}
+
+// Not by cairo: its SVG numbers the surfaces of the whole process, so that a second call gives
+// other bytes, and it is twice as long. Dots are lines with round caps: a tenth of the bytes of
+// circles.
+std::string draw_svg(const files::PointSet& set, const Style& style) {
+    // Programs for plotters drop lines of no length. A line so long, in mm or pt, and no longer
+    // than this share of the diameter, looks as round as a point.
+    constexpr double kLongestLine = 0.01, kLargestShare = 0.1;
+    const bool is_sheet = style.sheet.has_value();
+    const Page page = page_of(set, style, is_sheet ? kMillimetresPerInch / kPointsPerInch : 1);
+    std::string bytes = svg_head(set, page, is_sheet, !is_sheet && !style.for_a_pen);
+    for_each_stroke(set, style, [&](std::span<const Point> dots, double diameter) {
+        const double width = diameter * page.scale;
+        const std::string line =
+            fmt::format("h{:.3g}", std::min(kLongestLine, kLargestShare * width));
+        fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("<path stroke-width=\"{:.6g}\" d=\""),
+                       width);
+        for (const Point& point : dots)
+            fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("M{:.4f} {:.4f}{}\n"),
+                           page.x_of(point), page.y_of(point), line);
+        bytes += "\"/>\n";
+    });
+    return bytes + "</g>\n</svg>\n";
+}
+
+}  // namespace lacuna::drawing
