@@ -21,6 +21,12 @@ more_packages=(
     pocl-opencl-icd clinfo oclgrind mesa-vulkan-drivers vulkan-validationlayers
     clang-format clang-tidy valgrind help2man zsh fish
 )
+# What the page in web/ is made of, and what its tests need besides.
+web_packages=(
+    emscripten cmake ninja-build
+    librandom123-dev libfmt-dev libnanoflann-dev nlohmann-json3-dev libeigen3-dev
+)
+more_web_packages=(libgtest-dev chromium chromium-driver python3-selenium)
 
 usage() {
     cat <<'END'
@@ -29,8 +35,10 @@ usage: ./bootstrap.sh COMMAND
   run           build the command alone, then make a first maximal set and a picture of it
   test [ARG...] build, then run the tests; arguments go to ctest, for example -R NAME
   python        build the Python module into build/python/environment, and make a first set with it
+  web [tests]   build the page, Lacuna as WebAssembly, into build-web/page; with 'tests' install what
+                web/check needs, and build what it runs under node
   build         install what is missing, configure and build everything into build/
-  clean         remove build/
+  clean         remove build/ and build-web/
   help          print this
 
 Each command does only the work that is still to be done. Warnings are errors when CI is set.
@@ -145,6 +153,27 @@ print(f"import lacuna: {len(made)} points, maximal: {lacuna.verify(made).maximal
     echo "$environment/bin/python"
 }
 
+# The page: static files, for any server of such.
+web_page() {
+    local folder=$root/build-web targets=(page)
+    packages=("${web_packages[@]}")
+    if [[ ${1:-} == tests ]]; then
+        packages+=("${more_web_packages[@]}")
+        targets+=(same_bytes)
+    fi
+    install_packages
+    # Where Debian keeps the modules that emscripten's optimiser of JavaScript is made of.
+    export NODE_PATH=/usr/share/nodejs
+    local options=(-DCMAKE_BUILD_TYPE=Release)
+    [[ -z ${CI:-} ]] || options+=(-DLACUNA_WERROR=ON)
+    emcmake cmake -S "$root/web" -B "$folder" -G Ninja "${options[@]}" >/dev/null ||
+        die "configuring failed: the first 'CMake Error' above says why"
+    cmake --build "$folder" --target "${targets[@]}" ||
+        die "building failed: the first 'error:' above says why"
+    echo "$folder/page: to see it, run 'python3 -m http.server --directory $folder/page' and open" \
+        "http://localhost:8000"
+}
+
 # Programs that show what others see in our pictures, in a Python of their own: tests that want them
 # are skipped where they cannot be installed.
 install_viewers() {
@@ -172,19 +201,21 @@ run_tests() {
 main() {
     local command=${1:-}
     shift || true
-    [[ $command == test || $# -eq 0 ]] || bad_usage "$command $1: only 'test' takes further arguments"
+    [[ $command == test || $# -eq 0 || "$command $*" == 'web tests' ]] ||
+        bad_usage "$command $1: only 'test' takes further arguments, and 'web' the word 'tests'"
     case $command in
         run) run ;;
         test) run_tests "$@" ;;
         python) python_module ;;
+        web) web_page "$@" ;;
         build) build ;;
-        clean) rm -rf "$build" ;;
+        clean) rm -rf "$build" "$root/build-web" ;;
         help | -h | --help) usage ;;
         '')
             usage >&2
             exit 2
             ;;
-        *) bad_usage "$command: must be run, test, python, build, clean or help" ;;
+        *) bad_usage "$command: must be run, test, python, web, build, clean or help" ;;
     esac
 }
 

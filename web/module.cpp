@@ -1,0 +1,198 @@
+// What the page's worker calls: functions of numbers and bytes, as JavaScript can call them.
+//
+// Each that can fail returns whether it did not; lacuna_message() then tells why. What was made
+// last is kept, and read through pointers that the next call makes invalid.
+#include <emscripten.h>
+
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "lacuna_web.h"
+
+namespace {
+
+using namespace lacuna;
+
+// What JavaScript is told is done, 0 to 1.
+EM_JS(void, tell_page, (double share), { Module["tell"](share); });
+
+struct State {
+    web::Pixels pixels;
+    web::StippleOptions options;
+    web::Set set;
+    web::Spectrum spectrum;
+    std::string text;  // a file, or what was said of the set
+    std::string message;
+};
+
+State& state() {
+    static State only;
+    return only;
+}
+
+template <typename Work>
+bool is_done(const Work& work) {
+    try {
+        work();
+        return true;
+    } catch (const std::bad_alloc&) {
+        state().message = "there is not enough memory for so many points or pixels";
+    } catch (const std::exception& error) {
+        state().message = error.what();
+    }
+    return false;
+}
+
+// Where JavaScript has NaN, nothing was chosen.
+bool is_given(double number) {
+    return !std::isnan(number);
+}
+
+// A number that a person typed, where a whole one is wanted.
+std::uint64_t whole(const char* option, double number) {
+    constexpr double kMost = 9007199254740992;  // JavaScript's numbers are exact so far
+    if (!(number >= 0 && number <= kMost) || number != std::floor(number))
+        throw BadRequest(option, std::to_string(number),
+                         "must be a whole number from 0 to 9007199254740992");
+    return static_cast<std::uint64_t>(number);
+}
+
+}  // namespace
+
+extern "C" {
+
+EMSCRIPTEN_KEEPALIVE const char* lacuna_message() {
+    return state().message.c_str();
+}
+
+// Room for the pixels, 4 bytes each, or null.
+EMSCRIPTEN_KEEPALIVE std::uint8_t* lacuna_room_for_pixels(std::uint32_t columns,
+                                                          std::uint32_t rows) {
+    const bool done = is_done([&] {
+        web::Pixels& pixels = state().pixels;
+        pixels.columns = columns;
+        pixels.rows = rows;
+        pixels.rgba.resize(std::size_t{4} * columns * rows);
+    });
+    return done ? state().pixels.rgba.data() : nullptr;
+}
+
+EMSCRIPTEN_KEEPALIVE void lacuna_tone(double black, double white, bool auto_levels, bool invert,
+                                      double gamma) {
+    pictures::Importance& tone = state().options.tone;
+    tone.black = black;
+    tone.white = white;
+    tone.auto_levels = auto_levels;
+    tone.invert = invert;
+    tone.gamma = gamma;
+}
+
+// In mm. NaN: dots as the picture is dark, and no paper.
+EMSCRIPTEN_KEEPALIVE void lacuna_page(double pen, double width, double height, double margin,
+                                      bool pen_path) {
+    web::StippleOptions& options = state().options;
+    options.dot_size_mm.reset();
+    options.sheet.reset();
+    if (is_given(pen)) options.dot_size_mm = pen;
+    if (is_given(width)) options.sheet = drawing::Sheet{width, height, margin};
+    options.pen_path = pen_path;
+}
+
+// Count NaN: as many as suit. Metric 0 to 2, min, mean and max; less: the command's own.
+EMSCRIPTEN_KEEPALIVE bool lacuna_stipple(double count, int metric, double relax, double seed) {
+    return is_done([&] {
+        State& now = state();
+        pictures::check(now.options.tone);
+        now.options.count.reset();
+        if (is_given(count)) now.options.count = whole("count", count);
+        now.options.metric.reset();
+        if (metric >= 0) now.options.metric = static_cast<Metric>(metric);
+        now.options.relax = static_cast<std::uint32_t>(whole("relax", relax));
+        now.options.seed = whole("seed", seed);
+        now.set = {};
+        now.set = web::stipple(now.pixels, now.options, tell_page);
+    });
+}
+
+// Radius or count is NaN. Mode 0 is exact, 1 lines.
+EMSCRIPTEN_KEEPALIVE bool lacuna_sample(double radius, double count, bool torus, int mode,
+                                        double relax, double seed) {
+    return is_done([&] {
+        Request request;
+        if (is_given(radius)) request.radius = radius;
+        if (is_given(count)) request.count = whole("count", count);
+        request.boundary = torus ? Boundary::torus : Boundary::box;
+        request.mode = mode == 0 ? Mode::exact : Mode::lines;
+        request.seed = whole("seed", seed);
+        const auto iterations = static_cast<std::uint32_t>(whole("relax", relax));
+        state().set = {};
+        state().set = web::sample(request, iterations, tell_page);
+    });
+}
+
+EMSCRIPTEN_KEEPALIVE double lacuna_count() {
+    return static_cast<double>(state().set.points.size());
+}
+EMSCRIPTEN_KEEPALIVE const double* lacuna_points() {
+    return state().set.points.empty() ? nullptr : &state().set.points.front().x;
+}
+// As many as points, or null.
+EMSCRIPTEN_KEEPALIVE const double* lacuna_diameters() {
+    return state().set.diameters.empty() ? nullptr : state().set.diameters.data();
+}
+EMSCRIPTEN_KEEPALIVE double lacuna_width() {
+    return state().set.width;
+}
+EMSCRIPTEN_KEEPALIVE double lacuna_height() {
+    return state().set.height;
+}
+EMSCRIPTEN_KEEPALIVE double lacuna_radius() {
+    return state().set.radius;
+}
+
+// The verdict as JSON, in lacuna_text().
+EMSCRIPTEN_KEEPALIVE bool lacuna_prove(double radius) {
+    return is_done([&] {
+        const Proof proof = web::prove(state().set, radius);
+        const auto number = [](double value) {
+            return std::isfinite(value) ? std::to_string(value) : std::string("null");
+        };
+        const auto truth = [](bool value) { return value ? "true" : "false"; };
+        state().text =
+            std::string("{\"kept\":") + truth(proof.kept) + ",\"covered\":" + truth(proof.covered) +
+            ",\"maximal\":" + truth(proof.maximal) + ",\"least\":" + number(proof.least_distance) +
+            ",\"emptiest\":" + number(proof.emptiest_distance) + "}";
+    });
+}
+
+EMSCRIPTEN_KEEPALIVE bool lacuna_spectrum(double most) {
+    return is_done([&] { state().spectrum = web::spectrum(state().set, most, tell_page); });
+}
+EMSCRIPTEN_KEEPALIVE std::uint32_t lacuna_spectrum_side() {
+    return state().spectrum.side;
+}
+EMSCRIPTEN_KEEPALIVE const float* lacuna_powers() {
+    return state().spectrum.powers.data();
+}
+EMSCRIPTEN_KEEPALIVE std::size_t lacuna_radial_size() {
+    return state().spectrum.radial.size();
+}
+EMSCRIPTEN_KEEPALIVE const double* lacuna_radial() {
+    return state().spectrum.radial.data();
+}
+
+// The bytes of a file, in lacuna_text().
+EMSCRIPTEN_KEEPALIVE bool lacuna_encode(const char* format, const char* command) {
+    return is_done([&] { state().text = web::encode(state().set, format, command); });
+}
+EMSCRIPTEN_KEEPALIVE const char* lacuna_text() {
+    return state().text.data();
+}
+EMSCRIPTEN_KEEPALIVE std::size_t lacuna_text_size() {
+    return state().text.size();
+}
+
+}  // extern "C"

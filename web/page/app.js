@@ -1,0 +1,420 @@
+// The page: its controls become requests, and what comes back is shown and saved.
+import { PAPERS, sampleCommand, stippleCommand, withOutput } from "./command.js";
+import { Cancelled, Engine } from "./engine.js";
+import { pdfOf } from "./pdf.js";
+import { diameterOf, drawDots, drawSpectrum, pageOf, radialPath, View } from "./view.js";
+
+const $ = (id) => document.getElementById(id);
+const MOST_PIXELS = 4e6; // of a picture; larger ones are made smaller
+const MOST_FOR_SPECTRUM = 100000; // points
+const FREQUENCIES = 1.5; // of the spectrum, in square roots of the count
+const QUICK_RELAX = 2;
+const POINTS_PER_INCH = 72, MM_PER_INCH = 25.4, PAGE_POINTS = 512;
+const state = document.documentElement.dataset;
+
+let kind = "stipple";
+let picture = null; // { name, columns, rows, rgba, canvas, isExact }
+let sent = null; // the picture that the worker has
+let held = ""; // the key of the set that the worker has
+let shown = null; // { key, set, page } on the canvas
+let runs = 0;
+let isQuick = false, isWaiting = false;
+let timer = 0;
+let engine = null;
+
+const view = new View($("view"), (zoom) => {
+    $("zoom-all").textContent = `${Math.round(zoom * 100)} %`;
+    document.body.classList.toggle("at-rest", zoom === 1);
+});
+
+// ------------------------------------------------------------------------------ what is asked for
+class Refused extends Error {}
+
+const number = (id) => {
+    const text = $(id).value.trim();
+    const value = Number(text);
+    if (text === "" || !Number.isFinite(value)) throw new Refused(`${id} ${text || "empty"}: must be a number`);
+    return value;
+};
+
+// As it was typed, with or without separators of thousands; null where nothing stands there.
+const count = (id) => {
+    const text = $(id).value.replace(/[\s,_']/g, "");
+    if (text === "") return null;
+    if (!/^-?\d+$/.test(text)) throw new Refused(`count ${$(id).value}: must be a whole number`);
+    return Number(text);
+};
+
+function stippleOptions() {
+    const paperName = $("paper").value, paper = PAPERS[paperName] ?? null;
+    const o = {
+        count: count("count"), relax: number("relax"), metric: $("metric").value, seed: number("seed"),
+        pen: $("pen-kind").value === "pen" ? number("pen") : null,
+        black: number("black"), white: number("white"), gamma: number("gamma"),
+        autoLevels: $("auto-levels").checked, invert: $("invert").checked,
+        paperName, paper, margin: paper ? number("margin") : 0, penPath: $("pen-path").checked,
+    };
+    if (o.autoLevels) o.black = 0, o.white = 1;
+    if (o.pen !== null && !(o.pen >= 0.001 && o.pen <= 5080)) throw new Refused(`pen ${o.pen}mm: must be 0.001mm to 5080mm`);
+    if (paper && !(o.margin >= 0 && 2 * o.margin < paper[0]))
+        throw new Refused(`margin ${o.margin}mm: must be at least 0 and less than half of the paper's ${paper[0]}mm`);
+    return o;
+}
+
+function sampleOptions() {
+    const isRadius = $("by").value === "radius";
+    return { radius: isRadius ? number("amount") : null, count: isRadius ? null : count("amount") ?? 0,
+        torus: $("torus").checked, mode: $("mode").value, relax: number("sample-relax"), seed: number("sample-seed") };
+}
+
+const optionsNow = () => (kind === "stipple" ? stippleOptions() : sampleOptions());
+const commandOf = (o) => (kind === "stipple" ? stippleCommand(picture.commandName, o) : sampleCommand(o));
+const keyOf = (o) => JSON.stringify([kind, kind === "stipple" && picture.number, o]);
+const baseName = () => (kind === "stipple" ? picture.name.replace(/\.[^.]*$/, "") || "dots" : "points");
+const grouped = (n) => n.toLocaleString("en");
+
+// ------------------------------------------------------------------------------------ what is told
+function say(text) {
+    $("status").textContent = text;
+}
+
+const FIELDS = { count: () => (kind === "stipple" ? "count" : "amount"), radius: () => "amount", pen: () => "pen",
+    margin: () => "margin", seed: () => (kind === "stipple" ? "seed" : "sample-seed"), amount: () => "amount",
+    "dot-size": () => "pen", gamma: () => "gamma", black: () => "black", white: () => "white" };
+
+function complain(error) {
+    document.querySelectorAll("[aria-invalid]").forEach((field) => field.removeAttribute("aria-invalid"));
+    $("error").hidden = !error;
+    $("error").textContent = error ? error.message : "";
+    if (!error) return;
+    const field = FIELDS[error.message.split(" ")[0]];
+    if (field) $(field()).setAttribute("aria-invalid", "true");
+    say("Nothing was made.");
+    state.state = "failed";
+}
+
+function busy(isBusy) {
+    $("cancel").hidden = $("progress").hidden = !isBusy;
+    $("progress").value = 0;
+    if (isBusy) state.state = "working";
+}
+
+function showCommand(o) {
+    const format = $("format").value;
+    // A word stays on its line.
+    const words = withOutput(commandOf(o), `${baseName()}.${format}`).split(" ");
+    $("command").replaceChildren(...words.flatMap((word) =>
+        [Object.assign(document.createElement("span"), { textContent: word }), " "]).slice(0, -1));
+    $("command-note").textContent = ["png", "pdf"].includes(format)
+        ? "The same dots; this file is drawn by the browser, so its bytes differ." : "The same bytes.";
+}
+
+// ---------------------------------------------------------------------------------- making of sets
+async function make(o, isFinal) {
+    held = "";
+    if (kind === "sample") return engine.ask("sample", o);
+    if (sent !== picture) {
+        sent = picture;
+        await engine.ask("picture", { columns: picture.columns, rows: picture.rows, rgba: picture.rgba });
+    }
+    return engine.ask("stipple", isFinal ? o : { ...o, relax: Math.min(o.relax, QUICK_RELAX), penPath: false });
+}
+
+function show(key, set, o) {
+    const isFirst = !shown;
+    shown = { key, set, page: pageOf(set, o.paper, o.margin), o };
+    view.show(set, shown.page);
+    if (isFirst) requestAnimationFrame(() => setTimeout(() => (state.first = Math.round(performance.now()))));
+}
+
+function summary(set, o) {
+    const made = `${grouped(set.points.length / 2)} ${kind === "stipple" ? "dots" : "points"}`;
+    const relaxed = o.relax ? `, relaxed ${o.relax} times` : "";
+    const radius = kind === "sample" && set.radius ? `, radius ${+set.radius.toPrecision(4)}` : "";
+    return `${made}${relaxed}${radius}, ${set.seconds.toFixed(2)} s`;
+}
+
+async function run() {
+    const mine = ++runs;
+    isWaiting = false;
+    engine.cancel();
+    const isOld = () => mine !== runs;
+    try {
+        const o = optionsNow();
+        const key = keyOf(o);
+        showCommand(o);
+        complain(null);
+        busy(true);
+        if (kind === "stipple" && o.relax > 2 * QUICK_RELAX) {
+            isQuick = true;
+            say("Placing the dots …");
+            const set = await make(o, false);
+            isQuick = false;
+            if (isOld()) return;
+            show(key, set, o);
+            if (isWaiting) return run();
+        }
+        say("Working …");
+        const set = await make(o, true);
+        if (isOld()) return;
+        held = key;
+        show(key, set, o);
+        say(summary(set, o));
+        state.seconds = set.seconds;
+        if (kind === "sample") await judge(set, o, isOld);
+        if (isOld()) return;
+        busy(false);
+        state.state = "done";
+    } catch (error) {
+        isQuick = false;
+        if (isOld()) return;
+        busy(false);
+        if (!(error instanceof Cancelled)) return complain(error);
+        say("Cancelled.");
+        state.state = "cancelled";
+    }
+}
+
+// While somebody moves a slider a quick run comes to its end, and the next one has the newest values.
+function schedule() {
+    clearTimeout(timer);
+    timer = setTimeout(() => {
+        if (!engine || (kind === "stipple" && !picture)) return;
+        if (isQuick && engine.isBusy) isWaiting = true;
+        else run();
+    }, 40);
+}
+
+// Verdict and spectrum of a set.
+async function judge(set, o, isOld) {
+    if (o.relax) $("verdict").textContent = "Relaxed points promise no least distance.";
+    else {
+        const proof = await engine.ask("prove", { radius: set.radius });
+        if (isOld()) return;
+        const short = (value) => (value === null ? "none" : +value.toPrecision(5));
+        $("verdict").textContent = (proof.kept ? `✓ No two points are closer than the radius: the least distance is ${short(proof.least)}.\n`
+            : `✗ Two points are closer than the radius: ${short(proof.least)} apart.\n`) +
+            (proof.covered ? "✓ No room is left for one more point." : o.count !== null ? "There may be room for more: a number was asked for."
+                : `✗ There is room for more: a spot is ${short(proof.emptiest)} from every point.`);
+    }
+    const isSmall = set.points.length / 2 <= MOST_FOR_SPECTRUM;
+    $("spectrum").classList.toggle("none", !isSmall);
+    $("spectrum").querySelector("figcaption").textContent = isSmall ? "Power by frequency: random points have 1 everywhere."
+        : `The spectrum is shown for up to ${grouped(MOST_FOR_SPECTRUM)} points.`;
+    if (!isSmall) return;
+    const spectrum = await engine.ask("spectrum", { most: FREQUENCIES });
+    if (isOld()) return;
+    drawSpectrum($("powers"), spectrum);
+    $("radial").setAttribute("d", radialPath(spectrum.radial, FREQUENCIES));
+}
+
+// ---------------------------------------------------------------------------------------- pictures
+// Whether the command reads the same numbers: PNG of up to 8 bits, without transparency.
+function isPlainPng(bytes, rgba) {
+    const isPng = [0x89, 0x50, 0x4e, 0x47].every((byte, i) => bytes[i] === byte);
+    if (!isPng || bytes[24] > 8) return false;
+    for (let i = 3; i < rgba.length; i += 4) if (rgba[i] !== 255) return false;
+    return true;
+}
+
+async function readPicture(blob, name) {
+    let bitmap;
+    try {
+        bitmap = await createImageBitmap(blob, { colorSpaceConversion: "none", premultiplyAlpha: "none" });
+    } catch {
+        throw new Error(`${name}: not a picture that this browser can read`);
+    }
+    const shrink = Math.min(1, Math.sqrt(MOST_PIXELS / (bitmap.width * bitmap.height)));
+    const columns = Math.max(1, Math.round(bitmap.width * shrink)), rows = Math.max(1, Math.round(bitmap.height * shrink));
+    const canvas = Object.assign(document.createElement("canvas"), { width: columns, height: rows });
+    const context = canvas.getContext("2d", { willReadFrequently: true });
+    context.imageSmoothingQuality = "high";
+    context.drawImage(bitmap, 0, 0, columns, rows);
+    const rgba = context.getImageData(0, 0, columns, rows).data;
+    const isExact = shrink === 1 && isPlainPng(new Uint8Array(await blob.slice(0, 32).arrayBuffer()), rgba);
+    const commandName = isExact ? name : `${name.replace(/\.[^.]*$/, "")}-as-read.png`;
+    return { name, commandName, columns, rows, rgba: rgba.buffer, canvas, isExact, isSmaller: shrink < 1,
+        number: (picture?.number ?? 0) + 1 };
+}
+
+async function take(blob, name) {
+    try {
+        picture = await readPicture(blob, name);
+    } catch (error) {
+        return complain(error);
+    }
+    $("picture-name").textContent = picture.name;
+    $("picture-note").textContent = `${grouped(picture.columns)} × ${grouped(picture.rows)} pixels${picture.isSmaller ? ", made smaller" : ""}.`;
+    $("picture-as-read").hidden = picture.isExact;
+    view.picture = picture.canvas;
+    view.reset();
+    select("stipple");
+}
+
+// ------------------------------------------------------------------------------------------ saving
+function save(blob, name) {
+    const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}
+
+const asPng = (canvas) => new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
+
+function drawn({ set, page }) {
+    const scale = 2048 / Math.max(page.width, page.height);
+    const canvas = Object.assign(document.createElement("canvas"),
+        { width: Math.max(1, Math.round(page.width * scale)), height: Math.max(1, Math.round(page.height * scale)) });
+    const context = canvas.getContext("2d");
+    const image = context.createImageData(canvas.width, canvas.height);
+    drawDots(image, set, page, scale, 0, 0);
+    for (let i = 3; i < image.data.length; i += 4) image.data[i] = 255;
+    context.putImageData(image, 0, 0);
+    return asPng(canvas);
+}
+
+function asPdf({ set, page }) {
+    const scale = page.mm ? (page.mm / MM_PER_INCH) * POINTS_PER_INCH : PAGE_POINTS / Math.max(set.width, set.height);
+    const dots = Array.from({ length: set.points.length / 2 }, (_, i) => ({
+        x: (page.left + set.points[2 * i]) * scale, y: (page.bottom + set.points[2 * i + 1]) * scale,
+        diameter: diameterOf(set, i) * scale }));
+    return pdfOf({ width: page.width * scale, height: page.height * scale }, dots);
+}
+
+async function download() {
+    const format = $("format").value;
+    try {
+        const o = optionsNow();
+        if (held !== keyOf(o)) await run();
+        if (held !== keyOf(o)) return; // cancelled, refused, or something else is wanted by now
+        const name = `${baseName()}.${format}`;
+        if (format === "png") return save(await drawn(shown), name);
+        if (format === "pdf") return save(await asPdf(shown), name);
+        const { bytes } = await engine.ask("encode", { format, command: commandOf(o) });
+        save(new Blob([bytes]), name);
+        say(`${name}: ${grouped(bytes.length)} bytes.`);
+    } catch (error) {
+        if (!(error instanceof Cancelled)) complain(error);
+    }
+}
+
+// ---------------------------------------------------------------------------------------- controls
+// A slider in equal ratios, from `least` to `most`, beside a field.
+function ratioSlider(slider, field, range, digits, onChange) {
+    const place = () => {
+        const [least, most] = range();
+        const value = Number(field.value.replace(/[\s,_']/g, ""));
+        if (value > 0) slider.value = (1000 * Math.log(value / least)) / Math.log(most / least);
+        slider.setAttribute("aria-valuetext", field.value);
+    };
+    slider.addEventListener("input", () => {
+        const [least, most] = range();
+        field.value = String(Number((least * (most / least) ** (slider.value / 1000)).toPrecision(digits)));
+        slider.setAttribute("aria-valuetext", field.value);
+        onChange();
+    });
+    field.addEventListener("input", () => (place(), onChange()));
+    place();
+    return place;
+}
+
+function select(wanted) {
+    kind = wanted;
+    for (const one of ["stipple", "sample"]) {
+        const isWanted = one === kind;
+        $(`controls-${one}`).hidden = !isWanted;
+        $(`tab-${one}`).setAttribute("aria-selected", isWanted);
+        $(`tab-${one}`).tabIndex = isWanted ? 0 : -1;
+    }
+    $("spectrum").hidden = kind !== "sample";
+    document.querySelector(".compare").hidden = kind !== "stipple";
+    document.body.classList.toggle("sampling", kind === "sample");
+    view.picture = kind === "stipple" ? picture?.canvas : null;
+    document.title = `Lacuna: ${kind === "stipple" ? "stipple a picture" : "sample points"}`;
+    view.reset();
+    schedule();
+}
+
+function update() {
+    for (const id of ["relax", "black", "white", "gamma", "sample-relax"]) $(`${id}-value`).textContent = $(id).value;
+    $("pen-row").hidden = $("pen-kind").value !== "pen";
+    $("margin").disabled = $("paper").value === "none";
+    $("black").disabled = $("white").disabled = $("auto-levels").checked;
+    schedule();
+}
+
+function listen() {
+    for (const name of Object.keys(PAPERS)) $("paper").append(new Option(name, name));
+    ratioSlider($("count-slider"), $("count"), () => [100, 250000], 3, schedule);
+    const place = ratioSlider($("amount-slider"), $("amount"), () => ($("by").value === "radius" ? [0.2, 0.003] : [20, 100000]), 3, schedule);
+    $("by").addEventListener("change", () => {
+        const isRadius = $("by").value === "radius";
+        $("amount-label").textContent = isRadius ? "Radius" : "Number";
+        $("amount").value = isRadius ? "0.02" : "2000";
+        place();
+    });
+    for (const form of ["controls-stipple", "controls-sample"]) {
+        $(form).addEventListener("input", (event) => event.target.id !== "file" && update());
+        $(form).addEventListener("submit", (event) => event.preventDefault());
+    }
+    const tabs = ["stipple", "sample"];
+    for (const one of tabs) {
+        $(`tab-${one}`).addEventListener("click", () => select(one));
+        $(`tab-${one}`).addEventListener("keydown", (event) => {
+            if (!["ArrowLeft", "ArrowRight"].includes(event.key)) return;
+            const other = tabs[1 - tabs.indexOf(one)];
+            select(other);
+            $(`tab-${other}`).focus();
+        });
+    }
+    $("file").addEventListener("change", () => $("file").files[0] && take($("file").files[0], $("file").files[0].name));
+    document.addEventListener("paste", (event) => {
+        const file = [...event.clipboardData.files][0];
+        if (file) take(file, file.name || "pasted.png");
+    });
+    document.addEventListener("dragover", (event) => (event.preventDefault(), document.body.classList.add("dropping")));
+    document.addEventListener("dragleave", (event) => event.relatedTarget || document.body.classList.remove("dropping"));
+    document.addEventListener("drop", (event) => {
+        event.preventDefault();
+        document.body.classList.remove("dropping");
+        const file = event.dataTransfer.files[0];
+        if (file) take(file, file.name);
+    });
+    $("share").addEventListener("input", () => ((view.share = $("share").value / 100), view.draw()));
+    $("zoom-in").addEventListener("click", () => view.zoomBy(1.5));
+    $("zoom-out").addEventListener("click", () => view.zoomBy(1 / 1.5));
+    $("zoom-all").addEventListener("click", () => (view.reset(), view.onZoom(1)));
+    $("cancel").addEventListener("click", () => engine.cancel());
+    document.addEventListener("keydown", (event) => event.key === "Escape" && engine?.cancel());
+    $("format").addEventListener("change", () => {
+        try {
+            showCommand(optionsNow());
+        } catch {} // what is wrong has been told
+    });
+    $("download").addEventListener("click", download);
+    $("copy").addEventListener("click", async () => {
+        getSelection().selectAllChildren($("command"));
+        await navigator.clipboard?.writeText($("command").textContent).then(() => say("Copied."), () => {});
+    });
+    $("save-picture").addEventListener("click", async () => save(await asPng(picture.canvas), picture.commandName));
+}
+
+async function compiled() {
+    const response = await fetch("lacuna.wasm");
+    if (!response.ok) throw new Error(`lacuna.wasm: the server says ${response.status}`);
+    return WebAssembly.compile(await response.arrayBuffer());
+}
+
+async function start() {
+    listen();
+    document.body.classList.add("at-rest");
+    try {
+        const [module, response] = await Promise.all([compiled(), fetch("raccoon.png")]);
+        engine = new Engine(module, (share) => ($("progress").value = share));
+        engine.forgotten = () => ((sent = null), (held = ""));
+        await take(await response.blob(), "raccoon.png");
+    } catch (error) {
+        complain(error);
+    }
+}
+
+start();

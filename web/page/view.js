@@ -1,0 +1,215 @@
+// Draws dots, the picture under them and spectra on canvases; zooms and moves.
+
+// Darkens `grey` (255 is paper) by a round dot, edges smoothed, whose ink sums to its area.
+function splat(grey, width, height, x, y, r) {
+    const reach = r + 0.5;
+    const left = Math.max(0, Math.floor(x - reach)), right = Math.min(width - 1, Math.ceil(x + reach));
+    const top = Math.max(0, Math.floor(y - reach)), bottom = Math.min(height - 1, Math.ceil(y + reach));
+    let share = 1;
+    if (r < 0.5) share = (3 * r * r) / (reach * reach * reach);
+    else if (r < 1.5) share = (r * r) / (r * r + 1 / 12);
+    for (let row = top; row <= bottom; ++row) {
+        const dy = row + 0.5 - y;
+        for (let column = left; column <= right; ++column) {
+            const dx = column + 0.5 - x;
+            const cover = reach - Math.sqrt(dx * dx + dy * dy);
+            if (cover > 0) grey[row * width + column] *= 1 - share * Math.min(1, cover);
+        }
+    }
+}
+
+// Where the domain lies on its page, all in units of the domain, y upwards; as host/drawing/page.cpp.
+export function pageOf(set, paper, margin) {
+    if (!paper) return { width: set.width, height: set.height, left: 0, bottom: 0, mm: null };
+    const [w, h] = set.width > set.height ? [paper[1], paper[0]] : paper;
+    const mm = Math.min((w - 2 * margin) / set.width, (h - 2 * margin) / set.height);
+    return { width: w / mm, height: h / mm, mm,
+        left: (w / mm - set.width) / 2, bottom: (h / mm - set.height) / 2 };
+}
+
+// Of each dot; where the set has none, two thirds of the radius, as the command draws it.
+export function diameterOf(set, i) {
+    if (set.diameters) return set.diameters[i];
+    const count = Math.max(1, set.points.length / 2);
+    const radius = set.radius > 0 ? set.radius : Math.sqrt(0.69656 * set.width * (set.height / count));
+    return (Math.min(radius, set.width, set.height) / 3) * 2;
+}
+
+// Fills an ImageData with the dots. `scale`: pixels a unit; (x, y): of the page's upper left corner.
+export function drawDots(image, set, page, scale, x, y) {
+    const { width, height, data } = image;
+    const grey = new Float32Array(width * height).fill(255);
+    for (let i = 0; i < set.points.length / 2; ++i) {
+        const px = x + (page.left + set.points[2 * i]) * scale;
+        const py = y + (page.height - page.bottom - set.points[2 * i + 1]) * scale;
+        const r = (diameterOf(set, i) / 2) * scale;
+        if (px > -r - 1 && py > -r - 1 && px < width + r + 1 && py < height + r + 1)
+            splat(grey, width, height, px, py, r);
+    }
+    const inside = (row, column) => column + 0.5 > x && row + 0.5 > y &&
+        column + 0.5 < x + page.width * scale && row + 0.5 < y + page.height * scale;
+    for (let row = 0, i = 0; row < height; ++row)
+        for (let column = 0; column < width; ++column, ++i) {
+            data[4 * i] = data[4 * i + 1] = data[4 * i + 2] = grey[i] + 0.5;
+            data[4 * i + 3] = inside(row, column) ? 255 : 0;
+        }
+}
+
+export class View {
+    constructor(canvas, onZoom) {
+        this.canvas = canvas;
+        this.onZoom = onZoom;
+        this.set = null;
+        this.page = null;
+        this.picture = null; // an image for the share on the left
+        this.share = 0;
+        this.reset();
+        this.pointers = new Map();
+        new ResizeObserver(() => this.draw()).observe(canvas);
+        canvas.addEventListener("wheel", (event) => this.onWheel(event), { passive: false });
+        canvas.addEventListener("pointerdown", (event) => this.onDown(event));
+        canvas.addEventListener("pointermove", (event) => this.onMove(event));
+        for (const name of ["pointerup", "pointercancel"])
+            canvas.addEventListener(name, (event) => this.pointers.delete(event.pointerId));
+        canvas.addEventListener("keydown", (event) => this.onKey(event));
+    }
+
+    reset() {
+        this.zoom = 1;
+        this.middle = [0.5, 0.5]; // of the page, what lies in the canvas' middle
+        this.draw();
+    }
+
+    show(set, page) {
+        this.set = set;
+        this.page = page;
+        this.draw();
+    }
+
+    draw() {
+        if (this.asked) return;
+        this.asked = requestAnimationFrame(() => {
+            this.asked = 0;
+            this.paint();
+        });
+    }
+
+    place() {
+        const { width, height } = this.canvas;
+        const scale = Math.min(width / this.page.width, height / this.page.height) * this.zoom;
+        return { scale, x: width / 2 - this.middle[0] * this.page.width * scale,
+            y: height / 2 - this.middle[1] * this.page.height * scale };
+    }
+
+    paint() {
+        const { canvas, set, page } = this;
+        const ratio = Math.min(2, devicePixelRatio || 1);
+        canvas.width = Math.max(1, Math.round(canvas.clientWidth * ratio));
+        canvas.height = Math.max(1, Math.round(canvas.clientHeight * ratio));
+        if (!set) return;
+        const context = canvas.getContext("2d");
+        const { scale, x, y } = this.place();
+        const image = context.createImageData(canvas.width, canvas.height);
+        drawDots(image, set, page, scale, x, y);
+        context.putImageData(image, 0, 0);
+        if (!this.picture || this.share <= 0) return;
+        const left = x + page.left * scale, top = y + (page.height - page.bottom - set.height) * scale;
+        const edge = left + set.width * scale * this.share;
+        context.save();
+        context.beginPath();
+        context.rect(left, top, edge - left, set.height * scale);
+        context.clip();
+        context.drawImage(this.picture, left, top, set.width * scale, set.height * scale);
+        context.restore();
+        context.fillStyle = "#c2410c";
+        context.fillRect(edge - ratio, top, 2 * ratio, set.height * scale);
+    }
+
+    // Keeps the place under (px, py), in the canvas' pixels, where it is.
+    zoomBy(factor, px = this.canvas.width / 2, py = this.canvas.height / 2) {
+        if (!this.set) return;
+        const before = this.place();
+        const at = [(px - before.x) / before.scale / this.page.width,
+            (py - before.y) / before.scale / this.page.height];
+        this.zoom = Math.min(64, Math.max(1, this.zoom * factor));
+        const after = this.place();
+        this.moveBy(px - (after.x + at[0] * this.page.width * after.scale),
+            py - (after.y + at[1] * this.page.height * after.scale));
+        this.onZoom?.(this.zoom);
+    }
+
+    moveBy(dx, dy) {
+        if (!this.set) return;
+        const { scale } = this.place();
+        const room = 0.5 - 0.5 / this.zoom;
+        const held = (value) => Math.min(0.5 + room, Math.max(0.5 - room, value));
+        this.middle = [held(this.middle[0] - dx / scale / this.page.width),
+            held(this.middle[1] - dy / scale / this.page.height)];
+        this.draw();
+    }
+
+    at(event) {
+        const ratio = this.canvas.width / this.canvas.clientWidth;
+        return [event.offsetX * ratio, event.offsetY * ratio];
+    }
+
+    onWheel(event) {
+        if (!event.ctrlKey && this.zoom === 1 && event.deltaY > 0) return; // the page scrolls
+        event.preventDefault();
+        this.zoomBy(Math.exp(-event.deltaY / 400), ...this.at(event));
+    }
+
+    onDown(event) {
+        this.pointers.set(event.pointerId, this.at(event));
+        this.canvas.setPointerCapture(event.pointerId);
+    }
+
+    onMove(event) {
+        const before = this.pointers.get(event.pointerId);
+        if (!before) return;
+        const now = this.at(event);
+        const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
+        if (other) {
+            const apart = (a) => Math.hypot(a[0] - other[0], a[1] - other[1]);
+            this.zoomBy(apart(now) / Math.max(1, apart(before)),
+                (now[0] + other[0]) / 2, (now[1] + other[1]) / 2);
+        } else {
+            this.moveBy(now[0] - before[0], now[1] - before[1]);
+        }
+        this.pointers.set(event.pointerId, now);
+    }
+
+    onKey(event) {
+        const step = 0.1 * this.canvas.width;
+        const moves = { ArrowLeft: [step, 0], ArrowRight: [-step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] };
+        if (event.ctrlKey || event.metaKey || event.altKey) return;
+        if (moves[event.key]) this.moveBy(...moves[event.key]);
+        else if (event.key === "+" || event.key === "=") this.zoomBy(1.5);
+        else if (event.key === "-") this.zoomBy(1 / 1.5);
+        else if (event.key === "0") this.reset(), this.onZoom?.(1);
+        else return;
+        event.preventDefault();
+    }
+}
+
+// Bright is strong: 0 to twice the mean power of random points.
+export function drawSpectrum(canvas, { side, powers }) {
+    canvas.width = canvas.height = side;
+    const context = canvas.getContext("2d");
+    const image = context.createImageData(side, side);
+    powers.forEach((power, i) => {
+        image.data[4 * i] = image.data[4 * i + 1] = image.data[4 * i + 2] = Math.min(255, power * 80);
+        image.data[4 * i + 3] = 255;
+    });
+    context.putImageData(image, 0, 0);
+}
+
+// The radial mean as an svg path in a box of 300 x 120, frequencies up to `most`, powers up to 2.
+export function radialPath(radial, most) {
+    let path = "";
+    for (let i = 0; i < radial.length; i += 2)
+        if (radial[i] <= most)
+            path += `${path ? "L" : "M"}${((radial[i] / most) * 300).toFixed(1)} ` +
+                (120 - Math.min(2, radial[i + 1]) * 60).toFixed(1);
+    return path;
+}

@@ -1,0 +1,130 @@
+// Runs Lacuna for the page: one request at a time, answered with its progress and its result.
+"use strict";
+importScripts("lacuna.js");
+
+let lacuna = null;
+let current = 0; // the request at work
+let told = 0;
+
+const started = new Promise((resolve) => {
+    self.addEventListener("message", function first({ data }) {
+        self.removeEventListener("message", first);
+        createLacuna({
+            instantiateWasm(imports, done) {
+                WebAssembly.instantiate(data.module, imports).then((instance) => done(instance));
+                return {};
+            },
+            tell(share) {
+                const now = performance.now();
+                if (now - told < 50) return;
+                told = now;
+                postMessage({ id: current, share });
+            },
+        }).then((made) => {
+            lacuna = made;
+            resolve();
+            self.addEventListener("message", (event) => serve(event.data));
+            postMessage({ ready: true });
+        });
+    });
+});
+
+const NONE = NaN; // what was not given
+const given = (value) => (value === null || value === undefined ? NONE : value);
+
+function fail() {
+    throw new Error(lacuna.UTF8ToString(lacuna._lacuna_message()));
+}
+
+function check(done) {
+    if (!done) fail();
+}
+
+function doubles(pointer, count) {
+    return pointer ? lacuna.HEAPF64.slice(pointer >> 3, (pointer >> 3) + count) : null;
+}
+
+// Calls use(pointer, ...) with texts as C has them.
+function withTexts(texts, use) {
+    const pointers = texts.map((text) => {
+        const size = 4 * text.length + 1;
+        const pointer = lacuna._malloc(size);
+        lacuna.stringToUTF8(text, pointer, size);
+        return pointer;
+    });
+    try {
+        return use(...pointers);
+    } finally {
+        pointers.forEach((pointer) => lacuna._free(pointer));
+    }
+}
+
+function takePicture({ columns, rows, rgba }) {
+    const room = lacuna._lacuna_room_for_pixels(columns, rows);
+    if (!room) fail();
+    lacuna.HEAPU8.set(new Uint8Array(rgba), room);
+}
+
+function made() {
+    const count = lacuna._lacuna_count();
+    return {
+        points: doubles(lacuna._lacuna_points(), 2 * count),
+        diameters: doubles(lacuna._lacuna_diameters(), count),
+        width: lacuna._lacuna_width(),
+        height: lacuna._lacuna_height(),
+        radius: lacuna._lacuna_radius(),
+    };
+}
+
+const verbs = {
+    picture(picture) {
+        takePicture(picture);
+        return {};
+    },
+    stipple(o) {
+        lacuna._lacuna_tone(o.black, o.white, o.autoLevels, o.invert, o.gamma);
+        const paper = o.paper || [NONE, NONE];
+        lacuna._lacuna_page(given(o.pen), paper[0], paper[1], o.margin, o.penPath);
+        const metric = ["min", "mean", "max"].indexOf(o.metric);
+        check(lacuna._lacuna_stipple(given(o.count), metric, o.relax, o.seed));
+        return made();
+    },
+    sample(o) {
+        const mode = o.mode === "lines" ? 1 : 0;
+        check(lacuna._lacuna_sample(given(o.radius), given(o.count), o.torus, mode, o.relax, o.seed));
+        return made();
+    },
+    prove({ radius }) {
+        check(lacuna._lacuna_prove(radius));
+        return JSON.parse(lacuna.UTF8ToString(lacuna._lacuna_text()));
+    },
+    spectrum({ most }) {
+        check(lacuna._lacuna_spectrum(most));
+        const side = lacuna._lacuna_spectrum_side();
+        const at = lacuna._lacuna_powers() >> 2;
+        return {
+            side,
+            powers: lacuna.HEAPF32.slice(at, at + side * side),
+            radial: doubles(lacuna._lacuna_radial(), lacuna._lacuna_radial_size()),
+        };
+    },
+    encode({ format, command }) {
+        check(withTexts([format, command], (a, b) => lacuna._lacuna_encode(a, b)));
+        const at = lacuna._lacuna_text();
+        return { bytes: lacuna.HEAPU8.slice(at, at + lacuna._lacuna_text_size()) };
+    },
+};
+
+function serve({ id, verb, options }) {
+    current = id;
+    try {
+        const begin = performance.now();
+        const result = verbs[verb](options);
+        result.seconds = (performance.now() - begin) / 1000;
+        const buffers = Object.values(result).filter(ArrayBuffer.isView).map((view) => view.buffer);
+        postMessage({ id, result }, buffers);
+    } catch (error) {
+        // A trap of the module, such as an end of memory, leaves it unfit for more.
+        postMessage({ id, error: error.message, broken: error instanceof WebAssembly.RuntimeError });
+    }
+}

@@ -1,0 +1,255 @@
+"""What the page promises, in a browser."""
+
+import hashlib
+import pathlib
+import re
+import shlex
+import struct
+import subprocess
+import tempfile
+import time
+import unittest
+import zlib
+
+from browser import LACUNA, ROOT, Browser
+
+RACCOON = (ROOT / "examples" / "raccoon.png").read_bytes()
+
+
+def png(columns, rows, channels, pixel):
+    """The bytes of a PNG whose sample is pixel(column, row, channel)."""
+    def chunk(kind, data):
+        body = kind + data
+        return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))
+    lines = b"".join(b"\0" + bytes(pixel(x, y, c) for x in range(columns) for c in range(channels))
+                     for y in range(rows))
+    colour = {1: 0, 3: 2, 4: 6}[channels]
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", columns, rows, 8, colour, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b""))
+
+
+class PageTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+
+    def setUp(self):
+        self.browser.open()
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def tearDown(self):
+        page = self.browser
+        self.assertEqual(page.complaints(), [])
+        outside = [url for url in page.requests() if not url.startswith((page.address, "blob:", "data:"))]
+        self.assertEqual(outside, [])
+
+    def given(self, name, content=RACCOON):
+        """A picture dropped onto the page, and in the folder where the command runs."""
+        (self.folder / name).write_bytes(content)
+        self.browser.after(lambda: self.browser.drop(name, content))
+
+    def assert_the_commands_bytes(self, kind):
+        """That the file saved is the one that the command on the page makes."""
+        name, saved = self.browser.download(kind)
+        command = shlex.split(self.browser.text("command"))
+        self.assertEqual(command[0], "lacuna")
+        self.assertEqual(command[-2:], ["-o", name])
+        subprocess.run([LACUNA, *command[1:], "--quiet"], cwd=self.folder, check=True)
+        made = (self.folder / name).read_bytes()
+        self.assertEqual(hashlib.sha256(saved).hexdigest(), hashlib.sha256(made).hexdigest(),
+                         f"{shlex.join(command)}: {len(saved)} bytes from the page, {len(made)} from the command")
+
+    # ------------------------------------------------------------------------------------ stipple
+
+    def test_a_first_picture_is_there_before_anything_is_chosen(self):
+        self.assertIn("20,000 dots", self.browser.text("status"))
+        inked = self.browser.run("""const view = document.getElementById('view');
+            const data = view.getContext('2d').getImageData(0, 0, view.width, view.height).data;
+            let dark = 0;
+            for (let i = 0; i < data.length; i += 4) dark += data[i] < 128 && data[i + 3] === 255;
+            return dark / (data.length / 4);""")
+        self.assertGreater(inked, 0.2)
+        self.assertLess(inked, 0.9)
+
+    def test_a_dropped_photograph_gives_the_bytes_of_the_command(self):
+        page = self.browser
+        self.given("raccoon.png")
+        page.after(lambda: page.set("count", "5000"))
+        self.assertIn("5,000 dots", page.text("status"))
+        page.after(lambda: page.set("relax", 20))
+        self.assertIn("relaxed 20 times", page.text("status"))
+        for kind in ("npy", "svg", "csv"):
+            with self.subTest(kind):
+                self.assert_the_commands_bytes(kind)
+
+    def test_every_control_says_the_same_as_its_option(self):
+        page = self.browser
+        self.given("it's a raccoon.png")
+        settings = [
+            {"count": "", "relax": 0, "metric": "max", "seed": 9007199254740991},
+            {"count": "3,000", "relax": 3, "metric": "mean", "invert": True, "gamma": 1.35},
+            {"black": 0.1, "white": 0.85, "invert": False, "seed": 7},
+            {"auto-levels": True, "pen-kind": "pen", "pen": 0.35, "paper": "A5", "margin": 12.5},
+            {"count": "", "paper": "tabloid", "pen-path": True, "pen": 1.5},
+            {"pen-kind": "radius", "paper": "none", "metric": "auto", "count": "1000"},
+        ]
+        for setting in settings:
+            def change():
+                for name, value in setting.items():
+                    page.set(name, value)
+            page.after(change)
+            for kind in ("npy", "svg"):
+                with self.subTest(setting, kind=kind):
+                    self.assert_the_commands_bytes(kind)
+
+    def test_colours_are_read_as_the_command_reads_them(self):
+        self.given("colours.png", png(61, 43, 3, lambda x, y, c: (x * (3 + c) + y * 5 * c) % 256))
+        self.browser.after(lambda: self.browser.set("count", "900"))
+        self.assertFalse(self.browser.element("picture-as-read").is_displayed())
+        self.assert_the_commands_bytes("npy")
+
+    def test_a_picture_that_the_browser_reads_differently_is_offered_as_it_was_read(self):
+        page = self.browser
+        self.given("veil.png", png(64, 48, 4, lambda x, y, c: (4 * x + y * c) % 256))
+        page.after(lambda: page.set("count", "900"))
+        name, content = page.saved_by("save-picture")
+        self.assertEqual(name, "veil-as-read.png")
+        (self.folder / name).write_bytes(content)
+        self.assert_the_commands_bytes("npy")
+
+    def test_png_and_pdf_show_as_many_dots(self):
+        page = self.browser
+        page.after(lambda: page.set("count", "1000"))
+        _, picture = page.download("png")
+        self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(struct.unpack(">II", picture[16:24]), (2048, 1536))
+        name, document = page.download("pdf")
+        self.assertEqual(name, "raccoon.pdf")
+        content = zlib.decompress(re.search(rb"stream\n(.*)\nendstream", document, re.DOTALL)[1])
+        self.assertEqual(content.count(b" l S"), 1000)
+        start = int(re.search(rb"startxref\n(\d+)", document)[1])
+        self.assertEqual(document[start:start + 4], b"xref")
+
+    # ------------------------------------------------------------------------- what can go wrong
+
+    def refused(self, change):
+        self.browser.after(change, "failed")
+        error = self.browser.element("error")
+        self.assertTrue(error.is_displayed())
+        return error.text
+
+    def test_a_broken_picture_is_refused_in_a_line(self):
+        page = self.browser
+        message = self.refused(lambda: page.drop("broken.png", RACCOON[:2000][::-1]))
+        self.assertEqual(message, "broken.png: not a picture that this browser can read")
+        page.after(lambda: page.drop("raccoon.png", RACCOON))
+        self.assertFalse(page.element("error").is_displayed())
+
+    def test_a_white_picture_is_refused_in_a_line(self):
+        white = png(20, 20, 1, lambda x, y, c: 255)
+        message = self.refused(lambda: self.browser.drop("white.png", white))
+        self.assertIn("white all over", message)
+
+    def test_absurd_counts_are_refused_in_a_line(self):
+        page = self.browser
+        for absurd in ("99999999999", "0", "-4", "many", "9" * 30):
+            with self.subTest(absurd):
+                self.assertIn("count", self.refused(lambda: page.set("count", absurd)))
+                self.assertEqual(page.element("count").get_attribute("aria-invalid"), "true")
+        page.after(lambda: page.set("count", "500"))
+        self.assertIn("500 dots", page.text("status"))
+        self.assertIsNone(page.element("count").get_attribute("aria-invalid"))
+
+    def test_cancel_ends_the_work_and_leaves_the_page_ready(self):
+        page = self.browser
+        page.run("delete document.documentElement.dataset.state")
+        page.set("count", "250000")
+        page.until(lambda: page.element("progress").get_property("value") > 0, "some progress")
+        taken = page.run("""const begin = performance.now();
+            document.getElementById('cancel').click();
+            return new Promise((resolve) => requestAnimationFrame(function look() {
+                if (document.documentElement.dataset.state === 'cancelled') resolve(performance.now() - begin);
+                else requestAnimationFrame(look);
+            }));""")
+        print(f"cancelled after {taken:.0f} ms ", end="", flush=True)
+        self.assertEqual(page.text("status"), "Cancelled.")
+        self.assertFalse(page.element("progress").is_displayed())
+        page.after(lambda: page.set("count", "700"))
+        self.assertIn("700 dots", page.text("status"))
+
+    # ------------------------------------------------------------------------------------- sample
+
+    def test_a_sample_is_verified_and_has_the_bytes_of_the_command(self):
+        page = self.browser
+        page.after(lambda: page.element("tab-sample").click())
+        self.assertIn("✓ No two points are closer", page.text("verdict"))
+        self.assertIn("✓ No room is left", page.text("verdict"))
+        self.assertTrue(page.element("powers").is_displayed())
+        for setting in ({}, {"amount": "0.03", "torus": False, "sample-seed": 5}, {"mode": "lines"},
+                        {"by": "count", "amount": "1,500", "mode": "exact"}, {"sample-relax": 4}):
+            def change():
+                for name, value in setting.items():
+                    page.set(name, value)
+            if setting:
+                page.after(change)
+            for kind in ("npy", "svg"):
+                with self.subTest(setting, kind=kind):
+                    self.assert_the_commands_bytes(kind)
+
+    def test_an_absurd_radius_is_refused_in_a_line(self):
+        page = self.browser
+        page.after(lambda: page.element("tab-sample").click())
+        for absurd in ("0", "-1", "1e-9", "big"):
+            with self.subTest(absurd):
+                self.refused(lambda: page.set("amount", absurd))
+                self.assertEqual(page.element("amount").get_attribute("aria-invalid"), "true")
+
+    # ----------------------------------------------------------------------------------- the rest
+
+    def test_every_control_has_a_name(self):
+        nameless = self.browser.run("""return [...document.querySelectorAll('input, select, button, canvas')]
+            .filter((field) => !(field.labels?.length || field.getAttribute('aria-label')
+                || field.getAttribute('aria-labelledby') || field.textContent.trim()))
+            .map((field) => field.outerHTML);""")
+        self.assertEqual(nameless, [])
+
+    def test_the_page_fits_every_width_in_both_schemes(self):
+        page = self.browser
+        for scheme in ("light", "dark"):
+            for width, height in ((390, 844), (1280, 800), (1920, 1080)):
+                with page.screen(width, height, scheme), self.subTest(width=width, scheme=scheme):
+                    time.sleep(0.2)
+                    self.assertLessEqual(page.run("return document.documentElement.scrollWidth"), width)
+                    self.assertEqual(self.weak_contrasts(), [])
+
+    def weak_contrasts(self):
+        """Texts whose contrast is under 4.5 (WCAG 2.1, AA)."""
+        return self.browser.run("""
+            const parts = (colour) => colour.match(/[\\d.]+/g).map(Number);
+            const light = (colour) => {
+                const [r, g, b] = parts(colour).map((v) => v / 255)
+                    .map((v) => (v <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4));
+                return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+            };
+            const behind = (element) => {
+                for (; element; element = element.parentElement) {
+                    const colour = getComputedStyle(element).backgroundColor;
+                    if ((parts(colour)[3] ?? 1) !== 0) return colour;
+                }
+                return 'rgb(255, 255, 255)';
+            };
+            return [...document.querySelectorAll('h1, p, label, legend, button, output, code, select, input:not([type=range], [type=checkbox])')]
+                .filter((one) => one.offsetParent && !one.disabled)
+                .map((one) => {
+                    const [a, b] = [light(getComputedStyle(one).color), light(behind(one))].sort((p, q) => q - p);
+                    return [one.id || one.textContent.trim().slice(0, 30), (a + 0.05) / (b + 0.05)];
+                })
+                .filter(([, contrast]) => contrast < 4.5);""")
+
+
+if __name__ == "__main__":
+    unittest.main()
