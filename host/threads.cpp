@@ -3,11 +3,13 @@
 
 #include <lacuna/lacuna.h>
 #include <pthread.h>
+#include <tbb/global_control.h>
 #include <tbb/info.h>
 
 #include <atomic>
 #include <cstddef>
 #include <latch>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <system_error>
@@ -64,6 +66,16 @@ void make_sure_of_threads(int threads) {
 
 void make_sure_of_threads() {
     make_sure_of_threads(tbb::info::default_concurrency());
+}
+
+void allow_more_threads_than_cores() {
+    constexpr std::size_t kMostThreads = 1024;  // of one run: plan/check_request.cpp refuses more
+    // Once a process: of several such controls oneTBB takes the least.
+    static const tbb::global_control* const kept =
+        std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                              kMostThreads)
+            .release();
+    static_cast<void>(kept);
 }
 
 }  // namespace lacuna

@@ -11,4 +11,7 @@ void make_sure_of_threads(int threads);
 // As many as oneTBB uses where nothing else is said.
 void make_sure_of_threads();
 
+// oneTBB uses no more than one a core, and prints a warning when asked to, unless this was called.
+void allow_more_threads_than_cores();
+
 }  // namespace lacuna

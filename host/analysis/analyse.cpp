@@ -2,6 +2,7 @@
 #include "analysis/analyse.h"
 
 #include <fmt/core.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -143,15 +144,21 @@ void add_distances(Analysis& analysis, std::span<const std::vector<Point>> sets,
                    std::span<const std::optional<double>> radii, const KeepGoing& keep_going) {
     BondOrders bond_orders;
     Distributions distributions(analysis.domain, sets.size());
-    double done = 0;  // sets
+    double done = 0;   // sets
+    double polls = 0;  // of the set that is looked at
+    double expected_polls = 1;
     const auto poll = [&] {
-        if (!keep_going(done / static_cast<double>(sets.size()))) throw Cancelled();
+        const double part = std::min(1.0, polls++ / expected_polls);
+        if (!keep_going((done + part) / static_cast<double>(sets.size()))) throw Cancelled();
     };
     for (std::size_t i = 0; i < sets.size(); ++i) {
         done = static_cast<double>(i);
+        polls = 0;
+        // Twice through the points for their neighbours, and once for pairs.
+        constexpr double kPointsAPoll = 1700;
+        expected_polls = 1 + static_cast<double>(sets[i].size()) / kPointsAPoll;
         const Neighbours neighbours(sets[i], analysis.domain, poll);
         bond_orders.add(bond_order(neighbours));
-        done += 0.5;
         if (analysis.counts.least > 1)
             distributions.add(neighbours, radii.empty() ? std::nullopt : radii[i]);
     }
@@ -161,7 +168,42 @@ void add_distances(Analysis& analysis, std::span<const std::vector<Point>> sets,
     analysis.oscillations = oscillations(distributions.pair_correlation_mean());
 }
 
+Analysis analysed(std::span<const std::vector<Point>> sets, const Domain& domain,
+                  std::span<const std::optional<double>> radii, const KeepGoing& keep_going,
+                  double max_frequency) {
+    // Of the time: what the spectrum takes grows with the number of frequencies, and four fifths of
+    // it are theirs at the usual one.
+    const double spectrum = 1 + std::pow(max_frequency, 2);
+    constexpr double kDistances = 9;
+    const double share_of_spectrum = spectrum / (spectrum + kDistances);
+    Analysis analysis{};
+    analysis.domain = domain;
+    analysis.max_frequency = max_frequency;
+    analysis.sets = sets.size();
+    analysis.counts = counts_of(sets);
+    add_radius(analysis, sets, radii);
+    analysis.spectrum = mean_spectrum(
+        sets, domain, [&](double share) { return keep_going(share_of_spectrum * share); },
+        max_frequency);
+    analysis.radial = radial_of(analysis.spectrum);
+    analysis.vertical_line = vertical_line(analysis.spectrum, analysis.radial);
+    analysis.horizontal_line = horizontal_line(analysis.spectrum, analysis.radial);
+    analysis.effective_nyquist = effective_nyquist(analysis.radial);
+    add_distances(analysis, sets, radii, [&](double share) {
+        return keep_going(share_of_spectrum + (1 - share_of_spectrum) * share);
+    });
+    return analysis;
+}
+
 }  // namespace
+
+void check_effort(const Effort& effort) {
+    range_for({1, 1, true}, 1, effort.max_frequency);
+    constexpr std::uint32_t kMostThreads = 1024;  // as of a Request
+    if (effort.threads > kMostThreads)
+        throw BadRequest("threads", fmt::format("{}", effort.threads),
+                         fmt::format("must be at most {}", kMostThreads));
+}
 
 void check_radius(double radius) {
     if (!std::isfinite(radius) || radius <= 0)
@@ -170,28 +212,22 @@ void check_radius(double radius) {
 }
 
 Analysis analyse(std::span<const std::vector<Point>> sets, const Domain& domain,
-                 std::span<const std::optional<double>> radii, const KeepGoing& keep_going) {
+                 std::span<const std::optional<double>> radii, const KeepGoing& keep_going,
+                 const Effort& effort) {
     verify::check_domain(domain.width, domain.height);
     for (const std::optional<double>& radius : radii)
         if (radius) check_radius(*radius);
-    make_sure_of_threads();
-    // Of the time, that of the sums grows with the square of the count, the rest but linearly.
-    constexpr double kShareOfSpectrum = 0.95;
-    Analysis analysis{};
-    analysis.domain = domain;
-    analysis.sets = sets.size();
-    analysis.counts = counts_of(sets);
-    add_radius(analysis, sets, radii);
-    analysis.spectrum = mean_spectrum(
-        sets, domain, [&](double share) { return keep_going(kShareOfSpectrum * share); });
-    analysis.radial = radial_of(analysis.spectrum);
-    analysis.vertical_line = vertical_line(analysis.spectrum, analysis.radial);
-    analysis.horizontal_line = horizontal_line(analysis.spectrum, analysis.radial);
-    analysis.effective_nyquist = effective_nyquist(analysis.radial);
-    add_distances(analysis, sets, radii, [&](double share) {
-        return keep_going(kShareOfSpectrum + (1 - kShareOfSpectrum) * share);
-    });
-    return analysis;
+    check_effort(effort);
+    if (effort.threads == 0) {
+        make_sure_of_threads();
+        return analysed(sets, domain, radii, keep_going, effort.max_frequency);
+    }
+    const auto threads = static_cast<int>(effort.threads);
+    make_sure_of_threads(threads);
+    allow_more_threads_than_cores();
+    tbb::task_arena arena(threads);
+    return arena.execute(
+        [&] { return analysed(sets, domain, radii, keep_going, effort.max_frequency); });
 }
 
 }  // namespace lacuna::analysis

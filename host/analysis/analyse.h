@@ -4,6 +4,7 @@
 #include <lacuna/lacuna.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -48,8 +49,14 @@ constexpr double kReportedPairBin = kFineBins * kPairBin;
 constexpr std::size_t kReportedPairBins = 100;
 constexpr double kContactEnd = 1.02;
 
+struct Effort {
+    double max_frequency = kUsualFrequency;  // of the periodogram, |k| / sqrt(count): see range_for
+    std::uint32_t threads = 0;               // at most 1024; 0: as many as the machine has
+};
+
 struct Analysis {
     Domain domain;
+    double max_frequency = kUsualFrequency;
     std::size_t sets = 0;
     Counts counts;
 
@@ -70,9 +77,16 @@ struct Analysis {
 
 // Sets in one domain, at least one, each of at least one point, all in it, upper edges included.
 // `radii` holds the radius of each set where it is known, or nothing at all.
-// Throws BadRequest as verify::check_domain and check_radius do, and Cancelled.
+// The result does not depend on the number of threads. Throws BadRequest as verify::check_domain,
+// check_radius and range_for do and for more threads, Unavailable where the system makes no such
+// threads, and Cancelled.
 Analysis analyse(std::span<const std::vector<Point>> sets, const Domain& domain,
-                 std::span<const std::optional<double>> radii, const KeepGoing& keep_going);
+                 std::span<const std::optional<double>> radii, const KeepGoing& keep_going,
+                 const Effort& effort = {});
+
+// Throws BadRequest("max-frequency", ...) and BadRequest("threads", ...) as analyse() does for a
+// set of one point.
+void check_effort(const Effort& effort);
 
 // Throws BadRequest("radius", ...) for one that is no finite number greater than 0.
 void check_radius(double radius);

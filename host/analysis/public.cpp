@@ -28,11 +28,13 @@ void check(std::span<const std::vector<Point>> sets, const analysis::Domain& dom
 }  // namespace
 
 Statistics analyze(std::span<const std::vector<Point>> sets, double width, double height,
-                   Boundary boundary, const std::function<bool(double share)>& keep_going) {
+                   Boundary boundary, const std::function<bool(double share)>& keep_going,
+                   double max_frequency, std::uint32_t threads) {
     const analysis::Domain domain{width, height, boundary == Boundary::torus};
     check(sets, domain);
     const analysis::Analysis found = analysis::analyse(
-        sets, domain, {}, [&](double share) { return !keep_going || keep_going(share); });
+        sets, domain, {}, [&](double share) { return !keep_going || keep_going(share); },
+        {max_frequency, threads});
     Statistics statistics;
     statistics.mean_count = found.counts.mean;
     if (found.distances) {

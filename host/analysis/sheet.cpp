@@ -36,7 +36,6 @@ constexpr double kUpper = 66;
 constexpr double kLower = 374;
 constexpr Colour kInk{0x22, 0x22, 0x22};
 constexpr Colour kCurve{0x1f, 0x4e, 0x9c};
-constexpr double kFarthest = 2;  // k / sqrt(N)
 constexpr double kWhitePower = 3;
 
 // As large as fits into a panel, in the middle of it.
@@ -92,11 +91,11 @@ void draw_points(Canvas& canvas, const Analysis& analysis, std::span<const Point
     canvas.dots(positions, std::min(radius, shorter) / 3 * (box.width / domain.width), box);
 }
 
-// A pixel a frequency, from -kFarthest to kFarthest; DC is black.
-drawing::Image periodogram_image(const Spectrum& spectrum) {
+// A pixel a frequency, from -farthest to farthest; DC is black.
+drawing::Image periodogram_image(const Spectrum& spectrum, double farthest) {
     const double unit = std::sqrt(spectrum.count);
     const auto reach = [&](double step, int most) {
-        return std::clamp(static_cast<int>(std::lround(kFarthest * unit / step)), 1, most);
+        return std::clamp(static_cast<int>(std::lround(farthest * unit / step)), 1, most);
     };
     const int kx_max = reach(spectrum.magnitude(1, 0), spectrum.range.kx_max);
     const int ky_max = reach(spectrum.magnitude(0, 1), spectrum.range.ky_max);
@@ -110,7 +109,7 @@ drawing::Image periodogram_image(const Spectrum& spectrum) {
 
 void draw_periodogram(Canvas& canvas, const Analysis& analysis) {
     const Spectrum& spectrum = analysis.spectrum;
-    const drawing::Image image = periodogram_image(spectrum);
+    const drawing::Image image = periodogram_image(spectrum, analysis.max_frequency);
     // What the image covers: its outer pixels reach half a frequency farther.
     const double unit = std::sqrt(spectrum.count);
     const double x = image.width / 2.0 * spectrum.magnitude(1, 0) / unit;
@@ -121,13 +120,14 @@ void draw_periodogram(Canvas& canvas, const Analysis& analysis) {
     plot.draw_axes(fmt::format("Periodogram, 0 black to {:g} white", kWhitePower), Grid::none);
 }
 
-void draw_radial_power(Canvas& canvas, const Radial& radial) {
+void draw_radial_power(Canvas& canvas, const Analysis& analysis) {
+    const Radial& radial = analysis.radial;
     constexpr double kTallest = 10;
     constexpr double kLowest = 2;
     const Annulus& peak = radial.peak();
     const double top = std::clamp(std::ceil(peak.power * 2.2) / 2, kLowest, kTallest);
-    Plot plot(canvas, {kLeft, kLower, kPanelWidth, kLowerHeight}, {0, kFarthest, "k / \u221aN"},
-              {0, top, "power"});
+    Plot plot(canvas, {kLeft, kLower, kPanelWidth, kLowerHeight},
+              {0, analysis.max_frequency, "k / \u221aN"}, {0, top, "power"});
     plot.draw_axes(fmt::format("Radial power, peak {:.4g} at {:.3g}", peak.power, peak.frequency));
     plot.draw_level(1, "1: independent points");
     std::vector<Point> curve;
@@ -139,7 +139,8 @@ void draw_radial_power(Canvas& canvas, const Radial& radial) {
 void draw_anisotropy(Canvas& canvas, const Analysis& analysis) {
     const double expected = 10 * std::log10(1 / static_cast<double>(analysis.sets));
     constexpr double kAround = 12;
-    Plot plot(canvas, {kRight, kLower, kPanelWidth, kLowerHeight}, {0, kFarthest, "k / \u221aN"},
+    Plot plot(canvas, {kRight, kLower, kPanelWidth, kLowerHeight},
+              {0, analysis.max_frequency, "k / \u221aN"},
               {std::floor((expected - kAround) / 5) * 5, std::ceil((expected + kAround) / 5) * 5,
                "anisotropy (dB)"});
     const auto mean = analysis.radial.mean_anisotropy_db();
@@ -173,7 +174,7 @@ std::string draw_sheet(const Analysis& analysis, std::span<const Point> points,
     canvas->text({kLeft, 41}, numbers(analysis), {8.5, Anchor::start, kInk});
     draw_points(*canvas, analysis, points);
     draw_periodogram(*canvas, analysis);
-    draw_radial_power(*canvas, analysis.radial);
+    draw_radial_power(*canvas, analysis);
     draw_anisotropy(*canvas, analysis);
     return canvas->finish();
 }

@@ -5,6 +5,7 @@
 // all phases in x with all phases in y, and give the sums at both (kx, ky) and (kx, -ky).
 #include "analysis/spectrum.h"
 
+#include <fmt/core.h>
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Core>
@@ -106,9 +107,19 @@ std::size_t index_of(Range range, int kx, int ky) {
 
 }  // namespace
 
-Range range_for(const Domain& domain, double count) {
-    const double extent = 2 * std::sqrt(count) + 3;
+Range range_for(const Domain& domain, double count, double frequency) {
+    constexpr double kMostFrequency = 1000;
+    constexpr double kMostOfHalfPlane = 0x1p31;
+    if (!(frequency > 0) || frequency > kMostFrequency)
+        throw BadRequest("max-frequency", fmt::format("{}", frequency),
+                         fmt::format("must be over 0 and at most {}", kMostFrequency));
+    const double extent = frequency * std::sqrt(count) + 3;
     const double aspect = std::sqrt(domain.width / domain.height);
+    if (2 * (extent * aspect + 1) * (extent / aspect + 1) > kMostOfHalfPlane)
+        throw BadRequest("max-frequency", fmt::format("{}", frequency),
+                         fmt::format("is too far for {:.6g} points: at most 2^31 frequencies of "
+                                     "half the plane, of 40 bytes each",
+                                     count));
     return {static_cast<int>(std::ceil(extent * aspect)),
             static_cast<int>(std::ceil(extent / aspect))};
 }
@@ -152,11 +163,11 @@ std::vector<double> exact_periodogram(std::span<const Point> points, const Domai
 }
 
 Spectrum mean_spectrum(std::span<const std::vector<Point>> sets, const Domain& domain,
-                       const KeepGoing& keep_going) {
+                       const KeepGoing& keep_going, double frequency) {
     double all = 0;
     for (const auto& points : sets) all += static_cast<double>(points.size());
     const double count = all / static_cast<double>(sets.size());
-    Spectrum mean{domain, range_for(domain, count), sets.size(), count, {}};
+    Spectrum mean{domain, range_for(domain, count, frequency), sets.size(), count, {}};
     double done = 0;
     for (const auto& points : sets) {
         const double share = static_cast<double>(points.size()) / all;

@@ -20,9 +20,13 @@ struct Range {
     int ky_max;
 };
 
-// Far enough for the whole disk |k| <= 2 sqrt(count) + 3: what radial means up to 2 sqrt(count)
-// need.
-Range range_for(const Domain& domain, double count);
+// How far a periodogram reaches where nothing else is said: |k| / sqrt(count).
+constexpr double kUsualFrequency = 2;
+
+// Far enough for the whole disk |k| <= frequency * sqrt(count) + 3: what radial means up to that
+// frequency need. Throws BadRequest("max-frequency", ...) for a frequency that is not over 0 and at
+// most 1000, and where half the plane would have over 2^31 frequencies, each of 40 bytes.
+Range range_for(const Domain& domain, double count, double frequency = kUsualFrequency);
 
 // The mean of the periodograms of several sets at the same frequencies,
 //   P(k) = |sum over points of exp(-2 pi i (kx x / width + ky y / height))|^2 / count
@@ -59,8 +63,8 @@ constexpr std::size_t kManyPoints = 1000;
 std::vector<double> exact_periodogram(std::span<const Point> points, const Domain& domain,
                                       Range range, const KeepGoing& keep_going);
 
-// Of at least one set, each of at least one point. Throws Cancelled.
+// Of at least one set, each of at least one point. Throws Cancelled, and BadRequest as range_for().
 Spectrum mean_spectrum(std::span<const std::vector<Point>> sets, const Domain& domain,
-                       const KeepGoing& keep_going);
+                       const KeepGoing& keep_going, double frequency = kUsualFrequency);
 
 }  // namespace lacuna::analysis

@@ -74,10 +74,19 @@ void add_line(Rows& rows, std::string_view name, const std::optional<analysis::L
     }
 }
 
+// Those of kFrequencies that are known, and the last that is where it is none of them.
+std::vector<double> frequencies_up_to(double farthest) {
+    std::vector<double> frequencies;
+    for (const double frequency : kFrequencies)
+        if (frequency <= farthest) frequencies.push_back(frequency);
+    if (frequencies.empty() || farthest > kFrequencies.back()) frequencies.push_back(farthest);
+    return frequencies;
+}
+
 void add_spectrum(Rows& rows, const Analysis& a) {
     std::string heads;
     std::string powers;
-    for (const double frequency : kFrequencies) {
+    for (const double frequency : frequencies_up_to(a.max_frequency)) {
         heads += fmt::format("{:<7g}", frequency);
         powers += fmt::format("{:<7.3f}", a.radial.at(frequency).power);
     }
@@ -159,7 +168,8 @@ Json json_of_spectrum(const Analysis& a) {
         modes.push_back(annulus.modes);
     }
     const analysis::Annulus& peak = a.radial.peak();
-    return {{"annulus_width_in_k", analysis::kAnnulusWidth},
+    return {{"max_k_over_sqrt_count", a.max_frequency},
+            {"annulus_width_in_k", analysis::kAnnulusWidth},
             {"radial",
              {{"k_over_sqrt_count", frequencies},
               {"mean_power", powers},

@@ -42,7 +42,8 @@ Examples:
   lacuna analyze sets.dat other.rps                 files of the tools UTK and PSA
 
 Power P(k) = |sum of exp(-2 pi i k.x)|^2 / count at the whole numbers k, on another domain than the
-unit square at (kx / W, ky / H); its mean over rings two wide, for |k| up to 2 sqrt(count). Relative
+unit square at (kx / W, ky / H); its mean over rings two wide, for |k| up to 2 sqrt(count), or
+--max-frequency times sqrt(count), with whose square its time and memory grow. Relative
 radius: the least distance over that of the hexagonal lattice. Effective Nyquist frequency, over
 sqrt(count) / 2, and oscillations: Heck, Schloemer & Deussen 2013. Bond order: Nelson & Halperin
 1979, six nearest neighbours. A million points take some 400 MB, and seconds.
@@ -66,6 +67,7 @@ struct AnalyzeCommand {
     OutputOptions output;
     std::optional<Sides> sides;
     std::optional<double> radius;
+    analysis::Effort effort;
     bool torus = false;
     bool json = false;
     bool quiet = false;
@@ -86,6 +88,7 @@ struct Input {
 std::vector<Output> check(const AnalyzeCommand& options) {
     if (options.sides) verify::check_domain(options.sides->width, options.sides->height);
     if (options.radius) analysis::check_radius(*options.radius);
+    analysis::check_effort(options.effort);
     OutputOptions asked = options.output;
     if (options.json) {
         if (!asked.format.empty())
@@ -177,14 +180,16 @@ void check_inside(const Input& input, const analysis::Domain& domain) {
     }
 }
 
-analysis::Analysis analyse(const Input& input, const analysis::Domain& domain, bool quiet) {
-    ProgressBar bar(quiet);
+analysis::Analysis analyse(const Input& input, const analysis::Domain& domain,
+                           const AnalyzeCommand& options) {
+    ProgressBar bar(options.quiet);
     const std::string words =
         fmt::format("analysing {} set{}", input.sets.size(), input.sets.size() == 1 ? "" : "s");
-    return analysis::analyse(input.sets, domain, input.radii, [&](double share) {
-        bar.show(share, words);
+    const auto keep_going = [&](double share) {
+        bar.show_time_to_go(share, words);
         return true;
-    });
+    };
+    return analysis::analyse(input.sets, domain, input.radii, keep_going, options.effort);
 }
 
 void run(const AnalyzeCommand& options) {
@@ -195,7 +200,7 @@ void run(const AnalyzeCommand& options) {
     const analysis::Domain domain{sides.width, sides.height,
                                   options.torus || input.boundary == Boundary::torus};
     check_inside(input, domain);
-    const analysis::Analysis analysis = analyse(input, domain, options.quiet);
+    const analysis::Analysis analysis = analyse(input, domain, options);
 
     Writing writing(interruption);
     for (const Output& output : outputs)
@@ -231,6 +236,10 @@ void add_analyze(CLI::App& app) {
         ->disable_flag_override();
     add_number(command, "radius", "R", options->radius,
                "What the sets were made with, for count * R^2 and distances in radii");
+    add_number(command, "max-frequency", "F", options->effort.max_frequency,
+               "How far the spectrum reaches, |k| / sqrt(count) (default 2)");
+    add_number(command, "threads", "T", options->effort.threads,
+               "Threads; 0 is one a core (default)");
     add_outputs(command, options->output, "REPORT",
                 "Numbers and curves as .json, or a plot sheet as " + files::picture_extensions() +
                     "; - is standard output, as .json; may be given several times");

@@ -41,6 +41,17 @@ std::size_t line_columns() {
     return terminal_columns() - 1;
 }
 
+// Of work of which `share` took so many seconds; nothing while that tells little.
+std::string time_to_go(double share, double seconds) {
+    constexpr double kLeastSeconds = 0.5;
+    constexpr double kLeastShare = 0.02;
+    if (seconds < kLeastSeconds || share < kLeastShare) return "";
+    const double left = seconds / share * (1 - share);
+    if (left < 90) return fmt::format(", about {:.0f} s to go", left);
+    return left < 90 * 60 ? fmt::format(", about {:.0f} minutes to go", left / 60)
+                          : fmt::format(", about {:.0f} hours to go", left / 3600);
+}
+
 void print(const std::string& text) {
     std::fputs(text.c_str(), stderr);
     std::fflush(stderr);
@@ -88,6 +99,12 @@ bool ProgressBar::keep_going(const Progress& progress) {
 
 void ProgressBar::show(double share, const std::string& words) {
     if (is_due()) draw(progress_line(share, words, line_columns(), colour_));
+}
+
+void ProgressBar::show_time_to_go(double share, const std::string& words) {
+    if (!is_due()) return;
+    const double seconds = std::chrono::duration<double>(last_draw_ - start_).count();
+    draw(progress_line(share, words + time_to_go(share, seconds), line_columns(), colour_));
 }
 
 bool ProgressBar::is_due() {

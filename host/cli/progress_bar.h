@@ -28,6 +28,8 @@ public:
 
     // For work other than sampling.
     void show(double share, const std::string& words);
+    // With a time to go, once one can be told: for work that goes on as it has gone so far.
+    void show_time_to_go(double share, const std::string& words);
     // For work whose share is not known: words in place of the bar.
     void note(const std::string& what);
 

@@ -85,6 +85,8 @@ def analyze(
     width: float,
     height: float,
     torus: bool,
+    max_frequency: float,
+    threads: int,
     progress: Callable[[int, int], object] | None,
 ) -> dict[str, Any]: ...
 def devices() -> list[tuple[str, str, str, int, int, str]]: ...

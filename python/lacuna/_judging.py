@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Sequence, SupportsFloat
+from typing import TYPE_CHECKING, Sequence, SupportsFloat, SupportsIndex
 
 import numpy as np
 
 from . import _core
-from ._arguments import flag, pair, points_array, real
+from ._arguments import flag, pair, points_array, real, whole
 from ._errors import BadRequest
 from ._results import Analysis, Device, PointSet, Relaxed, Verdict
-from ._runs import checked_progress
+from ._runs import MOST_32, checked_progress
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -110,6 +110,8 @@ def analyze(
     *,
     domain: tuple[SupportsFloat, SupportsFloat] | None = None,
     torus: bool | None = None,
+    max_frequency: SupportsFloat = 2,
+    threads: SupportsIndex = 0,
     progress: Progress | None = None,
 ) -> Analysis:
     """Spectrum and statistics of a point set, or of several that are averaged.
@@ -124,6 +126,11 @@ def analyze(
         Width and height of all. By default the first PointSet's own, else (1, 1).
     torus : bool, optional
         Whether the edges wrap. By default as the first PointSet's do; else they do not.
+    max_frequency : float
+        How far the spectrum reaches, in units of sqrt(N): over 0, at most 1000. Its time and memory
+        grow with the square of this.
+    threads : int
+        0 is one a core. The numbers do not depend on it.
     progress : callable, optional
         Called with thousandths done, and 1000.
 
@@ -153,7 +160,9 @@ def analyze(
     width, height, wraps = _domain_of(several[0], domain, torus)
     checked_progress(progress)
     arrays = [points_array("points", one) for one in several]
-    found = _core.analyze(arrays, width, height, wraps, progress)
+    reach = real("max_frequency", max_frequency)
+    workers = whole("threads", threads, 0, MOST_32)
+    found = _core.analyze(arrays, width, height, wraps, reach, workers, progress)
     bins = np.arange(len(found["pair_correlation"]))
     return Analysis(sets=len(arrays), distance=(bins + 0.5) / _BINS_OF_A_SPACING, **found)
 

@@ -231,7 +231,7 @@ class Analysis:
     Attributes
     ----------
     frequency : ndarray, shape (K,)
-        Of rings of the periodogram, in units of sqrt(N), up to 2.
+        Of rings of the periodogram, in units of sqrt(N), up to max_frequency.
     power : ndarray, shape (K,)
         Mean power of each ring: 1 for independent points.
     anisotropy_db : ndarray, shape (K,)

@@ -76,7 +76,7 @@ void add_rings(nb::dict& found, const std::vector<Ring>& rings) {
 }
 
 nb::dict analyze_sets(const nb::list& arrays, double width, double height, bool torus,
-                      nb::object progress) {
+                      double max_frequency, std::uint32_t threads, nb::object progress) {
     std::vector<PointArray> given;
     for (const nb::handle array : arrays) given.push_back(nb::cast<PointArray>(array));
     Watch watch(std::move(progress));
@@ -86,10 +86,11 @@ nb::dict analyze_sets(const nb::list& arrays, double width, double height, bool 
         std::vector<std::vector<Point>> sets;
         for (const PointArray& array : given) sets.push_back(points_of(array));
         constexpr std::uint64_t kWhole = 1000;  // shares are told to Python in thousandths
-        statistics = analyze(sets, width, height, boundary_of(torus), [&](double share) {
+        const auto look = [&](double share) {
             watch.look(static_cast<std::uint64_t>(share * static_cast<double>(kWhole)), kWhole);
             return true;
-        });
+        };
+        statistics = analyze(sets, width, height, boundary_of(torus), look, max_frequency, threads);
     }
     nb::dict found;
     add_rings(found, statistics.rings);
@@ -109,8 +110,8 @@ nb::dict analyze_sets(const nb::list& arrays, double width, double height, bool 
 void add_judging(nb::module_& module) {
     module.def("verify", verify_points, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
                nb::arg().none(), nb::arg());
-    module.def("analyze", analyze_sets, nb::arg(), nb::arg(), nb::arg(), nb::arg(),
-               nb::arg().none());
+    module.def("analyze", analyze_sets, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
+               nb::arg(), nb::arg().none());
 }
 
 }  // namespace lacuna::python

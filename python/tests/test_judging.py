@@ -58,6 +58,18 @@ def test_analyze_of_an_array_is_that_of_the_list() -> None:
     assert lacuna.analyze([(0.1, 0.1), (0.5, 0.5)]).sets == 1
 
 
+def test_analyze_reaches_as_far_as_it_is_told() -> None:
+    made = lacuna.sample(0.02, torus=True, seed=1)
+    for farthest in (0.5, 2, 5):
+        found = lacuna.analyze(made, max_frequency=farthest, threads=1)
+        assert found.frequency[-1] == pytest.approx(farthest, abs=0.1)
+        assert (found.power == lacuna.analyze(made, max_frequency=farthest).power).all()
+    for wrong in (0, -1, math.nan, 1001):
+        with pytest.raises(lacuna.BadRequest, match="max_frequency") as error:
+            lacuna.analyze(made, max_frequency=wrong)
+        assert error.value.argument == "max_frequency"
+
+
 def test_relaxing_makes_shares_more_equal() -> None:
     made = lacuna.sample(n=500, torus=True, seed=1)
     relaxed = lacuna.relax(made, measure=True)

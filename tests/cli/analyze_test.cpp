@@ -75,6 +75,58 @@ TEST(Analyze, WritesTheSameNumbersAsJsonWithTheirUnits) {
     EXPECT_EQ(json["bond_orientational_order"]["points"], 400);
 }
 
+TEST(Analyze, ReachesAsFarAsItIsTold) {
+    const Folder folder;
+    write_file(folder.path("a.txt"), lattice(40));  // by the fast sums
+    const auto analyzed = [&](const std::string& farthest) {
+        return run({"analyze", folder.path("a.txt"), "--torus", "--max-frequency", farthest});
+    };
+    const auto last_ring = [&](const std::string& farthest) {
+        const Json json = Json::parse(
+            run({"analyze", folder.path("a.txt"), "--torus", "--json", "--max-frequency", farthest})
+                .out);
+        EXPECT_EQ(json["spectrum"]["max_k_over_sqrt_count"], std::stod(farthest));
+        return json["spectrum"]["radial"]["k_over_sqrt_count"].back().get<double>();
+    };
+    EXPECT_NEAR(last_ring("0.3"), 0.3, 0.08);
+    EXPECT_NEAR(last_ring("2"), 2, 0.08);
+    EXPECT_NEAR(last_ring("6"), 6, 0.08);
+    expect_has(line_of(analyzed("0.3").out, "k / sqrt(count)"), {" 0.3"});
+    expect_has(line_of(analyzed("1").out, "k / sqrt(count)"), {" 0.5 ", " 1"});
+    EXPECT_EQ(analyzed("1").out.find("1.1 "), std::string::npos);
+    expect_has(line_of(analyzed("6").out, "k / sqrt(count)"), {" 2 ", " 6"});
+    EXPECT_EQ(analyzed("2").out, run({"analyze", folder.path("a.txt"), "--torus"}).out);
+}
+
+TEST(Analyze, TellsTheSameOnAnyNumberOfThreads) {
+    const Folder folder;
+    ASSERT_EQ(run({"sample", "--count", "3000", "-o", folder.path("a.npy"), "--quiet"}).exit_code,
+              0);
+    const auto told = [&](const std::string& threads) {
+        return run({"analyze", folder.path("a.npy"), "--json", "--threads", threads}).out;
+    };
+    EXPECT_EQ(told("1"), told("3"));
+    EXPECT_EQ(told("0"), told("3"));
+}
+
+TEST(Analyze, RefusesFrequenciesAndThreadsThatMakeNoSense) {
+    const Folder folder;
+    write_file(folder.path("a.txt"), lattice(9));
+    for (const std::string farthest : {"0", "-1", "nan", "1001"}) {
+        const Outcome outcome = run({"analyze", folder.path("a.txt"), "--max-frequency", farthest});
+        EXPECT_EQ(outcome.exit_code, 2);
+        expect_has(outcome.err, {"max-frequency", farthest});
+    }
+    ASSERT_EQ(run({"sample", "--count", "3000", "-o", folder.path("b.npy"), "--quiet"}).exit_code,
+              0);
+    const Outcome far = run({"analyze", folder.path("b.npy"), "--max-frequency", "1000"});
+    EXPECT_EQ(far.exit_code, 2);
+    expect_has(far.err, {"max-frequency 1000", "3000 points", "2^31"});
+    const Outcome many = run({"analyze", folder.path("a.txt"), "--threads", "1025"});
+    EXPECT_EQ(many.exit_code, 2);
+    expect_has(many.err, {"threads 1025", "1024"});
+}
+
 TEST(Analyze, AveragesSeveralFilesAndSeveralSetsOfOne) {
     const Folder folder;
     const std::string path = folder.path("a.txt");

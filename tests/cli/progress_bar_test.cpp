@@ -127,4 +127,18 @@ TEST(ProgressBar, TellsHowFarAnAnalysisIsAndClearsItsLineAtTheEnd) {
     EXPECT_EQ(shown_by({"analyze", points, "--quiet"}, terminal, {}), "");
 }
 
+TEST(ProgressBar, TellsHowLongAnAnalysisWillStillTake) {
+    const Terminal terminal(120);
+    if (!terminal.exists()) GTEST_SKIP() << "no terminals here";
+    const Folder folder;
+    const std::string points = folder.path("a.npy");
+    ASSERT_EQ(run({"sample", "--count", "20000", "-o", points, "--quiet"}).exit_code, 0);
+    // Some seconds of work.
+    const std::string text =
+        shown_by({"analyze", points, "--threads", "1", "--max-frequency", "20"}, terminal,
+                 {{"NO_COLOR", "1"}});
+    EXPECT_TRUE(std::regex_search(text, std::regex("analysing 1 set, about [0-9]+ s to go")))
+        << text;
+}
+
 }  // namespace

@@ -11,6 +11,7 @@
 #include <lacuna/lacuna.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -35,18 +36,21 @@ struct Statistics {
     std::optional<double> relative_radius;  // least_distance over a hexagonal lattice's (Lagae &
                                             // Dutre 2008)
     std::vector<double> pair_correlation;   // entry i: the mean of g over [i, i + 1) / 20 spacings
-    std::vector<Ring> rings;                // by rising frequency, up to 2
+    std::vector<Ring> rings;                // by rising frequency, up to max_frequency
     std::optional<double> effective_nyquist;  // over sqrt(count) / 2 (Heck et al. 2013)
     std::optional<double> oscillations;       // Heck et al. 2013
     std::optional<double> psi_6;              // mean of |psi_6|: 1 for a hexagonal lattice
 };
 
 // `sets`, at least one, each of at least one point, all inside the domain. `keep_going`, if there
-// is one, is told on the calling thread how much is done, 0 to 1; false ends the work.
-// Throws BadRequest for a domain that makes no sense, no set, an empty set or a point outside, and
-// Cancelled.
+// is one, is told on the calling thread how much is done, 0 to 1; false ends the work. Rings reach
+// to `max_frequency` in units of sqrt(count), over 0 and at most 1000; time and memory grow with
+// its square. `threads`: at most 1024; 0 is as many as the machine has. Throws BadRequest for a
+// domain that makes no sense, no set, an empty set, a point outside or other numbers than these,
+// Unavailable where the system makes no threads, and Cancelled.
 Statistics analyze(std::span<const std::vector<Point>> sets, double width = 1, double height = 1,
                    Boundary boundary = Boundary::box,
-                   const std::function<bool(double share)>& keep_going = {});
+                   const std::function<bool(double share)>& keep_going = {},
+                   double max_frequency = 2, std::uint32_t threads = 0);
 
 }  // namespace lacuna
