@@ -52,8 +52,8 @@ class task_arena {
 public:
     explicit task_arena(int) {}
     template <typename Body>
-    void execute(const Body& body) {
-        body();
+    decltype(auto) execute(const Body& body) {
+        return body();
     }
 };
 
