@@ -88,7 +88,8 @@ void relax_points(Set& set, const Field* field, std::uint32_t iterations, const 
     set.radius = 0;
 }
 
-Set made(const Request& request, std::uint32_t relax, const Tell& tell) {
+// The share of the work is told as if it were to be relaxed so often afterwards.
+Set placed(const Request& request, std::uint32_t relax, const Tell& tell) {
     Teller teller(tell, 0, share_of_placing(relax));
     Result result = lacuna::sample(request, teller);
     Set set;
@@ -100,7 +101,6 @@ Set made(const Request& request, std::uint32_t relax, const Tell& tell) {
     set.mode = request.mode;
     set.seed = request.seed;
     set.maximal = result.maximal;
-    relax_points(set, request.field, relax, tell);
     return set;
 }
 
@@ -123,7 +123,7 @@ drawing::Style style_of(const StippleOptions& options, double width, double heig
 
 }  // namespace
 
-Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tell) {
+Set Stippler::stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tell) {
     const Field field = field_of(pixels, options.tone);
     Request request;
     request.mode = Mode::cells;
@@ -136,7 +136,20 @@ Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tel
     const drawing::Style style = style_of(options, request.width, request.height);
     request.count = options.count ? options.count : default_count(field, request, options, style);
 
-    Set set = made(request, options.relax, tell);
+    const pictures::Importance& tone = options.tone;
+    const Key key{{tone.black, tone.white, tone.gamma},
+                  tone.auto_levels,
+                  tone.invert,
+                  *request.count,
+                  request.metric,
+                  request.seed};
+    if (placed_.points.empty() || key != key_) {
+        placed_.points.clear();
+        placed_ = placed(request, options.relax, tell);
+        key_ = key;
+    }
+    Set set = placed_;
+    relax_points(set, &field, options.relax, tell);
     set.style = style;
     set.has_columns = options.sheet || options.dot_size_mm;
     if (options.pen_path) order_for_a_pen(set.points);
@@ -152,7 +165,9 @@ Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tel
 }
 
 Set sample(Request request, std::uint32_t relax, const Tell& tell) {
-    return made(request, relax, tell);
+    Set set = placed(request, relax, tell);
+    relax_points(set, nullptr, relax, tell);
+    return set;
 }
 
 Proof prove(const Set& set, double radius) {

@@ -5,6 +5,7 @@
 #include <lacuna/lacuna.h>
 #include <lacuna/verify.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -51,8 +52,33 @@ struct Set {
     bool has_columns = false;       // of dots, in csv and npy: a pen or paper was given
 };
 
-// Throw what lacuna::sample and lacuna::relax throw.
-Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tell);
+// Keeps the dots that were placed last: whoever changes no more than how often they are relaxed, or
+// how they are drawn, does not wait for them again.
+class Stippler {
+public:
+    // `pixels` are others than before.
+    void forget() { placed_.points.clear(); }
+
+    // Throws what lacuna::sample and lacuna::relax throw.
+    Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tell);
+
+private:
+    // What decides which dots are placed, beside the pixels.
+    struct Key {
+        std::array<double, 3> levels{};
+        bool auto_levels = false;
+        bool invert = false;
+        std::uint64_t count = 0;
+        Metric metric = Metric::min;
+        std::uint64_t seed = 0;
+        bool operator==(const Key&) const = default;
+    };
+
+    Key key_;
+    Set placed_;
+};
+
+// Throws what lacuna::sample and lacuna::relax throw.
 Set sample(Request request, std::uint32_t relax, const Tell& tell);
 
 // Whether the points keep the radius and leave no room.

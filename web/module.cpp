@@ -11,6 +11,7 @@
 #include <string>
 
 #include "lacuna_web.h"
+#include "plan/plan.h"
 
 namespace {
 
@@ -22,6 +23,7 @@ EM_JS(void, tell_page, (double share), { Module["tell"](share); });
 struct State {
     web::Pixels pixels;
     web::StippleOptions options;
+    web::Stippler stippler;
     web::Set set;
     web::Spectrum spectrum;
     std::string text;  // a file, or what was said of the set
@@ -55,7 +57,7 @@ bool is_given(double number) {
 std::uint64_t whole(const char* option, double number) {
     constexpr double kMost = 9007199254740992;  // JavaScript's numbers are exact so far
     if (!(number >= 0 && number <= kMost) || number != std::floor(number))
-        throw BadRequest(option, std::to_string(number),
+        throw BadRequest(option, shortest(number),
                          "must be a whole number from 0 to 9007199254740992");
     return static_cast<std::uint64_t>(number);
 }
@@ -73,6 +75,7 @@ EMSCRIPTEN_KEEPALIVE std::uint8_t* lacuna_room_for_pixels(std::uint32_t columns,
                                                           std::uint32_t rows) {
     const bool done = is_done([&] {
         web::Pixels& pixels = state().pixels;
+        state().stippler.forget();
         pixels.columns = columns;
         pixels.rows = rows;
         pixels.rgba.resize(std::size_t{4} * columns * rows);
@@ -113,7 +116,7 @@ EMSCRIPTEN_KEEPALIVE bool lacuna_stipple(double count, int metric, double relax,
         now.options.relax = static_cast<std::uint32_t>(whole("relax", relax));
         now.options.seed = whole("seed", seed);
         now.set = {};
-        now.set = web::stipple(now.pixels, now.options, tell_page);
+        now.set = now.stippler.stipple(now.pixels, now.options, tell_page);
     });
 }
 

@@ -30,10 +30,10 @@ const view = new View($("view"), (zoom) => {
 // ------------------------------------------------------------------------------ what is asked for
 class Refused extends Error {}
 
-const number = (id) => {
+const number = (id, name = id) => {
     const text = $(id).value.trim();
     const value = Number(text);
-    if (text === "" || !Number.isFinite(value)) throw new Refused(`${id} ${text || "empty"}: must be a number`);
+    if (text === "" || !Number.isFinite(value)) throw new Refused(`${name} ${text || "empty"}: must be a number`);
     return value;
 };
 
@@ -41,7 +41,8 @@ const number = (id) => {
 const count = (id) => {
     const text = $(id).value.replace(/[\s,_']/g, "");
     if (text === "") return null;
-    if (!/^-?\d+$/.test(text)) throw new Refused(`count ${$(id).value}: must be a whole number`);
+    if (!/^\d+$/.test(text) || Number(text) > Number.MAX_SAFE_INTEGER)
+        throw new Refused(`count ${$(id).value}: must be a whole number of at least 1`);
     return Number(text);
 };
 
@@ -63,8 +64,8 @@ function stippleOptions() {
 
 function sampleOptions() {
     const isRadius = $("by").value === "radius";
-    return { radius: isRadius ? number("amount") : null, count: isRadius ? null : count("amount") ?? 0,
-        torus: $("torus").checked, mode: $("mode").value, relax: number("sample-relax"), seed: number("sample-seed") };
+    return { radius: isRadius ? number("amount", "radius") : null, count: isRadius ? null : count("amount") ?? 0,
+        torus: $("torus").checked, mode: $("mode").value, relax: number("sample-relax", "relax"), seed: number("sample-seed", "seed") };
 }
 
 const optionsNow = () => (kind === "stipple" ? stippleOptions() : sampleOptions());
@@ -79,7 +80,7 @@ function say(text) {
 }
 
 const FIELDS = { count: () => (kind === "stipple" ? "count" : "amount"), radius: () => "amount", pen: () => "pen",
-    margin: () => "margin", seed: () => (kind === "stipple" ? "seed" : "sample-seed"), amount: () => "amount",
+    margin: () => "margin", seed: () => (kind === "stipple" ? "seed" : "sample-seed"),
     "dot-size": () => "pen", gamma: () => "gamma", black: () => "black", white: () => "white" };
 
 function complain(error) {
@@ -127,11 +128,11 @@ function show(key, set, o) {
     if (isFirst) requestAnimationFrame(() => setTimeout(() => (state.first = Math.round(performance.now()))));
 }
 
-function summary(set, o) {
+function summary(set, o, seconds) {
     const made = `${grouped(set.points.length / 2)} ${kind === "stipple" ? "dots" : "points"}`;
     const relaxed = o.relax ? `, relaxed ${o.relax} times` : "";
     const radius = kind === "sample" && set.radius ? `, radius ${+set.radius.toPrecision(4)}` : "";
-    return `${made}${relaxed}${radius}, ${set.seconds.toFixed(2)} s`;
+    return `${made}${relaxed}${radius}, ${seconds.toFixed(2)} s`;
 }
 
 async function run() {
@@ -139,6 +140,7 @@ async function run() {
     isWaiting = false;
     engine.cancel();
     const isOld = () => mine !== runs;
+    const begin = performance.now();
     try {
         const o = optionsNow();
         const key = keyOf(o);
@@ -159,8 +161,7 @@ async function run() {
         if (isOld()) return;
         held = key;
         show(key, set, o);
-        say(summary(set, o));
-        state.seconds = set.seconds;
+        say(summary(set, o, (performance.now() - begin) / 1000));
         if (kind === "sample") await judge(set, o, isOld);
         if (isOld()) return;
         busy(false);
@@ -401,7 +402,10 @@ function listen() {
 async function compiled() {
     const response = await fetch("lacuna.wasm");
     if (!response.ok) throw new Error(`lacuna.wasm: the server says ${response.status}`);
-    return WebAssembly.compile(await response.arrayBuffer());
+    const bytes = await response.arrayBuffer();
+    return WebAssembly.compile(bytes).catch((error) => {
+        throw new Error(`this browser cannot run Lacuna, which needs WebAssembly with SIMD and exceptions: ${error.message}`);
+    });
 }
 
 async function start() {

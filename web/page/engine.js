@@ -23,11 +23,11 @@ export class Engine {
 
     take(worker, { ready, id, share, result, error, broken }) {
         if (worker !== this.worker || ready) return;
-        if (!this.spare) this.spare = this.start();
         const asked = this.waiting.get(id);
         if (!asked) return;
         if (share !== undefined) return this.onShare(share);
         this.waiting.delete(id);
+        if (!this.spare) this.spare = this.start();
         if (result) return asked.resolve(result);
         asked.reject(new Error(error));
         if (broken) this.replace();

@@ -118,9 +118,7 @@ const verbs = {
 function serve({ id, verb, options }) {
     current = id;
     try {
-        const begin = performance.now();
         const result = verbs[verb](options);
-        result.seconds = (performance.now() - begin) / 1000;
         const buffers = Object.values(result).filter(ArrayBuffer.isView).map((view) => view.buffer);
         postMessage({ id, result }, buffers);
     } catch (error) {
