@@ -137,6 +137,7 @@ function summary(set, o, seconds) {
 
 async function run() {
     const mine = ++runs;
+    clearTimeout(timer);
     isWaiting = false;
     engine.cancel();
     const isOld = () => mine !== runs;
@@ -169,6 +170,7 @@ async function run() {
     } catch (error) {
         isQuick = false;
         if (isOld()) return;
+        if (isWaiting) return run();
         busy(false);
         if (!(error instanceof Cancelled)) return complain(error);
         say("Cancelled.");
@@ -415,7 +417,8 @@ async function start() {
         const [module, response] = await Promise.all([compiled(), fetch("raccoon.png")]);
         engine = new Engine(module, (share) => ($("progress").value = share));
         engine.forgotten = () => ((sent = null), (held = ""));
-        await take(await response.blob(), "raccoon.png");
+        if (picture) schedule(); // somebody was faster
+        else await take(await response.blob(), "raccoon.png");
     } catch (error) {
         complain(error);
     }

@@ -97,6 +97,17 @@ class Browser:
                 new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));""",
                  name, base64.b64encode(content).decode())
 
+    def paste(self, name, content):
+        self.run("""const bytes = Uint8Array.from(atob(arguments[1]), (c) => c.charCodeAt(0));
+            const data = new DataTransfer();
+            data.items.add(new File([bytes], arguments[0]));
+            document.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data }));""",
+                 name, base64.b64encode(content).decode())
+
+    # What the view shows, to tell whether it has changed.
+    def looks(self):
+        return self.run("return document.getElementById('view').toDataURL();")
+
     # The name and the bytes of the file.
     def download(self, kind):
         self.set("format", kind)

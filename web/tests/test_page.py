@@ -1,5 +1,6 @@
 """What the page promises, in a browser."""
 
+import base64
 import hashlib
 import pathlib
 import re
@@ -10,6 +11,8 @@ import tempfile
 import time
 import unittest
 import zlib
+
+from selenium.webdriver.common.keys import Keys
 
 from browser import LACUNA, ROOT, Browser
 
@@ -111,6 +114,63 @@ class PageTest(unittest.TestCase):
         self.browser.after(lambda: self.browser.set("count", "900"))
         self.assertFalse(self.browser.element("picture-as-read").is_displayed())
         self.assert_the_commands_bytes("npy")
+
+    def test_a_picture_may_be_chosen_or_pasted_too(self):
+        page = self.browser
+        small = png(40, 30, 1, lambda x, y, c: 6 * x)
+        (self.folder / "chosen.png").write_bytes(small)
+        page.after(lambda: page.element("file").send_keys(str(self.folder / "chosen.png")))
+        self.assertEqual(page.text("picture-name"), "chosen.png")
+        self.assertIn("40 × 30 pixels", page.text("picture-note"))
+        page.after(lambda: page.paste("pasted.png", png(50, 30, 1, lambda x, y, c: 5 * x)))
+        self.assertEqual(page.text("picture-name"), "pasted.png")
+        self.assertIn("50 × 30 pixels", page.text("picture-note"))
+
+    def test_a_jpeg_is_offered_as_it_was_read(self):
+        page = self.browser
+        jpeg = page.run("""const canvas = document.createElement('canvas');
+            canvas.width = 90; canvas.height = 60;
+            const context = canvas.getContext('2d');
+            const fill = context.createLinearGradient(0, 0, 90, 60);
+            fill.addColorStop(0, 'navy'); fill.addColorStop(1, 'gold');
+            context.fillStyle = fill;
+            context.fillRect(0, 0, 90, 60);
+            return canvas.toDataURL('image/jpeg').split(',')[1];""")
+        self.given("photo.jpg", base64.b64decode(jpeg))
+        page.after(lambda: page.set("count", "800"))
+        name, content = page.saved_by("save-picture")
+        (self.folder / name).write_bytes(content)
+        self.assert_the_commands_bytes("npy")
+
+    def test_dots_follow_a_slider_while_it_is_moved(self):
+        page = self.browser
+        page.run("delete document.documentElement.dataset.state")
+        for place in range(500, 560, 5):
+            page.set("count-slider", place)
+            time.sleep(0.03)
+        page.wait_for("done")
+        count = int(page.element("count").get_property("value"))
+        self.assertIn(f"{count:,} dots", page.text("status"))
+
+    def test_keys_zoom_and_the_slider_shows_the_photo(self):
+        page = self.browser
+        view = page.element("view")
+        dots = page.looks()
+        view.send_keys("++")
+        page.until(lambda: page.looks() != dots, "a zoomed view")
+        self.assertEqual(page.text("zoom-all"), "225 %")
+        view.send_keys("0")
+        page.until(lambda: page.looks() == dots, "the whole view")
+        page.set("share", 60)
+        page.until(lambda: page.looks() != dots, "the photo")
+        page.set("share", 0)
+        page.until(lambda: page.looks() == dots, "the dots")
+
+    def test_tabs_are_changed_by_arrow_keys(self):
+        page = self.browser
+        page.after(lambda: page.element("tab-stipple").send_keys(Keys.ARROW_RIGHT))
+        self.assertTrue(page.element("controls-sample").is_displayed())
+        self.assertEqual(page.driver.switch_to.active_element.get_attribute("id"), "tab-sample")
 
     def test_a_picture_that_the_browser_reads_differently_is_offered_as_it_was_read(self):
         page = self.browser
