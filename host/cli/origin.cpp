@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -31,11 +32,16 @@ std::string quoted(const std::string& word) {
 }
 
 // Options in the order in which --help lists them, files first.
-std::string command_line(const CLI::App& command) {
+// Of several seeds that of the set.
+std::string command_line(const CLI::App& command, std::uint64_t seed) {
     std::string line = "lacuna " + command.get_name();
+    const CLI::Option* const seeds = command.get_option_no_throw("--seeds");
+    const bool has_seeds = seeds != nullptr && seeds->count() > 0;
     for (const bool files : {true, false})
         for (const CLI::Option* option : command.get_options()) {
             const std::string name = option->get_name();
+            if (name == "--seeds") continue;
+            if (name == "--seed" && has_seeds && !files) line += " --seed " + std::to_string(seed);
             if (option->count() == 0 || option->get_positional() != files ||
                 std::find(kDecideNothing.begin(), kDecideNothing.end(), name) !=
                     kDecideNothing.end())
@@ -62,7 +68,7 @@ files::Origin origin_of(const CLI::App& command, const Request& request, const R
     options.update(more);
     // Names of pictures are bytes, and need not be UTF-8.
     return {LACUNA_VERSION,
-            command_line(command),
+            command_line(command, request.seed),
             request.boundary,
             request.mode,
             request.seed,

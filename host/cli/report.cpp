@@ -89,6 +89,23 @@ std::string report_of(const Request& request, const Made& made, const Json& more
     return text_of(report);
 }
 
+std::string many_report(const Request& request, const ManyMade& made) {
+    Json asked = json_of(request, made.last);
+    asked.erase("seed");
+    asked["seeds"] = {{"first", made.first_seed}, {"last", made.last_seed}};
+    return text_of({{"program", "lacuna"},
+                    {"version", LACUNA_VERSION},
+                    {"request", asked},
+                    {"sets", made.sets},
+                    {"maximal_sets", made.maximal},
+                    {"count", made.points},
+                    {"count_a_set", {{"least", made.least}, {"most", made.most}}},
+                    {"seconds", {{"total", made.seconds}}},
+                    {"backend", made.last.backend},
+                    {"device", made.last.device},
+                    {"peak_memory_bytes", peak_memory_bytes()}});
+}
+
 Json json_of_importance(const pictures::Importance& importance) {
     return {{"invert", importance.invert},
             {"gamma", importance.gamma},

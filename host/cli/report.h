@@ -3,6 +3,7 @@
 
 #include <lacuna/lacuna.h>
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -23,6 +24,20 @@ Json json_of_importance(const pictures::Importance& importance);
 // is to say of every set.
 std::string report_of(const Request& request, const Made& made);
 std::string report_of(const Request& request, const Made& made, const Json& more);
+
+// Of many sets of one request: how many points they have, and what they took together.
+struct ManyMade {
+    std::uint64_t first_seed = 0;
+    std::uint64_t last_seed = 0;
+    std::uint64_t sets = 0;
+    std::uint64_t points = 0;
+    std::uint64_t least = 0;  // points of a set
+    std::uint64_t most = 0;
+    std::uint64_t maximal = 0;  // sets
+    Result last;                // without its points
+    double seconds = 0;         // the writing of files included
+};
+std::string many_report(const Request& request, const ManyMade& made);
 
 // Of points that were read and only relaxed.
 std::string relax_report(const Json& request, const Made& made, const Json& more);

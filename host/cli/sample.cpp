@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "cli/output.h"
 #include "cli/relaxation.h"
 #include "cli/report.h"
+#include "cli/sample_seeds.h"
 #include "cli/writing.h"
 #include "files/point_files.h"
 
@@ -35,12 +37,14 @@ Examples:
   lacuna sample --count 4096 --torus --relax 30 -o even.npy   far more even: see lacuna relax --help
   lacuna sample --radius 0.005 --seed 7 -o a.csv --report a.json   and what it cost
   lacuna sample --count 10k --format npy > a.npy      another format on standard output
+  lacuna sample --count 256 --torus --seeds 0..999 -o 'tiles/{seed}.npy'   a thousand small tiles
 )";
 
 struct SampleCommand {
     CommonOptions common;
     DrawingOptions drawing;
     std::uint32_t relax = 0;
+    std::optional<SeedRange> seeds;
 };
 
 void read_mode(const std::string& text, Mode& mode) {
@@ -55,6 +59,13 @@ void read_mode(const std::string& text, Mode& mode) {
 }
 
 void run(const CLI::App& command, const SampleCommand& all) {
+    if (all.seeds) {
+        if (all.relax != 0)
+            throw BadRequest("relax", std::to_string(all.relax),
+                             "is not for --seeds: relax each file with lacuna relax");
+        sample_seeds(command, all.common, all.drawing, *all.seeds);
+        return;
+    }
     const CommonOptions& options = all.common;
     const std::vector<Output> outputs = checked_outputs(options, {});
     check_drawing(all.drawing, outputs);
@@ -123,6 +134,7 @@ void add_sample(CLI::App& app) {
     Request& request = options->common.request;
     add_size(command, request);
     add_what_to_make(command, request);
+    add_seeds(command, options->seeds);
     add_relax(command, options->relax);
     add_mode(command, request);
     add_how_to_draw(command, options->drawing, "two thirds of the points' radius");

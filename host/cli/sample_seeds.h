@@ -1,0 +1,26 @@
+// `lacuna sample --seeds A..B`: a set a seed, a file a set.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "cli/app_fwd.h"
+#include "cli/common_options.h"
+#include "cli/drawing.h"
+
+namespace lacuna::cli {
+
+struct SeedRange {
+    std::uint64_t first;
+    std::uint64_t last;  // which is one of them
+};
+
+// --seeds; `seeds` must outlive the command.
+void add_seeds(CLI::App& command, std::optional<SeedRange>& seeds);
+
+// Makes the sets and writes each to every output, whose name must have {seed} in it. Every file has
+// the bytes that --seed alone would give. Throws what lacuna::sample and the files throw.
+void sample_seeds(const CLI::App& command, const CommonOptions& options,
+                  const DrawingOptions& drawing, SeedRange seeds);
+
+}  // namespace lacuna::cli

@@ -1,0 +1,133 @@
+// Given several seeds, the sets are those of each seed alone, in order, however they are made.
+#include <lacuna/many.h>
+
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using namespace lacuna;
+using Seeds = std::vector<std::uint64_t>;
+
+Request request_of(double radius, std::uint32_t threads = 0) {
+    Request request;
+    request.radius = radius;
+    request.boundary = Boundary::torus;
+    request.backend = "cpu";
+    request.threads = threads;
+    return request;
+}
+
+// Holds all sets against those of sample(), and counts them.
+std::size_t expect_same_as_alone(const Request& request, const Seeds& seeds) {
+    std::size_t at = 0;
+    sample_many(request, seeds, [&](std::uint64_t seed, Result set) {
+        ASSERT_LT(at, seeds.size());
+        EXPECT_EQ(seed, seeds[at++]);
+        Request alone = request;
+        alone.seed = seed;
+        const Result expected = sample(alone);
+        EXPECT_EQ(set.points, expected.points) << "seed " << seed;
+        EXPECT_EQ(set.maximal, expected.maximal);
+        EXPECT_EQ(set.rounds, expected.rounds);
+    });
+    return at;
+}
+
+TEST(SampleMany, GivesTheSetOfEachSeedInOrderOnAnyNumberOfThreads) {
+    Seeds seeds{7, 3, 3, std::numeric_limits<std::uint64_t>::max()};
+    for (std::uint64_t seed = 0; seed < 300; ++seed) seeds.push_back(seed);  // several batches
+    for (const std::uint32_t threads : {0U, 1U, 2U})
+        EXPECT_EQ(expect_same_as_alone(request_of(0.1, threads), seeds), seeds.size());
+}
+
+TEST(SampleMany, GivesTheSetOfEachSeedInAllModesAndSizes) {
+    const Seeds seeds{1, 2, 3};
+    EXPECT_EQ(expect_same_as_alone(request_of(0.004), seeds), 3U);  // too large to share out
+    Request lines = request_of(0.05);
+    lines.mode = Mode::lines;
+    EXPECT_EQ(expect_same_as_alone(lines, seeds), 3U);
+    lines.uniform_x = true;
+    EXPECT_EQ(expect_same_as_alone(lines, seeds), 3U);
+    Request count = request_of(0);
+    count.radius.reset();
+    count.count = 500;
+    EXPECT_EQ(expect_same_as_alone(count, seeds), 3U);
+    Request reference = request_of(0.1);
+    reference.backend = "reference";
+    EXPECT_EQ(expect_same_as_alone(reference, seeds), 3U);
+    const Field field{2, 1, {1, 0.2}};
+    Request cells;
+    cells.mode = Mode::cells;
+    cells.field = &field;
+    cells.scale = 0.05;
+    EXPECT_EQ(expect_same_as_alone(cells, seeds), 3U);
+}
+
+TEST(SampleMany, OfNoSeedsMakesNothing) {
+    EXPECT_EQ(expect_same_as_alone(request_of(0.1), {}), 0U);
+}
+
+TEST(SampleMany, RefusesWhatSampleRefuses) {
+    const auto take = [](std::uint64_t, const Result&) { FAIL() << "a set was made"; };
+    const Seeds seeds{1, 2, 3};
+    EXPECT_THROW(sample_many(request_of(-1), seeds, take), BadRequest);
+    EXPECT_THROW(sample_many(request_of(0.1, 1025), seeds, take), BadRequest);
+    Request elsewhere = request_of(0.1);
+    elsewhere.backend = "abacus";
+    EXPECT_THROW(sample_many(elsewhere, seeds, take), BadRequest);
+    Request snapped = request_of(0.1);
+    snapped.snap = true;
+    EXPECT_THROW(sample_many(snapped, seeds, take), BadRequest);
+}
+
+TEST(SampleMany, PassesOnWhatTakingASetThrows) {
+    int taken = 0;
+    EXPECT_THROW(sample_many(request_of(0.1), Seeds{1, 2, 3, 4},
+                             [&](std::uint64_t, const Result&) {
+                                 if (++taken == 2) throw std::runtime_error("disk");
+                             }),
+                 std::runtime_error);
+    EXPECT_EQ(taken, 2);
+}
+
+class Counting : public Observer {
+public:
+    explicit Counting(std::uint64_t last) : last_(last) {}
+    bool keep_going(const Progress& progress) override {
+        EXPECT_EQ(std::this_thread::get_id(), caller_);
+        EXPECT_GE(progress.points, done_);
+        EXPECT_EQ(progress.expected_points, 400U);
+        done_ = progress.points;
+        return done_ < last_;
+    }
+    std::uint64_t done() const { return done_; }
+
+private:
+    std::uint64_t last_;
+    std::uint64_t done_ = 0;
+    std::thread::id caller_ = std::this_thread::get_id();
+};
+
+TEST(SampleMany, TellsTheCallingThreadHowManySetsAreDoneAndEndsWhenTold) {
+    Seeds seeds(400);
+    for (std::size_t i = 0; i < seeds.size(); ++i) seeds[i] = i;
+    for (const std::uint32_t threads : {1U, 2U}) {
+        Counting counting(5);
+        std::uint64_t taken = 0;
+        EXPECT_THROW(sample_many(
+                         request_of(0.1, threads), seeds,
+                         [&](std::uint64_t, const Result&) { ++taken; }, counting),
+                     Cancelled);
+        EXPECT_EQ(taken, 5U);
+        EXPECT_EQ(counting.done(), 5U);
+    }
+}
+
+}  // namespace
