@@ -15,7 +15,7 @@ from ._errors import BadRequest, DeviceError, Error, FileError, MemoryRefused, U
 from ._judging import analyze, devices, verify
 from ._relax import relax
 from ._results import Analysis, Device, Evenness, PointSet, Relaxed, Stippling, Verdict
-from ._sample import sample
+from ._sample import sample, sample_many
 from ._stipple import stipple
 
 __version__: str = _core.version
@@ -37,6 +37,7 @@ __all__ = [
     "devices",
     "relax",
     "sample",
+    "sample_many",
     "stipple",
     "verify",
 ]

@@ -61,6 +61,9 @@ def decode_field(content: bytes, name: str, tone: Tone) -> Field: ...
 def sample(
     request: Request, field: Field | None, progress: Callable[[int, int], object] | None
 ) -> dict[str, Any]: ...
+def sample_many(
+    request: Request, seeds: list[int], progress: Callable[[int, int], object] | None
+) -> list[dict[str, Any]]: ...
 def relax(
     points: npt.NDArray[np.float64],
     field: Field | None,

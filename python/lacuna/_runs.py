@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from typing import TYPE_CHECKING, Any, Callable, SupportsFloat, SupportsIndex
 
 from . import _core
@@ -179,6 +180,31 @@ def make(
         for step, spent in relaxed.seconds.items():
             seconds[step] = seconds.get(step, 0.0) + spent
         made.update(points=relaxed.points, radius=least, maximal=False, seconds=seconds)
+    return _set_of(made, request, relaxed, asked)
+
+
+def make_many(
+    request: _core.Request, seeds: list[int], progress: Progress | None
+) -> list[dict[str, Any]]:
+    """Samples once for each seed, and gives what PointSets are made of."""
+    checked_progress(progress)
+    started = time.perf_counter()
+    all_made = _core.sample_many(request, seeds, progress)
+    total = time.perf_counter() - started
+    sets = []
+    for seed, made in zip(seeds, all_made):
+        request.seed = seed
+        made["seconds"] = {"total": total / len(seeds)}
+        sets.append(_set_of(made, request, None, _request_of(request, made["lines_per_radius"])))
+    return sets
+
+
+def _set_of(
+    made: dict[str, Any],
+    request: _core.Request,
+    relaxed: Relaxed | None,
+    asked: dict[str, Any],
+) -> dict[str, Any]:
     if request.mode != "cells":
         made["scale"] = None
     return dict(

@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
+from typing import TYPE_CHECKING, Iterable, SupportsFloat, SupportsIndex
 
 from . import _core
 from ._arguments import choice, field_of, flag, pair, whole
 from ._errors import BadRequest
 from ._results import PointSet
-from ._runs import MOST_32, choose_metric, fill, make, place, set_size, shape_of
+from ._runs import (
+    MOST_32,
+    MOST_64,
+    choose_metric,
+    fill,
+    make,
+    make_many,
+    place,
+    set_size,
+    shape_of,
+)
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -171,3 +181,77 @@ def sample(
     request.snap = flag("snap", snap)
     request.uniform_x = flag("uniform_x", uniform_x)
     return PointSet(**make(request, importance, iterations, progress))
+
+
+def sample_many(
+    seeds: Iterable[SupportsIndex],
+    radius: SupportsFloat | None = None,
+    n: SupportsIndex | None = None,
+    *,
+    domain: tuple[SupportsFloat, SupportsFloat] = (1, 1),
+    torus: bool = False,
+    mode: str = "exact",
+    limit: SupportsIndex | None = None,
+    lines_per_radius: SupportsIndex | None = None,
+    snap: bool = False,
+    uniform_x: bool = False,
+    round_size: SupportsIndex = 0,
+    backend: str = "auto",
+    device: int | str | None = None,
+    threads: SupportsIndex = 0,
+    memory_limit: SupportsIndex | None = None,
+    progress: Progress | None = None,
+) -> list[PointSet]:
+    """Make many sets of one request, a seed each: small ones several at once.
+
+    Each set is what ``sample`` gives with that seed. Sets of up to some 20,000 points are shared
+    out among the threads of the cpu, larger ones are made one after the other.
+
+    Parameters
+    ----------
+    seeds : iterable of int
+        Such as ``range(1000)``: each 0 to 2^64 - 1.
+    radius, n, domain, torus, mode, limit, lines_per_radius, snap, uniform_x, round_size, backend, \
+device, threads, memory_limit
+        As of ``sample``; memory_limit is of each set.
+    progress : callable, optional
+        Called with the sets that are done and all of them.
+
+    Returns
+    -------
+    list of PointSet
+        In the order of the seeds. Their ``seconds`` are equal shares of the call's.
+
+    Raises
+    ------
+    BadRequest, TypeError, MemoryRefused, Unavailable, DeviceError, KeyboardInterrupt
+        As ``sample``.
+
+    Examples
+    --------
+    >>> import lacuna
+    >>> tiles = lacuna.sample_many(range(100), n=256, torus=True)
+    >>> len(tiles), tiles[7].seed
+    (100, 7)
+    >>> bool((tiles[7].points == lacuna.sample(n=256, torus=True, seed=7).points).all())
+    True
+    """
+    request = _core.Request()
+    request.mode = choice("mode", mode, _MODES)
+    _refuse_what_is_for_fields(request, None, None)
+    set_size(request, {"radius": radius, "n": n})
+    if isinstance(seeds, (str, bytes)) or not isinstance(seeds, Iterable):
+        raise TypeError(f"seeds must be an iterable of int, not {seeds!r:.60}")
+    numbers = [whole("seeds", seed, 0, MOST_64) for seed in seeds]
+    place(request, pair("domain", domain), torus, backend, device, threads)
+    fill(
+        request,
+        seed=0,
+        limit=limit,
+        lines_per_radius=lines_per_radius,
+        round_size=round_size,
+        memory_limit=memory_limit,
+    )
+    request.snap = flag("snap", snap)
+    request.uniform_x = flag("uniform_x", uniform_x)
+    return [PointSet(**one) for one in make_many(request, numbers, progress)]

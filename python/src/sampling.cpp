@@ -1,10 +1,12 @@
 // What makes points: requests, fields, sample and relax.
 #include <lacuna/lacuna.h>
+#include <lacuna/many.h>
 #include <lacuna/pictures.h>
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -34,15 +36,7 @@ Values values_of(Field& field) {
     return Values(field.importance.data(), {field.rows, field.columns}, nb::find(field));
 }
 
-nb::dict sample_points(const Request& wanted, const Field* field, nb::object progress) {
-    Request request = wanted;
-    request.field = field;
-    Watch watch(std::move(progress));
-    Result result;
-    {
-        const nb::gil_scoped_release no_gil;
-        result = sample(request, watch);
-    }
+nb::dict dict_of(Result result) {
     nb::dict made;
     made["points"] = array_of(std::move(result.points));
     made["radius"] = result.radius;
@@ -53,8 +47,38 @@ nb::dict sample_points(const Request& wanted, const Field* field, nb::object pro
     made["draws"] = result.draws;
     made["backend"] = result.backend;
     made["device"] = result.device;
+    return made;
+}
+
+nb::dict sample_points(const Request& wanted, const Field* field, nb::object progress) {
+    Request request = wanted;
+    request.field = field;
+    Watch watch(std::move(progress));
+    Result result;
+    {
+        const nb::gil_scoped_release no_gil;
+        result = sample(request, watch);
+    }
+    nb::dict made = dict_of(std::move(result));
     made["seconds"] = watch.seconds();
     return made;
+}
+
+// A dict for each of the seeds.
+nb::list sample_many_points(const Request& request, const std::vector<std::uint64_t>& seeds,
+                            nb::object progress) {
+    Watch watch(std::move(progress));
+    std::vector<Result> results;
+    {
+        const nb::gil_scoped_release no_gil;
+        results.reserve(seeds.size());
+        sample_many(
+            request, seeds, [&](std::uint64_t, Result set) { results.push_back(std::move(set)); },
+            watch);
+    }
+    nb::list all;
+    for (Result& result : results) all.append(dict_of(std::move(result)));
+    return all;
 }
 
 nb::dict relax_points(const PointArray& array, const Field* field, const RelaxOptions& options,
@@ -178,6 +202,7 @@ void add_sampling(nb::module_& module) {
     module.def("read_field", read_picture);
     module.def("decode_field", decode_picture);
     module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg().none());
+    module.def("sample_many", sample_many_points, nb::arg(), nb::arg(), nb::arg().none());
     module.def("relax", relax_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none());
     module.def("dot_count", dot_count);
     module.def("dot_radii", dot_radii);

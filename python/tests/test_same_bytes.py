@@ -148,3 +148,23 @@ def test_of_relaxed_points(
         backend=backend,
     )
     assert relaxed.points.tobytes() == expected.tobytes()
+
+
+def test_many_seeds_give_the_sets_of_each_alone() -> None:
+    told: list[tuple[int, int]] = []
+    made = lacuna.sample_many(
+        range(5, 200), radius=0.1, torus=True, progress=lambda *done: told.append(done)
+    )
+    assert [one.seed for one in made] == list(range(5, 200))
+    for one in made[::20]:
+        alone = lacuna.sample(0.1, torus=True, seed=one.seed)
+        assert one.sha256 == alone.sha256 and one.rounds == alone.rounds
+        assert one.report()["request"]["seed"] == one.seed
+    assert all(expected == 195 for _, expected in told)
+    assert lacuna.sample_many([], n=10) == []
+
+
+def test_seeds_that_make_no_sense_are_refused() -> None:
+    for wrong, error in (([-1], ValueError), ([1.5], TypeError), (7, TypeError), ("12", TypeError)):
+        with pytest.raises(error, match="seeds"):
+            lacuna.sample_many(wrong, n=10)  # type: ignore[arg-type]
