@@ -18,7 +18,7 @@ from selenium.webdriver.chrome.service import Service
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "build-web" / "page"
 LACUNA = ROOT / "build" / "lacuna"
-PATIENCE = 60  # seconds, of a loaded machine
+PATIENCE = 180  # seconds, of a loaded machine
 
 
 class Handler(http.server.SimpleHTTPRequestHandler):
