@@ -29,7 +29,7 @@ constexpr std::uint32_t kLongestChunk = 64;
 
 // See Queue::launch.
 constexpr std::uint64_t kWordsPerWork = 32;
-constexpr std::uint64_t kFirstPassWork = 6;
+constexpr std::uint64_t kFirstPassWorkInCells = 6;
 constexpr std::uint64_t kTurnsPerWork = 8;
 
 // So few draws are compared all with all, however wide their radii.
@@ -116,7 +116,7 @@ public:
         portable::DrawArguments arguments = arguments_of(pass);
         arguments.chunk = round_.chunk_of_admit(chunk_of(static_cast<std::uint64_t>(near) + 16));
         round_.launch_over_draws<kernels::admit_in_cells>(arguments,
-                                                          pass == 0 ? kFirstPassWork : 1);
+                                                          pass == 0 ? kFirstPassWorkInCells : 1);
     }
 
     void subtract() override {
