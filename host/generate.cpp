@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "large_pages.h"
 #include "plan/first_free.h"
 #include "rounds/round_policy.h"
 #include "rounds/timed_verbs.h"
@@ -17,6 +18,7 @@ namespace lacuna {
 Outcome generate(const Plan& plan, Backend& untimed, Observer& observer) {
     Outcome outcome;
     outcome.samples.reserve(plan.expected_samples);
+    ask_for_large_pages(outcome.samples.data(), plan.expected_samples);
     const auto may_go_on = [&] {
         const std::uint64_t points = outcome.samples.size();
         const std::uint64_t expected = std::max(points, plan.expected_samples);
@@ -26,7 +28,7 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer) {
         if (!may_go_on()) throw Cancelled();
     };
     TimedBackend backend(untimed, observer);
-    TimedMarginal marginal(plan, poll, observer);
+    TimedMarginal marginal(plan, backend.workers(), poll, observer);
     RoundPolicy policy(plan);
     backend.watch(may_go_on);
     const std::vector<std::uint32_t> all_free = first_free_lengths(plan);

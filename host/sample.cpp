@@ -9,6 +9,7 @@
 
 #include "backends/backends.h"
 #include "lacuna/lacuna.h"
+#include "large_pages.h"
 #include "plan/plan.h"
 
 namespace lacuna {
@@ -27,6 +28,7 @@ Result run(const Request& request, const std::optional<FieldSums>& sums, Observe
     const Run run = run_on_backend(request, plan, observer);
     Result result;
     result.points.reserve(run.outcome.samples.size());
+    ask_for_large_pages(result.points.data(), run.outcome.samples.size());
     for (const Sample& sample : run.outcome.samples) result.points.push_back(plan.to_user(sample));
     result.radius = plan.user_radius;
     result.scale = plan.user_scale;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "plan/plan.h"
+#include "workers.h"
 
 namespace lacuna {
 
@@ -86,6 +87,9 @@ public:
     virtual void subtract() = 0;
     virtual void refine(bool halve) = 0;
     virtual Round finish_round() = 0;
+
+    // Threads of the host, which also serve what a round has to do before the verbs.
+    virtual Workers& workers() = 0;
 
     // Asked now and then during long verbs, from the calling thread; false cancels the run.
     virtual void watch(std::function<bool()> may_go_on) = 0;

@@ -48,7 +48,7 @@ double memory_of_lattice(const Request& request, double lattice_points, double p
     return lattice_points / 8 + pixels * kBytesPerPixel + points * kBytesPerPoint;
 }
 
-struct Lattice {
+struct LatticeOfPlan {
     double least_radius;
     double lines;
     double height;
@@ -56,8 +56,8 @@ struct Lattice {
 
 // Section 4.2: m / r_min lines, and the same step along y, as nearly as the height allows. Where
 // the whole height is less than half a step, steps are as long as the height.
-Lattice lattice_of(const Request& request, const FieldSums& sums, double scale) {
-    Lattice lattice{scale / std::sqrt(sums.greatest), 0, 0};
+LatticeOfPlan lattice_of(const Request& request, const FieldSums& sums, double scale) {
+    LatticeOfPlan lattice{scale / std::sqrt(sums.greatest), 0, 0};
     lattice.lines =
         std::max(1.0, std::ceil(cells_per_radius(request) * request.width / lattice.least_radius));
     lattice.height = std::round(lattice.lines * request.height / request.width);
@@ -69,7 +69,7 @@ Lattice lattice_of(const Request& request, const FieldSums& sums, double scale) 
 }
 
 void check_lattice(const Request& request, const std::string& option, const std::string& value,
-                   const Lattice& lattice, double samples) {
+                   const LatticeOfPlan& lattice, double samples) {
     const double longer = std::max(lattice.lines, lattice.height);
     if (!(longer <= kMostLatticeSteps))
         throw BadRequest(option, value,
@@ -125,7 +125,7 @@ Plan make_cells_plan(const Request& request, const FieldSums& sums, const Poll& 
     const double scale = *request.scale;
     if (!std::isfinite(scale) || scale <= 0)
         throw BadRequest("scale", shortest(scale), "must be a finite number greater than 0");
-    const Lattice lattice = lattice_of(request, sums, scale);
+    const LatticeOfPlan lattice = lattice_of(request, sums, scale);
     const double expected =
         samples_at_radius_one(request, sums) / (lattice.least_radius * lattice.least_radius);
     check_lattice(request, "scale", shortest(scale), lattice, expected);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "rounds/random.h"
 
@@ -15,7 +16,12 @@ constexpr std::size_t kBlock = 16;
 // About so many draws are sorted at a time: they stay in the cache of a core.
 constexpr unsigned kPartBits = 12;
 
-// So many draws, or sums, take about a millisecond.
+// Draws are shared out in chunks: of kLeastChunk draws or more, which take 0.1 ms, and no more than
+// about kMostChunks of them, for each counts the draws of all parts.
+constexpr std::uint32_t kLeastChunk = std::uint32_t{1} << 12;
+constexpr std::uint32_t kMostChunks = 64;
+
+// So many sums take about a millisecond.
 constexpr std::size_t kPollEvery = std::size_t{1} << 14;
 
 std::uint64_t bits_of(const Draw& draw) {
@@ -108,58 +114,98 @@ private:
     std::size_t block_ = 0;
 };
 
-// Leaves the draws of each part together, not inverted.
+// With random bits in place of place and rank.
+Draw Marginal::drawn(std::uint64_t first_number, std::uint32_t order) const {
+    const RandomBits random = random_bits(plan_.seed, first_number + order);
+    const std::uint64_t for_offset =
+        plan_.uniform_x ? random_bits(plan_.seed, first_number + order, 1).first : random.second;
+    const std::uint64_t offset =
+        plan_.snap ? plan_.strip_width / 2 : scaled(for_offset, place_width_);
+    return {static_cast<std::uint32_t>(random.first >> 32),
+            static_cast<std::uint32_t>(random.first), static_cast<std::uint32_t>(offset), order};
+}
+
+// Leaves the draws of each part together, in their order, not inverted: counted chunk by chunk,
+// then moved to where they belong.
 void Marginal::draw_bits(std::uint64_t first_number, std::uint32_t count) {
     const auto width = static_cast<unsigned>(std::bit_width(count));
     part_bits_ = std::max(width, kPartBits) - kPartBits;
-    part_ends_.assign(std::size_t{1} << part_bits_, 0);
+    const std::size_t parts = std::size_t{1} << part_bits_;
+    const std::uint32_t chunk = std::max(kLeastChunk, count / kMostChunks + 1);
+    const std::uint32_t chunks = (count - 1) / chunk + 1;
+    chunk_ends_.assign(chunks * parts, 0);
     drawn_.resize(count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        if (i % kPollEvery == 0) poll_();
-        const RandomBits random = random_bits(plan_.seed, first_number + i);
-        const std::uint64_t for_offset =
-            plan_.uniform_x ? random_bits(plan_.seed, first_number + i, 1).first : random.second;
-        const std::uint64_t offset =
-            plan_.snap ? plan_.strip_width / 2 : scaled(for_offset, place_width_);
-        drawn_[i] = {static_cast<std::uint32_t>(random.first >> 32),
-                     static_cast<std::uint32_t>(random.first), static_cast<std::uint32_t>(offset),
-                     i};
-        ++part_ends_[highest(drawn_[i], part_bits_)];
-    }
-    sum_before(part_ends_);
     draws_.resize(count);
-    for (const Draw& draw : drawn_) draws_[part_ends_[highest(draw, part_bits_)]++] = draw;
+    const auto for_chunk = [&](std::uint32_t index, auto visit) {
+        const std::span<std::uint32_t> of_chunk =
+            std::span(chunk_ends_).subspan(index * parts, parts);
+        const std::uint32_t begin = index * chunk;
+        const std::uint32_t end = begin + std::min(chunk, count - begin);
+        for (std::uint32_t i = begin; i < end; ++i) visit(i, of_chunk);
+    };
+    workers_.for_columns(chunks, count, [&](std::uint32_t index) {
+        for_chunk(index, [&](std::uint32_t i, std::span<std::uint32_t> counts) {
+            drawn_[i] = drawn(first_number, i);
+            ++counts[highest(drawn_[i], part_bits_)];
+        });
+    });
+    find_ends(chunks);
+    workers_.for_columns(chunks, count, [&](std::uint32_t index) {
+        for_chunk(index, [&](std::uint32_t i, std::span<std::uint32_t> ends) {
+            draws_[ends[highest(drawn_[i], part_bits_)]++] = drawn_[i];
+        });
+    });
 }
 
-// By the next highest bits, then by all.
-void Marginal::sort_part(std::span<const Draw> part) {
+// Counts become the places where what is counted begins.
+void Marginal::find_ends(std::size_t chunks) {
+    const std::size_t parts = std::size_t{1} << part_bits_;
+    part_ends_.resize(parts);
+    std::uint32_t sum = 0;
+    for (std::size_t part = 0; part < parts; ++part) {
+        for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+            std::uint32_t& entry = chunk_ends_[chunk * parts + part];
+            sum += std::exchange(entry, sum);
+        }
+        part_ends_[part] = sum;
+    }
+}
+
+// Sorts a part by the next highest bits, then by all, and walks along the cdf.
+void Marginal::invert_part(std::uint64_t first_number, std::span<Draw> part) const {
+    struct Scratch {
+        std::vector<Draw> sorted;
+        std::vector<std::uint32_t> starts;
+    };
+    thread_local Scratch of_thread;
+    auto& [sorted, starts] = of_thread;
     const auto bits = static_cast<unsigned>(std::bit_width(part.size()));
-    starts_.assign(std::size_t{1} << bits, 0);
-    for (const Draw& draw : part) ++starts_[highest(draw, bits, part_bits_)];
-    sum_before(starts_);
-    part_.resize(part.size());
-    for (const Draw& draw : part) part_[starts_[highest(draw, bits, part_bits_)]++] = draw;
-    insertion_sort(part_, [](const Draw& a, const Draw& b) { return bits_of(a) < bits_of(b); });
+    starts.assign(std::size_t{1} << bits, 0);
+    for (const Draw& draw : part) ++starts[highest(draw, bits, part_bits_)];
+    sum_before(starts);
+    sorted.resize(part.size());
+    for (const Draw& draw : part) sorted[starts[highest(draw, bits, part_bits_)]++] = draw;
+    insertion_sort(std::span(sorted),
+                   [](const Draw& a, const Draw& b) { return bits_of(a) < bits_of(b); });
+    Walk walk(*this);
+    for (Draw& draw : sorted) {
+        if (plan_.uniform_x)
+            walk.invert_uniform_x(draw, random_bits(plan_.seed, first_number + draw.order).second);
+        else
+            walk.invert(draw);
+    }
+    std::copy(sorted.begin(), sorted.end(), part.begin());
 }
 
 std::span<const Draw> Marginal::invert(std::uint64_t first_number, std::uint32_t count) {
     draw_bits(first_number, count);
-    Walk walk(*this);
-    std::uint32_t begin = 0;
-    for (const std::uint32_t end : part_ends_) {
-        poll_();
-        sort_part(std::span(draws_).subspan(begin, end - begin));
-        for (Draw& draw : part_) {
-            if (plan_.uniform_x)
-                walk.invert_uniform_x(draw,
-                                      random_bits(plan_.seed, first_number + draw.order).second);
-            else
-                walk.invert(draw);
-            draws_[begin++] = draw;
-        }
-    }
+    workers_.for_columns(
+        static_cast<std::uint32_t>(part_ends_.size()), count, [&](std::uint32_t part) {
+            const std::uint32_t begin = part == 0 ? 0 : part_ends_[part - 1];
+            invert_part(first_number, std::span(draws_).subspan(begin, part_ends_[part] - begin));
+        });
     if (plan_.uniform_x)  // whose ranks do not ascend with the bits
-        insertion_sort(draws_, [](const Draw& a, const Draw& b) {
+        insertion_sort(std::span(draws_), [](const Draw& a, const Draw& b) {
             return a.place != b.place ? a.place < b.place : a.rank < b.rank;
         });
     return draws_;

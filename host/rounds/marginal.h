@@ -10,14 +10,16 @@
 
 #include "backends/backend.h"
 #include "plan/plan.h"
-#include "rounds/random.h"
+#include "workers.h"
 
 namespace lacuna {
 
 class Marginal {
 public:
-    // `poll` is called now and then during long calls, and may throw to end them.
-    Marginal(const Plan& plan, std::function<void()> poll) : plan_(plan), poll_(std::move(poll)) {}
+    // The workers share out all but the running sums. `poll` is called now and then while these are
+    // made, and may throw to end that.
+    Marginal(const Plan& plan, Workers& workers, std::function<void()> poll)
+        : plan_(plan), workers_(workers), poll_(std::move(poll)) {}
 
     // New running sums, from the free length of every place, all of one width. The lengths are
     // read again by invert: they must stay until then.
@@ -33,10 +35,13 @@ public:
 private:
     class Walk;
 
+    Draw drawn(std::uint64_t first_number, std::uint32_t order) const;
     void draw_bits(std::uint64_t first_number, std::uint32_t count);
-    void sort_part(std::span<const Draw> part);
+    void find_ends(std::size_t chunks);
+    void invert_part(std::uint64_t first_number, std::span<Draw> part) const;
 
     const Plan& plan_;
+    Workers& workers_;
     std::function<void()> poll_;
     std::span<const std::uint32_t> lengths_;
     std::uint32_t place_width_ = 0;
@@ -46,8 +51,8 @@ private:
     std::vector<Draw> draws_;               // by part: by the highest bits
     unsigned part_bits_ = 0;                // how many those are
     std::vector<std::uint32_t> part_ends_;  // in draws_
-    std::vector<Draw> part_;                // one part, sorted by all bits
-    std::vector<std::uint32_t> starts_;     // in part_, by the next highest bits
+    // Of each chunk of numbers, for each part: how many draws, then where in draws_ the next goes.
+    std::vector<std::uint32_t> chunk_ends_;
 };
 
 }  // namespace lacuna

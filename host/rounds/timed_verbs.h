@@ -65,6 +65,7 @@ public:
     }
 
     std::string device() const override { return backend_.device(); }
+    Workers& workers() override { return backend_.workers(); }
     void watch(std::function<bool()> may_go_on) override { backend_.watch(std::move(may_go_on)); }
     Snapshot snapshot() override { return backend_.snapshot(); }
     void restore(const Snapshot& snapshot) override { backend_.restore(snapshot); }
@@ -76,8 +77,9 @@ private:
 
 class TimedMarginal {
 public:
-    TimedMarginal(const Plan& plan, std::function<void()> poll, Observer& observer)
-        : marginal_(plan, std::move(poll)), observer_(observer) {}
+    TimedMarginal(const Plan& plan, Workers& workers, std::function<void()> poll,
+                  Observer& observer)
+        : marginal_(plan, workers, std::move(poll)), observer_(observer) {}
 
     void rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t place_width) {
         const Timed timed(observer_, Verb::invert);

@@ -8,6 +8,7 @@
 #include "plan/plan.h"
 #include "rounds/marginal.h"
 #include "rounds/random.h"
+#include "workers.h"
 
 namespace {
 
@@ -44,7 +45,8 @@ void expect_draws_inverted_alone(std::size_t places, std::uint32_t count, bool u
     for (std::size_t i = 0; i < places; ++i)  // empty places too, one after the other
         lengths[i] = i % 7 < 3 ? 0 : static_cast<std::uint32_t>(1 + i * 7919 % 100);
     lengths[places / 2] = 1'000'000;
-    Marginal marginal(plan, [] {});
+    Workers workers(3);
+    Marginal marginal(plan, workers, [] {});
     marginal.rebuild(lengths, kPlaceWidth);
 
     const std::span<const Draw> draws = marginal.invert(kFirst, count);

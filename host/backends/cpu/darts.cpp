@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 
 #include "backends/cpu/precedence.h"
 #include "portable/fate.h"
@@ -13,6 +14,8 @@ namespace {
 // Cells are asked for so many candidates ahead, and the candidates twice as many: what memory
 // needs.
 constexpr std::size_t kAhead = 8;
+
+constexpr std::size_t kPollEvery = std::size_t{1} << 14;  // candidates put off: some 2 ms
 
 bool is_in(const Span& stretch, std::uint32_t x) {
     return x >= stretch.begin && x < stretch.end;
@@ -63,25 +66,51 @@ Darts::Slab Darts::slab_of(const SpanState& state, std::uint32_t index) const {
 }
 
 // The slab's candidates in their turns; and more entries, to be asked for ahead.
-void Darts::list_turns(const SpanState& state, const Slab& slab,
-                       std::vector<std::uint32_t>& thrown) {
-    thrown.resize(end_ - begin_ + 2 * kAhead);
-    std::size_t count = 0;
-    for (std::uint32_t turn = begin_; turn < end_; ++turn) {
-        const std::uint32_t i = candidate_of_turn(state.by_order, turn);
-        thrown[count] = i;
-        count += i - slab.first < slab.count;
+void Darts::list_turns(const SpanState& state, const Slab& slab, Scratch& scratch) const {
+    auto& [thrown, starts, unsorted, sorted] = scratch;
+    if (slabs() == 1) {
+        thrown.resize(end_ - begin_);
+        for (std::uint32_t turn = begin_; turn < end_; ++turn)
+            thrown[turn - begin_] = candidate_of_turn(state.by_order, turn);
+    } else {
+        unsorted.clear();
+        for (std::uint32_t i = slab.first; i < slab.first + slab.count; ++i) {
+            const std::uint32_t turn = turn_of(state.candidates[i], i);
+            if (turn - begin_ < end_ - begin_ && state.fates[i] != FATE_COVERED)
+                unsorted.push_back({turn - begin_, i});
+        }
+        sort_turns(scratch);
     }
-    thrown.resize(count);
-    thrown.resize(count + 2 * kAhead, slab.first);
+    thrown.resize(thrown.size() + 2 * kAhead, slab.first);
+}
+
+// By buckets of equally many turns, then among neighbours.
+void Darts::sort_turns(Scratch& scratch) const {
+    auto& [thrown, starts, unsorted, sorted] = scratch;
+    const std::uint64_t count = unsorted.size();
+    const auto bucket_of = [&](Turn turn) { return turn.number * count / (end_ - begin_); };
+    starts.assign(count, 0);
+    for (const Turn turn : unsorted) ++starts[bucket_of(turn)];
+    std::exclusive_scan(starts.begin(), starts.end(), starts.begin(), 0u);
+    sorted.resize(count);
+    for (const Turn turn : unsorted) sorted[starts[bucket_of(turn)]++] = turn;
+    for (std::size_t i = 1; i < count; ++i) {
+        const Turn moved = sorted[i];
+        std::size_t to = i;
+        for (; to > 0 && moved.number < sorted[to - 1].number; --to) sorted[to] = sorted[to - 1];
+        sorted[to] = moved;
+    }
+    thrown.clear();
+    for (const Turn turn : sorted) thrown.push_back(turn.candidate);
 }
 
 void Darts::throw_in(SpanState& state, std::uint32_t index) {
-    thread_local std::vector<std::uint32_t> of_thread;
-    std::vector<std::uint32_t>& thrown = of_thread;  // looked up once, see subtract.cpp
+    thread_local Scratch of_thread;
+    Scratch& scratch = of_thread;  // looked up once, see subtract.cpp
     const Slab slab = slab_of(state, index);
     if (slab.count == 0) return;
-    list_turns(state, slab, thrown);
+    list_turns(state, slab, scratch);
+    const std::vector<std::uint32_t>& thrown = scratch.thrown;
     const bool is_shared = put_off_.size() > 1;
     SampleGrid& grid = *state.grid;
     for (std::size_t k = 0; k + 2 * kAhead < thrown.size(); ++k) {
@@ -106,14 +135,16 @@ void Darts::throw_in(SpanState& state, std::uint32_t index) {
     }
 }
 
-void Darts::finish(SpanState& state) {
+void Darts::finish(SpanState& state, const std::function<void()>& poll) {
     std::vector<std::uint32_t>& all = put_off_.front();
     for (std::size_t slab = 1; slab < put_off_.size(); ++slab)
         all.insert(all.end(), put_off_[slab].begin(), put_off_[slab].end());
     std::sort(all.begin(), all.end(), [&](std::uint32_t a, std::uint32_t b) {
         return precedes(state.candidates[a], state.candidates[b]);
     });
-    for (const std::uint32_t i : all) {
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (k % kPollEvery == 0) poll();
+        const std::uint32_t i = all[k];
         const Sample place = place_of(state.candidates[i]);
         const bool is_covered = state.grid->is_covered(place.x, place.y);
         state.fates[i] = is_covered ? FATE_REJECTED : FATE_ADMITTED;

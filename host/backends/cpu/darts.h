@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "backends/cpu/state.h"
@@ -20,7 +21,8 @@ public:
     void begin(std::uint32_t begin, std::uint32_t end, std::uint32_t slabs);
     std::uint32_t slabs() const { return static_cast<std::uint32_t>(put_off_.size()); }
     void throw_in(SpanState& state, std::uint32_t slab);
-    void finish(SpanState& state);
+    // Calls poll now and then, which may throw.
+    void finish(SpanState& state, const std::function<void()>& poll);
 
 private:
     // The candidates of a slab, and the x of its own cells and of those that it may settle.
@@ -31,7 +33,19 @@ private:
         Span inner;
     };
     Slab slab_of(const SpanState& state, std::uint32_t index) const;
-    void list_turns(const SpanState& state, const Slab& slab, std::vector<std::uint32_t>& thrown);
+    struct Turn {
+        std::uint32_t number;
+        std::uint32_t candidate;
+    };
+    // What a thread keeps from slab to slab.
+    struct Scratch {
+        std::vector<std::uint32_t> thrown;  // candidates, in their turns
+        std::vector<std::uint32_t> starts;
+        std::vector<Turn> unsorted;
+        std::vector<Turn> sorted;
+    };
+    void list_turns(const SpanState& state, const Slab& slab, Scratch& scratch) const;
+    void sort_turns(Scratch& scratch) const;
 
     std::uint32_t begin_ = 0;
     std::uint32_t end_ = 0;

@@ -95,6 +95,7 @@ void locate(SpanState& state, std::span<const Draw> draws, std::uint32_t column)
         locate_on_lines(state, draws, column, Spans{state});
     set_undecided(state, column);
     state.find_orders(column);
+    if (state.grid) screen(state, column);
 }
 
 void locate(BitState& state, std::span<const Draw> draws, std::uint32_t column) {

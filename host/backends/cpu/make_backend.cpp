@@ -22,15 +22,15 @@ public:
     void admit() override {
         if (!state_.grid) return RoundBackend::admit();
         const auto count = static_cast<std::uint32_t>(state_.candidates.size());
-        for_columns(count, [&](std::uint32_t column) { cpu::screen(state_, column); });
+        if (!std::exchange(state_.is_screened, false))
+            for_columns(count, [&](std::uint32_t column) { cpu::screen(state_, column); });
+        const std::uint32_t slabs = count < kDrawsWorthSlabs ? 1 : this->slabs();
         for (std::uint32_t end, begin = 0; begin < count; begin = end) {
-            end = begin + std::min(kTurnsAtOnce, count - begin);
-            const std::uint32_t draws = end - begin;
-            darts_.begin(begin, end, draws < kDrawsWorthSlabs ? 1 : slabs());
-            for_slabs(darts_.slabs(), draws,
-                      [&](std::uint32_t slab) { darts_.throw_in(state_, slab); });
-            darts_.finish(state_);
-            poll();
+            const std::uint32_t draws = std::min(kTurnsAtOnce * slabs, count - begin);
+            end = begin + draws;
+            darts_.begin(begin, end, slabs);
+            for_slabs(slabs, draws, [&](std::uint32_t slab) { darts_.throw_in(state_, slab); });
+            darts_.finish(state_, [&] { poll(); });
         }
         state_.is_inserted = true;
     }
@@ -65,10 +65,10 @@ private:
             state_.grow();
     }
 
-    // So many draws are thrown in some 0.02 s, after which a run can be cancelled.
+    // In each slab: thrown in some 0.02 s, after which a run can be cancelled.
     static constexpr std::uint32_t kTurnsAtOnce = std::uint32_t{1} << 17;
     // Fewer take one thread less time than slabs take to share out.
-    static constexpr std::uint32_t kDrawsWorthSlabs = 512;
+    static constexpr std::uint32_t kDrawsWorthSlabs = 4096;
 
     Darts darts_;
     bool is_cut_ = false;  // by take_out: nothing is left to subtract

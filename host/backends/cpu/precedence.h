@@ -20,4 +20,9 @@ inline std::uint32_t candidate_of_turn(std::span<const std::uint32_t> by_order,
     return by_order[turn];
 }
 
+// And the turn of candidate i.
+inline std::uint32_t turn_of(const Candidate& candidate, std::uint32_t) {
+    return candidate.order;
+}
+
 }  // namespace lacuna::cpu

@@ -124,12 +124,12 @@ private:
     std::size_t chord_count_ = 0;
 };
 
-constexpr std::size_t kPlacesAhead = 4;  // boxes or spans; 4 to 8 are alike
+constexpr std::size_t kBoxesAhead = 4;  // boxes or spans; 4 to 8 are alike
 
 void refine_boxes(const SpanState& state, std::span<const Box> boxes, Refinement& refinement,
                   std::vector<Box>& left) {
     for (std::size_t k = 0; k < boxes.size(); ++k) {
-        const Box& later = boxes[std::min(k + kPlacesAhead, boxes.size() - 1)];
+        const Box& later = boxes[std::min(k + kBoxesAhead, boxes.size() - 1)];
         state.grid->fetch_near(later.x, later.begin);
         refinement.cut(boxes[k], left);
     }
@@ -140,7 +140,7 @@ void refine_line(const SpanState& state, std::uint32_t line, Refinement& refinem
     const std::uint32_t x = line * state.plan.strip_width;
     const std::span<const Span> spans = state.slot(line).first(state.span_counts[line]);
     for (std::size_t k = 0; k < spans.size(); ++k) {
-        state.grid->fetch_near(x, spans[std::min(k + kPlacesAhead, spans.size() - 1)].begin);
+        state.grid->fetch_near(x, spans[std::min(k + kBoxesAhead, spans.size() - 1)].begin);
         refinement.cut(x, spans[k], left);
     }
 }

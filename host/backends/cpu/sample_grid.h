@@ -9,6 +9,7 @@
 #include <span>
 
 #include "backends/cpu/vectors.h"
+#include "large_pages.h"
 #include "plan/plan.h"
 #include "portable/distance.h"
 #include "portable/fate.h"
@@ -39,7 +40,9 @@ public:
           side_(plan.grid_side),
           stride_(plan.grid_rows + kMargin),
           slots_(std::make_unique_for_overwrite<Sample[]>((plan.grid_columns + kMargin) *
-                                                          std::size_t{stride_})) {}
+                                                          std::size_t{stride_})) {
+        ask_for_large_pages(slots_.get(), (plan.grid_columns + kMargin) * std::size_t{stride_});
+    }
 
     // Empties a share of the cells, of so many shares.
     void clear(std::uint32_t share, std::uint32_t shares) {

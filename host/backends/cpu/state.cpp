@@ -8,6 +8,7 @@
 
 #include "backends/columns.h"
 #include "backends/cpu/reached.h"
+#include "large_pages.h"
 #include "plan/first_free.h"
 #include "portable/column.h"
 #include "portable/fate.h"
@@ -66,6 +67,7 @@ SpanState::SpanState(const Plan& the_plan)
       spans(std::make_unique_for_overwrite<Span[]>(std::size_t{plan.lines} * capacity)),
       span_counts(plan.lines),
       boxes(plan.is_exact() ? columns : 0) {
+    ask_for_large_pages(spans.get(), std::size_t{plan.lines} * capacity);
     if (plan.is_exact()) grid.emplace(plan);
 }
 
@@ -78,6 +80,7 @@ void SpanState::grow() {
     const std::unique_ptr<Span[]> old = std::move(spans);
     const std::uint32_t old_capacity = std::exchange(capacity, 2 * capacity);
     spans = std::make_unique_for_overwrite<Span[]>(std::size_t{plan.lines} * capacity);
+    ask_for_large_pages(spans.get(), std::size_t{plan.lines} * capacity);
     for (std::uint32_t line = 0; line < plan.lines; ++line)
         set_spans(line, {old.get() + std::size_t{line} * old_capacity, span_counts[line]});
 }
@@ -126,6 +129,7 @@ Snapshot SpanState::snapshot() const {
             snapshot.grid[std::size_t{candidates[i].x / plan.grid_side} * plan.grid_rows +
                           candidates[i].y / plan.grid_side] = {NO_SAMPLE, NO_SAMPLE};
     if (grid) sort_columns(snapshot);
+    if (is_screened) std::fill(snapshot.fates.begin(), snapshot.fates.end(), FATE_UNDECIDED);
     snapshot.box_width = has_boxes ? place_width : 0;
     for (const std::vector<Box>& of_column : boxes)
         snapshot.boxes.insert(snapshot.boxes.end(), of_column.begin(), of_column.end());
@@ -134,7 +138,8 @@ Snapshot SpanState::snapshot() const {
 
 void SpanState::restore(const Snapshot& snapshot) {
     State::restore(snapshot);
-    is_inserted = false;
+    is_inserted = is_screened = false;
+    if (grid) grid->clear(0, 1);  // its margin too, which no snapshot has
     for (std::uint32_t i = 0; i < plan.grid_columns && grid; ++i)
         std::copy_n(snapshot.grid.data() + std::size_t{i} * plan.grid_rows, plan.grid_rows,
                     grid->column(i));

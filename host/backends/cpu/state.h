@@ -38,6 +38,8 @@ struct State {
     std::vector<std::uint32_t> column_begins;  // columns + 1
     std::vector<std::uint32_t> fates;          // portable/fate.h
     std::vector<std::uint32_t> by_order;       // the candidate of each draw
+    // In exact: candidates that earlier samples cover are settled, ahead of admit.
+    bool is_screened = false;
     // But in exact, a column has as many buckets as candidates (portable/column.h). Bucket b of the
     // column begins at its candidate number buckets[column_begins[column] + b].
     std::vector<std::uint32_t> buckets;
@@ -87,6 +89,7 @@ struct SpanState : State {
     }
     // Sets the line's spans, for which there must be room.
     void set_spans(std::uint32_t line, std::span<const Span> of_line);
+    void end_locate() { is_screened = grid.has_value(); }
     // Twice the room for every line.
     void grow();
     // From now on the boxes are the places, all so wide.

@@ -27,7 +27,11 @@ public:
     DeviceBackend& operator=(const DeviceBackend&) = delete;
 
     std::string device() const override { return queue_->device().name; }
-    void watch(std::function<bool()> may_go_on) override { queue_->watch(std::move(may_go_on)); }
+    Workers& workers() override { return workers_; }
+    void watch(std::function<bool()> may_go_on) override {
+        workers_.watch(may_go_on);
+        queue_->watch(std::move(may_go_on));
+    }
 
     // Each verb waits, so that an observer can tell their times apart.
     void locate(std::span<const Draw> draws) override {
@@ -198,6 +202,7 @@ private:
     }
 
     std::unique_ptr<Queue> queue_;
+    Workers workers_{0};
     RoundMemory round_;
     std::unique_ptr<Places> places_;
     std::vector<Sample> samples_;

@@ -29,7 +29,6 @@ constexpr std::uint32_t kLongestChunk = 64;
 
 // See Queue::launch.
 constexpr std::uint64_t kWordsPerWork = 32;
-constexpr std::uint64_t kFirstPassWorkInCells = 6;
 constexpr std::uint64_t kTurnsPerWork = 8;
 
 // So few draws are compared all with all, however wide their radii.
@@ -115,8 +114,7 @@ public:
                             share_ * round_.part_count();
         portable::DrawArguments arguments = arguments_of(pass);
         arguments.chunk = round_.chunk_of_admit(chunk_of(static_cast<std::uint64_t>(near) + 16));
-        round_.launch_over_draws<kernels::admit_in_cells>(arguments,
-                                                          pass == 0 ? kFirstPassWorkInCells : 1);
+        round_.launch_over_draws<kernels::admit_in_cells>(arguments, RoundMemory::admit_work(pass));
     }
 
     void subtract() override {

@@ -44,6 +44,8 @@ struct RoundMemory {
     // next pass (bodies/admit.h), and those that it never comes to may be what the others wait for.
     void begin_more_passes();
     std::uint32_t chunk_of_admit(std::uint32_t chunk) const { return has_more_passes_ ? 1 : chunk; }
+    // Of a draw, see Queue::launch: the first pass looks at all of them, the others at few.
+    static std::uint64_t admit_work(std::uint32_t pass) { return pass == 0 ? 6 : 1; }
 
     // Flags on their way down that tell, after the wait, whether the passes have settled admission;
     // and by_order, which a round hands back. throw_if_failed throws DeviceError where a kernel

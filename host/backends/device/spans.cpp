@@ -15,7 +15,6 @@ namespace {
 
 // See Queue::launch.
 constexpr std::uint64_t kLocateWork = 4;
-constexpr std::uint64_t kFirstPassWork = 6;
 constexpr std::uint64_t kGrowWork = 2;
 
 class Spans : public Places {
@@ -82,7 +81,7 @@ public:
     void admit(std::uint32_t pass) override {
         portable::DrawArguments arguments = round_.arguments(pass);
         arguments.chunk = round_.chunk_of_admit(round_.queue.run_of(round_.part_count()));
-        round_.launch_over_draws<kernels::admit>(arguments, pass == 0 ? kFirstPassWork : 1);
+        round_.launch_over_draws<kernels::admit>(arguments, RoundMemory::admit_work(pass));
     }
 
     void subtract() override {

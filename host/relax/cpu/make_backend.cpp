@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "backends/cpu/workers.h"
 #include "relax/cpu/nearest_own.h"
 #include "relax/cpu/site_tree.h"
 #include "relax/cpu/tile.h"
 #include "relax/hilbert.h"
+#include "workers.h"
 
 namespace lacuna::relaxing::cpu {
 namespace {
@@ -228,7 +228,7 @@ private:
 
     const Lattice& lattice_;
     const portable::RelaxLattice& numbers_;
-    lacuna::cpu::Workers workers_;
+    Workers workers_;
     std::vector<std::uint32_t> indices_;  // of the sites below, which lie along Hilbert's curve
     std::vector<Site> sites_;
     std::vector<Site> moved_;

@@ -16,7 +16,7 @@ Node around(const Node& a, const Node& b) {
 
 }  // namespace
 
-void SiteTree::look_at(std::span<const Site> sites, lacuna::cpu::Workers& workers) {
+void SiteTree::look_at(std::span<const Site> sites, Workers& workers) {
     sites_ = sites;
     std::size_t below = sites.size();
     levels_.reserve(16);

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "backends/cpu/workers.h"
 #include "relax/lattice.h"
+#include "workers.h"
 
 namespace lacuna::relaxing::cpu {
 
@@ -24,7 +24,7 @@ class SiteTree {
 public:
     // At least one, in an order in which neighbours are near each other. They may move, and must
     // then be looked at again. They must outlive the tree.
-    void look_at(std::span<const Site> sites, lacuna::cpu::Workers& workers);
+    void look_at(std::span<const Site> sites, Workers& workers);
 
     // The least power, over all sites, that a site has in the rectangle's worst corner, if it is
     // less than `bound`; otherwise `bound`.

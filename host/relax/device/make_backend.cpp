@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "backends/cpu/workers.h"
 #include "portable/failure.h"
 #include "portable/site_tree.h"
 #include "relax/cpu/nearest_own.h"
 #include "relax/cpu/site_tree.h"
 #include "relax/device/memory.h"
 #include "relax/hilbert.h"
+#include "workers.h"
 
 namespace lacuna::relaxing::device {
 namespace {
@@ -96,7 +96,7 @@ public:
         const std::vector<Share> shares = shares_along_curve();
         settle();
         std::vector<Site> moved = along_curve();
-        lacuna::cpu::Workers alone(1);
+        Workers alone(1);
         cpu::SiteTree tree;
         tree.look_at(before, alone);
         const cpu::Scene scene{lattice_, tree, before, indices_, {}, {}};

@@ -46,7 +46,7 @@ void throw_all(SpanState& state, std::uint32_t slabs) {
             for (std::uint32_t slab = 0; slab < slabs; ++slab)
                 threads.emplace_back([&, slab] { darts.throw_in(state, slab); });
         }
-        darts.finish(state);
+        darts.finish(state, [] {});
     }
 }
 

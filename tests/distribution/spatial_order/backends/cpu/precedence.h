@@ -18,4 +18,8 @@ inline std::uint32_t candidate_of_turn(std::span<const std::uint32_t>, std::uint
     return turn;
 }
 
+inline std::uint32_t turn_of(const Candidate&, std::uint32_t i) {
+    return i;
+}
+
 }  // namespace lacuna::cpu

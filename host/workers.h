@@ -1,4 +1,4 @@
-// Threads that share out the columns (oneTBB).
+// Threads of the host that share out columns, or whatever comes in numbers (oneTBB).
 #pragma once
 
 #include <tbb/global_control.h>
@@ -23,7 +23,7 @@
 // into oneTBB, so it would report that copy as a race.
 #define LACUNA_UNSEEN_BY_TSAN __attribute__((no_sanitize("thread"), noinline))
 
-namespace lacuna::cpu {
+namespace lacuna {
 
 class Workers {
 public:
@@ -52,7 +52,7 @@ public:
     void for_columns(std::uint32_t columns, std::size_t amount, Work work) {
         cancelled_.store(false, std::memory_order_relaxed);
         const std::thread::id caller = std::this_thread::get_id();
-        if (threads_ == 1 || amount < kParallelAmount) {
+        if (threads_ == 1 || columns == 1 || amount < kParallelAmount) {
             for (std::uint32_t column = 0; column < columns; ++column) serve(column, caller, work);
         } else {
             make_sure_of_threads(threads_);
@@ -80,7 +80,7 @@ public:
 private:
     // Fewer draws or places than kParallelAmount take the calling thread less time than it takes to
     // wake another thread.
-    static constexpr std::size_t kParallelAmount = 128;
+    static constexpr std::size_t kParallelAmount = 512;
     // The calling thread asks may_go_on_ at one column in kColumnsPerPoll. A column of the largest
     // sets takes some milliseconds, and asking takes a tenth of a microsecond.
     static constexpr std::uint32_t kColumnsPerPoll = 4;
@@ -122,4 +122,4 @@ private:
     std::atomic<bool> cancelled_{false};
 };
 
-}  // namespace lacuna::cpu
+}  // namespace lacuna
