@@ -12,7 +12,7 @@ namespace lacuna::cpu {
 namespace {
 
 // Cells are asked for so many candidates ahead, and the candidates twice as many: what memory
-// needs.
+// needs; 4 to 10 are alike.
 constexpr std::size_t kAhead = 8;
 
 constexpr std::size_t kPollEvery = std::size_t{1} << 14;  // candidates put off: some 2 ms
@@ -28,7 +28,6 @@ Sample place_of(const Candidate& candidate) {
 }  // namespace
 
 void screen(SpanState& state, std::uint32_t column) {
-    constexpr std::size_t kAhead = 6;  // what memory needs; 4 to 10 are alike
     const std::span<const Candidate> candidates = state.candidates_of(column);
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const Candidate& later = candidates[std::min(k + kAhead, candidates.size() - 1)];
