@@ -29,6 +29,13 @@ def timed(make: Callable[[int], Points], seed: int) -> tuple[float, Points]:
     return time.perf_counter() - begun, points
 
 
+def many(radius: float, first: int) -> tuple[float, Points]:
+    """The seconds of a set, of as many in one call as others make in calls of their own."""
+    begun = time.perf_counter()
+    made = lacuna.sample_many(range(first, first + OURS_TO_ONE_OF_THEIRS), radius)
+    return (time.perf_counter() - begun) / len(made), made[-1].points
+
+
 def overhead() -> float:
     """What a call takes around the C++ call within it, at some 300 points."""
     spent = []
@@ -56,8 +63,9 @@ def main() -> None:
         ).fill_space(),
     }
     everybody = {"scipy.stats.qmc.PoissonDisk": theirs, **ours}
-    seconds: dict[str, list[float]] = {name: [] for name in everybody}
-    counts: dict[str, list[int]] = {name: [] for name in everybody}
+    names = [*everybody, "lacuna.sample_many, a set"]
+    seconds: dict[str, list[float]] = {name: [] for name in names}
+    counts: dict[str, list[int]] = {name: [] for name in names}
     last: dict[str, Points] = {}
     for name, make in ours.items():
         make(sets * OURS_TO_ONE_OF_THEIRS)  # threads are made once
@@ -67,10 +75,13 @@ def main() -> None:
                 spent, last[name] = timed(make, turn * OURS_TO_ONE_OF_THEIRS + again)
                 seconds[name].append(spent)
                 counts[name].append(len(last[name]))
+        spent, last[names[-1]] = many(radius, turn * OURS_TO_ONE_OF_THEIRS)
+        seconds[names[-1]].append(spent)
+        counts[names[-1]].append(len(last[names[-1]]))
 
     slowest = statistics.median(seconds["scipy.stats.qmc.PoissonDisk"])
     print(f"radius {radius}, median of a set: seconds, least, times faster; points; verify")
-    for name in everybody:
+    for name in names:
         middle, least = statistics.median(seconds[name]), min(seconds[name])
         verdict = lacuna.verify(last[name], radius)
         said = "maximal" if verdict.maximal else f"a spot {verdict.emptiest_distance:.4f} from all"
