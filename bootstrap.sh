@@ -8,8 +8,8 @@ build=$root/build
 # What the command is made of, with every backend.
 packages=(
     g++ cmake ninja-build pkg-config
-    librandom123-dev libhwy-dev libcli11-dev libfmt-dev libtbb-dev libcairo2-dev nlohmann-json3-dev libssl-dev
-    libeigen3-dev libnanoflann-dev
+    librandom123-dev libhwy-dev libcli11-dev libfmt-dev libtbb-dev libcairo2-dev nlohmann-json3-dev
+    libssl-dev libeigen3-dev libnanoflann-dev
     libpng-dev libjpeg-dev zlib1g-dev
     opencl-headers opencl-clhpp-headers ocl-icd-libopencl1
     libvulkan-dev glslang-tools spirv-tools
