@@ -106,6 +106,7 @@ void check_request(const Request& request) {
                          "with mode " + std::string(name_of(request.mode)),
                          "is for mode lines only");
     check_field(request);
+    check_where(request);
     if (request.limit && *request.limit == 0) throw BadRequest("limit", "0", "must be at least 1");
     const bool cells = request.mode == Mode::cells;
     const std::string size = cells ? "scale" : "radius";

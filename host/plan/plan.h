@@ -107,6 +107,10 @@ void check_request(const Request& request);
 // BadRequest.
 void check_importance(const Field& field);
 
+// What a request says of where samples may lie (check_where.cpp): its mask, its border and the kept
+// points, but for their distances, which depend on the radius. Throws BadRequest.
+void check_where(const Request& request);
+
 // What a set may take unless the request says otherwise.
 std::uint64_t machine_memory_bytes();
 

@@ -52,6 +52,16 @@ struct Field {
                                      // row by row, row 0 is the top of the picture (largest y)
 };
 
+// Where samples may lie, whatever the importance: pixels that are stretched over the domain. One on
+// the border of two pixels lies in the right one, and in the upper one.
+struct Mask {
+    std::uint32_t columns = 0;          // pixels
+    std::uint32_t rows = 0;             // pixels
+    std::vector<std::uint8_t> allowed;  // rows * columns values, of which one at least is not 0 (0:
+                                        // no sample there); row by row, row 0 is the top of the
+                                        // picture (largest y)
+};
+
 // How the free space is cut up.
 //   exact  strips, then boxes, refined until none has room: sets that are truly maximal
 //   lines  the paper's section 4.1: one line stands for its whole strip
@@ -88,6 +98,19 @@ struct Request {
     // In mode lines only.
     bool snap = false;       // points on the lines themselves: keeps every distance >= radius
     bool uniform_x = false;  // end of section 4.1: lines with room are equally likely
+
+    // In mode exact only, all three; together they say where samples may lie, and the set is
+    // maximal there: no place that is left has room for another sample. Samples lie on pixels of
+    // the mask that are not 0. It must outlive the call.
+    const Mask* mask = nullptr;
+    // Least distance of samples to each edge of the domain, in the unit of width and height; in a
+    // box only, and under half of its shorter side. 0: samples lie up to the edges.
+    double border = 0;
+    // Points that are there already: they come first in the result, in this order and to the bit,
+    // samples keep their distance from them as from each other, and fill what they leave. Each must
+    // lie in the domain, where samples may, and keep its distance from the others. They count for
+    // limit and count. They must outlive the call.
+    std::span<const Point> keep;
 
     std::optional<std::uint64_t> limit;  // stop after this many points, >= 1
     std::uint64_t round_size = 0;        // draws a round; 0 chooses, 1 is the paper's algorithm

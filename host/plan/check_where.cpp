@@ -1,0 +1,83 @@
+// What a request may say of where samples lie: the mask, the border, and the points that are kept.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "plan/plan.h"
+
+namespace lacuna {
+namespace {
+
+void check_mask(const Mask& mask) {
+    const std::string size = std::to_string(mask.columns) + "x" + std::to_string(mask.rows);
+    if (mask.allowed.size() != std::size_t{mask.columns} * mask.rows || mask.allowed.empty())
+        throw BadRequest("mask", size + " with " + std::to_string(mask.allowed.size()) + " values",
+                         "needs columns * rows values, at least one");
+    if (std::all_of(mask.allowed.begin(), mask.allowed.end(), [](auto one) { return one == 0; }))
+        throw BadRequest("mask", size + " of zeros",
+                         "samples must be allowed somewhere: some value must not be 0");
+}
+
+void check_border(const Request& request) {
+    const double half = std::min(request.width, request.height) / 2;
+    const std::string value = shortest(request.border);
+    if (!(request.border >= 0 && request.border < half))
+        throw BadRequest(
+            "border", value,
+            "must be at least 0 and under half of the domain's shorter side, " + shortest(half));
+    if (request.border > 0 && request.boundary == Boundary::torus)
+        throw BadRequest("border", value, "is not for a torus, which has no edges");
+}
+
+// The same place as the engine and verify take a pixel's: the border of two pixels belongs to the
+// right one, and to the upper one.
+bool is_allowed(const Request& request, Point point) {
+    const Mask& mask = *request.mask;
+    const auto along = [](double share, std::uint32_t pixels) {
+        return std::min(static_cast<std::uint32_t>(share * pixels), pixels - 1);
+    };
+    const std::uint32_t column = along(point.x / request.width, mask.columns);
+    const std::uint32_t row = mask.rows - 1 - along(point.y / request.height, mask.rows);
+    return mask.allowed[std::size_t{row} * mask.columns + column] != 0;
+}
+
+void check_kept(const Request& request, std::size_t index) {
+    const Point point = request.keep[index];
+    const auto refuse = [&](const std::string& allowed) {
+        throw BadRequest("keep",
+                         "point " + std::to_string(index) + " at (" + shortest(point.x) + ", " +
+                             shortest(point.y) + ")",
+                         allowed);
+    };
+    if (!(point.x >= 0 && point.x < request.width && point.y >= 0 && point.y < request.height))
+        refuse("must lie in the domain, [0, " + shortest(request.width) + ") x [0, " +
+               shortest(request.height) + ")");
+    const double border = request.border;
+    if (point.x < border || request.width - point.x < border || point.y < border ||
+        request.height - point.y < border)
+        refuse("must be at least the border, " + shortest(border) + ", from the domain's edges");
+    if (request.mask != nullptr && !is_allowed(request, point))
+        refuse("must lie where the mask is not 0");
+}
+
+}  // namespace
+
+void check_where(const Request& request) {
+    const std::string mode = "with mode " + std::string(name_of(request.mode));
+    const bool exact = request.mode == Mode::exact;
+    if (request.mask != nullptr && !exact) throw BadRequest("mask", mode, "is for mode exact only");
+    if (request.border != 0 && !exact) throw BadRequest("border", mode, "is for mode exact only");
+    if (!request.keep.empty() && !exact) throw BadRequest("keep", mode, "is for mode exact only");
+    if (request.mask != nullptr) check_mask(*request.mask);
+    check_border(request);
+    for (std::size_t i = 0; i < request.keep.size(); ++i) check_kept(request, i);
+
+    // Until mode exact takes them.
+    if (request.mask != nullptr) throw BadRequest("mask", "given", "is not served yet");
+    if (request.border != 0)
+        throw BadRequest("border", shortest(request.border), "is not served yet");
+    if (!request.keep.empty()) throw BadRequest("keep", "given", "is not served yet");
+}
+
+}  // namespace lacuna

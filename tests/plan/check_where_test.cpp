@@ -1,0 +1,111 @@
+// What is said to requests whose mask, border or kept points cannot be served.
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plan/plan.h"
+
+namespace {
+
+using namespace lacuna;
+
+Request of_radius(double radius) {
+    Request request;
+    request.radius = radius;
+    return request;
+}
+
+std::string refusal_of(const Request& request) {
+    try {
+        check_where(request);
+    } catch (const BadRequest& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(AMask, NeedsAValueForEachPixel) {
+    Request request = of_radius(0.1);
+    const Mask mask{3, 2, {1, 1, 1, 1, 1}};
+    request.mask = &mask;
+    EXPECT_EQ(refusal_of(request),
+              "mask 3x2 with 5 values: needs columns * rows values, at least one");
+}
+
+TEST(AMask, AllowsSamplesSomewhere) {
+    Request request = of_radius(0.1);
+    const Mask mask{2, 2, {0, 0, 0, 0}};
+    request.mask = &mask;
+    EXPECT_EQ(refusal_of(request),
+              "mask 2x2 of zeros: samples must be allowed somewhere: some value must not be 0");
+}
+
+TEST(AMask, IsForModeExact) {
+    Request request = of_radius(0.1);
+    request.mode = Mode::lines;
+    const Mask mask{1, 1, {1}};
+    request.mask = &mask;
+    EXPECT_EQ(refusal_of(request), "mask with mode lines: is for mode exact only");
+}
+
+TEST(ABorder, LeavesRoomWithinIt) {
+    Request request = of_radius(0.1);
+    request.width = 3;
+    const std::string allowed =
+        ": must be at least 0 and under half of the domain's shorter side, 0.5";
+    for (const auto& [border, text] :
+         {std::pair{-0.1, "-0.1"}, std::pair{0.5, "0.5"}, std::pair{std::nan(""), "nan"},
+          std::pair{std::numeric_limits<double>::infinity(), "inf"}}) {
+        request.border = border;
+        EXPECT_EQ(refusal_of(request), "border " + std::string(text) + allowed);
+    }
+}
+
+TEST(ABorder, IsForBoxesInModeExact) {
+    Request request = of_radius(0.1);
+    request.border = 0.1;
+    request.boundary = Boundary::torus;
+    EXPECT_EQ(refusal_of(request), "border 0.1: is not for a torus, which has no edges");
+    request.boundary = Boundary::box;
+    request.mode = Mode::lines;
+    EXPECT_EQ(refusal_of(request), "border with mode lines: is for mode exact only");
+}
+
+TEST(AKeptPoint, LiesInTheDomain) {
+    Request request = of_radius(0.1);
+    request.width = 2;
+    for (const Point outside : {Point{2, 0.5}, Point{-1e-300, 0.5}, Point{1, 1}, Point{1, -1},
+                                Point{std::nan(""), 0}, Point{0, std::nan("")}}) {
+        const std::vector<Point> keep{{0.5, 0.5}, outside};
+        request.keep = keep;
+        EXPECT_EQ(refusal_of(request), "keep point 1 at (" + shortest(outside.x) + ", " +
+                                           shortest(outside.y) +
+                                           "): must lie in the domain, [0, 2) x [0, 1)");
+    }
+}
+
+TEST(AKeptPoint, LiesWithinTheBorder) {
+    Request request = of_radius(0.1);
+    request.border = 0.25;
+    const std::vector<Point> keep{{0.25, 0.75}, {0.5, 0.875}};
+    request.keep = keep;
+    EXPECT_EQ(refusal_of(request),
+              "keep point 1 at (0.5, 0.875): must be at least the border, 0.25, from the domain's "
+              "edges");
+}
+
+TEST(AKeptPoint, LiesWhereTheMaskAllowsIt) {
+    Request request = of_radius(0.1);
+    const Mask mask{2, 2, {0, 1, 1, 1}};  // the upper left quarter is forbidden
+    request.mask = &mask;
+    const std::vector<Point> keep{{0.25, 0.25}, {0.5, 0.5}, {0.25, 0.5}};
+    request.keep = keep;
+    EXPECT_EQ(refusal_of(request), "keep point 2 at (0.25, 0.5): must lie where the mask is not 0");
+}
+
+}  // namespace
