@@ -60,7 +60,8 @@ install(FILES ${PROJECT_BINARY_DIR}/lacuna.pc DESTINATION ${CMAKE_INSTALL_LIBDIR
 # What lacuna::extras is made of. Its targets have a file of their own: whoever wants the library
 # alone needs none of these packages.
 if(LACUNA_EXTRAS)
-    install(TARGETS lacuna_extras lacuna_analysis lacuna_pictures lacuna_files EXPORT lacuna-extras-targets
+    install(TARGETS lacuna_extras lacuna_analysis lacuna_domains lacuna_pictures lacuna_files
+        EXPORT lacuna-extras-targets
         ARCHIVE COMPONENT development)
     install(EXPORT lacuna-extras-targets NAMESPACE lacuna:: DESTINATION ${package_dir}
         COMPONENT development)

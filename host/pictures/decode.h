@@ -19,6 +19,7 @@ struct Encoded {
     const std::string& name;
     std::uint64_t max_pixels;
     std::uint64_t max_aspect;  // of the longer side to the shorter
+    Backdrop backdrop = Backdrop::white;
 
     [[noreturn]] void refuse(const std::string& why) const { files::refuse(name, why); }
 };

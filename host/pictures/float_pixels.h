@@ -35,8 +35,9 @@ public:
     Image finish() && {
         std::vector<double>& all = image_.luminance;
         image_.white = std::max(1.0, *std::max_element(all.begin(), all.end()));
+        const double behind = file_.backdrop == Backdrop::white ? image_.white : 0;
         for (std::size_t i = 0; i < alpha_.size(); ++i)
-            all[i] = std::min(all[i] * alpha_[i] + image_.white * (1 - alpha_[i]), image_.white);
+            all[i] = std::min(all[i] * alpha_[i] + behind * (1 - alpha_[i]), image_.white);
         return std::move(image_);
     }
 

@@ -12,6 +12,9 @@ namespace lacuna::pictures {
 inline constexpr std::uint64_t kMaxSide = std::uint64_t{1} << 20U;
 inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 28U;
 
+// What shows through pixels that are not opaque.
+enum class Backdrop { white, black };
+
 struct Image {
     std::uint32_t columns = 0;      // pixels, at least 1
     std::uint32_t rows = 0;         // pixels, at least 1
@@ -32,12 +35,12 @@ struct Image {
 //   npy     NumPy, rows x columns or rows x columns x 1, 3 or 4; bool, whole
 //           numbers and floats of every size; row 0 on top
 // Luminance of colour is 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709) and alpha is composited
-// over white, both on the numbers as they are stored: no colour profile or transfer curve is
-// undone, since importance is a wish and not a measure of light, and what is seen as half grey
-// should count half. Samples of 8 or 16 bits (of PGM and PPM: up to maxval) count as sample /
-// largest possible sample, correctly rounded, and white is 1. Other numbers, of .npy, PFM and HDR,
-// count as they are; white is
-// the largest luminance in the picture if that is over 1, and otherwise 1.
+// over white, or what else is asked for, both on the numbers as they are stored: no colour profile
+// or transfer curve is undone, since importance is a wish and not a measure of light, and what is
+// seen as half grey should count half. Samples of 8 or 16 bits (of PGM and PPM: up to maxval) count
+// as sample / largest possible sample, correctly rounded, and white is 1. Other numbers, of .npy,
+// PFM and HDR, count as they are; white is the largest luminance in the picture if that is over 1,
+// and otherwise 1.
 //
 // Refused, by a FileError of one line that names the file, what was found and what is allowed:
 // other formats, broken and truncated files, pictures without a pixel or over the limits above
@@ -47,6 +50,7 @@ Image read_image(const std::string& path, std::uint64_t max_aspect = kMaxSide);
 
 // The same for bytes that have been read. `name` stands for the file in messages.
 Image decode_image(std::string_view bytes, const std::string& name,
-                   std::uint64_t max_pixels = kMaxPixels, std::uint64_t max_aspect = kMaxSide);
+                   std::uint64_t max_pixels = kMaxPixels, std::uint64_t max_aspect = kMaxSide,
+                   Backdrop backdrop = Backdrop::white);
 
 }  // namespace lacuna::pictures

@@ -80,7 +80,7 @@ Image read_text(const Encoded& file, Words words, const Layout& layout) {
         with_channels(layout.channels, [&](auto constant) {
             constexpr unsigned kChannels = constant;
             fill_row<kChannels>(
-                layout.row(image, y), layout.max,
+                layout.row(image, y), layout.max, file.backdrop,
                 [&](std::size_t x, std::size_t c) { return row[x * kChannels + c]; });
         });
     }

@@ -91,8 +91,8 @@ Image make_image(const Encoded& file, Size size) {
 }
 
 Image decode_image(std::string_view bytes, const std::string& name, std::uint64_t max_pixels,
-                   std::uint64_t max_aspect) {
-    const Encoded file{bytes, name, max_pixels, max_aspect};
+                   std::uint64_t max_aspect, Backdrop backdrop) {
+    const Encoded file{bytes, name, max_pixels, max_aspect, backdrop};
     const auto* known = std::find_if(kFormats.begin(), kFormats.end(), [&](const Known& format) {
         return bytes.starts_with(format.magic);
     });

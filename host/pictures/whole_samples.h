@@ -6,6 +6,8 @@
 #include <span>
 #include <type_traits>
 
+#include "pictures/image.h"
+
 namespace lacuna::pictures {
 
 // ITU-R BT.709-6, item 3.2, times 10000.
@@ -19,28 +21,29 @@ inline std::int32_t weighted(std::int32_t red, std::int32_t green, std::int32_t 
     return kRed * red + kGreen * green + kBlue * blue;
 }
 
-// `weighted` out of kAll * max, at opacity alpha / max over white.
-inline double over_white(std::int64_t weighted, std::int64_t alpha, std::int64_t max) {
-    return static_cast<double>(weighted * alpha + kAll * max * (max - alpha)) /
+// `weighted` out of kAll * max, at opacity alpha / max over the backdrop.
+inline double over(Backdrop backdrop, std::int64_t weighted, std::int64_t alpha, std::int64_t max) {
+    const std::int64_t behind = backdrop == Backdrop::white ? kAll * max : 0;
+    return static_cast<double>(weighted * alpha + behind * (max - alpha)) /
            static_cast<double>(kAll * max * max);
 }
 
 // Fills a row of luminance. `at(column, channel)` is a sample, 0 to max; channels: 1 grey, 2 grey
 // and alpha, 3 red, green and blue, 4 these and alpha.
 template <unsigned kChannels, class At>
-void fill_row(std::span<double> row, std::int32_t max, const At& at) {
+void fill_row(std::span<double> row, std::int32_t max, Backdrop backdrop, const At& at) {
     const double whole = max;
     for (std::size_t x = 0; x < row.size(); ++x) {
         if constexpr (kChannels == 1) {
             row[x] = at(x, 0) / whole;
         } else if constexpr (kChannels == 2) {
-            row[x] = over_white(kAll * at(x, 0), at(x, 1), max);
+            row[x] = over(backdrop, kAll * at(x, 0), at(x, 1), max);
         } else {
             const std::int32_t colour = weighted(at(x, 0), at(x, 1), at(x, 2));
             if constexpr (kChannels == 3)
                 row[x] = colour / (kAll * whole);
             else
-                row[x] = over_white(colour, at(x, 3), max);
+                row[x] = over(backdrop, colour, at(x, 3), max);
         }
     }
 }
@@ -64,16 +67,17 @@ void with_channels(unsigned channels, const Use& use) {
 // Fills a row from samples as most formats have them: side by side, in bytes or, if they are wide,
 // in pairs of bytes, the higher one first.
 inline void fill_row_from(const unsigned char* bytes, unsigned channels, bool is_wide,
-                          std::span<double> row, std::int32_t max) {
+                          std::span<double> row, std::int32_t max,
+                          Backdrop backdrop = Backdrop::white) {
     with_channels(channels, [&](auto constant) {
         constexpr unsigned kChannels = constant;
         if (is_wide)
-            fill_row<kChannels>(row, max, [bytes](std::size_t x, std::size_t channel) {
+            fill_row<kChannels>(row, max, backdrop, [bytes](std::size_t x, std::size_t channel) {
                 const unsigned char* pair = bytes + 2 * (x * kChannels + channel);
                 return std::int32_t{pair[0]} * 256 + pair[1];
             });
         else
-            fill_row<kChannels>(row, max, [bytes](std::size_t x, std::size_t channel) {
+            fill_row<kChannels>(row, max, backdrop, [bytes](std::size_t x, std::size_t channel) {
                 return std::int32_t{bytes[x * kChannels + channel]};
             });
     });

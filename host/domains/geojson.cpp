@@ -1,0 +1,145 @@
+// Polygons of GeoJSON (RFC 7946).
+#include <fmt/core.h>
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "domains/rings.h"
+#include "files/parse.h"
+#include "files/text_lines.h"
+
+namespace lacuna::domains {
+namespace {
+
+using Json = nlohmann::json;
+
+// A feature's collection, its geometry, its rings and some collections within each other.
+constexpr int kDeepestCollections = 64;
+
+class Reader {
+public:
+    explicit Reader(const std::string& name) : name_(name) {}
+
+    void read(const Json& object, const std::string& place, int depth = 0) {
+        if (depth > kDeepestCollections)
+            refuse(place, "collections within each other more than 64 deep");
+        const std::string type = type_of(object, place);
+        if (type == "FeatureCollection") {
+            read_all(member(object, "features", place), place + "features", depth);
+        } else if (type == "GeometryCollection") {
+            read_all(member(object, "geometries", place), place + "geometries", depth);
+        } else if (type == "Feature") {
+            const Json& geometry = member(object, "geometry", place);
+            if (!geometry.is_null()) read(geometry, place + "geometry.", depth + 1);
+        } else if (type == "Polygon") {
+            read_polygon(member(object, "coordinates", place), place + "coordinates");
+        } else if (type == "MultiPolygon") {
+            const Json& all = array(member(object, "coordinates", place), place + "coordinates");
+            for (std::size_t i = 0; i < all.size(); ++i)
+                read_polygon(all[i], fmt::format("{}coordinates[{}]", place, i));
+        } else if (type != "Point" && type != "MultiPoint" && type != "LineString" &&
+                   type != "MultiLineString") {
+            refuse(place + "type", fmt::format("{}: must be a type of GeoJSON, such as Polygon",
+                                               files::excerpt(type)));
+        }
+    }
+
+    Polygons finish() { return std::move(polygons_); }
+
+private:
+    [[noreturn]] void refuse(const std::string& place, const std::string& why) const {
+        const std::string inner = place.ends_with('.') ? place.substr(0, place.size() - 1) : place;
+        files::refuse(inner.empty() ? name_ : fmt::format("{}: {}", name_, inner), why);
+    }
+
+    // A value as it stands in the file, for messages.
+    static std::string text_of(const Json& value) {
+        if (value.is_array()) return fmt::format("an array of {}", value.size());
+        if (value.is_object()) return "an object";
+        return files::excerpt(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+    }
+
+    std::string type_of(const Json& object, const std::string& place) const {
+        if (!object.is_object()) refuse(place, text_of(object) + ": must be an object of GeoJSON");
+        const Json& type = member(object, "type", place);
+        if (!type.is_string())
+            refuse(place + "type", text_of(type) + ": must be a word, such as Polygon");
+        return type.get<std::string>();
+    }
+
+    const Json& member(const Json& object, const char* key, const std::string& place) const {
+        const auto found = object.find(key);
+        if (found == object.end())
+            refuse(place, fmt::format("an object without {:?}: must be GeoJSON", key));
+        return *found;
+    }
+
+    const Json& array(const Json& value, const std::string& place) const {
+        if (!value.is_array()) refuse(place, text_of(value) + ": must be an array");
+        return value;
+    }
+
+    void read_all(const Json& objects, const std::string& place, int depth) {
+        array(objects, place);
+        for (std::size_t i = 0; i < objects.size(); ++i)
+            read(objects[i], fmt::format("{}[{}].", place, i), depth + 1);
+    }
+
+    void read_polygon(const Json& rings, const std::string& place) {
+        array(rings, place);
+        for (std::size_t i = 0; i < rings.size(); ++i)
+            read_ring(rings[i], fmt::format("{}[{}]", place, i));
+    }
+
+    void read_ring(const Json& positions, const std::string& place) {
+        array(positions, place);
+        Ring ring;
+        ring.reserve(positions.size());
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            ring.push_back(point_of(positions[i], place, i));
+        open(ring);
+        if (ring.size() < 3)
+            refuse(place, fmt::format("a ring of {} point{}: must be at least 3", ring.size(),
+                                      ring.size() == 1 ? "" : "s"));
+        polygons_.rings.push_back(std::move(ring));
+    }
+
+    Point point_of(const Json& position, const std::string& place, std::size_t index) const {
+        const auto refuse_it = [&](const std::string& what, std::string_view allowed) {
+            refuse(fmt::format("{}[{}]", place, index), fmt::format("{}: {}", what, allowed));
+        };
+        if (!position.is_array() || position.size() < 2 || !position[0].is_number() ||
+            !position[1].is_number())
+            refuse_it(text_of(position), "must be [x, y], two numbers");
+        const Point point{position[0].get<double>(), position[1].get<double>()};
+        if (!is_fair(point)) refuse_it(fmt::format("({}, {})", point.x, point.y), kFair);
+        return point;
+    }
+
+    const std::string& name_;
+    Polygons polygons_;
+};
+
+}  // namespace
+
+Polygons decode_geojson(std::string_view bytes, const std::string& name) {
+    bytes = files::without_byte_order_mark(bytes);
+    Json json;
+    try {
+        json = Json::parse(bytes);
+    } catch (const Json::parse_error& error) {
+        // The library's own text repeats the file, whose bytes may be anything.
+        files::refuse(
+            name, fmt::format("byte {}: cannot be read as JSON; is the file whole?", error.byte));
+    } catch (const Json::out_of_range&) {
+        files::refuse(name, "a number that no double can hold: coordinates must be finite");
+    }
+    Reader reader(name);
+    reader.read(json, "");
+    return reader.finish();
+}
+
+}  // namespace lacuna::domains

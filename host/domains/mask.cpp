@@ -1,0 +1,37 @@
+// Masks from pictures.
+#include <lacuna/domains.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "files/parse.h"
+#include "files/read_whole.h"
+#include "pictures/image.h"
+
+namespace lacuna {
+
+Mask read_mask(const std::string& path) {
+    return decode_mask(files::read_whole(path), files::name_of(path));
+}
+
+// Over black luminance is 0 where all channels are 0 or opacity is, and nowhere else: channels are
+// not negative, and each has a share in it.
+Mask decode_mask(std::string_view bytes, const std::string& name) {
+    const pictures::Image image = pictures::decode_image(
+        bytes, name, pictures::kMaxPixels, pictures::kMaxSide, pictures::Backdrop::black);
+    Mask mask;
+    mask.columns = image.columns;
+    mask.rows = image.rows;
+    mask.allowed.resize(image.luminance.size());
+    std::transform(image.luminance.begin(), image.luminance.end(), mask.allowed.begin(),
+                   [](double value) { return value == 0 ? 0 : 1; });
+    if (std::find(mask.allowed.begin(), mask.allowed.end(), 1) == mask.allowed.end())
+        files::refuse(name,
+                      "black or transparent all over: as a mask it must allow samples "
+                      "somewhere, on pixels that are not 0");
+    return mask;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,76 @@
+// Gathers the rings of a drawing: lines and curves, transformed, curves as lines close to them.
+#pragma once
+
+#include <lacuna/domains.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace lacuna::domains {
+
+// Takes (x, y) to (xx x + xy y + x0, yx x + yy y + y0).
+struct Affine {
+    double xx = 1, xy = 0, yx = 0, yy = 1, x0 = 0, y0 = 0;
+
+    Point of(Point point) const {
+        return {xx * point.x + xy * point.y + x0, yx * point.x + yy * point.y + y0};
+    }
+    // This one after `inner`.
+    Affine after(const Affine& inner) const {
+        const Point origin = of({inner.x0, inner.y0});
+        return {xx * inner.xx + xy * inner.yx,
+                xx * inner.xy + xy * inner.yy,
+                yx * inner.xx + yy * inner.yx,
+                yx * inner.xy + yy * inner.yy,
+                origin.x,
+                origin.y};
+    }
+};
+
+// Radii and turn of an ellipse, as an arc of SVG has them.
+struct Ellipse {
+    double rx;
+    double ry;
+    double degrees;  // from the x axis to that of rx
+};
+
+class Outline {
+public:
+    // Lines are at most `tolerance` from the curves that they stand for, but for curves so large
+    // that this would take over 2^14 lines each.
+    explicit Outline(double tolerance) : tolerance_(tolerance) {}
+
+    void set_transform(const Affine& transform) { transform_ = transform; }
+
+    // All in coordinates before the transform. Each begins where the one before it ended.
+    void move_to(Point to);
+    void line_to(Point to);
+    void quadratic_to(Point control, Point to);
+    void cubic_to(Point first, Point second, Point to);
+    void arc_to(Ellipse ellipse, bool is_large, bool is_positive, Point to);
+    // A ring that encloses nothing, of fewer than three points, is left out.
+    void close();
+
+    Point current() const { return current_; }
+    Point begin() const { return begin_; }
+    std::size_t points() const { return points_; }
+    // False once a coordinate was not finite, or too large.
+    bool is_fair() const { return is_fair_; }
+    std::vector<Ring> take_rings();
+
+private:
+    void add(Point point);
+    std::size_t pieces(double bend) const;
+    void quarter_to(const Affine& circle, Point from, Point to, int halvings);
+
+    double tolerance_;
+    Affine transform_;
+    Point current_{0, 0};
+    Point begin_{0, 0};
+    Ring ring_;
+    std::vector<Ring> rings_;
+    std::size_t points_ = 0;
+    bool is_fair_ = true;
+};
+
+}  // namespace lacuna::domains

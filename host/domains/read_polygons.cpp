@@ -1,0 +1,74 @@
+// Polygons by the extension of their file.
+#include <fmt/core.h>
+#include <lacuna/domains.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "domains/rings.h"
+#include "files/parse.h"
+#include "files/point_files.h"
+#include "files/read_whole.h"
+
+namespace lacuna {
+namespace {
+
+constexpr std::string_view kAllowed = "must end in .svg, .geojson, .json or .txt";
+
+struct Known {
+    std::string_view name;
+    Polygons (*decode)(std::string_view bytes, const std::string& name);
+};
+
+constexpr std::array<Known, 4> kFormats{{{"svg", domains::decode_svg},
+                                         {"geojson", domains::decode_geojson},
+                                         {"json", domains::decode_geojson},
+                                         {"txt", domains::decode_rings}}};
+
+// What follows the last dot, in lower case.
+std::string extension_of(const std::string& path) {
+    const std::size_t dot = path.find_last_of("./");
+    if (dot == std::string::npos || path[dot] != '.') return "";
+    std::string extension = path.substr(dot + 1);
+    std::transform(extension.begin(), extension.end(), extension.begin(), files::lower_case);
+    return extension;
+}
+
+const Known* find(std::string_view format) {
+    const auto* known = std::find_if(kFormats.begin(), kFormats.end(),
+                                     [format](const Known& one) { return one.name == format; });
+    return known == kFormats.end() ? nullptr : known;
+}
+
+}  // namespace
+
+Polygons read_polygons(const std::string& path) {
+    const std::string format = extension_of(path);
+    if (find(format) == nullptr) throw BadRequest("inside", path, std::string(kAllowed));
+    return decode_polygons(files::read_whole(path), format, files::name_of(path));
+}
+
+Polygons decode_polygons(std::string_view bytes, std::string_view format, const std::string& name) {
+    const Known* const known = find(format);
+    if (known == nullptr)
+        throw BadRequest("format", fmt::format("{:?}", format), "must be svg, geojson or txt");
+    Polygons polygons = known->decode(bytes, name);
+    if (polygons.rings.empty())
+        files::refuse(name, "no polygon: there must be at least one, of three points or more");
+    return polygons;
+}
+
+std::vector<Ring> fitted(Polygons polygons, double width, double height) {
+    if (polygons.width == 0 || (polygons.width == width && polygons.height == height))
+        return std::move(polygons.rings);
+    const double along = width / polygons.width;
+    const double up = height / polygons.height;
+    for (Ring& ring : polygons.rings)
+        for (Point& point : ring) point = {point.x * along, point.y * up};
+    return std::move(polygons.rings);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,33 @@
+// What readers of polygons share: which points are fair, and the list of formats.
+#pragma once
+
+#include <lacuna/domains.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace lacuna::domains {
+
+// Far beyond any domain, and so small that products of two are still finite.
+inline constexpr double kLargest = 1e100;
+inline constexpr std::string_view kFair = "both must be finite numbers between -1e100 and 1e100";
+
+inline bool is_fair(Point point) {
+    return std::abs(point.x) <= kLargest && std::abs(point.y) <= kLargest;
+}
+
+// Files may ask for more by repeating a little: `use` in SVG does.
+inline constexpr std::size_t kMostPoints = 20'000'000;
+
+// A ring as files write it may end where it began: the last point goes.
+inline void open(Ring& ring) {
+    while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
+}
+
+Polygons decode_svg(std::string_view bytes, const std::string& name);
+Polygons decode_geojson(std::string_view bytes, const std::string& name);
+Polygons decode_rings(std::string_view bytes, const std::string& name);
+
+}  // namespace lacuna::domains

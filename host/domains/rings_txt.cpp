@@ -1,0 +1,70 @@
+// Rings as text: a point a line, with a blank line or a comment between two rings.
+#include <fmt/core.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "domains/rings.h"
+#include "files/parse.h"
+#include "files/text_lines.h"
+
+namespace lacuna::domains {
+namespace {
+
+// Gathers rings, and knows the line that each began at.
+class Rings {
+public:
+    explicit Rings(const std::string& name) : name_(name) {}
+
+    void add(Point point, std::size_t line) {
+        if (!is_fair(point))
+            files::refuse(fmt::format("{}:{}", name_, line),
+                          fmt::format("({}, {}): {}", point.x, point.y, kFair));
+        if (ring_.empty()) begin_ = line;
+        ring_.push_back(point);
+    }
+
+    void end_ring() {
+        if (ring_.empty()) return;
+        open(ring_);
+        if (ring_.size() < 3)
+            files::refuse(fmt::format("{}:{}", name_, begin_),
+                          fmt::format("a ring of {} point{}: must be at least 3", ring_.size(),
+                                      ring_.size() == 1 ? "" : "s"));
+        polygons_.rings.push_back(std::exchange(ring_, {}));
+    }
+
+    Polygons finish() {
+        end_ring();
+        return std::move(polygons_);
+    }
+
+private:
+    const std::string& name_;
+    Polygons polygons_;
+    Ring ring_;
+    std::size_t begin_ = 0;
+};
+
+}  // namespace
+
+Polygons decode_rings(std::string_view bytes, const std::string& name) {
+    bytes = files::without_byte_order_mark(bytes);
+    Rings rings(name);
+    for (std::size_t number = 1; !bytes.empty(); ++number) {
+        const std::string_view line = files::take_line(bytes);
+        if (files::is_skipped(line)) {
+            rings.end_ring();
+            continue;
+        }
+        Point point{};
+        if (!files::read_line(line, files::Between::blanks, point))
+            files::refuse_line(name, number, line, files::Between::blanks);
+        rings.add(point, number);
+    }
+    return rings.finish();
+}
+
+}  // namespace lacuna::domains
