@@ -1,9 +1,9 @@
-// What a request may say of where samples lie: the mask, the border, and the points that are kept.
+// What a request may say of where samples lie: the mask and the border.
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <string>
 
+#include "plan/kept.h"
 #include "plan/plan.h"
 
 namespace lacuna {
@@ -30,37 +30,6 @@ void check_border(const Request& request) {
         throw BadRequest("border", value, "is not for a torus, which has no edges");
 }
 
-// The same place as the engine and verify take a pixel's: the border of two pixels belongs to the
-// right one, and to the upper one.
-bool is_allowed(const Request& request, Point point) {
-    const Mask& mask = *request.mask;
-    const auto along = [](double share, std::uint32_t pixels) {
-        return std::min(static_cast<std::uint32_t>(share * pixels), pixels - 1);
-    };
-    const std::uint32_t column = along(point.x / request.width, mask.columns);
-    const std::uint32_t row = mask.rows - 1 - along(point.y / request.height, mask.rows);
-    return mask.allowed[std::size_t{row} * mask.columns + column] != 0;
-}
-
-void check_kept(const Request& request, std::size_t index) {
-    const Point point = request.keep[index];
-    const auto refuse = [&](const std::string& allowed) {
-        throw BadRequest("keep",
-                         "point " + std::to_string(index) + " at (" + shortest(point.x) + ", " +
-                             shortest(point.y) + ")",
-                         allowed);
-    };
-    if (!(point.x >= 0 && point.x < request.width && point.y >= 0 && point.y < request.height))
-        refuse("must lie in the domain, [0, " + shortest(request.width) + ") x [0, " +
-               shortest(request.height) + ")");
-    const double border = request.border;
-    if (point.x < border || request.width - point.x < border || point.y < border ||
-        request.height - point.y < border)
-        refuse("must be at least the border, " + shortest(border) + ", from the domain's edges");
-    if (request.mask != nullptr && !is_allowed(request, point))
-        refuse("must lie where the mask is not 0");
-}
-
 }  // namespace
 
 void check_where(const Request& request) {
@@ -71,7 +40,7 @@ void check_where(const Request& request) {
     if (!request.keep.empty() && !exact) throw BadRequest("keep", mode, "is for mode exact only");
     if (request.mask != nullptr) check_mask(*request.mask);
     check_border(request);
-    for (std::size_t i = 0; i < request.keep.size(); ++i) check_kept(request, i);
+    for (std::size_t i = 0; i < request.keep.size(); ++i) check_kept_place(request, i);
 
     // Until mode exact takes them.
     if (request.mask != nullptr) throw BadRequest("mask", "given", "is not served yet");

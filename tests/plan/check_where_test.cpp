@@ -103,9 +103,22 @@ TEST(AKeptPoint, LiesWhereTheMaskAllowsIt) {
     Request request = of_radius(0.1);
     const Mask mask{2, 2, {0, 1, 1, 1}};  // the upper left quarter is forbidden
     request.mask = &mask;
-    const std::vector<Point> keep{{0.25, 0.25}, {0.5, 0.5}, {0.25, 0.5}};
+    // One on the border of two pixels may be taken to lie on either.
+    const std::vector<Point> keep{{0.25, 0.25}, {0.5, 0.5}, {0.25, 0.5}, {0.25, 0.5000001}};
     request.keep = keep;
-    EXPECT_EQ(refusal_of(request), "keep point 2 at (0.25, 0.5): must lie where the mask is not 0");
+    EXPECT_EQ(refusal_of(request),
+              "keep point 3 at (0.25, 0.5000001): must lie where the mask is not 0");
+}
+
+TEST(AKeptPoint, LiesWhereTheFieldHasImportance) {
+    Request request;
+    const Field field{2, 1, {0, 1}};
+    request.field = &field;
+    request.scale = 0.1;
+    const std::vector<Point> keep{{0.75, 0.5}, {0.25, 0.5}};
+    request.keep = keep;
+    EXPECT_EQ(refusal_of(request),
+              "keep point 1 at (0.25, 0.5): must lie where the field is not 0");
 }
 
 }  // namespace

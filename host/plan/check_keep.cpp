@@ -1,0 +1,183 @@
+// Whether points that are to be kept may be: where they lie, and how far apart.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "plan/kept.h"
+#include "plan/plan.h"
+
+namespace lacuna {
+namespace {
+
+// Of the longer side: what borders of pixels are off by in whole units, and a little more.
+constexpr double kRounding = 0x1p-28;
+
+// Calls `use` with the index of every pixel that the point may be taken to lie on.
+template <class Use>
+void for_pixels_at(const Request& request, Point point, std::uint32_t columns, std::uint32_t rows,
+                   const Use& use) {
+    const double near = kRounding * std::max(request.width, request.height);
+    const auto pixel_of = [](double share, std::uint32_t pixels) {
+        const double last = pixels - 1.0;
+        return static_cast<std::uint32_t>(std::clamp(std::floor(share * pixels), 0.0, last));
+    };
+    const std::uint32_t left = pixel_of((point.x - near) / request.width, columns);
+    const std::uint32_t right = pixel_of((point.x + near) / request.width, columns);
+    const std::uint32_t low = pixel_of((point.y - near) / request.height, rows);
+    const std::uint32_t high = pixel_of((point.y + near) / request.height, rows);
+    for (std::uint32_t up = low; up <= high; ++up)
+        for (std::uint32_t column = left; column <= right; ++column)
+            use(std::size_t{rows - 1 - up} * columns + column);
+}
+
+double greatest_importance_at(const Request& request, Point point) {
+    const Field& field = *request.field;
+    double greatest = 0;
+    for_pixels_at(request, point, field.columns, field.rows, [&](std::size_t pixel) {
+        greatest = std::max(greatest, field.importance[pixel]);
+    });
+    return greatest;
+}
+
+bool is_allowed(const Request& request, Point point) {
+    const Mask& mask = *request.mask;
+    bool allowed = false;
+    for_pixels_at(request, point, mask.columns, mask.rows,
+                  [&](std::size_t pixel) { allowed |= mask.allowed[pixel] != 0; });
+    return allowed;
+}
+
+std::string text_of(std::size_t index, Point point) {
+    return "point " + std::to_string(index) + " at (" + shortest(point.x) + ", " +
+           shortest(point.y) + ")";
+}
+
+double distance_between(const Request& request, Point a, Point b) {
+    double dx = std::abs(a.x - b.x);
+    double dy = std::abs(a.y - b.y);
+    if (request.boundary == Boundary::torus) {
+        dx = std::min(dx, request.width - dx);
+        dy = std::min(dy, request.height - dy);
+    }
+    return std::sqrt(dx * dx + dy * dy);
+}
+
+// The points whose radius is at least `least`, each in a cell of twice that side or more. While
+// they keep their distance few share a cell: the first two that do not end the work.
+class Cells {
+public:
+    Cells(const Request& request, std::span<const double> radii, double least)
+        : request_(request),
+          radii_(radii),
+          columns_(cells_along(request.width, 2 * least)),
+          rows_(cells_along(request.height, 2 * least)),
+          next_(radii.size()) {}
+
+    // Throws BadRequest where the point is too close to one that was added.
+    void add(std::uint32_t index) {
+        const Point point = request_.keep[index];
+        const std::uint64_t column = cell_of(point.x / request_.width, columns_);
+        const std::uint64_t row = cell_of(point.y / request_.height, rows_);
+        for (const std::uint64_t y : around(row, rows_))
+            for (const std::uint64_t x : around(column, columns_)) check_cell(x, y, index);
+        const auto [first, is_new] = first_.try_emplace(row * columns_ + column, index);
+        next_[index] = is_new ? kNone : first->second;
+        first->second = index;
+    }
+
+private:
+    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+    // At least as wide as asked for; no more than 2^30, which is narrower than any radius.
+    static std::uint64_t cells_along(double length, double side) {
+        return static_cast<std::uint64_t>(std::clamp(std::floor(length / side), 1.0, 0x1p30));
+    }
+    static std::uint64_t cell_of(double share, std::uint64_t cells) {
+        return std::min(static_cast<std::uint64_t>(share * static_cast<double>(cells)), cells - 1);
+    }
+    // A cell and those beside it, around the edges of a torus, each once.
+    std::set<std::uint64_t> around(std::uint64_t cell, std::uint64_t cells) const {
+        const bool wraps = request_.boundary == Boundary::torus;
+        std::set<std::uint64_t> near{cell};
+        if (cell > 0 || wraps) near.insert((cell + cells - 1) % cells);
+        if (cell + 1 < cells || wraps) near.insert((cell + 1) % cells);
+        return near;
+    }
+
+    void check_cell(std::uint64_t column, std::uint64_t row, std::uint32_t index) const {
+        const auto first = first_.find(row * columns_ + column);
+        if (first == first_.end()) return;
+        for (std::uint32_t other = first->second; other != kNone; other = next_[other])
+            check_pair(other, index);
+    }
+
+    void check_pair(std::uint32_t a, std::uint32_t b) const {
+        const double distance = distance_between(request_, request_.keep[a], request_.keep[b]);
+        const double limit = std::min(radii_[a], radii_[b]);
+        if (distance >= limit) return;
+        throw BadRequest(
+            "keep", text_of(a, request_.keep[a]) + " and " + text_of(b, request_.keep[b]),
+            "are " + shortest(distance) + " apart: must be at least " + shortest(limit) + ", the " +
+                (request_.field == nullptr ? "radius" : "smaller of their radii"));
+    }
+
+    const Request& request_;
+    std::span<const double> radii_;
+    std::uint64_t columns_;
+    std::uint64_t rows_;
+    std::unordered_map<std::uint64_t, std::uint32_t> first_;  // of a cell: the last one added
+    std::vector<std::uint32_t> next_;
+};
+
+std::vector<double> radii_of(const Request& request) {
+    std::vector<double> radii;
+    radii.reserve(request.keep.size());
+    for (const Point point : request.keep)
+        radii.push_back(request.field == nullptr
+                            ? *request.radius
+                            : *request.scale / std::sqrt(greatest_importance_at(request, point)));
+    return radii;
+}
+
+}  // namespace
+
+void check_kept_place(const Request& request, std::size_t index) {
+    const Point point = request.keep[index];
+    const auto refuse = [&](const std::string& allowed) {
+        throw BadRequest("keep", text_of(index, point), allowed);
+    };
+    if (!(point.x >= 0 && point.x < request.width && point.y >= 0 && point.y < request.height))
+        refuse("must lie in the domain, [0, " + shortest(request.width) + ") x [0, " +
+               shortest(request.height) + ")");
+    const double border = request.border;
+    if (point.x < border || request.width - point.x < border || point.y < border ||
+        request.height - point.y < border)
+        refuse("must be at least the border, " + shortest(border) + ", from the domain's edges");
+    if (request.mask != nullptr && !is_allowed(request, point))
+        refuse("must lie where the mask is not 0");
+    if (request.field != nullptr && greatest_importance_at(request, point) == 0)
+        refuse("must lie where the field is not 0");
+}
+
+// Two points of which the smaller radius lies in [2^l, 2^(l+1)) are both among those of 2^l or
+// more, and found in cells of 2^(l+1): each power of two that occurs takes a look at all of those.
+void check_kept_distances(const Request& request) {
+    const std::vector<double> radii = radii_of(request);
+    std::set<int> levels;
+    for (const double radius : radii) levels.insert(std::ilogb(radius));
+    for (const int level : levels) {
+        const double least = std::ldexp(1.0, level);
+        Cells cells(request, radii, least);
+        for (std::uint32_t i = 0; i < radii.size(); ++i)
+            if (radii[i] >= least) cells.add(i);
+    }
+}
+
+}  // namespace lacuna
