@@ -4,6 +4,7 @@
 #include <lacuna/lacuna.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lacuna::verify {
@@ -30,6 +31,15 @@ struct Domain {
         const double dx = along(a.x, b.x, width);
         const double dy = along(a.y, b.y, height);
         return std::sqrt(dx * dx + dy * dy);
+    }
+
+    // A place along a side and those `blur` before and behind it, around a torus' edges.
+    std::array<double, 3> around(double at, double blur, double side) const {
+        double before = at - blur;
+        double behind = at + blur;
+        if (torus && before < 0) before += side;
+        if (torus && behind >= side) behind -= side;
+        return {before, at, behind};
     }
 
 private:

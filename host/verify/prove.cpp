@@ -1,6 +1,7 @@
 // The public door to the proofs.
 #include <lacuna/verify.h>
 
+#include "verify/field_proof.h"
 #include "verify/verify.h"
 
 namespace lacuna {
@@ -8,6 +9,7 @@ namespace lacuna {
 Proof prove(std::span<const Point> points, const Claim& claim,
             const std::function<bool()>& keep_going) {
     const verify::Patience patience(keep_going);
+    if (claim.field != nullptr) return verify::prove_field(points, claim, patience);
     const bool torus = claim.boundary == Boundary::torus;
     const double tolerance =
         claim.tolerance.value_or(verify::default_tolerance(claim.width, claim.height));
@@ -23,10 +25,12 @@ Proof prove(std::span<const Point> points, const Claim& claim,
     proof.first = verdict.closest.first;
     proof.second = verdict.closest.second;
     proof.least_distance = verdict.closest.distance;
+    proof.least_limit = claim.radius;
     if (claim.distances_only) return proof;
     proof.covered = verdict.covered;
     proof.emptiest = verdict.emptiest.at;
     proof.emptiest_distance = verdict.emptiest.distance;
+    proof.emptiest_limit = claim.radius;
     proof.maximal =
         proof.kept && proof.covered && tolerance <= verify::kMostTolerance * claim.radius;
     return proof;

@@ -8,54 +8,13 @@
 #include <limits>
 #include <utility>
 
+#include "verify/corners.h"
+
 namespace lacuna::verify {
 namespace {
 
 // More neighbours than this, hardly fewer than those of the cell that was halved, are a crowd.
 constexpr std::size_t kCrowd = 64;
-
-double square(double a) {
-    return a * a;
-}
-
-// A cell seen from its centre.
-struct Frame {
-    Point centre;
-    double half_width;
-    double half_height;
-
-    explicit Frame(const Cell& cell)
-        : centre{cell.left + (cell.right - cell.left) / 2,
-                 cell.bottom + (cell.top - cell.bottom) / 2},
-          half_width((cell.right - cell.left) / 2),
-          half_height((cell.top - cell.bottom) / 2) {}
-
-    // Squared distances from a point to the cell's farthest and nearest spots.
-    double to_farthest(Point p) const {
-        return square(std::abs(p.x - centre.x) + half_width) +
-               square(std::abs(p.y - centre.y) + half_height);
-    }
-    double to_nearest(Point p) const {
-        return square(std::max(std::abs(p.x - centre.x) - half_width, 0.0)) +
-               square(std::max(std::abs(p.y - centre.y) - half_height, 0.0));
-    }
-};
-
-// The squared distances of a point to a cell's corners.
-struct Corners {
-    using Squares = std::array<double, 4>;
-    const Cell& cell;
-
-    explicit Corners(const Cell& of) : cell(of) {}
-
-    Squares to(Point p) const {
-        const double left = square(p.x - cell.left);
-        const double right = square(p.x - cell.right);
-        const double bottom = square(p.y - cell.bottom);
-        const double top = square(p.y - cell.top);
-        return {left + bottom, right + bottom, left + top, right + top};
-    }
-};
 
 // The half that is farther from the nearest point first: else a slope would be climbed in the
 // smallest steps, each of them a new record.

@@ -8,18 +8,11 @@
 #include <span>
 #include <vector>
 
+#include "verify/cell.h"
 #include "verify/emptiest.h"
 #include "verify/patience.h"
 
 namespace lacuna::verify {
-
-// A closed rectangle. Halves share the very double that they are cut at: no gap between them.
-struct Cell {
-    double left;
-    double right;
-    double bottom;
-    double top;
-};
 
 // Finds the points, and on a torus their images, that can be nearest to some spot of a cell.
 class Neighbours {

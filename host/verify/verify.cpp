@@ -17,15 +17,6 @@ namespace {
 constexpr double kSmallestSide = 1e-100;
 constexpr double kLargestSide = 1e100;
 constexpr double kLargestAspect = 1000;
-// Of the longer side. Far above what doubles can tell apart, far below any set that fits a disk.
-constexpr double kSmallestRadius = 0x1p-32;
-
-std::string text(double value) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    return {digits.data(), end};
-}
-
 void check_lengths(double radius, double tolerance, double longer) {
     if (!std::isfinite(radius) || radius <= 0)
         throw BadRequest("radius", text(radius), "must be a finite number greater than 0");
@@ -33,8 +24,7 @@ void check_lengths(double radius, double tolerance, double longer) {
         throw BadRequest("radius", text(radius),
                          "must be at least " + text(longer * kSmallestRadius) +
                              ", the longer side / 2^32, or doubles run out of digits");
-    if (!std::isfinite(tolerance) || tolerance < 0)
-        throw BadRequest("tolerance", text(tolerance), "must be a finite number of at least 0");
+    check_tolerance(tolerance);
 }
 
 // Refuses what makes no sense, and looks for a point outside.
@@ -51,6 +41,17 @@ Verdict begin(std::span<const Point> points, const Domain& domain, double radius
 }
 
 }  // namespace
+
+std::string text(double value) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    return {digits.data(), end};
+}
+
+void check_tolerance(double tolerance) {
+    if (!std::isfinite(tolerance) || tolerance < 0)
+        throw BadRequest("tolerance", text(tolerance), "must be a finite number of at least 0");
+}
 
 void check_domain(double width, double height) {
     const std::string domain = text(width) + "x" + text(height);

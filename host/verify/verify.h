@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "verify/closest.h"
 #include "verify/emptiest.h"
@@ -36,6 +37,15 @@ inline constexpr double kMostTolerance = 0.01;
 // Throws BadRequest("domain", ...) unless both sides lie between 1e-100 and 1e100 and neither is
 // over 1000 times the other.
 void check_domain(double width, double height);
+
+// Throws BadRequest("tolerance", ...) unless it is finite and at least 0.
+void check_tolerance(double tolerance);
+
+// Of the longer side. Far above what doubles can tell apart, far below any set that fits a disk.
+inline constexpr double kSmallestRadius = 0x1p-32;
+
+// A value as it stands in a message.
+std::string text(double value);
 
 // More than samplers on a grid may lose: 2^-28 of the longer side. That is at least four units of a
 // grid with 2^30 or more of them along that side; rounding the radius up to whole units takes up to

@@ -6,6 +6,12 @@
 //   - Proof::kept is exact: no two points are closer than the radius, or `first` and `second` are.
 //   - Proof::covered: no spot of the domain, edges and corners included, is farther than radius +
 //     tolerance from every point, but for 1e-12 of the longer side; or `emptiest` is such a spot.
+//   - With a field each place has its pixel's radius, scale / sqrt(importance), and two places are
+//     to be the smaller of theirs apart: that is the pair's limit, and it is how near a spot must
+//     have a point. Where the importance is 0 no point may lie, and no spot need be covered.
+//   - Samplers round the borders of pixels to the lines of a grid. So a point within 2^-28 of the
+//     longer side of a border may be on either pixel: the smaller radius holds for distances, the
+//     larger for what it covers.
 //   - The work grows nearly linearly with the points, however they are crowded.
 #pragma once
 
@@ -20,15 +26,20 @@ namespace lacuna {
 
 // What is said of a set.
 struct Claim {
-    double radius = 0;  // least distance between two points, > 0
+    double radius = 0;  // least distance between two points, > 0; not looked at with a field
     double width = 1;   // of the domain, as in Request
     double height = 1;
     Boundary boundary = Boundary::box;
 
     // How far over the radius a gap may be; unset: 2^-28 of the longer side, more than sample() may
-    // lose by rounding the radius up.
+    // lose by rounding the radius up; twice that with a field, whose borders are rounded too.
     std::optional<double> tolerance;
     bool distances_only = false;  // gaps are not looked for, which takes most of the time
+
+    // Radii that differ from place to place: the field, stretched over the domain, and the radius
+    // where its importance is 1. It must outlive the call.
+    const Field* field = nullptr;
+    double scale = 0;  // > 0
 };
 
 // What was found. Points are numbered from 0, in the order given.
@@ -36,24 +47,32 @@ struct Proof {
     // The first point outside the domain: a box has its far edges, a torus has not. If there is
     // one, nothing else was looked at.
     std::optional<std::size_t> outside;
+    // The first point that lies where no point may. If there is one, nothing else was looked at.
+    std::optional<std::size_t> forbidden;
 
+    // The closest two points, where there are two: with a field the two of the least distance for
+    // their limit.
     bool kept = false;
-    std::size_t first = 0;  // the closest two points, where there are two
+    std::size_t first = 0;
     std::size_t second = 0;
     double least_distance = 0;  // infinite for fewer than two points
+    double least_limit = 0;     // what the two have to keep: the radius, or the smaller of theirs
 
+    // The spot farthest from every point, if there is a point: with a field the one that is
+    // farthest over its limit, and where all are covered any.
     bool covered = false;
-    Point emptiest{0, 0};  // the spot farthest from every point, if there is a point
-    double emptiest_distance = 0;
+    Point emptiest{0, 0};
+    double emptiest_distance = 0;  // with a field to the point that covers the spot best
+    double emptiest_limit = 0;     // how near a point must be there: the radius, or the smaller one
 
-    // Kept, covered, and with a tolerance of at most 1 % of the radius: a larger one would let a
-    // set pass that lacks points.
+    // Kept, covered, and with a tolerance of at most 1 % of the radius, with a field of its least
+    // radius: a larger one would let a set pass that lacks points.
     bool maximal = false;
 };
 
 // `keep_going`, if there is one, is asked often, by every thread that works; false ends the work.
-// Throws BadRequest for a domain, radius or tolerance that makes no sense, Unavailable where the
-// system makes no threads, and Cancelled.
+// Throws BadRequest for a domain, radius, tolerance, field or scale that makes no sense,
+// Unavailable where the system makes no threads, and Cancelled.
 Proof prove(std::span<const Point> points, const Claim& claim,
             const std::function<bool()>& keep_going = {});
 

@@ -1,0 +1,180 @@
+// Given fields and sets that can be reckoned by hand, the proof finds what geometry says.
+#include <gtest/gtest.h>
+#include <lacuna/verify.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "verify/field_sets.h"
+
+namespace lacuna::verify {
+namespace {
+
+// The unit square, the left half with one radius and the right half with another.
+FieldCase halves(double left, double right, bool torus = false) {
+    const auto importance = [](double radius) { return radius == 0 ? 0 : 1 / (radius * radius); };
+    return {"halves", {2, 1, {importance(left), importance(right)}}, 1, {1, 1, torus}};
+}
+
+TEST(ALargeRadius, CoversASpotOfASmallOneNoFartherThanTheSmallOne) {
+    const FieldCase made = halves(2, 0.1);
+    const std::vector<Point> points{{0.25, 0.5}};
+    const Proof proof = prove(points, made.claim());
+    EXPECT_TRUE(proof.kept);
+    EXPECT_FALSE(proof.covered || proof.maximal);
+    EXPECT_NEAR(proof.emptiest.x, 1, 1e-6);
+    EXPECT_NEAR(std::abs(proof.emptiest.y - 0.5), 0.5, 1e-6);
+    EXPECT_NEAR(proof.emptiest_distance, std::hypot(0.75, 0.5), 1e-6);
+    EXPECT_NEAR(proof.emptiest_limit, 0.1, 1e-15);
+}
+
+TEST(ASmallRadius, CoversASpotOfALargeOneNoFartherThanItself) {
+    const FieldCase made = halves(2, 0.1);
+    const std::vector<Point> points{{0.75, 0.5}};
+    const Proof proof = prove(points, made.claim());
+    EXPECT_FALSE(proof.covered);
+    EXPECT_NEAR(proof.emptiest.x, 0, 1e-6);
+    EXPECT_NEAR(proof.emptiest_distance, std::hypot(0.75, 0.5), 1e-6);
+    EXPECT_NEAR(proof.emptiest_limit, 0.1, 1e-15);
+}
+
+TEST(TwoPoints, KeepTheSmallerOfTheirRadii) {
+    const FieldCase made = halves(0.2, 0.1);
+    const auto is_kept = [&](Point a, Point b) {
+        return prove(std::vector<Point>{a, b}, made.claim()).kept;
+    };
+    EXPECT_TRUE(is_kept({0.45, 0.5}, {0.56, 0.5}));
+    EXPECT_FALSE(is_kept({0.45, 0.5}, {0.54, 0.5}));
+    EXPECT_FALSE(is_kept({0.2, 0.5}, {0.39, 0.5}));
+    EXPECT_TRUE(is_kept({0.2, 0.5}, {0.41, 0.5}));
+    // Around the edges of a torus.
+    const FieldCase wrapped = halves(0.2, 0.1, true);
+    EXPECT_FALSE(prove(std::vector<Point>{{0.04, 0.5}, {0.95, 0.5}}, wrapped.claim()).kept);
+    EXPECT_TRUE(prove(std::vector<Point>{{0.06, 0.5}, {0.95, 0.5}}, wrapped.claim()).kept);
+}
+
+TEST(TheClosestPair, IsTheOneOfTheLeastDistanceForItsLimit) {
+    const FieldCase made = halves(0.2, 0.02);
+    const std::vector<Point> points{{0.8, 0.5}, {0.83, 0.5}, {0.1, 0.1}, {0.29, 0.1}};
+    const Proof proof = prove(points, made.claim());
+    EXPECT_FALSE(proof.kept);
+    EXPECT_EQ(proof.first, 2U);
+    EXPECT_EQ(proof.second, 3U);
+    EXPECT_EQ(proof.least_distance, 0.29 - 0.1);
+    EXPECT_NEAR(proof.least_limit, 0.2, 1e-15);
+}
+
+TEST(APointOnABorder, MayBeOnEitherPixel) {
+    const FieldCase made = halves(0.2, 0.1);
+    for (const double x : {0.5, 0.5 + 0x1p-29, 0.5 - 0x1p-29}) {
+        // The smaller radius holds for what it keeps, from a point of the larger one too.
+        EXPECT_TRUE(prove(std::vector<Point>{{x, 0.5}, {0.39, 0.5}}, made.claim()).kept);
+        EXPECT_FALSE(prove(std::vector<Point>{{x, 0.5}, {0.41, 0.5}}, made.claim()).kept);
+    }
+    // The larger one holds for what it covers: the left half is as far as 0.707 from the point.
+    const FieldCase wide = halves(0.8, 0.6);
+    EXPECT_TRUE(prove(std::vector<Point>{{0.5 - 0x1p-20, 0.5}, {0.99, 0}, {0.99, 1}}, wide.claim())
+                    .covered);
+    EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}, {0.99, 0}, {0.99, 1}}, wide.claim()).covered);
+    EXPECT_FALSE(prove(std::vector<Point>{{0.5 + 0x1p-20, 0.5}, {0.99, 0}, {0.99, 1}}, wide.claim())
+                     .covered);
+}
+
+TEST(APixelWithoutImportance, MustHaveNoPointAndNeedsNone) {
+    const FieldCase made = halves(2, 0);
+    EXPECT_TRUE(prove(std::vector<Point>{{0.25, 0.5}}, made.claim()).maximal);
+    EXPECT_FALSE(prove(std::vector<Point>{}, made.claim()).covered);
+    const Proof proof = prove(std::vector<Point>{{0.25, 0.5}, {0.75, 0.5}}, made.claim());
+    EXPECT_EQ(proof.forbidden, 1U);
+    EXPECT_FALSE(proof.kept || proof.covered || proof.maximal);
+    // By the border it may belong to the left half.
+    EXPECT_TRUE(prove(std::vector<Point>{{0.5 + 0x1p-29, 0.5}}, made.claim()).maximal);
+    EXPECT_EQ(prove(std::vector<Point>{{0.5 + 0x1p-27, 0.5}}, made.claim()).forbidden, 0U);
+    EXPECT_EQ(prove(std::vector<Point>{{0.75, 2}}, made.claim()).outside, 0U);
+    // On a torus the right half ends where the left one begins.
+    EXPECT_TRUE(prove(std::vector<Point>{{1 - 0x1p-29, 0.5}}, halves(2, 0, true).claim()).maximal);
+}
+
+TEST(AFieldWithoutImportance, IsFullFromTheStart) {
+    const FieldCase made = halves(0, 0);
+    EXPECT_TRUE(prove(std::vector<Point>{}, made.claim()).maximal);
+    EXPECT_EQ(prove(std::vector<Point>{{0.5, 0.5}}, made.claim()).forbidden, 0U);
+}
+
+TEST(AFieldsRows, LieFromTheTopDown) {
+    const FieldCase made{"rows", {1, 2, {0, 1}}, 2, {1, 3, false}};
+    EXPECT_EQ(prove(std::vector<Point>{{0.5, 2.5}}, made.claim()).forbidden, 0U);
+    EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, made.claim()).maximal);
+}
+
+TEST(AnOnlyPixel, ProvesWhatTheUniformProofProves) {
+    for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
+        Request request;
+        request.radius = 0.02;
+        request.width = 1.3;
+        request.boundary = boundary;
+        std::vector<Point> points = sample(request).points;
+        Claim uniform;
+        uniform.radius = 0.02;
+        uniform.width = 1.3;
+        uniform.boundary = boundary;
+        const Field field{1, 1, {4}};
+        Claim claim = uniform;
+        claim.field = &field;
+        claim.scale = 0.04;
+        const Proof all = prove(points, claim);
+        EXPECT_TRUE(all.maximal);
+        EXPECT_EQ(all.first, prove(points, uniform).first);
+        EXPECT_EQ(all.second, prove(points, uniform).second);
+        EXPECT_EQ(all.least_distance, prove(points, uniform).least_distance);
+        EXPECT_EQ(all.least_limit, 0.02);
+        for (const std::size_t gone : {std::size_t{0}, points.size() / 2}) {
+            points.erase(points.begin() + static_cast<std::ptrdiff_t>(gone));
+            const Proof proof = prove(points, claim);
+            const Proof expected = prove(points, uniform);
+            EXPECT_FALSE(proof.covered);
+            EXPECT_NEAR(proof.emptiest_distance, expected.emptiest_distance, 1e-7);
+            EXPECT_EQ(proof.emptiest_limit, 0.02);
+        }
+    }
+}
+
+TEST(AClaim, WithAFieldThatMakesNoSenseIsABadRequestThatNamesTheOption) {
+    const auto option_refused = [](const Field& field, double scale, double tolerance = 0) {
+        Claim claim;
+        claim.field = &field;
+        claim.scale = scale;
+        claim.tolerance = tolerance;
+        try {
+            prove(std::vector<Point>{}, claim);
+        } catch (const BadRequest& error) {
+            return error.option();
+        }
+        return std::string();
+    };
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const Field one{1, 1, {1}};
+    EXPECT_EQ(option_refused(one, 1), "");
+    EXPECT_EQ(option_refused({}, 1), "field");
+    EXPECT_EQ(option_refused({2, 1, {1}}, 1), "field");
+    for (const double bad : {-1.0, kInfinity, std::nan("")})
+        EXPECT_EQ(option_refused({1, 1, {bad}}, 1), "field") << bad;
+    for (const double bad : {0.0, -1.0, kInfinity, std::nan(""), 1e-12})
+        EXPECT_EQ(option_refused(one, bad), "scale") << bad;
+    EXPECT_EQ(option_refused({2, 1, {1, 1e30}}, 1), "scale");
+    EXPECT_EQ(option_refused(one, 1, -1), "tolerance");
+}
+
+TEST(ATolerance, OverAPercentOfTheLeastRadiusProvesNoSetMaximal) {
+    const FieldCase made = halves(2, 1.5);
+    Claim claim = made.claim();
+    claim.tolerance = 0.014;
+    EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
+    claim.tolerance = 0.016;
+    EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).covered);
+    EXPECT_FALSE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
+}
+
+}  // namespace
+}  // namespace lacuna::verify

@@ -1,0 +1,143 @@
+// Given hostile fields, sets that are filled until the proof finds no bare spot are maximal as a
+// slow look at a raster sees it, and are refuted with a point less or a point too many.
+#include "verify/field_sets.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <cstdio>
+#include <tuple>
+#include <vector>
+
+#include "verify/closest_by_limit.h"
+#include "verify/emptiest.h"
+
+namespace lacuna::verify {
+namespace {
+
+constexpr std::uint64_t kFirstSeed = 18000;
+constexpr std::uint64_t kCases = 90;
+constexpr std::size_t kMost = 2000;
+
+// Some darts, and then the barest spot that the proof finds, until it finds none.
+std::vector<Point> filled(const FieldCase& made, std::mt19937_64& random) {
+    std::vector<Point> points;
+    for (int dart = 0; dart < 200; ++dart) {
+        const Point at = any_place(random, made.domain);
+        const auto over = made.over(points, at);
+        if (over && *over >= made.tolerance()) points.push_back(at);
+    }
+    while (points.size() < kMost) {
+        const Proof proof = prove(points, made.claim());
+        if (proof.covered) return points;
+        EXPECT_GT(proof.emptiest_distance, proof.emptiest_limit);
+        points.push_back(proof.emptiest);
+        // A torus has no far edges.
+        if (made.domain.torus && points.back().x >= made.domain.width) points.back().x = 0;
+        if (made.domain.torus && points.back().y >= made.domain.height) points.back().y = 0;
+    }
+    ADD_FAILURE() << "no end of points";
+    return points;
+}
+
+LimitedPair closest_of_all(const Domain& domain, std::span<const Disk> disks) {
+    LimitedPair closest;
+    for (std::size_t i = 0; i < disks.size(); ++i)
+        for (std::size_t j = i + 1; j < disks.size(); ++j) {
+            LimitedPair pair{i, j, domain.distance(disks[i].at, disks[j].at),
+                             std::min(disks[i].radius, disks[j].radius)};
+            pair.ratio = pair.distance / pair.limit;
+            if (pair.ratio < closest.ratio) closest = pair;
+        }
+    return closest;
+}
+
+TEST(ASetFilledAlongAField, IsMaximalAndRefutedWithAPointLessOrTooMany) {
+    std::printf("seeds %lu to %lu\n", kFirstSeed, kFirstSeed + kCases - 1);
+    std::size_t all_points = 0;
+    for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + kCases; ++seed) {
+        const FieldCase made = hostile_case(seed);
+        std::mt19937_64 random(seed + 1);
+        SCOPED_TRACE("seed " + std::to_string(seed) + ": " + made.name);
+        std::vector<Point> points = filled(made, random);
+        all_points += points.size();
+        const Proof proof = prove(points, made.claim());
+        EXPECT_TRUE(proof.kept && proof.covered && proof.maximal);
+        EXPECT_LE(made.most_over_of_raster(points, 80), made.tolerance());
+        if (points.empty()) continue;
+
+        // A point too many.
+        std::optional<double> over;
+        Point another{};
+        while (!over || *over >= 0) {
+            another = any_place(random, made.domain);
+            over = made.over(points, another);
+        }
+        points.push_back(another);
+        const Proof crowded = prove(points, made.claim());
+        EXPECT_FALSE(crowded.kept);
+        EXPECT_EQ(crowded.second, points.size() - 1);
+        EXPECT_LT(crowded.least_distance, crowded.least_limit);
+        points.pop_back();
+
+        // A point less.
+        const std::size_t index = random() % points.size();
+        const Point gone = points[index];
+        points.erase(points.begin() + static_cast<std::ptrdiff_t>(index));
+        const Proof bare = prove(points, made.claim());
+        EXPECT_TRUE(bare.kept);
+        EXPECT_FALSE(bare.covered);
+        const double found = bare.emptiest_distance - bare.emptiest_limit;
+        if (points.empty()) continue;
+        EXPECT_GT(found, made.tolerance());
+        EXPECT_LE(made.most_over_of_raster(points, 80), found * (1 + 1e-6) + made.tolerance());
+        const auto spot_radius = made.most_radius_near(bare.emptiest);
+        const auto gone_radius = made.most_radius_near(gone);
+        ASSERT_TRUE(spot_radius && gone_radius);
+        EXPECT_LT(made.domain.distance(bare.emptiest, gone), std::min(*spot_radius, *gone_radius));
+    }
+    std::printf("%lu sets, %zu points\n", kCases, all_points);
+}
+
+TEST(AFewPointsOnAFieldOfAMillionPixels, LeaveABarestSpotThatIsFoundWithoutAnEnd) {
+    std::mt19937_64 random(7);
+    FieldCase made{"large noise", noise(random, 1000, 1000, 1e6), 1e-6, {1, 1, true}};
+    std::vector<Point> points;
+    for (int i = 0; i < 100; ++i) points.push_back(any_place(random, made.domain));
+    const Proof proof = prove(points, made.claim());
+    EXPECT_FALSE(proof.covered);
+    const double found = proof.emptiest_distance - proof.emptiest_limit;
+    EXPECT_NEAR(made.over(points, proof.emptiest).value(), found, 1e-12);
+    EXPECT_LE(made.most_over_of_raster(points, 300), found * (1 + 1e-6));
+}
+
+// Coordinates on a grid of `grid` steps, radii over a range of 10^6.
+std::vector<Disk> draw_disks(const Domain& domain, int grid) {
+    const auto drawn = *rc::gen::container<std::vector<std::tuple<int, int, int>>>(rc::gen::tuple(
+        rc::gen::inRange(0, grid), rc::gen::inRange(0, grid), rc::gen::inRange(0, 24)));
+    std::vector<Disk> disks;
+    for (const auto& [i, j, size] : drawn)
+        disks.push_back({{domain.width * i / grid, domain.height * j / grid},
+                         domain.longer_side() * std::pow(10, -size / 4)});
+    return disks;
+}
+
+RC_GTEST_PROP(TheClosestPairByLimit, IsThatOfAllPairs, ()) {
+    const double width = *rc::gen::element(1.0, 2.5, 0.01, 1e30);
+    const Domain domain{width, width * *rc::gen::element(1.0, 0.3, 7.0),
+                        *rc::gen::arbitrary<bool>()};
+    const std::vector<Disk> disks = draw_disks(domain, *rc::gen::element(5, 1000, 1 << 30));
+    const LimitedPair found = closest_by_limit(domain, disks);
+    const LimitedPair expected = closest_of_all(domain, disks);
+    if (expected.ratio < kHopeless) {
+        RC_ASSERT(found.ratio < kHopeless);
+        return;
+    }
+    RC_ASSERT(found.ratio == expected.ratio);
+    RC_ASSERT(found.first == expected.first);
+    RC_ASSERT(found.second == expected.second);
+}
+
+}  // namespace
+}  // namespace lacuna::verify
