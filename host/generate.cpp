@@ -31,8 +31,8 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer) {
     TimedMarginal marginal(plan, backend.workers(), poll, observer);
     RoundPolicy policy(plan);
     backend.watch(may_go_on);
-    const std::vector<std::uint32_t> all_free = first_free_lengths(plan);
-    marginal.rebuild(all_free, plan.strip_width);
+    const FirstFree all_free(plan);
+    marginal.rebuild(all_free.lengths, plan.strip_width, all_free.widths);
 
     while (marginal.total() > 0 && outcome.samples.size() < plan.limit) {
         const std::span<const Draw> draws = marginal.invert(outcome.draws, policy.size());
@@ -49,7 +49,7 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer) {
         outcome.rounds++;
         policy.note(round.survivors, round.samples.size(), round.free_lengths.size(),
                     round.place_width);
-        marginal.rebuild(round.free_lengths, round.place_width);
+        marginal.rebuild(round.free_lengths, round.place_width, round.place_widths);
         poll();
     }
     if (outcome.samples.size() > plan.limit) outcome.samples.resize(plan.limit);

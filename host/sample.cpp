@@ -24,11 +24,14 @@ void ask(const Request& request, Observer& observer) {
 // For a request that was checked, with its field's sums in cells.
 Result run(const Request& request, const std::optional<FieldSums>& sums, Observer& observer) {
     const Poll poll = [&] { ask(request, observer); };
-    const Plan plan = sums ? make_cells_plan(request, *sums, poll) : make_plan(request);
+    const Plan plan = sums                    ? make_cells_plan(request, *sums, poll)
+                      : needs_ground(request) ? make_ground_plan(request, poll)
+                                              : make_plan(request);
     const Run run = run_on_backend(request, plan, observer);
     Result result;
-    result.points.reserve(run.outcome.samples.size());
+    result.points.reserve(request.keep.size() + run.outcome.samples.size());
     ask_for_large_pages(result.points.data(), run.outcome.samples.size());
+    result.points.assign(request.keep.begin(), request.keep.end());
     for (const Sample& sample : run.outcome.samples) result.points.push_back(plan.to_user(sample));
     result.radius = plan.user_radius;
     result.scale = plan.user_scale;
@@ -114,6 +117,36 @@ Pilot find_pilot(const Request& request, const FieldSums& sums, Observer& observ
     return pilot;
 }
 
+// A count on a ground: the first points of a maximal set that has a few more, at a scale or radius
+// that the sets before it tell, and the first of them the formula. Where a field is rough, min lets
+// in more samples than its integral tells.
+Result fill_ground(const Request& request, Observer& observer) {
+    constexpr double kSpare = 1.015;  // what is aimed at
+    constexpr double kMost = 1.05;    // what will do
+    constexpr int kPatience = 12;     // attempts after which more will do, too
+    const auto count = static_cast<double>(*request.count);
+    const double wanted = kSpare * (count + 4 * kCountDeviation * std::sqrt(count));
+    Request sized = request;
+    sized.count.reset();
+    sized.limit.reset();
+    const auto poll = [&] { ask(request, observer); };
+    double scale = ground_scale_for_count(request, wanted, poll);
+    for (int attempt = 0;; ++attempt) {
+        (request.field != nullptr ? sized.scale : sized.radius) = scale;
+        sized.limit = static_cast<std::uint64_t>(4 * wanted) + 16;
+        Result result = run(sized, {}, observer);
+        const auto made = static_cast<double>(result.points.size());
+        const bool is_enough = made >= count;
+        if (is_enough && (made <= kMost * wanted || attempt >= kPatience)) {
+            result.maximal = made == count && result.maximal;
+            result.points.resize(std::min(*request.count, request.limit.value_or(*request.count)));
+            return result;
+        }
+        scale *= std::sqrt(std::clamp(made / wanted, 0.25, 4.0));
+        if (!is_enough && attempt >= kPatience) scale *= 0.9;
+    }
+}
+
 }  // namespace
 
 std::string_view name_of(Mode mode) {
@@ -172,6 +205,8 @@ Result sample(const Request& request, Observer& observer) {
     if (request.mode == Mode::cells)
         sums = sums_of(*request.field, [&] { ask(request, observer); });
     if (!request.count) return run(request, sums, observer);
+
+    if (needs_ground(request)) return fill_ground(request, observer);
 
     // A count: at a radius with room to spare it is met at the first attempt but for a few in a
     // hundred thousand seeds, and a short set is drawn again with more to spare.

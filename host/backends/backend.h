@@ -33,7 +33,7 @@ struct Box {
     friend bool operator==(const Box&, const Box&) = default;
 };
 
-// A draw with its y.
+// A draw with its y. On a ground its line is 0.
 struct Candidate {
     std::uint32_t x;
     std::uint32_t y;
@@ -52,6 +52,9 @@ struct Snapshot {
     std::vector<Sample> grid;     // the sample of each grid cell, NO_SAMPLE where there is none
     std::uint32_t box_width = 0;  // 0: lines are drawn from, not boxes
     std::vector<Box> boxes;       // line by line
+    // In exact on a ground, instead: region by region, see plan/first_places.h.
+    std::vector<Rectangle> rectangles;
+    std::vector<Sample> samples;  // of earlier rounds, by x, then y
     // In cells only: a bit for each lattice point, set while it is free. Line by line, each in an
     // even number of words, the lowest y in the lowest bit of the first.
     std::vector<std::uint32_t> bits;
@@ -63,7 +66,8 @@ struct Round {
     std::span<const Sample> samples;              // admitted, in the order of their draws
     std::uint64_t survivors;                      // draws free of the samples of earlier rounds
     std::span<const std::uint32_t> free_lengths;  // of every place, after the round
-    std::uint32_t place_width;                    // of every place
+    std::uint32_t place_width;                    // of every place, unless
+    std::span<const std::uint32_t> place_widths = {};  // tells that of each
 };
 
 // Serves one plan. A backend may queue the verbs and do them at finish_round. Whatever the order

@@ -42,19 +42,23 @@ void check_round_size(const Request& request) {
                        kBytesPerDraw * static_cast<double>(request.round_size));
 }
 
-// What mode cells asks for beside a scale or a count, and no other mode knows.
+// What a field asks for beside a scale or a count.
 void check_field(const Request& request) {
-    const bool cells = request.mode == Mode::cells;
-    if (!cells && request.field != nullptr)
-        throw BadRequest("field", "with mode " + std::string(name_of(request.mode)),
-                         "is for mode cells only");
-    if (!cells && request.scale)
-        throw BadRequest("scale", shortest(*request.scale), "is for mode cells only");
-    if (!cells) return;
+    const std::string mode(name_of(request.mode));
+    if (request.field == nullptr) {
+        if (request.mode == Mode::cells)
+            throw BadRequest("field", "missing", "mode cells needs one");
+        if (request.scale) throw BadRequest("scale", shortest(*request.scale), "is for a field");
+        return;
+    }
+    if (request.mode == Mode::lines)
+        throw BadRequest("field", "with mode " + mode, "is for modes exact and cells");
     if (request.radius)
         throw BadRequest("radius", shortest(*request.radius),
-                         "is not for mode cells: give a scale or a count");
-    if (request.field == nullptr) throw BadRequest("field", "missing", "mode cells needs one");
+                         "is not for a field: give a scale or a count");
+    if (request.mode == Mode::exact && request.metric != Metric::min)
+        throw BadRequest("metric", std::string(name_of(request.metric)),
+                         "is for mode cells; mode exact knows min");
     check_importance(*request.field);
 }
 
@@ -108,9 +112,9 @@ void check_request(const Request& request) {
     check_field(request);
     check_where(request);
     if (request.limit && *request.limit == 0) throw BadRequest("limit", "0", "must be at least 1");
-    const bool cells = request.mode == Mode::cells;
-    const std::string size = cells ? "scale" : "radius";
-    const std::optional<double>& given = cells ? request.scale : request.radius;
+    const bool has_field = request.field != nullptr;
+    const std::string size = has_field ? "scale" : "radius";
+    const std::optional<double>& given = has_field ? request.scale : request.radius;
     if (given && request.count)
         throw BadRequest(size, shortest(*given), "give either a " + size + " or a count");
     if (!given && !request.count)

@@ -41,12 +41,6 @@ void check_where(const Request& request) {
     if (request.mask != nullptr) check_mask(*request.mask);
     check_border(request);
     for (std::size_t i = 0; i < request.keep.size(); ++i) check_kept_place(request, i);
-
-    // Until mode exact takes them.
-    if (request.mask != nullptr) throw BadRequest("mask", "given", "is not served yet");
-    if (request.border != 0)
-        throw BadRequest("border", shortest(request.border), "is not served yet");
-    if (!request.keep.empty()) throw BadRequest("keep", "given", "is not served yet");
 }
 
 }  // namespace lacuna

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "plan/first_places.h"
 #include "portable/bits.h"
 
 namespace lacuna {
@@ -45,6 +46,17 @@ std::vector<std::uint32_t> first_free_lengths(const Plan& plan) {
             for (const Span span : first_spans(plan, line)) lengths[line] += span.end - span.begin;
     }
     return lengths;
+}
+
+FirstFree::FirstFree(const Plan& plan) {
+    if (!plan.ground) {
+        lengths = first_free_lengths(plan);
+        return;
+    }
+    for (const Rectangle& place : plan.first_places->places) {
+        lengths.push_back(place.end - place.begin);
+        widths.push_back(place.width);
+    }
 }
 
 std::uint32_t words_per_line(const Plan& plan) {

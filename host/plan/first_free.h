@@ -16,6 +16,14 @@ std::vector<Span> first_spans(const Plan& plan, std::uint32_t line);
 // The total length of every line's.
 std::vector<std::uint32_t> first_free_lengths(const Plan& plan);
 
+// The free length of every place and, on a ground, its width.
+struct FirstFree {
+    explicit FirstFree(const Plan& plan);
+
+    std::vector<std::uint32_t> lengths;
+    std::vector<std::uint32_t> widths;
+};
+
 // The same as bits of the lines [first_line, end_line), as Snapshot::bits has them: each line in an
 // even number of words of 32 bits, the lowest y in the lowest bit of the first.
 std::vector<std::uint32_t> first_bits(const Plan& plan, std::uint32_t first_line,

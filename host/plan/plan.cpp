@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kLongerSideUnits = 2147483648.0;   // 2^31
 constexpr std::uint32_t kExactLinesPerRadius = 6;   // the fastest: docs/speed.md
+constexpr std::uint32_t kPlacesPerRadius = 1;       // on a ground
 constexpr std::uint32_t kPaperLinesPerRadius = 30;  // section 5.1
 // With fewer units to a radius, rounding it up would show; 1000 lines a radius need 2 units each.
 constexpr double kSmallestRadius = 1.0 / (1 << 20);  // of the longer side
@@ -102,7 +103,7 @@ std::uint32_t lines_per_radius(const Request& request) {
     if (request.lines_per_radius) return *request.lines_per_radius;
     switch (request.mode) {
         case Mode::exact:
-            return kExactLinesPerRadius;
+            return needs_ground(request) ? kPlacesPerRadius : kExactLinesPerRadius;
         case Mode::lines:
             return kPaperLinesPerRadius;
         default:
@@ -153,6 +154,7 @@ double radius_for_count(const Request& request, int attempt) {
 Plan make_plan(const Request& request) {
     check_request(request);
     if (request.mode == Mode::cells) return make_cells_plan(request, sums_of(*request.field));
+    if (needs_ground(request)) return make_ground_plan(request);
     check_radius(request);
     const double radius = *request.radius;
     const double longer = std::max(request.width, request.height);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "plan/pixels.h"
 #include "plan/radius_map.h"
 
 namespace lacuna {
@@ -29,6 +30,9 @@ struct Span {
 // sequential adsorption's jamming density, and the standard deviation of N over sqrt(N).
 inline constexpr double kTorusDensity = 0.69656;
 inline constexpr double kCountDeviation = 0.244;
+
+class Ground;
+struct FirstPlaces;
 
 // Everything that decides where samples go. In mode cells the grid is the lattice: a line is one of
 // its columns, a strip is one unit wide, and `radius` is the least of all, rounded up. Equal plans
@@ -57,6 +61,12 @@ struct Plan {
     bool is_cells() const { return mode == Mode::cells; }
     std::shared_ptr<const RadiusMap> radii;  // in cells only: the radius of every place
     Metric metric;                           // in cells only: of two radii
+    // In exact where not all places are alike: their radii, and where samples may go. Then there
+    // are no lines, `radius` is the least, the first places are no longer than 2 / lines_per_radius
+    // of the least radius under them, and `kept` holds samples that lie there already.
+    std::shared_ptr<const Ground> ground;
+    std::shared_ptr<const FirstPlaces> first_places;
+    std::vector<Sample> kept;
     bool snap;
     bool uniform_x;
     std::uint64_t limit;       // stop after so many samples
@@ -100,6 +110,14 @@ struct FieldSums {
 FieldSums sums_of(const Field& field, const Poll& poll = nobody_asks);
 // make_plan for mode cells and a request that was checked (plan_cells.cpp).
 Plan make_cells_plan(const Request& request, const FieldSums& sums, const Poll& poll = nobody_asks);
+
+// make_plan for mode exact on a ground and a request that was checked (plan_ground.cpp).
+Plan make_ground_plan(const Request& request, const Poll& poll = nobody_asks);
+// Whether that is the request's plan.
+bool needs_ground(const Request& request);
+// The scale, or without a field the radius, at which the formula of docs/design.md, section 5,
+// expects so many samples in a maximal set of such a request.
+double ground_scale_for_count(const Request& request, double count, const Poll& poll = nobody_asks);
 
 // Checks all that does not depend on the radius. Throws BadRequest.
 void check_request(const Request& request);

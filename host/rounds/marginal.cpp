@@ -52,17 +52,24 @@ void insertion_sort(std::span<Draw> draws, Before comes_before) {
 
 }  // namespace
 
-void Marginal::rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t place_width) {
+// Eq. 1; with uniform-x, 1 while the place has any free length.
+std::uint64_t Marginal::weight_of(std::size_t place) const {
+    if (plan_.uniform_x) return std::min(lengths_[place], 1u);
+    return widths_.empty() ? lengths_[place] : std::uint64_t{widths_[place]} * lengths_[place];
+}
+
+void Marginal::rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t place_width,
+                       std::span<const std::uint32_t> place_widths) {
     lengths_ = free_lengths;
     place_width_ = place_width;
+    widths_ = place_widths;
     const std::size_t blocks = (lengths_.size() + kBlock - 1) / kBlock;
     sums_.resize(blocks + 1);
     std::uint64_t sum = 0;
     for (std::size_t block = 0; block < blocks; ++block) {
         if (block % kPollEvery == 0) poll_();
         const std::size_t end = std::min(lengths_.size(), (block + 1) * kBlock);
-        for (std::size_t place = block * kBlock; place < end; ++place)
-            sum += plan_.uniform_x ? std::min(lengths_[place], 1u) : lengths_[place];
+        for (std::size_t place = block * kBlock; place < end; ++place) sum += weight_of(place);
         sums_[block + 1] = sum;
     }
 }
@@ -70,7 +77,8 @@ void Marginal::rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_
 // Inverts the cdf at weights that ascend.
 class Marginal::Walk {
 public:
-    explicit Walk(const Marginal& marginal) : sums_(marginal.sums_), lengths_(marginal.lengths_) {}
+    explicit Walk(const Marginal& marginal)
+        : sums_(marginal.sums_), lengths_(marginal.lengths_), widths_(marginal.widths_) {}
 
     // The same numbers as the reference's, up to the walk along the place's free length.
     void invert(Draw& draw) {
@@ -81,6 +89,19 @@ public:
         for (; rank >= lengths_[place]; ++place) rank -= lengths_[place];
         draw.place = static_cast<std::uint32_t>(place);
         draw.rank = static_cast<std::uint32_t>(rank);
+    }
+
+    // The weight is an area: what c exceeds the sum before the place by is one of its points.
+    void invert_areas(Draw& draw) {
+        const std::uint64_t c = scaled(bits_of(draw), sums_.back());
+        seek(c);
+        std::size_t place = block_ * kBlock;
+        std::uint64_t rank = c - sums_[block_];
+        const auto area = [&] { return std::uint64_t{widths_[place]} * lengths_[place]; };
+        for (; rank >= area(); ++place) rank -= area();
+        draw.place = static_cast<std::uint32_t>(place);
+        draw.rank = static_cast<std::uint32_t>(rank / widths_[place]);
+        draw.offset = static_cast<std::uint32_t>(rank % widths_[place]);
     }
 
     void invert_uniform_x(Draw& draw, std::uint64_t for_rank) {
@@ -111,6 +132,7 @@ private:
 
     std::span<const std::uint64_t> sums_;
     std::span<const std::uint32_t> lengths_;
+    std::span<const std::uint32_t> widths_;
     std::size_t block_ = 0;
 };
 
@@ -191,6 +213,8 @@ void Marginal::invert_part(std::uint64_t first_number, std::span<Draw> part) con
     for (Draw& draw : sorted) {
         if (plan_.uniform_x)
             walk.invert_uniform_x(draw, random_bits(plan_.seed, first_number + draw.order).second);
+        else if (!widths_.empty())
+            walk.invert_areas(draw);
         else
             walk.invert(draw);
     }

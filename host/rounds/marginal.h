@@ -21,11 +21,14 @@ public:
     Marginal(const Plan& plan, Workers& workers, std::function<void()> poll)
         : plan_(plan), workers_(workers), poll_(std::move(poll)) {}
 
-    // New running sums, from the free length of every place, all of one width. The lengths are
-    // read again by invert: they must stay until then.
-    void rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t place_width);
+    // New running sums, from the free length of every place, all of one width, unless place_widths
+    // tells that of each. The lengths and widths are read again by invert: they must stay until
+    // then.
+    void rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t place_width,
+                 std::span<const std::uint32_t> place_widths = {});
 
-    // Total weight of the places: their free length or, with uniform-x, how many have any.
+    // Total weight of the places: their free length, or their area where widths differ, or, with
+    // uniform-x, how many have any.
     std::uint64_t total() const { return sums_.back(); }
 
     // Draws first_number, first_number + 1, ... of the plan's seed, `count` of them, inverted from
@@ -35,6 +38,7 @@ public:
 private:
     class Walk;
 
+    std::uint64_t weight_of(std::size_t place) const;
     Draw drawn(std::uint64_t first_number, std::uint32_t order) const;
     void draw_bits(std::uint64_t first_number, std::uint32_t count);
     void find_ends(std::size_t chunks);
@@ -45,6 +49,7 @@ private:
     std::function<void()> poll_;
     std::span<const std::uint32_t> lengths_;
     std::uint32_t place_width_ = 0;
+    std::span<const std::uint32_t> widths_;
     std::vector<std::uint64_t> sums_ = {0};  // sums_[block]: all blocks of places below it
     // A draw's place and rank hold its random bits until it is inverted.
     std::vector<Draw> drawn_;               // by number

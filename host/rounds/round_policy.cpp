@@ -25,7 +25,7 @@ std::uint64_t largest_round_size(const Plan& plan) {
 
 std::uint64_t first_round_size(const Plan& plan) {
     if (plan.round_size != 0) return plan.round_size;
-    if (plan.is_cells())
+    if (plan.is_cells() || plan.ground)
         return std::clamp(plan.maximal_samples / 6, kSmallestRound, largest_round_size(plan));
     const std::uint64_t area = std::uint64_t{plan.width} * plan.height;
     return std::clamp(area / plan.radius_squared / 8, kSmallestRound, largest_round_size(plan));
@@ -48,7 +48,9 @@ void RoundPolicy::judge_places(std::uint64_t survivors, std::uint32_t width) {
 void RoundPolicy::note(std::uint64_t survivors, std::uint64_t admitted, std::uint64_t places,
                        std::uint32_t place_width) {
     const bool are_boxes = refines_;
-    if (plan_.is_exact()) judge_places(survivors, place_width);
+    // On a ground places are cut along y too.
+    constexpr std::uint32_t kAnyWidth = 2;
+    if (plan_.is_exact()) judge_places(survivors, plan_.ground ? kAnyWidth : place_width);
     if (plan_.round_size != 0) return;
 
     const std::uint64_t lost = survivors - admitted;

@@ -27,7 +27,9 @@ std::uint64_t largest_round_size(const Plan& plan);
 
 class RoundPolicy {
 public:
-    explicit RoundPolicy(const Plan& plan) : plan_(plan), size_(first_round_size(plan)) {}
+    // A ground begins with boxes.
+    explicit RoundPolicy(const Plan& plan)
+        : plan_(plan), size_(first_round_size(plan)), refines_(plan.ground != nullptr) {}
 
     // Draws of the next round.
     std::uint64_t size() const { return size_; }
@@ -48,7 +50,7 @@ private:
     std::uint64_t size_;
     std::uint64_t seen_ = 0;  // draws since the places were last judged
     std::uint64_t seen_survivors_ = 0;
-    bool refines_ = false;
+    bool refines_;
     bool halves_ = false;
 };
 

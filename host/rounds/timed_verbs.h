@@ -81,9 +81,10 @@ public:
                   Observer& observer)
         : marginal_(plan, workers, std::move(poll)), observer_(observer) {}
 
-    void rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t place_width) {
+    void rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t place_width,
+                 std::span<const std::uint32_t> place_widths = {}) {
         const Timed timed(observer_, Verb::invert);
-        marginal_.rebuild(free_lengths, place_width);
+        marginal_.rebuild(free_lengths, place_width, place_widths);
     }
     std::span<const Draw> invert(std::uint64_t first_number, std::uint64_t count) {
         const Timed timed(observer_, Verb::invert);

@@ -12,6 +12,7 @@
 #include "backends/available.h"
 #include "backends/backends.h"
 #include "backends/cells_requests.h"
+#include "backends/ground_requests.h"
 #include "backends/requests.h"
 #include "plan/plan.h"
 
@@ -80,6 +81,23 @@ TEST_P(Equality, OnEveryKindOfRequestInCells) {
         ASSERT_TRUE(same(made.request, plan, expected, run(made.request, plan, GetParam())));
     }
 }
+
+// Backends that serve mode exact on a ground.
+class EqualityOnAGround : public tests::OnBackend {};
+
+TEST_P(EqualityOnAGround, OnEveryKindOfRequest) {
+    const std::vector<tests::GroundRequest> requests = tests::ground_requests();
+    ASSERT_GE(requests.size(), 60u);
+    for (const tests::GroundRequest& made : requests) {
+        SCOPED_TRACE(made.name);
+        const Plan plan = make_plan(made.request);
+        ASSERT_TRUE(same(made.request, plan, run(made.request, plan, "reference"),
+                         run(made.request, plan, GetParam())));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Backend, EqualityOnAGround, testing::Values("cpu"),
+                         tests::name_of_parameter);
 
 TEST_P(Equality, OnEveryKindOfRequestInLines) {
     expect_equal_on_every_kind_of_request(Mode::lines, GetParam());

@@ -18,8 +18,10 @@
 namespace lacuna::tests {
 
 struct HostileRequest {
-    std::shared_ptr<const Field> field;  // in cells
+    std::shared_ptr<const Field> field;  // in cells, and in exact on a ground
+    std::shared_ptr<const Mask> mask;
     Request request;
+    bool has_ground = false;  // served by the reference and the cpu only
 };
 
 class RandomRequests {
@@ -41,6 +43,8 @@ public:
         choose_round_size(request);
         if (request.mode == Mode::cells)
             choose_field(made);
+        else if (request.mode == Mode::exact && one_in(2))
+            choose_ground(made);
         else
             choose_radius(request);
         return made;
@@ -103,6 +107,53 @@ private:
                                                 static_cast<std::uint64_t>(most_points(request)));
         made.field = std::make_shared<const Field>(std::move(field));
         request.field = made.field.get();
+    }
+
+    // Radii that differ by up to 10^6 times.
+    void choose_ground(HostileRequest& made) {
+        Request& request = made.request;
+        made.has_ground = true;
+        if (one_in(4)) request.lines_per_radius = below(5) + 1;
+        if (request.boundary == Boundary::box && one_in(3))
+            request.border = power(1e-6, 0.49) * std::min(request.width, request.height);
+        const bool has_mask = one_in(3);
+        if (has_mask) choose_mask(made);
+        const double points = power(0.3, most_points(request));
+        const double radius = std::sqrt(0.7 * request.width * request.height / points);
+        if (has_mask && one_in(2)) {
+            request.radius = radius;
+            return;
+        }
+        Field field;
+        field.columns = static_cast<std::uint32_t>(power(1, 60));
+        field.rows = static_cast<std::uint32_t>(power(1, 60));
+        const double range = power(1, 1e12);
+        const bool has_two = one_in(2);
+        double sum = 0;
+        for (std::size_t i = 0; i < std::size_t{field.columns} * field.rows; ++i) {
+            const double share = has_two ? (one_in(2) ? 1 : 1 / range) : power(1 / range, 1);
+            field.importance.push_back(one_in(8) ? 0 : share);
+            sum += field.importance.back();
+        }
+        sum += field.importance[0] == 0 ? 1 : 0;
+        if (field.importance[0] == 0) field.importance[0] = 1;
+        request.scale =
+            radius * std::sqrt(sum / static_cast<double>(field.importance.size()));
+        request.limit = request.limit.value_or(3000);
+        made.field = std::make_shared<const Field>(std::move(field));
+        request.field = made.field.get();
+    }
+
+    void choose_mask(HostileRequest& made) {
+        Mask mask;
+        mask.columns = static_cast<std::uint32_t>(power(1, 100));
+        mask.rows = static_cast<std::uint32_t>(power(1, 100));
+        const std::uint32_t many = 2 + below(30);
+        for (std::size_t i = 0; i < std::size_t{mask.columns} * mask.rows; ++i)
+            mask.allowed.push_back(one_in(many) ? 1 : 0);
+        mask.allowed[below(static_cast<std::uint32_t>(mask.allowed.size()))] = 255;
+        made.mask = std::make_shared<const Mask>(std::move(mask));
+        made.request.mask = made.mask.get();
     }
 
     std::mt19937_64 random_;

@@ -76,7 +76,7 @@ TEST(CellsPlan, TakesAScaleOrACountAndNoRadius) {
     request.count.reset();
     EXPECT_EQ(refusal(request), "scale missing: give either a scale or a count");
     request.radius = 0.25;
-    EXPECT_EQ(refusal(request), "radius 0.25: is not for mode cells: give a scale or a count");
+    EXPECT_EQ(refusal(request), "radius 0.25: is not for a field: give a scale or a count");
     request.radius.reset();
     request.count = 0;
     EXPECT_EQ(refusal(request), "count 0: must be at least 1");
@@ -104,15 +104,12 @@ TEST(CellsPlan, KeepsWhatIsForOneModeToThatMode) {
     request.snap = false;
     request.uniform_x = true;
     EXPECT_EQ(refusal(request), "uniform-x with mode cells: is for mode lines only");
-    for (const Mode mode : {Mode::exact, Mode::lines}) {
-        Request other;
-        other.mode = mode;
-        other.scale = 0.5;
-        EXPECT_EQ(refusal(other), "scale 0.5: is for mode cells only");
-        other.field = &field;
-        EXPECT_EQ(refusal(other),
-                  "field with mode " + std::string(name_of(mode)) + ": is for mode cells only");
-    }
+    Request other;
+    other.mode = Mode::lines;
+    other.scale = 0.5;
+    EXPECT_EQ(refusal(other), "scale 0.5: is for a field");
+    other.field = &field;
+    EXPECT_EQ(refusal(other), "field with mode lines: is for modes exact and cells");
 }
 
 TEST(CellsPlan, RefusesALatticeOfTooManyStepsByTheNameOfTheOptionGiven) {

@@ -21,22 +21,131 @@ bool is_in(const Span& stretch, std::uint32_t x) {
     return x >= stretch.begin && x < stretch.end;
 }
 
-Sample place_of(const Candidate& candidate) {
-    return {candidate.x, candidate.y};
+// The candidates of a slab, of columns that share out all.
+Span candidates_of_slab(const State& state, std::uint32_t index, std::size_t slabs) {
+    return {state.column_begins[index * std::size_t{state.columns} / slabs],
+            state.column_begins[(index + std::size_t{1}) * state.columns / slabs]};
+}
+
+// What darts are thrown at: here the sample grid. A slab settles what lies in so many columns of
+// cells.
+class GridBoard {
+public:
+    explicit GridBoard(SpanState& state)
+        : grid_(*state.grid), own_{0, kBeyond}, inner_{0, kBeyond} {}
+    GridBoard(SpanState& state, std::uint32_t index, std::size_t slabs) : GridBoard(state) {
+        if (slabs == 1) return;
+        const std::size_t begin = index * std::size_t{state.columns} / slabs;
+        const std::size_t end = (index + std::size_t{1}) * state.columns / slabs;
+        const std::uint32_t side = state.plan.grid_side;
+        const std::uint32_t width = state.plan.strip_width;
+        own_.begin = (state.first_lines[begin] * width + side - 1) / side * side;
+        own_.end = state.first_lines[end] * width / side * side;
+        // A radius around x touches at most four columns of cells, from that of x - radius on.
+        inner_.begin = own_.begin + state.plan.radius;
+        inner_.end = own_.end - std::min(3 * side, own_.end) + state.plan.radius;
+    }
+
+    void fetch(const Candidate& later) const { grid_.fetch_near(later.x, later.y); }
+    bool may_settle(const Candidate& candidate) const { return is_in(inner_, candidate.x); }
+    bool is_covered(const Candidate& candidate) const {
+        return grid_.is_covered(candidate.x, candidate.y);
+    }
+    bool has_mark_near(const Candidate& candidate) const {
+        return grid_.has_mark_near(candidate.x, candidate.y);
+    }
+    void insert(const Candidate& candidate) { grid_.insert({candidate.x, candidate.y}); }
+    void mark(const Candidate& candidate) {
+        if (is_in(own_, candidate.x)) grid_.mark({candidate.x, candidate.y});
+    }
+    void unmark(const Candidate& candidate) { grid_.unmark({candidate.x, candidate.y}); }
+
+private:
+    static constexpr std::uint32_t kBeyond = ~std::uint32_t{0};
+
+    SampleGrid& grid_;
+    Span own_;
+    Span inner_;
+};
+
+// And the lists of first places. A slab is a region, and settles what reaches no other: no conflict
+// is farther away than a candidate's own radius.
+class ListBoard {
+public:
+    explicit ListBoard(GroundState& state) : state_(state), region_(kWhole) {}
+    ListBoard(GroundState& state, std::uint32_t index, std::size_t slabs)
+        : state_(state), region_(slabs == 1 ? kWhole : index) {}
+
+    void fetch(const Candidate&) const {}
+    bool may_settle(const Candidate& at) const {
+        if (region_ == kWhole) return true;
+        const Rectangle& own = state_.first.nodes[state_.first.regions[region_]].place;
+        const std::uint32_t radius = radius_of(at);
+        return at.x - own.x >= radius && own.x + own.width - at.x > radius &&
+               at.y - own.begin >= radius && own.end - at.y > radius;
+    }
+    bool is_covered(const Candidate& candidate) const {
+        const std::uint32_t radius = radius_of(candidate);
+        return radius == 0 ||
+               state_.near.is_any_closer(candidate.line, {candidate.x, candidate.y}, radius);
+    }
+    bool has_mark_near(const Candidate& candidate) const {
+        return state_.near.is_any_closer(candidate.line, {candidate.x, candidate.y},
+                                         radius_of(candidate), kMark);
+    }
+    void insert(const Candidate& candidate) {
+        state_.near.insert(sized(candidate), candidate.line);
+    }
+    void mark(const Candidate& candidate) {
+        state_.near.mark(sized(candidate, kMark), candidate.line);
+    }
+    void unmark(const Candidate& candidate) {
+        state_.near.erase_marks(sized(candidate), candidate.line);
+    }
+
+private:
+    static constexpr std::uint32_t kWhole = ~std::uint32_t{0};
+
+    std::uint32_t radius_of(const Candidate& candidate) const {
+        return state_.ground.radius_at(candidate.x, candidate.y);
+    }
+
+    Sized sized(const Candidate& candidate, std::uint32_t mark = 0) const {
+        return {candidate.x, candidate.y, radius_of(candidate) | mark};
+    }
+
+    GroundState& state_;
+    std::uint32_t region_;
+};
+
+template <typename... Slab>
+GridBoard board_of(SpanState& state, Slab... slab) {
+    return GridBoard(state, slab...);
+}
+template <typename... Slab>
+ListBoard board_of(GroundState& state, Slab... slab) {
+    return ListBoard(state, slab...);
+}
+
+template <typename DartState>
+void screen_column(DartState& state, std::uint32_t column) {
+    const std::span<const Candidate> candidates = state.candidates_of(column);
+    const auto board = board_of(state);
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        board.fetch(candidates[std::min(k + kAhead, candidates.size() - 1)]);
+        const std::size_t i = state.column_begins[column] + k;
+        if (state.fates[i] == FATE_UNDECIDED && board.is_covered(candidates[k]))
+            state.fates[i] = FATE_COVERED;
+    }
 }
 
 }  // namespace
 
 void screen(SpanState& state, std::uint32_t column) {
-    const std::span<const Candidate> candidates = state.candidates_of(column);
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-        const Candidate& later = candidates[std::min(k + kAhead, candidates.size() - 1)];
-        state.grid->fetch_near(later.x, later.y);
-        const std::size_t i = state.column_begins[column] + k;
-        if (state.fates[i] == FATE_UNDECIDED &&
-            state.grid->is_covered(candidates[k].x, candidates[k].y))
-            state.fates[i] = FATE_COVERED;
-    }
+    screen_column(state, column);
+}
+void screen(GroundState& state, std::uint32_t region) {
+    screen_column(state, region);
 }
 
 void Darts::begin(std::uint32_t begin, std::uint32_t end, std::uint32_t slabs) {
@@ -46,26 +155,8 @@ void Darts::begin(std::uint32_t begin, std::uint32_t end, std::uint32_t slabs) {
     for (std::vector<std::uint32_t>& of_slab : put_off_) of_slab.clear();
 }
 
-Darts::Slab Darts::slab_of(const SpanState& state, std::uint32_t index) const {
-    const std::size_t slabs = put_off_.size();
-    const std::size_t begin = index * std::size_t{state.columns} / slabs;
-    const std::size_t end = (index + std::size_t{1}) * state.columns / slabs;
-    const std::uint32_t first = state.column_begins[begin];
-    constexpr std::uint32_t kBeyond = ~std::uint32_t{0};
-    Slab slab{first, state.column_begins[end] - first, {0, kBeyond}, {0, kBeyond}};
-    if (slabs == 1) return slab;
-    const std::uint32_t side = state.plan.grid_side;
-    const std::uint32_t width = state.plan.strip_width;
-    slab.own.begin = (state.first_lines[begin] * width + side - 1) / side * side;
-    slab.own.end = state.first_lines[end] * width / side * side;
-    // A radius around x touches at most four columns of cells, from that of x - radius on.
-    slab.inner.begin = slab.own.begin + state.plan.radius;
-    slab.inner.end = slab.own.end - std::min(3 * side, slab.own.end) + state.plan.radius;
-    return slab;
-}
-
 // The slab's candidates in their turns; and more entries, to be asked for ahead.
-void Darts::list_turns(const SpanState& state, const Slab& slab, Scratch& scratch) const {
+void Darts::list_turns(const State& state, Span slab, Scratch& scratch) const {
     auto& [thrown, starts, unsorted, sorted] = scratch;
     if (slabs() == 1) {
         thrown.resize(end_ - begin_);
@@ -73,14 +164,14 @@ void Darts::list_turns(const SpanState& state, const Slab& slab, Scratch& scratc
             thrown[turn - begin_] = candidate_of_turn(state.by_order, turn);
     } else {
         unsorted.clear();
-        for (std::uint32_t i = slab.first; i < slab.first + slab.count; ++i) {
+        for (std::uint32_t i = slab.begin; i < slab.end; ++i) {
             const std::uint32_t turn = turn_of(state.candidates[i], i);
             if (turn - begin_ < end_ - begin_ && state.fates[i] != FATE_COVERED)
                 unsorted.push_back({turn - begin_, i});
         }
         sort_turns(scratch);
     }
-    thrown.resize(thrown.size() + 2 * kAhead, slab.first);
+    thrown.resize(thrown.size() + 2 * kAhead, slab.begin);
 }
 
 // By buckets of equally many turns, then among neighbours.
@@ -103,53 +194,59 @@ void Darts::sort_turns(Scratch& scratch) const {
     for (const Turn turn : sorted) thrown.push_back(turn.candidate);
 }
 
-void Darts::throw_in(SpanState& state, std::uint32_t index) {
+template <typename DartState>
+void Darts::throw_in(DartState& state, std::uint32_t index) {
     thread_local Scratch of_thread;
     Scratch& scratch = of_thread;  // looked up once, see subtract.cpp
-    const Slab slab = slab_of(state, index);
-    if (slab.count == 0) return;
-    list_turns(state, slab, scratch);
+    const Span candidates = candidates_of_slab(state, index, put_off_.size());
+    if (candidates.begin == candidates.end) return;
+    list_turns(state, candidates, scratch);
     const std::vector<std::uint32_t>& thrown = scratch.thrown;
+    auto board = board_of(state, index, put_off_.size());
     const bool is_shared = put_off_.size() > 1;
-    SampleGrid& grid = *state.grid;
     for (std::size_t k = 0; k + 2 * kAhead < thrown.size(); ++k) {
         __builtin_prefetch(&state.candidates[thrown[k + 2 * kAhead]]);
-        const Candidate& later = state.candidates[thrown[k + kAhead]];
-        grid.fetch_near(later.x, later.y);
+        board.fetch(state.candidates[thrown[k + kAhead]]);
         const std::uint32_t i = thrown[k];
-        const Sample place = place_of(state.candidates[i]);
+        const Candidate& candidate = state.candidates[i];
         std::uint32_t& fate = state.fates[i];
-        if (fate == FATE_ADMITTED) grid.insert(place);
+        if (fate == FATE_ADMITTED) board.insert(candidate);
         if (fate != FATE_UNDECIDED) continue;
-        const bool is_inner = !is_shared || is_in(slab.inner, place.x);
-        if (is_inner && grid.is_covered(place.x, place.y)) {
+        const bool is_inner = board.may_settle(candidate);
+        if (is_inner && board.is_covered(candidate)) {
             fate = FATE_REJECTED;
-        } else if (is_inner && (!is_shared || !grid.has_mark_near(place.x, place.y))) {
+        } else if (is_inner && (!is_shared || !board.has_mark_near(candidate))) {
             fate = FATE_ADMITTED;
-            grid.insert(place);
+            board.insert(candidate);
         } else {
             put_off_[index].push_back(i);
-            if (is_in(slab.own, place.x)) grid.mark(place);
+            board.mark(candidate);
         }
     }
 }
 
-void Darts::finish(SpanState& state, const std::function<void()>& poll) {
+template <typename DartState>
+void Darts::finish(DartState& state, const std::function<void()>& poll) {
     std::vector<std::uint32_t>& all = put_off_.front();
     for (std::size_t slab = 1; slab < put_off_.size(); ++slab)
         all.insert(all.end(), put_off_[slab].begin(), put_off_[slab].end());
     std::sort(all.begin(), all.end(), [&](std::uint32_t a, std::uint32_t b) {
         return precedes(state.candidates[a], state.candidates[b]);
     });
+    auto board = board_of(state);
     for (std::size_t k = 0; k < all.size(); ++k) {
         if (k % kPollEvery == 0) poll();
         const std::uint32_t i = all[k];
-        const Sample place = place_of(state.candidates[i]);
-        const bool is_covered = state.grid->is_covered(place.x, place.y);
+        const bool is_covered = board.is_covered(state.candidates[i]);
         state.fates[i] = is_covered ? FATE_REJECTED : FATE_ADMITTED;
-        if (!is_covered) state.grid->insert(place);
+        if (!is_covered) board.insert(state.candidates[i]);
     }
-    for (const std::uint32_t i : all) state.grid->unmark(place_of(state.candidates[i]));
+    for (const std::uint32_t i : all) board.unmark(state.candidates[i]);
 }
+
+template void Darts::throw_in(SpanState&, std::uint32_t);
+template void Darts::throw_in(GroundState&, std::uint32_t);
+template void Darts::finish(SpanState&, const std::function<void()>&);
+template void Darts::finish(GroundState&, const std::function<void()>&);
 
 }  // namespace lacuna::cpu

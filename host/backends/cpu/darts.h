@@ -5,34 +5,30 @@
 #include <functional>
 #include <vector>
 
+#include "backends/cpu/ground_state.h"
 #include "backends/cpu/state.h"
 
 namespace lacuna::cpu {
 
 // Draws take their turns in slabs, runs of columns that several threads serve at once. A slab
-// settles a candidate where all that could be closer than the radius lies in cells of its own.
+// settles a candidate where all that could conflict with it lies in the slab, in cells of its own.
 // Others are put off, and so is what comes later and might conflict with one put off, for each of
 // those leaves a mark in its cell. When all slabs are done, those put off take their turns, in one
 // thread. So every draw is settled after all earlier ones that it could conflict with, as if all
-// were thrown in their order. In slabs of c columns, some 2 draws in c are put off.
+// were thrown in their order. In slabs of c columns, some 2 draws in c are put off. On a ground
+// each region is a slab.
 class Darts {
 public:
     // Turns [begin, end) of the round, in so many slabs: throw_in each, in parallel, then finish.
     void begin(std::uint32_t begin, std::uint32_t end, std::uint32_t slabs);
     std::uint32_t slabs() const { return static_cast<std::uint32_t>(put_off_.size()); }
-    void throw_in(SpanState& state, std::uint32_t slab);
+    template <typename DartState>  // SpanState or GroundState
+    void throw_in(DartState& state, std::uint32_t slab);
     // Calls poll now and then, which may throw.
-    void finish(SpanState& state, const std::function<void()>& poll);
+    template <typename DartState>
+    void finish(DartState& state, const std::function<void()>& poll);
 
 private:
-    // The candidates of a slab, and the x of its own cells and of those that it may settle.
-    struct Slab {
-        std::uint32_t first;
-        std::uint32_t count;
-        Span own;
-        Span inner;
-    };
-    Slab slab_of(const SpanState& state, std::uint32_t index) const;
     struct Turn {
         std::uint32_t number;
         std::uint32_t candidate;
@@ -44,7 +40,7 @@ private:
         std::vector<Turn> unsorted;
         std::vector<Turn> sorted;
     };
-    void list_turns(const SpanState& state, const Slab& slab, Scratch& scratch) const;
+    void list_turns(const State& state, Span slab, Scratch& scratch) const;
     void sort_turns(Scratch& scratch) const;
 
     std::uint32_t begin_ = 0;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "backends/cpu/chords.h"
 #include "backends/cpu/state.h"
 #include "backends/cpu/vectors.h"
 #include "portable/chord.h"
@@ -65,15 +66,13 @@ private:
         }
         if (is_covered) return;
         sort_chords(box, count);
-        std::uint32_t free_from = box.begin;
-        for (const Span chord : std::span(chords_).first(chord_count_)) {
-            const std::uint32_t free_to = std::min(chord.begin, box.end);
-            if (free_from < free_to) left.push_back({box.x, free_from, free_to});
-            free_from = std::max(free_from, chord.end);
-        }
+        leave_of({box.begin, box.end}, std::span(chords_).first(chord_count_),
+                 [&](std::uint32_t begin, std::uint32_t end) {
+                     left.push_back({box.x, begin, end});
+                 });
     }
 
-    // Of so many samples that touch the strip, and one that begins where the strip ends.
+    // Of so many samples that touch the strip.
     void sort_chords(const Box& strip, std::size_t count) {
         const Plan& plan = state_.plan;
         vectors_.find_chords(std::span(touching_).first(count), plan.radius_squared, plan.height,
@@ -83,7 +82,6 @@ private:
         if (plan.period_y != 0 &&
             (strip.begin < plan.radius || strip.end + plan.radius > plan.height))
             add_wrapped_chords(strip.x + width_ / 2);
-        add_chord({strip.end, strip.end});
     }
 
     // What sticks out at one end of a torus is cut at the other.
@@ -102,11 +100,9 @@ private:
         add_chord(top);
     }
 
-    // Sorted by where they begin: few, so by hand.
     void add_chord(Span chord) {
-        std::size_t to = chord_count_++;
-        for (; to > 0 && chord.begin < chords_[to - 1].begin; --to) chords_[to] = chords_[to - 1];
-        chords_[to] = chord;
+        chords_[chord_count_++] = chord;
+        sort_in_last(chords_.data(), chord_count_);
     }
 
     // A box and a radius around it reach over at most 7 x 6 cells, those at the seam of a torus
@@ -120,7 +116,7 @@ private:
     std::size_t near_count_ = 0;
     std::array<Seen, kMost + kVectorPadding> touching_;
     std::array<Span, kMost + kVectorPadding> found_;
-    std::array<Span, kMost + 3> chords_;  // and what wraps, and one at the end
+    std::array<Span, kMost + 2> chords_;  // and what wraps
     std::size_t chord_count_ = 0;
 };
 

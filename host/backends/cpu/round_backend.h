@@ -18,7 +18,7 @@
 
 namespace lacuna::cpu {
 
-// What a mode adds are subtract, refine and take_out (make_backend.cpp).
+// What a mode adds are admit, subtract and refine (make_backend.cpp).
 template <typename ModeState>
 class RoundBackend : public Backend {
 public:
@@ -37,17 +37,6 @@ public:
         state_.end_locate();
     }
 
-    // All draws at once, or part by part, in the order of the draws, where they crowd.
-    void admit() override {
-        const auto count = static_cast<std::uint32_t>(state_.candidates.size());
-        std::uint32_t end = cpu::first_part(state_);
-        if (end == count) return settle();
-        Crowd<ModeState> crowd(state_);
-        for (std::uint32_t begin = 0; begin < count; begin = end, end += std::min(end, count - end))
-            admit_part(crowd, {begin, end});
-        crowd.give_back(state_);
-    }
-
     Round finish_round() override {
         std::uint64_t survivors = 0;
         samples_.resize(state_.candidates.size());
@@ -60,7 +49,7 @@ public:
             next += state_.fates[i] == FATE_ADMITTED;
         }
         samples_.resize(static_cast<std::size_t>(next - samples_.data()));
-        return {samples_, survivors, state_.free_lengths, state_.place_width};
+        return {samples_, survivors, state_.free_lengths, state_.place_width, state_.place_widths};
     }
 
     Snapshot snapshot() override { return state_.snapshot(); }
@@ -70,8 +59,21 @@ public:
     }
 
 protected:
-    // Takes from the places what the samples of a part cover, so that is_covered tells.
-    virtual void take_out() = 0;
+    // All draws at once, or part by part, in the order of the draws, where they crowd: take_out()
+    // takes from the places what the samples of a part cover, so that is_covered tells.
+    template <typename TakeOut>
+    void admit_by_passes(TakeOut take_out) {
+        const auto count = static_cast<std::uint32_t>(state_.candidates.size());
+        std::uint32_t end = cpu::first_part(state_);
+        if (end == count) return settle();
+        Crowd<ModeState> crowd(state_);
+        for (std::uint32_t begin = 0; begin < count;
+             begin = end, end += std::min(end, count - end)) {
+            admit_part(crowd, {begin, end});
+            take_out();
+        }
+        crowd.give_back(state_);
+    }
 
     // work(column) for all columns, where so much is to be done in all.
     template <typename Work>
@@ -119,7 +121,6 @@ private:
         state_.end_locate();
         settle();
         for_columns(count, [&](std::uint32_t i) { crowd.move_out(state_, i); });
-        take_out();
     }
 
     Workers workers_;

@@ -25,6 +25,17 @@ State::State(const Plan& the_plan)
       free_lengths(first_free_lengths(plan)),
       column_begins(columns + std::size_t{1}) {}
 
+State::State(const Plan& the_plan, std::vector<std::uint32_t> region_begins)
+    : plan(the_plan),
+      columns(static_cast<std::uint32_t>(region_begins.size()) - 1),
+      place_width(plan.strip_width),
+      place_begins(std::move(region_begins)),
+      column_begins(columns + std::size_t{1}) {
+    FirstFree first(plan);
+    free_lengths = std::move(first.lengths);
+    place_widths = std::move(first.widths);
+}
+
 void State::make_room(std::size_t count) {
     candidates.resize(count);
     fates.resize(count);

@@ -21,7 +21,10 @@ inline bool comes_before(const Candidate& a, const Candidate& b) {
 }
 
 struct State {
+    // Columns of lines.
     explicit State(const Plan& plan);
+    // On a ground: regions, of which these are the first places.
+    State(const Plan& plan, std::vector<std::uint32_t> region_begins);
 
     const Plan& plan;
     std::uint32_t columns;                   // of lines, see portable/column.h
@@ -31,6 +34,7 @@ struct State {
     std::uint32_t place_width;
     std::vector<std::uint32_t> place_begins;
     std::vector<std::uint32_t> free_lengths;
+    std::vector<std::uint32_t> place_widths;  // on a ground only: of each
 
     // The round's candidates, column by column, and what became of them. Within a column they are
     // sorted by y; in exact they are as their draws were, place by place.

@@ -19,19 +19,23 @@ namespace lacuna::reference {
 namespace {
 
 std::unique_ptr<FreeSpace> make_free_space(const Plan& plan) {
+    if (plan.ground) return make_exact_on_ground(plan);
     if (plan.is_exact()) return make_exact(plan);
     if (plan.is_cells()) return make_cells(plan);
     return make_lines(plan);
 }
 
-// F_X: the running sum of the places' weights. A place weighs its free length (Eq. 1) or, with
-// uniform-x, 1 while it has any.
+// F_X: the running sum of the places' weights. A place weighs its free length (Eq. 1), or its area
+// where not all are equally wide, or, with uniform-x, 1 while it has any.
 std::vector<std::uint64_t> marginal_cdf(const Plan& plan, const FreeSpace& space) {
     const std::span<const std::uint32_t> lengths = space.free_lengths();
     std::vector<std::uint64_t> cdf(lengths.size());
     std::uint64_t sum = 0;
-    for (std::size_t place = 0; place < lengths.size(); ++place)
-        cdf[place] = sum += plan.uniform_x ? std::min(lengths[place], 1u) : lengths[place];
+    const std::span<const std::uint32_t> widths = space.place_widths();
+    for (std::size_t place = 0; place < lengths.size(); ++place) {
+        const std::uint64_t width = widths.empty() ? 1 : widths[place];
+        cdf[place] = sum += plan.uniform_x ? std::min(lengths[place], 1u) : width * lengths[place];
+    }
     return cdf;
 }
 
@@ -51,6 +55,12 @@ Candidate draw(const Plan& plan, const FreeSpace& space, const std::vector<std::
 
     // y: uniform over the free length of that place. What c exceeds F_X by is already that.
     std::uint64_t rank = c - (place == 0 ? 0 : cdf[place - 1]);
+    if (!space.place_widths().empty()) {
+        const std::uint32_t width = space.place_widths()[place];
+        return {space.at(place, static_cast<std::uint32_t>(rank / width),
+                         static_cast<std::uint32_t>(rank % width)),
+                number};
+    }
     if (plan.uniform_x) rank = scaled(random.second, space.free_lengths()[place]);
 
     // x: on the line, or uniform in its strip, as interpolating the cdf makes it.

@@ -10,6 +10,11 @@
 //     returned, and no place of the domain is farther than the radius, plus 2^-28 of the longer
 //     side, from a point. Sets are distributed as dart throwing's, carried on until no room is
 //     left.
+//     With a field, a mask, a border or kept points the same holds of radii that are each pixel's
+//     own: two points are no closer than the smaller of their radii, each lies where samples may,
+//     and every place where one may is closer to some point than the smaller of that point's radius
+//     and its own, but for 2^-28 of the longer side; within so much of a pixel's border a place may
+//     count for either pixel.
 //   - Mode::lines with Request::snap: no two points are closer than the radius. Without snap
 //     (Kalantari & Sen 2011, section 4.1, x interpolated in its strip) no two points are closer
 //     than radius * (1 - 1 / (2 * lines_per_radius)). Gaps narrower than a strip remain.
@@ -86,14 +91,17 @@ struct Request {
     std::optional<std::uint64_t> count;  // exactly this many points, at a radius chosen to fit
 
     Mode mode = Mode::exact;
-    // In mode cells only. The field is stretched over the domain; it must outlive the call.
+    // In modes exact and cells: importance, stretched over the domain. It must outlive the call. In
+    // exact the radius is constant on a pixel, and the metric min.
     const Field* field = nullptr;
     // The paper's g (section 4.2): the radius of a place is g / sqrt(importance there), in the unit
     // of width and height. Where the importance is 1 it is the radius itself.
     std::optional<double> scale;
     Metric metric = Metric::min;
     // The paper's m, 1 to 1000. Unset: 6 in exact, where it decides nothing but the speed, the
-    // paper's 30 in lines, and 10 to the least radius in cells.
+    // paper's 30 in lines, and 10 to the least radius in cells. In exact with a field, a mask, a
+    // border or kept points there are no lines: unset, 1, it tells how many of the first places two
+    // radii are long, and again decides nothing but the speed.
     std::optional<std::uint32_t> lines_per_radius;
     // In mode lines only.
     bool snap = false;       // points on the lines themselves: keeps every distance >= radius

@@ -1,0 +1,48 @@
+// What the cpu backend keeps in mode exact on a ground: rectangles, region by region, and for each
+// of the first places the samples that reach it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "backends/cpu/near_lists.h"
+#include "backends/cpu/state.h"
+#include "plan/ground.h"
+#include "plan/pixels.h"
+
+namespace lacuna::cpu {
+
+// A region (plan/first_places.h) stands where other modes have a column. A candidate's line is the
+// first place that it lies in.
+struct GroundState : State {
+    explicit GroundState(const Plan& plan);
+
+    // What is left of a first place.
+    struct Place {
+        Rectangle at;
+        std::uint32_t first;
+    };
+
+    const Ground& ground;
+    const FirstPlaces& first;
+    std::vector<std::vector<Place>> places;  // of each region, those of a first place together
+    NearLists near;
+    std::vector<std::uint32_t> cut_by;  // so many of its list have cut each first place
+
+    void end_locate() { is_screened = true; }
+    // From now on these are the places.
+    void settle_places();
+    Snapshot snapshot() const;
+    void restore(const Snapshot& snapshot);
+};
+
+void set_free(GroundState& state, std::uint32_t region);
+void locate(GroundState& state, std::span<const Draw> draws, std::uint32_t region);
+void screen(GroundState& state, std::uint32_t region);
+
+// Replaces the region's places by what all samples near them leave of them, or with `halve` of two
+// halves of each, and of parts where pixels differ.
+void refine(GroundState& state, std::uint32_t region, bool halve);
+
+}  // namespace lacuna::cpu

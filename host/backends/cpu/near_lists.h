@@ -1,0 +1,76 @@
+// The samples on a ground, listed for each of the first places that they reach
+// (plan/first_places.h).
+//
+// A sample takes something from a place only where it is closer than its own radius and than the
+// place's: so a tree of the first places, with the greatest radius under each node, leads to those
+// that it reaches, whatever the range of radii.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "plan/first_places.h"
+#include "plan/plan.h"
+#include "portable/distance.h"
+
+namespace lacuna::cpu {
+
+// A sample with its radius; or a mark, which stands for a candidate whose turn comes later.
+struct Sized {
+    std::uint32_t x;
+    std::uint32_t y;
+    std::uint32_t radius;  // below 2^31; of a mark 2^31 more
+};
+inline constexpr std::uint32_t kMark = std::uint32_t{1} << 31;
+
+class NearLists {
+public:
+    explicit NearLists(const Plan& plan);
+
+    std::span<const Sized> of_place(std::uint32_t first_place) const { return lists_[first_place]; }
+
+    // Whether a sample, or with kMark a mark, in the list of a first place keeps one with this
+    // radius from lying at a point of that place: it is closer than the smaller of both radii.
+    bool is_any_closer(std::uint32_t first_place, Sample at, std::uint32_t radius,
+                       std::uint32_t mark = 0) const {
+        bool is_closer = false;
+        for (const Sized& near : lists_[first_place]) {
+            const std::uint32_t of_near = near.radius ^ mark;
+            const std::uint64_t limit = of_near >= kMark ? 0 : of_near < radius ? of_near : radius;
+            is_closer |= portable::conflicts(near.x, near.y, at.x, at.y, plan_.period_x,
+                                             plan_.period_y, limit * limit);
+        }
+        return is_closer;
+    }
+
+    // Lists what lies in a first place for all of them that it reaches. In parallel for different
+    // regions, if it reaches those of its region only.
+    void insert(const Sized& sample, std::uint32_t first_place) {
+        insert_below(sample, node_around(sample, first_place));
+    }
+    // The same for those of its own region only.
+    void mark(const Sized& mark, std::uint32_t first_place) {
+        insert_below(mark, region_of(first_place));
+    }
+    // Takes all marks out of the lists that this one is in.
+    void erase_marks(const Sized& mark, std::uint32_t first_place);
+
+    // By x, then y.
+    std::vector<Sample> samples() const;
+
+private:
+    // The smallest node that holds all first places that it reaches.
+    std::uint32_t node_around(const Sized& sample, std::uint32_t first_place) const;
+    std::uint32_t region_of(std::uint32_t first_place) const;
+    void insert_below(const Sized& sample, std::uint32_t root);
+    template <typename Visit>
+    void for_each_reached(const Sized& sample, std::uint32_t root, Visit visit) const;
+
+    const Plan& plan_;
+    const FirstPlaces& first_;
+    std::vector<std::vector<Sized>> lists_;
+};
+
+}  // namespace lacuna::cpu

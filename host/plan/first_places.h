@@ -1,0 +1,36 @@
+// The places of a plan with a ground before the first sample: rectangles that hold all that is
+// allowed, not much longer than the least radius under them; and the tree of cuts that led there.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "plan/pixels.h"
+#include "plan/plan.h"
+
+namespace lacuna {
+
+struct FirstPlaces {
+    // What was cut, each before its parts.
+    struct Node {
+        Rectangle place;
+        std::uint32_t greatest;  // radius under it
+        std::uint32_t next;      // the first node after it and its parts
+        std::uint32_t first;     // of the places in it
+        std::uint32_t whole;     // the node that it is a part of, or itself
+    };
+
+    std::vector<Rectangle> places;
+    std::vector<std::uint32_t> even_radii;  // of each: the one under all of it, or 0
+    std::vector<Node> nodes;                // those of places are those without parts
+    std::vector<std::uint32_t> node_of;     // of each place
+
+    // Nodes that do not overlap and hold all places, to share out the work by; and the first place
+    // in each, then the number of places.
+    std::vector<std::uint32_t> regions;
+    std::vector<std::uint32_t> begins;
+};
+
+FirstPlaces first_places(const Plan& plan);
+
+}  // namespace lacuna

@@ -1,0 +1,117 @@
+// Where the pixels of a picture lie on the plane, and what all of a rectangle of them have in
+// common.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "polling.h"
+
+namespace lacuna {
+
+// A rectangle of the plane: [x, x + width) times [begin, end), in grid units.
+struct Rectangle {
+    std::uint32_t x;
+    std::uint32_t width;
+    std::uint32_t begin;
+    std::uint32_t end;
+    friend bool operator==(const Rectangle&, const Rectangle&) = default;
+};
+
+// An axis cut into so many pixels, equally long to a unit. At most 2^30 units and 2^30 pixels long.
+class PixelAxis {
+public:
+    PixelAxis(std::uint32_t length, std::uint32_t pixels);
+
+    std::uint32_t pixels() const { return pixels_; }
+    std::uint32_t pixel_of(std::uint32_t at) const {
+        return static_cast<std::uint32_t>(at * scale_ >> shift_);
+    }
+    // The first unit of a pixel; of pixel number pixels(), the length of the axis. Where there are
+    // more pixels than units, some pixels have none.
+    std::uint32_t begin_of(std::uint32_t pixel) const { return begins_[pixel]; }
+
+private:
+    std::uint32_t pixels_;
+    unsigned shift_;
+    std::uint64_t scale_;  // pixels a unit, times 2^shift_, rounded up: between 2^33 and 2^34
+    std::vector<std::uint32_t> begins_;
+};
+
+// The first and last of the pixels that a stretch of an axis touches.
+struct PixelRange {
+    std::uint32_t first;
+    std::uint32_t last;
+};
+
+inline PixelRange pixels_of(const PixelAxis& axis, std::uint32_t begin, std::uint32_t end) {
+    return {axis.pixel_of(begin), axis.pixel_of(end - 1)};
+}
+
+// A value for each pixel, and for squares of 2 x 2 pixels, of 4 x 4 and so on what merge(a, b)
+// makes of theirs. merge must not mind the order, nor that a value comes twice.
+template <typename Value, Value (*merge)(Value, Value)>
+class Pyramid {
+public:
+    // Values stand column by column.
+    Pyramid(std::uint32_t columns, std::uint32_t rows, std::vector<Value> values,
+            const Poll& poll = nobody_asks) {
+        levels_.push_back({columns, rows, std::move(values)});
+        while (levels_.back().columns > 1 || levels_.back().rows > 1) add_level(poll);
+    }
+
+    const std::vector<Value>& values() const { return levels_.front().values; }
+    Value at(std::uint32_t column, std::uint32_t row) const {
+        return levels_.front().at(column, row);
+    }
+    // What all of a rectangle of pixels, and perhaps some around it, have in common: of the
+    // smallest squares of which it touches at most 4 x 4.
+    Value over(PixelRange columns, PixelRange rows) const {
+        unsigned shift = 0;
+        while ((columns.last >> shift) - (columns.first >> shift) >= kMost ||
+               (rows.last >> shift) - (rows.first >> shift) >= kMost)
+            ++shift;
+        const Level& level = levels_[shift];
+        Value all = level.at(columns.first >> shift, rows.first >> shift);
+        for (std::uint32_t i = columns.first >> shift; i <= columns.last >> shift; ++i)
+            for (std::uint32_t j = rows.first >> shift; j <= rows.last >> shift; ++j)
+                all = merge(all, level.at(i, j));
+        return all;
+    }
+
+private:
+    static constexpr std::uint32_t kMost = 4;
+
+    struct Level {
+        std::uint32_t columns;
+        std::uint32_t rows;
+        std::vector<Value> values;
+        Value at(std::uint32_t column, std::uint32_t row) const {
+            return values[std::size_t{column} * rows + row];
+        }
+    };
+
+    void add_level(const Poll& poll) {
+        const Level& below = levels_.back();
+        Level level{(below.columns + 1) / 2, (below.rows + 1) / 2, {}};
+        level.values.resize(std::size_t{level.columns} * level.rows);
+        const auto fill_column = [&](std::size_t index) {
+            const auto i = static_cast<std::uint32_t>(index);
+            const std::uint32_t right = std::min(2 * i + 1, below.columns - 1);
+            for (std::uint32_t j = 0; j < level.rows; ++j) {
+                const std::uint32_t up = std::min(2 * j + 1, below.rows - 1);
+                level.values[index * level.rows + j] =
+                    merge(merge(below.at(2 * i, 2 * j), below.at(right, 2 * j)),
+                          merge(below.at(2 * i, up), below.at(right, up)));
+            }
+        };
+        for_each_polled(level.columns, poll, fill_column, level.rows);
+        levels_.push_back(std::move(level));
+    }
+
+    std::vector<Level> levels_;
+};
+
+}  // namespace lacuna
