@@ -87,8 +87,8 @@ void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, co
     // What --count has chosen, or the default of stipple.
     std::string size;
     if (!options.request.radius && !options.request.scale)
-        size = options.request.mode == Mode::cells ? fmt::format(", scale {:.4g}", result.scale)
-                                                   : fmt::format(", radius {:.4g}", result.radius);
+        size = options.request.field != nullptr ? fmt::format(", scale {:.4g}", result.scale)
+                                                : fmt::format(", radius {:.4g}", result.radius);
     std::string paths;
     for (const Output& output : outputs) paths += (paths.empty() ? "" : ", ") + output.path;
     const std::size_t count = result.points.size();

@@ -54,8 +54,9 @@ Json what_decides(const Request& request, const Result& result) {
               {"boundary", request.boundary == Boundary::torus ? "torus" : "box"},
               {"mode", name_of(request.mode)}};
     const bool cells = request.mode == Mode::cells;
-    if (cells) json["metric"] = name_of(request.metric);
-    json[cells ? "scale" : "radius"] = or_null(cells ? request.scale : request.radius);
+    const bool has_field = request.field != nullptr;
+    if (has_field) json["metric"] = name_of(request.metric);
+    json[has_field ? "scale" : "radius"] = or_null(has_field ? request.scale : request.radius);
     json["count"] = or_null(request.count);
     json["lines_per_radius"] = result.lines_per_radius;
     if (!cells) json.update({{"snap", request.snap}, {"uniform_x", request.uniform_x}});
@@ -76,7 +77,7 @@ std::string report_of(const Request& request, const Made& made, const Json& more
                 {"request", json_of(request, result)},
                 {"count", result.points.size()},
                 {"radius", result.radius}};
-    if (request.mode == Mode::cells) report["scale"] = result.scale;
+    if (request.field != nullptr) report["scale"] = result.scale;
     report.update({{"maximal", result.maximal},
                    {"rounds", result.rounds},
                    {"draws", result.draws},

@@ -4,6 +4,7 @@
 #include <lacuna/lacuna.h>
 
 #include <CLI/App.hpp>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "cli/common_options.h"
+#include "cli/domain_options.h"
 #include "cli/drawing.h"
 #include "cli/interruption.h"
 #include "cli/options.h"
@@ -37,11 +39,15 @@ Examples:
   lacuna sample --count 4096 --torus --relax 30 -o even.npy   far more even: see lacuna relax --help
   lacuna sample --radius 0.005 --seed 7 -o a.csv --report a.json   and what it cost
   lacuna sample --count 10k --format npy > a.npy      another format on standard output
+  lacuna sample --field density.png --scale 0.004 -o points.npy   dense where it is dark
+  lacuna sample --inside lakes.svg --border 2 --radius 3 -o fish.svg   up to every shore
+  lacuna sample --keep trees.csv --radius 0.02 -o more.csv   fills what is left around points
   lacuna sample --count 256 --torus --seeds 0..999 -o 'tiles/{seed}.npy'   a thousand small tiles
 )";
 
 struct SampleCommand {
     CommonOptions common;
+    DomainOptions domain;
     DrawingOptions drawing;
     std::uint32_t relax = 0;
     std::optional<SeedRange> seeds;
@@ -58,37 +64,56 @@ void read_mode(const std::string& text, Mode& mode) {
     throw BadRequest("mode", shown(text), "must be exact or lines");
 }
 
+// Relaxed points would leave where they may lie.
+void check_relax(const SampleCommand& all) {
+    if (all.relax == 0) return;
+    const auto refuse = [&](const char* allowed) {
+        throw BadRequest("relax", std::to_string(all.relax), allowed);
+    };
+    if (all.seeds) refuse("is not for --seeds: relax each file with lacuna relax");
+    if (!all.domain.mask.empty() || !all.domain.inside.empty() || !all.domain.keep.empty() ||
+        all.common.request.border != 0)
+        refuse("is not for --mask, --inside, --border or --keep, which it knows nothing of");
+}
+
 void run(const CLI::App& command, const SampleCommand& all) {
+    check_relax(all);
+    check_domain(command, all.domain);
+    CommonOptions options = all.common;
+    Request& request = options.request;
+    DomainFiles files;
     if (all.seeds) {
-        if (all.relax != 0)
-            throw BadRequest("relax", std::to_string(all.relax),
-                             "is not for --seeds: relax each file with lacuna relax");
-        sample_seeds(command, all.common, all.drawing, *all.seeds);
+        read_domain_files(command, all.domain, request, files);
+        sample_seeds(command, options, all.drawing, *all.seeds,
+                     json_of(all.domain, request, files));
         return;
     }
-    const CommonOptions& options = all.common;
-    const std::vector<Output> outputs = checked_outputs(options, {});
+    const std::vector<Output> outputs = checked_outputs(options, files_of(all.domain));
     check_drawing(all.drawing, outputs);
-    const drawing::Style style =
-        style_of(all.drawing, options.request.width, options.request.height);
+    read_domain_files(command, all.domain, request, files);
+    const drawing::Style style = style_of(all.drawing, request.width, request.height);
     Interruption interruption;
     Made made = make(options);
-    const Request& request = options.request;
-    Json more = Json::object();
-    Json relaxed = Json::object();  // of the options
+    Json decides = json_of(all.domain, request, files);
+    Json more{{"request", decides}};
     if (all.relax != 0) {
-        relaxed["relax"] = all.relax;
-        more = json_of(
-            relax_points(options, outputs, relax_options_of(request, all.relax), nullptr, made));
+        decides["relax"] = all.relax;
+        more.update(json_of(relax_points(options, outputs, relax_options_of(request, all.relax),
+                                         request.field, made)),
+                    true);
     }
-    const files::Origin origin = origin_of(command, request, made.result, relaxed);
+    const files::Origin origin = origin_of(command, request, made.result, decides);
     const files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
                               &origin};
     Writing writing(interruption);
     if (!options.report.empty())
         writing.add(options.report, [&] { return report_of(request, made, more); });
-    write_set(writing, all.drawing, outputs, set, style, {});
-    sum_up(options, outputs, made, "point");
+    write_set(writing, all.drawing, outputs, set, style,
+              dots_of(request, set.points,
+                      all.relax != 0 ? drawing::Spread::even : drawing::Spread::random));
+    const std::size_t kept = request.keep.size();
+    sum_up(options, outputs, made, "point",
+           kept == 0 ? "" : ", " + std::to_string(kept) + " of them kept");
 }
 
 }  // namespace
@@ -133,6 +158,7 @@ void add_sample(CLI::App& app) {
     const auto options = std::make_shared<SampleCommand>();
     Request& request = options->common.request;
     add_size(command, request);
+    add_domain(command, options->domain, request);
     add_what_to_make(command, request);
     add_seeds(command, options->seeds);
     add_relax(command, options->relax);

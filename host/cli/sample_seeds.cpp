@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/domain_options.h"
 #include "cli/driver.h"
 #include "cli/interruption.h"
 #include "cli/observers.h"
@@ -128,7 +129,7 @@ void add_seeds(CLI::App& command, std::optional<SeedRange>& seeds) {
 }
 
 void sample_seeds(const CLI::App& command, const CommonOptions& options,
-                  const DrawingOptions& drawing, SeedRange seeds) {
+                  const DrawingOptions& drawing, SeedRange seeds, const Json& more) {
     if (command.count("--seed") > 0)
         throw BadRequest("seeds", fmt::format("{}..{}", seeds.first, seeds.last),
                          "is instead of --seed, not with it");
@@ -152,11 +153,11 @@ void sample_seeds(const CLI::App& command, const CommonOptions& options,
             [&](std::uint64_t seed, Result set) {
                 Request request = options.request;
                 request.seed = seed;
-                const files::Origin origin = origin_of(command, request, set, Json::object());
+                const files::Origin origin = origin_of(command, request, set, more);
                 Writing writing(interruption);
                 write_set(writing, drawing, outputs_of_seed(outputs, seed),
                           {set.points, request.width, request.height, set.radius, &origin}, style,
-                          {});
+                          dots_of(request, set.points, drawing::Spread::random));
                 add(made, std::move(set));
             },
             observers);

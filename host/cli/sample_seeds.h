@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "cli/app_fwd.h"
@@ -19,8 +20,10 @@ struct SeedRange {
 void add_seeds(CLI::App& command, std::optional<SeedRange>& seeds);
 
 // Makes the sets and writes each to every output, whose name must have {seed} in it. Every file has
-// the bytes that --seed alone would give. Throws what lacuna::sample and the files throw.
+// the bytes that --seed alone would give; `more` is told of where it comes from. Throws what
+// lacuna::sample and the files throw.
 void sample_seeds(const CLI::App& command, const CommonOptions& options,
-                  const DrawingOptions& drawing, SeedRange seeds);
+                  const DrawingOptions& drawing, SeedRange seeds,
+                  const nlohmann::ordered_json& more);
 
 }  // namespace lacuna::cli

@@ -1,0 +1,234 @@
+// Given files that say where points may lie, `lacuna sample` fills just that, and says what is
+// wrong with them.
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/pictures.h"
+#include "files/read_points.h"
+#include "program.h"
+
+namespace {
+
+using namespace lacuna;
+using namespace lacuna::test;
+using Names = std::vector<std::string>;
+using Json = nlohmann::json;
+
+// Runs `lacuna sample ARGUMENTS... -o OUTPUT`.
+Outcome sample_to(const std::string& output, Names arguments) {
+    arguments.insert(arguments.begin(), "sample");
+    arguments.insert(arguments.end(), {"--quiet", "-o", output});
+    return test::run(arguments);
+}
+
+std::vector<Point> points_of(const Folder& folder, Names arguments) {
+    const std::string path = folder.path("points.npy");
+    const Outcome outcome = sample_to(path, std::move(arguments));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.exit_code == 0 ? files::read_points(path) : std::vector<Point>{};
+}
+
+std::string refusal_of(const Folder& folder, Names arguments, int exit_code = 2) {
+    const Outcome outcome = sample_to(folder.path("points.npy"), std::move(arguments));
+    EXPECT_EQ(outcome.exit_code, exit_code);
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    return outcome.err;
+}
+
+double distance(Point a, Point b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+// Whether every place of a fine lattice that `is_allowed` is closer than `radius` to a point.
+template <class IsAllowed>
+bool is_full(const std::vector<Point>& points, double width, double height, double radius,
+             const IsAllowed& is_allowed) {
+    constexpr int kSteps = 200;
+    for (int i = 0; i < kSteps; ++i)
+        for (int j = 0; j < kSteps; ++j) {
+            const Point spot{(i + 0.5) * width / kSteps, (j + 0.5) * height / kSteps};
+            if (is_allowed(spot) && std::none_of(points.begin(), points.end(), [&](Point point) {
+                    return distance(spot, point) < radius * (1 + 1e-6);
+                }))
+                return false;
+        }
+    return true;
+}
+
+TEST(SampleOnAMask, FillsThePixelsThatAreNotBlackAndNoOthers) {
+    const Folder folder;
+    const std::string mask = grey_picture(folder, 2, 2, bytes({0, 255, 1, 0}));
+    const std::vector<Point> points =
+        points_of(folder, {"--mask", mask, "--radius", "0.05", "--seed", "3"});
+    const auto is_allowed = [](Point at) { return (at.x < 0.5) == (at.y < 0.5); };
+    EXPECT_GT(points.size(), 100U);
+    EXPECT_TRUE(std::all_of(points.begin(), points.end(), is_allowed));
+    EXPECT_TRUE(is_full(points, 1, 1, 0.05, is_allowed));
+}
+
+TEST(SampleOnAMask, HasTheShapeOfThePictureUnlessToldAnother) {
+    const Folder folder;
+    const std::string mask = grey_picture(folder, 2, 1, bytes({255, 255}));
+    const auto highest = [](const std::vector<Point>& points) {
+        return std::max_element(points.begin(), points.end(),
+                                [](Point a, Point b) { return a.y < b.y; })
+            ->y;
+    };
+    const double own = highest(points_of(folder, {"--mask", mask, "--radius", "0.05"}));
+    EXPECT_LT(own, 0.5);
+    EXPECT_GT(own, 0.4);
+    EXPECT_GT(highest(points_of(folder, {"--mask", mask, "--radius", "0.05", "--domain", "1x1"})),
+              0.9);
+}
+
+TEST(SampleInsidePolygons, FillsThemUpToTheirEdges) {
+    const Folder folder;
+    const std::string svg = folder.path("ring.svg");
+    write_file(svg,
+               "<svg viewBox='0 0 20 10'><circle cx='5' cy='5' r='4'/><circle cx='5' cy='5' r='2'/>"
+               "</svg>");
+    const std::vector<Point> points = points_of(folder, {"--inside", svg, "--radius", "0.5"});
+    const auto from_middle = [](Point at) { return distance(at, {5, 5}); };
+    const double edge = 0.5 / 16 * (1 + 1e-3);
+    for (const Point& point : points) {
+        EXPECT_LE(from_middle(point), 4 + edge);
+        EXPECT_GE(from_middle(point), 2 - edge);
+    }
+    EXPECT_TRUE(is_full(points, 20, 10, 0.5, [&](Point at) {
+        return from_middle(at) < 4 - edge && from_middle(at) > 2 + edge;
+    }));
+}
+
+TEST(SampleInsidePolygons, TakesAnEdgeAndStretchesAPageOverTheDomain) {
+    const Folder folder;
+    const std::string svg = folder.path("half.svg");
+    write_file(svg, "<svg viewBox='0 0 20 10'><rect width='20' height='5'/></svg>");
+    const std::string report = folder.path("report.json");
+    const std::vector<Point> points =
+        points_of(folder, {"--inside", svg, "--radius", "0.05", "--domain", "1x1", "--edge", "0.25",
+                           "--report", report});
+    EXPECT_TRUE(std::all_of(points.begin(), points.end(), [](Point at) { return at.y > 0.25; }));
+    const Json request = Json::parse(content_of(report))["request"];
+    EXPECT_EQ(request["inside"], svg);
+    EXPECT_EQ(request["edge"], 0.25);
+    points_of(folder, {"--inside", svg, "--count", "100", "--report", report});
+    const double edge = Json::parse(content_of(report))["request"]["edge"];
+    EXPECT_NEAR(edge, std::sqrt(0.69656 * 20 * 5 / 100) / 16, 0.002);  // the page is 20 x 10
+}
+
+TEST(SampleWithABorder, KeepsAwayFromTheEdges) {
+    const Folder folder;
+    const std::vector<Point> points =
+        points_of(folder, {"--radius", "0.05", "--border", "0.2", "--domain", "2x1"});
+    const auto is_allowed = [](Point at) {
+        return at.x >= 0.2 && at.x <= 1.8 && at.y >= 0.2 && at.y <= 0.8;
+    };
+    EXPECT_TRUE(std::all_of(points.begin(), points.end(), is_allowed));
+    EXPECT_TRUE(is_full(points, 2, 1, 0.05, is_allowed));
+}
+
+TEST(SampleAroundKeptPoints, LeavesThemFirstAndUnmoved) {
+    const Folder folder;
+    const std::string keep = folder.path("keep.csv");
+    write_file(keep, "x,y\n0.1,0.1\n0.30000000000000004,0.7\n");
+    const std::vector<Point> points = points_of(folder, {"--radius", "0.1", "--keep", keep});
+    ASSERT_GT(points.size(), 50U);
+    EXPECT_EQ(points[0], (Point{0.1, 0.1}));
+    EXPECT_EQ(points[1], (Point{0.30000000000000004, 0.7}));
+    for (std::size_t a = 0; a < points.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b) EXPECT_GE(distance(points[a], points[b]), 0.1);
+    EXPECT_TRUE(is_full(points, 1, 1, 0.1, [](Point) { return true; }));
+}
+
+TEST(SampleAroundKeptPoints, CarriesOnASetThatALimitStopped) {
+    const Folder folder;
+    const std::string begun = folder.path("begun.json");
+    EXPECT_EQ(sample_to(begun, {"--radius", "0.05", "--limit", "100"}).exit_code, 0);
+    const std::vector<Point> first = files::read_points(begun);
+    ASSERT_EQ(first.size(), 100U);
+    const std::vector<Point> points = points_of(folder, {"--radius", "0.05", "--keep", begun});
+    EXPECT_TRUE(std::equal(first.begin(), first.end(), points.begin()));
+    EXPECT_TRUE(is_full(points, 1, 1, 0.05, [](Point) { return true; }));
+}
+
+TEST(SampleOnAField, IsDenseWhereThePictureIsDark) {
+    const Folder folder;
+    const std::string field = grey_picture(folder, 2, 1, bytes({0, 191}));
+    const std::vector<Point> points =
+        points_of(folder, {"--field", field, "--scale", "0.02", "--seed", "5"});
+    const auto left =
+        std::count_if(points.begin(), points.end(), [](Point at) { return at.x < 0.5; });
+    const auto right = static_cast<std::ptrdiff_t>(points.size()) - left;
+    EXPECT_GT(left, 3 * right);
+    const std::vector<Point> inverted =
+        points_of(folder, {"--field", field, "--count", "300", "--invert"});
+    EXPECT_EQ(inverted.size(), 300U);
+    EXPECT_TRUE(
+        std::all_of(inverted.begin(), inverted.end(), [](Point at) { return at.x >= 0.5; }));
+}
+
+TEST(ASetOnADomain, TellsACommandThatMakesItAgain) {
+    const Folder folder;
+    const std::string mask = grey_picture(folder, 2, 1, bytes({255, 0}));
+    const std::string path = folder.path("a.json");
+    ASSERT_EQ(sample_to(path, {"--mask", mask, "--radius", "0.05", "--border", "0.01"}).exit_code,
+              0);
+    const Json made = Json::parse(content_of(path));
+    EXPECT_EQ(made["command"], "lacuna sample --radius 0.05 --mask " + mask + " --border 0.01");
+    EXPECT_EQ(made["options"]["mask"], mask);
+    EXPECT_EQ(made["options"]["border"], 0.01);
+}
+
+TEST(OptionsOfADomain, AreRefusedInOneLine) {
+    const Folder folder;
+    const std::string mask = grey_picture(folder, 2, 1, bytes({255, 0}));
+    const std::string rings = folder.path("rings.txt");
+    write_file(rings, "0 0\n1 0\n0 1\n");
+    EXPECT_EQ(refusal_of(folder, {"--mask", mask, "--inside", rings, "--radius", "0.1"}),
+              "lacuna: --mask " + mask +
+                  ": is not for --inside too: draw the polygons into the picture\n");
+    EXPECT_EQ(refusal_of(folder, {"--edge", "0.1", "--radius", "0.1"}),
+              "lacuna: --edge 0.1: is for the polygons of --inside: give their file too\n");
+    EXPECT_EQ(refusal_of(folder, {"--invert", "--radius", "0.1"}),
+              "lacuna: --invert without --field: says how a field is read: give its picture too\n");
+    EXPECT_EQ(refusal_of(folder, {"--mask", mask, "--radius", "0.1", "--relax", "3"}),
+              "lacuna: --relax 3: is not for --mask, --inside, --border or --keep, which it knows "
+              "nothing of\n");
+    EXPECT_EQ(
+        refusal_of(folder, {"--inside", rings, "--radius", "0.1", "--edge", "1e-9"}).substr(0, 51),
+        "lacuna: --edge 1e-09: takes a mask of 707106782 x 7");
+    EXPECT_EQ(refusal_of(folder, {"--inside", mask, "--radius", "0.1"}),
+              "lacuna: --inside " + mask + ": must end in .svg, .geojson, .json or .txt\n");
+    EXPECT_EQ(
+        refusal_of(folder, {"--border", "0.5", "--radius", "0.1"}),
+        "lacuna: --border 0.5: must be at least 0 and under half of the domain's shorter side, "
+        "0.5\n");
+}
+
+TEST(FilesOfADomain, AreRefusedInOneLine) {
+    const Folder folder;
+    const std::string rings = folder.path("rings.txt");
+    write_file(rings, "0 0\n1 0\n");
+    EXPECT_EQ(refusal_of(folder, {"--inside", rings, "--radius", "0.1"}, 3),
+              "lacuna: " + rings + ":1: a ring of 2 points: must be at least 3\n");
+    const std::string black = grey_picture(folder, 1, 1, bytes({0}));
+    EXPECT_EQ(refusal_of(folder, {"--mask", black, "--radius", "0.1"}, 3),
+              "lacuna: " + black +
+                  ": black or transparent all over: as a mask it must allow samples somewhere, on "
+                  "pixels that are not 0\n");
+    const std::string keep = folder.path("keep.txt");
+    write_file(keep, "0.5 0.5\n2 0.5\n");
+    EXPECT_EQ(refusal_of(folder, {"--keep", keep, "--radius", "0.1"}),
+              "lacuna: --keep point 1 at (2, 0.5): must lie in the domain, [0, 1) x [0, 1)\n");
+    EXPECT_EQ(refusal_of(folder, {"--keep", folder.path("none.txt"), "--radius", "0.1"}, 3),
+              "lacuna: " + folder.path("none.txt") + ": No such file or directory\n");
+}
+
+}  // namespace
