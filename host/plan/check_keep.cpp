@@ -169,6 +169,8 @@ void check_kept_place(const Request& request, std::size_t index) {
 // Two points of which the smaller radius lies in [2^l, 2^(l+1)) are both among those of 2^l or
 // more, and found in cells of 2^(l+1): each power of two that occurs takes a look at all of those.
 void check_kept_distances(const Request& request) {
+    const double size = request.field == nullptr ? *request.radius : *request.scale;
+    if (!std::isfinite(size) || size <= 0) return;  // which the plan refuses
     const std::vector<double> radii = radii_of(request);
     std::set<int> levels;
     for (const double radius : radii) levels.insert(std::ilogb(radius));
