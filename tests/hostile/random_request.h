@@ -137,8 +137,7 @@ private:
         }
         sum += field.importance[0] == 0 ? 1 : 0;
         if (field.importance[0] == 0) field.importance[0] = 1;
-        request.scale =
-            radius * std::sqrt(sum / static_cast<double>(field.importance.size()));
+        request.scale = radius * std::sqrt(sum / static_cast<double>(field.importance.size()));
         request.limit = request.limit.value_or(3000);
         made.field = std::make_shared<const Field>(std::move(field));
         request.field = made.field.get();
