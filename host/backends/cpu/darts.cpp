@@ -111,7 +111,7 @@ private:
     }
 
     Sized sized(const Candidate& candidate, std::uint32_t mark = 0) const {
-        return {candidate.x, candidate.y, radius_of(candidate) | mark};
+        return {candidate.x, candidate.y, radius_of(candidate) | mark, state_.round};
     }
 
     GroundState& state_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -20,7 +21,7 @@ public:
     Remnants(const GroundState& state, std::vector<GroundState::Place>& left)
         : state_(state), left_(left) {}
 
-    // Of the places of one first place, cut by so many of its list.
+    // Of a part of a first place, cut by these.
     void begin(std::uint32_t first, std::span<const Sized> near) {
         first_ = first;
         near_ = near;
@@ -113,10 +114,10 @@ GroundState::GroundState(const Plan& the_plan)
       ground(*the_plan.ground),
       first(*the_plan.first_places),
       places(columns),
-      near(the_plan),
-      cut_by(first.places.size()) {}
+      near(the_plan) {}
 
 void GroundState::settle_places() {
+    ++round;
     free_lengths.clear();
     place_widths.clear();
     for (std::uint32_t region = 0; region < columns; ++region) {
@@ -161,24 +162,20 @@ void refine(GroundState& state, std::uint32_t region, bool halve) {
     thread_local std::vector<GroundState::Place> of_thread;
     std::vector<GroundState::Place>& left = of_thread;  // looked up once, see subtract.cpp
     left.clear();
+    std::vector<Sized> scratch;
     Remnants remnants(state, left);
     const std::span<const GroundState::Place> places = state.places[region];
-    for (std::size_t i = 0; i < places.size();) {
-        const std::uint32_t first = places[i].first;
-        const std::span<const Sized> near = state.near.of_place(first);
-        // Places that are not cut up are cut by what has not cut them yet.
-        const std::size_t done = halve ? 0 : state.cut_by[first];
-        state.cut_by[first] = static_cast<std::uint32_t>(near.size());
-        const bool stays = !halve && done == near.size();
-        remnants.begin(first, near.subspan(done));
-        for (; i < places.size() && places[i].first == first; ++i) {
-            if (stays)
-                left.push_back(places[i]);
-            else if (halve)
-                remnants.append_halves(places[i].at);
-            else
-                remnants.append(places[i].at);
-        }
+    // Places that are not cut up are cut by what has not cut them yet.
+    const auto round = halve ? std::nullopt : std::optional(state.round);
+    for (const auto& [at, first] : places) {
+        const std::span<const Sized> near = state.near.of_part(first, at, round, scratch);
+        remnants.begin(first, near);
+        if (halve)
+            remnants.append_halves(at);
+        else if (near.empty())
+            left.push_back({at, first});
+        else
+            remnants.append(at);
     }
     state.places[region].assign(left.begin(), left.end());
 }

@@ -28,10 +28,10 @@ struct GroundState : State {
     const FirstPlaces& first;
     std::vector<std::vector<Place>> places;  // of each region, those of a first place together
     NearLists near;
-    std::vector<std::uint32_t> cut_by;  // so many of its list have cut each first place
+    std::uint32_t round = 0;  // whose samples have not cut the places yet
 
     void end_locate() { is_screened = true; }
-    // From now on these are the places.
+    // From now on these are the places, and the round is over.
     void settle_places();
     Snapshot snapshot() const;
     void restore(const Snapshot& snapshot);

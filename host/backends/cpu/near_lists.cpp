@@ -2,6 +2,7 @@
 #include "backends/cpu/near_lists.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "plan/ground.h"
 
@@ -22,7 +23,7 @@ std::uint32_t distance_to(std::uint32_t at, std::uint32_t begin, std::uint32_t e
 NearLists::NearLists(const Plan& plan)
     : plan_(plan), first_(*plan.first_places), lists_(first_.places.size()) {
     for (const Sample sample : plan.kept)
-        insert_below({sample.x, sample.y, plan.ground->radius_at(sample.x, sample.y)}, 0);
+        insert_below({sample.x, sample.y, plan.ground->radius_at(sample.x, sample.y), 0}, 0);
 }
 
 std::uint32_t NearLists::node_around(const Sized& sample, std::uint32_t first_place) const {
@@ -72,23 +73,109 @@ void NearLists::for_each_reached(const Sized& sample, std::uint32_t root, Visit 
 }
 
 void NearLists::insert_below(const Sized& sample, std::uint32_t root) {
-    constexpr std::size_t kFirstRoom = 12;  // as many as most lists end with
     for_each_reached(sample, root, [&](std::uint32_t place) {
-        if (lists_[place].empty()) lists_[place].reserve(kFirstRoom);
-        lists_[place].push_back(sample);
+        constexpr std::size_t kFirstRoom = 12;  // as many as most lists end with
+        List& list = lists_[place];
+        if (list.near.capacity() == 0 && !list.split) list.near.reserve(kFirstRoom);
+        add(list, first_.places[place], sample);
     });
 }
 
+bool NearLists::reaches(const Sized& sample, const Rectangle& place, std::uint32_t greatest) const {
+    const std::uint64_t reach = std::min(sample.radius & ~kMark, greatest);
+    return portable::squared_length(
+               distance_to(sample.x, place.x, place.x + place.width, plan_.period_x),
+               distance_to(sample.y, place.begin, place.end, plan_.period_y)) < reach * reach;
+}
+
+void NearLists::add(List& list, const Rectangle& place, const Sized& sample) {
+    if (!list.split) {
+        list.near.push_back(sample);
+        if (list.near.size() > list.most) split(list, place);
+        return;
+    }
+    for (Half* const half : {&list.split->low, &list.split->high})
+        if (reaches(sample, half->place, half->greatest)) add(half->list, half->place, sample);
+}
+
+// Unless one half would have most of it.
+void NearLists::split(List& list, const Rectangle& place) {
+    const std::uint32_t height = place.end - place.begin;
+    const std::uint32_t x = place.x + place.width / 2;
+    const std::uint32_t y = place.begin + height / 2;
+    list.most *= 2;
+    if (std::max(place.width, height) < 2) return;
+    auto parts = std::make_unique<Split>();
+    if (place.width >= height) {
+        parts->low.place = {place.x, x - place.x, place.begin, place.end};
+        parts->high.place = {x, place.x + place.width - x, place.begin, place.end};
+    } else {
+        parts->low.place = {place.x, place.width, place.begin, y};
+        parts->high.place = {place.x, place.width, y, place.end};
+    }
+    for (Half* const half : {&parts->low, &parts->high}) {
+        half->greatest = plan_.ground->under(half->place).greatest;
+        for (const Sized& sample : list.near)
+            if (reaches(sample, half->place, half->greatest)) half->list.near.push_back(sample);
+        half->list.most = std::max(half->list.most, 2 * half->list.near.size());
+    }
+    if (4 * std::max(parts->low.list.near.size(), parts->high.list.near.size()) >
+        3 * list.near.size())
+        return;
+    list.near = {};
+    list.split = std::move(parts);
+}
+
+void NearLists::gather(const List& list, const Rectangle& part, std::optional<std::uint32_t> round,
+                       std::vector<Sized>& found) {
+    if (!list.split) {
+        for (const Sized& sample : list.near)
+            if (!round || sample.round == *round) found.push_back(sample);
+        return;
+    }
+    const Rectangle& high = list.split->high.place;
+    if (part.x < high.x || part.begin < high.begin)
+        gather(list.split->low.list, part, round, found);
+    if (part.x + part.width > high.x && part.end > high.begin)
+        gather(list.split->high.list, part, round, found);
+}
+
+std::span<const Sized> NearLists::of_part(std::uint32_t first_place, const Rectangle& part,
+                                          std::optional<std::uint32_t> round,
+                                          std::vector<Sized>& scratch) const {
+    const List& list = lists_[first_place];
+    if (!list.split) {
+        // The latest stand last.
+        const std::span<const Sized> near = list.near;
+        std::size_t begin = round ? near.size() : 0;
+        while (round && begin > 0 && near[begin - 1].round == *round) --begin;
+        return near.subspan(begin);
+    }
+    scratch.clear();
+    gather(list, part, round, scratch);
+    return scratch;
+}
+
+void NearLists::erase_marks(List& list) {
+    if (list.split) {
+        erase_marks(list.split->low.list);
+        erase_marks(list.split->high.list);
+    }
+    std::erase_if(list.near, [](const Sized& sized) { return sized.radius >= kMark; });
+}
+
 void NearLists::erase_marks(const Sized& mark, std::uint32_t first_place) {
-    for_each_reached(mark, region_of(first_place), [&](std::uint32_t place) {
-        std::erase_if(lists_[place], [](const Sized& sized) { return sized.radius >= kMark; });
-    });
+    for_each_reached(mark, region_of(first_place),
+                     [&](std::uint32_t place) { erase_marks(lists_[place]); });
 }
 
 std::vector<Sample> NearLists::samples() const {
     std::vector<Sample> all;
-    for (const std::vector<Sized>& list : lists_)
-        for (const Sized& sized : list) all.push_back({sized.x, sized.y});
+    std::vector<Sized> found;
+    for (std::size_t place = 0; place < lists_.size(); ++place)
+        gather(lists_[place], first_.places[place], {}, found);
+    all.reserve(found.size());
+    for (const Sized& sized : found) all.push_back({sized.x, sized.y});
     const auto rank = [](Sample sample) { return std::uint64_t{sample.x} << 32 | sample.y; };
     std::sort(all.begin(), all.end(), [&](Sample a, Sample b) { return rank(a) < rank(b); });
     all.erase(std::unique(all.begin(), all.end()), all.end());

@@ -8,10 +8,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "plan/first_places.h"
+#include "plan/pixels.h"
 #include "plan/plan.h"
 #include "portable/distance.h"
 
@@ -22,6 +25,7 @@ struct Sized {
     std::uint32_t x;
     std::uint32_t y;
     std::uint32_t radius;  // below 2^31; of a mark 2^31 more
+    std::uint32_t round;   // in which it was admitted, or 0
 };
 inline constexpr std::uint32_t kMark = std::uint32_t{1} << 31;
 
@@ -29,14 +33,20 @@ class NearLists {
 public:
     explicit NearLists(const Plan& plan);
 
-    std::span<const Sized> of_place(std::uint32_t first_place) const { return lists_[first_place]; }
+    // Those that may take something from a part of a first place, some perhaps twice; with `round`
+    // those of that round only. Valid until the next call with the same scratch.
+    std::span<const Sized> of_part(std::uint32_t first_place, const Rectangle& part,
+                                   std::optional<std::uint32_t> round,
+                                   std::vector<Sized>& scratch) const;
 
     // Whether a sample, or with kMark a mark, in the list of a first place keeps one with this
     // radius from lying at a point of that place: it is closer than the smaller of both radii.
     bool is_any_closer(std::uint32_t first_place, Sample at, std::uint32_t radius,
                        std::uint32_t mark = 0) const {
         bool is_closer = false;
-        for (const Sized& near : lists_[first_place]) {
+        const List* list = &lists_[first_place];
+        while (list->split) list = &list->split->part_at(at);
+        for (const Sized& near : list->near) {
             const std::uint32_t of_near = near.radius ^ mark;
             const std::uint64_t limit = of_near >= kMark ? 0 : of_near < radius ? of_near : radius;
             is_closer |= portable::conflicts(near.x, near.y, at.x, at.y, plan_.period_x,
@@ -61,6 +71,33 @@ public:
     std::vector<Sample> samples() const;
 
 private:
+    // A place beside one of far smaller radii may have thousands near it: a list of more than
+    // `most` is split in two, each for one half of the place.
+    struct Split;
+    struct List {
+        std::vector<Sized> near;
+        std::unique_ptr<Split> split;
+        std::size_t most = 64;
+    };
+    struct Half {
+        Rectangle place;
+        std::uint32_t greatest;  // radius under it
+        List list;
+    };
+    struct Split {
+        Half low;
+        Half high;
+        const List& part_at(Sample at) const {
+            return at.x >= high.place.x && at.y >= high.place.begin ? high.list : low.list;
+        }
+    };
+    bool reaches(const Sized& sample, const Rectangle& place, std::uint32_t greatest) const;
+    void add(List& list, const Rectangle& place, const Sized& sample);
+    void split(List& list, const Rectangle& place);
+    static void gather(const List& list, const Rectangle& part, std::optional<std::uint32_t> round,
+                       std::vector<Sized>& found);
+    static void erase_marks(List& list);
+
     // The smallest node that holds all first places that it reaches.
     std::uint32_t node_around(const Sized& sample, std::uint32_t first_place) const;
     std::uint32_t region_of(std::uint32_t first_place) const;
@@ -70,7 +107,7 @@ private:
 
     const Plan& plan_;
     const FirstPlaces& first_;
-    std::vector<std::vector<Sized>> lists_;
+    std::vector<List> lists_;
 };
 
 }  // namespace lacuna::cpu
