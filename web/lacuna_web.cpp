@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -61,18 +60,6 @@ Field field_of(const Pixels& pixels, const pictures::Importance& tone) {
     image.luminance.resize(std::size_t{pixels.columns} * pixels.rows);
     pictures::fill_row_from(pixels.rgba.data(), kChannels, false, image.luminance, kWhite);
     return pictures::importance_of(std::move(image), tone);
-}
-
-// As host/cli/default_count.cpp has it.
-std::uint64_t default_count(const Field& field, const Request& request,
-                            const StippleOptions& options, const drawing::Style& style) {
-    if (!options.dot_size_mm) return drawing::dot_count(field, request.width, request.height);
-    const double scale =
-        drawing::millimetres_per_unit(files::PointSet{{}, request.width, request.height}, style);
-    const double dot = std::numbers::pi / 4 * *options.dot_size_mm * *options.dot_size_mm;
-    const double count =
-        drawing::darkness_of(field) * request.width * scale * request.height * scale / dot;
-    return static_cast<std::uint64_t>(std::clamp(std::round(count), 1.0, drawing::kMostDots));
 }
 
 void relax_points(Set& set, const Field* field, std::uint32_t iterations, const Tell& tell) {
@@ -134,7 +121,9 @@ Set Stippler::stipple(const Pixels& pixels, const StippleOptions& options, const
     request.width = field.columns / longer;
     request.height = field.rows / longer;
     const drawing::Style style = style_of(options, request.width, request.height);
-    request.count = options.count ? options.count : default_count(field, request, options, style);
+    request.count = options.count ? options.count
+                                  : drawing::default_count(field, request.width, request.height,
+                                                           options.dot_size_mm, style);
 
     const pictures::Importance& tone = options.tone;
     const Key key{{tone.black, tone.white, tone.gamma},

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "cli/common_options.h"
-#include "cli/default_count.h"
 #include "cli/drawing.h"
 #include "cli/interruption.h"
 #include "cli/options.h"
@@ -28,6 +27,7 @@
 #include "cli/report.h"
 #include "cli/stopwatch.h"
 #include "cli/writing.h"
+#include "drawing/dot_count.h"
 #include "drawing/dot_size.h"
 #include "drawing/pen/pen_path.h"
 #include "drawing/picture.h"
@@ -180,7 +180,8 @@ void run(const CLI::App& command, const StippleCommand& options) {
     style.for_a_pen = options.pen_path;
     std::string note;
     if (!request.count && !request.scale) {
-        request.count = default_count(field, request, options.drawing, style);
+        request.count = drawing::default_count(field, request.width, request.height,
+                                               options.drawing.dot_size_mm, style);
         note = " (chosen for the picture: --count gives another number)";
     }
     work.read_seconds = stopwatch.seconds_so_far();

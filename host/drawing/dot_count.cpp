@@ -3,9 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
+#include "files/point_files.h"
+
 namespace lacuna::drawing {
+namespace {
+
+std::uint64_t rounded(double count) {
+    return static_cast<std::uint64_t>(std::clamp(std::round(count), 1.0, kMostDots));
+}
+
+}  // namespace
 
 double darkness_of(const Field& field) {
     return std::accumulate(field.importance.begin(), field.importance.end(), 0.0) /
@@ -17,8 +27,15 @@ std::uint64_t dot_count(const Field& field, double width, double height) {
     constexpr double kLeastSide = 512, kMostSide = 2048;
     const double longer =
         std::clamp<double>(std::max(field.columns, field.rows), kLeastSide, kMostSide);
-    const double count = darkness_of(field) * width * longer * height * longer / kPixelsPerDot;
-    return static_cast<std::uint64_t>(std::clamp(std::round(count), 1.0, kMostDots));
+    return rounded(darkness_of(field) * width * longer * height * longer / kPixelsPerDot);
+}
+
+std::uint64_t default_count(const Field& field, double width, double height,
+                            std::optional<double> dot_size_mm, const Style& style) {
+    if (!dot_size_mm) return dot_count(field, width, height);
+    const double scale = millimetres_per_unit(files::PointSet{{}, width, height}, style);
+    const double dot = std::numbers::pi / 4 * *dot_size_mm * *dot_size_mm;
+    return rounded(darkness_of(field) * width * scale * height * scale / dot);
 }
 
 }  // namespace lacuna::drawing
