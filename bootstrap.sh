@@ -24,7 +24,7 @@ more_packages=(
 # What the page in web/ is made of, and what its tests need besides.
 web_packages=(
     emscripten cmake ninja-build
-    librandom123-dev libfmt-dev libnanoflann-dev nlohmann-json3-dev libeigen3-dev
+    librandom123-dev libfmt-dev libnanoflann-dev libeigen3-dev
 )
 more_web_packages=(libgtest-dev chromium chromium-driver python3-selenium)
 
