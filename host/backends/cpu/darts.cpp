@@ -90,17 +90,16 @@ public:
                state_.near.is_any_closer(candidate.line, {candidate.x, candidate.y}, radius);
     }
     bool has_mark_near(const Candidate& candidate) const {
-        return state_.near.is_any_closer(candidate.line, {candidate.x, candidate.y},
-                                         radius_of(candidate), kMark);
+        return state_.near.is_marked(candidate.line);
     }
     void insert(const Candidate& candidate) {
         state_.near.insert(sized(candidate), candidate.line);
     }
     void mark(const Candidate& candidate) {
-        state_.near.mark(sized(candidate, kMark), candidate.line);
+        state_.near.mark(sized(candidate), candidate.line, true);
     }
     void unmark(const Candidate& candidate) {
-        state_.near.erase_marks(sized(candidate), candidate.line);
+        state_.near.mark(sized(candidate), candidate.line, false);
     }
 
 private:
@@ -110,8 +109,8 @@ private:
         return state_.ground.radius_at(candidate.x, candidate.y);
     }
 
-    Sized sized(const Candidate& candidate, std::uint32_t mark = 0) const {
-        return {candidate.x, candidate.y, radius_of(candidate) | mark, state_.round};
+    Sized sized(const Candidate& candidate) const {
+        return {candidate.x, candidate.y, radius_of(candidate), state_.round};
     }
 
     GroundState& state_;

@@ -21,7 +21,10 @@ std::uint32_t distance_to(std::uint32_t at, std::uint32_t begin, std::uint32_t e
 }  // namespace
 
 NearLists::NearLists(const Plan& plan)
-    : plan_(plan), first_(*plan.first_places), lists_(first_.places.size()) {
+    : plan_(plan),
+      first_(*plan.first_places),
+      lists_(first_.places.size()),
+      marked_(lists_.size()) {
     for (const Sample sample : plan.kept)
         insert_below({sample.x, sample.y, plan.ground->radius_at(sample.x, sample.y), 0}, 0);
 }
@@ -53,14 +56,13 @@ std::uint32_t NearLists::region_of(std::uint32_t first_place) const {
 template <typename Visit>
 void NearLists::for_each_reached(const Sized& sample, std::uint32_t root, Visit visit) const {
     const std::uint32_t end = first_.nodes[root].next;
-    const std::uint32_t radius = sample.radius & ~kMark;
     // Nothing in a part of the domain is nearer the other way around.
     const std::uint32_t period_x = root == 0 ? plan_.period_x : 0;
     const std::uint32_t period_y = root == 0 ? plan_.period_y : 0;
     for (std::uint32_t i = root; i < end;) {
         const FirstPlaces::Node& node = first_.nodes[i];
         const Rectangle& place = node.place;
-        const std::uint64_t reach = std::min(radius, node.greatest);
+        const std::uint64_t reach = std::min(sample.radius, node.greatest);
         const std::uint32_t dx = distance_to(sample.x, place.x, place.x + place.width, period_x);
         const std::uint32_t dy = distance_to(sample.y, place.begin, place.end, period_y);
         if (portable::squared_length(dx, dy) >= reach * reach) {
@@ -82,7 +84,7 @@ void NearLists::insert_below(const Sized& sample, std::uint32_t root) {
 }
 
 bool NearLists::reaches(const Sized& sample, const Rectangle& place, std::uint32_t greatest) const {
-    const std::uint64_t reach = std::min(sample.radius & ~kMark, greatest);
+    const std::uint64_t reach = std::min(sample.radius, greatest);
     return portable::squared_length(
                distance_to(sample.x, place.x, place.x + place.width, plan_.period_x),
                distance_to(sample.y, place.begin, place.end, plan_.period_y)) < reach * reach;
@@ -156,17 +158,9 @@ std::span<const Sized> NearLists::of_part(std::uint32_t first_place, const Recta
     return scratch;
 }
 
-void NearLists::erase_marks(List& list) {
-    if (list.split) {
-        erase_marks(list.split->low.list);
-        erase_marks(list.split->high.list);
-    }
-    std::erase_if(list.near, [](const Sized& sized) { return sized.radius >= kMark; });
-}
-
-void NearLists::erase_marks(const Sized& mark, std::uint32_t first_place) {
-    for_each_reached(mark, region_of(first_place),
-                     [&](std::uint32_t place) { erase_marks(lists_[place]); });
+void NearLists::mark(const Sized& candidate, std::uint32_t first_place, bool is_marked) {
+    for_each_reached(candidate, region_of(first_place),
+                     [&](std::uint32_t place) { marked_[place] = is_marked ? 1 : 0; });
 }
 
 std::vector<Sample> NearLists::samples() const {

@@ -6,6 +6,7 @@
 // that it reaches, whatever the range of radii.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -20,14 +21,13 @@
 
 namespace lacuna::cpu {
 
-// A sample with its radius; or a mark, which stands for a candidate whose turn comes later.
+// A sample with its radius.
 struct Sized {
     std::uint32_t x;
     std::uint32_t y;
-    std::uint32_t radius;  // below 2^31; of a mark 2^31 more
-    std::uint32_t round;   // in which it was admitted, or 0
+    std::uint32_t radius;
+    std::uint32_t round;  // in which it was admitted, or 0
 };
-inline constexpr std::uint32_t kMark = std::uint32_t{1} << 31;
 
 class NearLists {
 public:
@@ -39,16 +39,14 @@ public:
                                    std::optional<std::uint32_t> round,
                                    std::vector<Sized>& scratch) const;
 
-    // Whether a sample, or with kMark a mark, in the list of a first place keeps one with this
-    // radius from lying at a point of that place: it is closer than the smaller of both radii.
-    bool is_any_closer(std::uint32_t first_place, Sample at, std::uint32_t radius,
-                       std::uint32_t mark = 0) const {
+    // Whether a sample in the list of a first place keeps one with this radius from lying at a
+    // point of that place: it is closer than the smaller of both radii.
+    bool is_any_closer(std::uint32_t first_place, Sample at, std::uint32_t radius) const {
         bool is_closer = false;
         const List* list = &lists_[first_place];
         while (list->split) list = &list->split->part_at(at);
         for (const Sized& near : list->near) {
-            const std::uint32_t of_near = near.radius ^ mark;
-            const std::uint64_t limit = of_near >= kMark ? 0 : of_near < radius ? of_near : radius;
+            const std::uint64_t limit = std::min(near.radius, radius);
             is_closer |= portable::conflicts(near.x, near.y, at.x, at.y, plan_.period_x,
                                              plan_.period_y, limit * limit);
         }
@@ -60,12 +58,10 @@ public:
     void insert(const Sized& sample, std::uint32_t first_place) {
         insert_below(sample, node_around(sample, first_place));
     }
-    // The same for those of its own region only.
-    void mark(const Sized& mark, std::uint32_t first_place) {
-        insert_below(mark, region_of(first_place));
-    }
-    // Takes all marks out of the lists that this one is in.
-    void erase_marks(const Sized& mark, std::uint32_t first_place);
+    // Marks the first places of its own region that it reaches, or takes their marks away. Places
+    // are marked as a whole: in a round that crowds, thousands would leave a mark in one.
+    void mark(const Sized& candidate, std::uint32_t first_place, bool is_marked);
+    bool is_marked(std::uint32_t first_place) const { return marked_[first_place] != 0; }
 
     // By x, then y.
     std::vector<Sample> samples() const;
@@ -96,7 +92,6 @@ private:
     void split(List& list, const Rectangle& place);
     static void gather(const List& list, const Rectangle& part, std::optional<std::uint32_t> round,
                        std::vector<Sized>& found);
-    static void erase_marks(List& list);
 
     // The smallest node that holds all first places that it reaches.
     std::uint32_t node_around(const Sized& sample, std::uint32_t first_place) const;
@@ -108,6 +103,7 @@ private:
     const Plan& plan_;
     const FirstPlaces& first_;
     std::vector<List> lists_;
+    std::vector<char> marked_;
 };
 
 }  // namespace lacuna::cpu
