@@ -10,6 +10,7 @@
 #include "backends/backends.h"
 #include "lacuna/lacuna.h"
 #include "large_pages.h"
+#include "plan/kept.h"
 #include "plan/plan.h"
 
 namespace lacuna {
@@ -138,6 +139,7 @@ Result fill_ground(const Request& request, Observer& observer) {
         const auto made = static_cast<double>(result.points.size());
         const bool is_enough = made >= count;
         if (is_enough && (made <= kMost * wanted || attempt >= kPatience)) {
+            check_kept_distances(sized);  // at another size they may be too close
             result.maximal = made == count && result.maximal;
             result.points.resize(std::min(*request.count, request.limit.value_or(*request.count)));
             return result;
@@ -204,7 +206,10 @@ Result sample(const Request& request, Observer& observer) {
     std::optional<FieldSums> sums;
     if (request.mode == Mode::cells)
         sums = sums_of(*request.field, [&] { ask(request, observer); });
-    if (!request.count) return run(request, sums, observer);
+    if (!request.count) {
+        check_kept_distances(request);
+        return run(request, sums, observer);
+    }
 
     if (needs_ground(request)) return fill_ground(request, observer);
 

@@ -11,6 +11,7 @@
 #include <limits>
 #include <sstream>
 
+#include "plan/kept.h"
 #include "portable/isqrt.h"
 
 namespace lacuna {
@@ -154,7 +155,10 @@ double radius_for_count(const Request& request, int attempt) {
 Plan make_plan(const Request& request) {
     check_request(request);
     if (request.mode == Mode::cells) return make_cells_plan(request, sums_of(*request.field));
-    if (needs_ground(request)) return make_ground_plan(request);
+    if (needs_ground(request)) {
+        check_kept_distances(request);
+        return make_ground_plan(request);
+    }
     check_radius(request);
     const double radius = *request.radius;
     const double longer = std::max(request.width, request.height);

@@ -111,7 +111,8 @@ FieldSums sums_of(const Field& field, const Poll& poll = nobody_asks);
 // make_plan for mode cells and a request that was checked (plan_cells.cpp).
 Plan make_cells_plan(const Request& request, const FieldSums& sums, const Poll& poll = nobody_asks);
 
-// make_plan for mode exact on a ground and a request that was checked (plan_ground.cpp).
+// make_plan for mode exact on a ground and a request that was checked, also for the distances of
+// kept points if they are to keep any (plan_ground.cpp).
 Plan make_ground_plan(const Request& request, const Poll& poll = nobody_asks);
 // Whether that is the request's plan.
 bool needs_ground(const Request& request);

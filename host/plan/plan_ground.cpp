@@ -10,7 +10,6 @@
 
 #include "plan/first_places.h"
 #include "plan/ground.h"
-#include "plan/kept.h"
 #include "plan/plan.h"
 
 namespace lacuna {
@@ -144,7 +143,6 @@ Plan make_ground_plan(const Request& request, const Poll& poll) {
     const double scale = has_field ? *request.scale : *request.radius;
     if (!std::isfinite(scale) || scale <= 0)
         throw BadRequest(option, shortest(scale), "must be a finite number greater than 0");
-    check_kept_distances(request);
     const double greatest = greatest_of(request);
     const double least_radius = scale / std::sqrt(greatest);
     const double expected = kTorusDensity * share_of(request, greatest, poll) *
