@@ -19,6 +19,10 @@ struct Sample;
 // radius that is longer than the diagonal 31.
 inline constexpr std::uint32_t kGroundUnits = std::uint32_t{1} << 30;
 
+// No radius is less, on a ground or elsewhere: with fewer units to a radius, rounding it up would
+// show; and 1000 lines a radius need 2 units each.
+inline constexpr double kSmallestRadius = 1.0 / (1 << 20);  // of the longer side
+
 // What lies under a rectangle, and perhaps a little around it.
 struct Under {
     std::uint32_t least;     // of the radii of its places that are allowed; 0: none is

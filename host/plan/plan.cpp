@@ -11,6 +11,7 @@
 #include <limits>
 #include <sstream>
 
+#include "plan/ground.h"
 #include "plan/kept.h"
 #include "portable/isqrt.h"
 
@@ -21,8 +22,6 @@ constexpr double kLongerSideUnits = 2147483648.0;   // 2^31
 constexpr std::uint32_t kExactLinesPerRadius = 6;   // the fastest: docs/speed.md
 constexpr std::uint32_t kPlacesPerRadius = 1;       // on a ground
 constexpr std::uint32_t kPaperLinesPerRadius = 30;  // section 5.1
-// With fewer units to a radius, rounding it up would show; 1000 lines a radius need 2 units each.
-constexpr double kSmallestRadius = 1.0 / (1 << 20);  // of the longer side
 
 // Of maximal sets in a box: N r^2 over the area, and the width of the edge's effect in radii.
 constexpr double kBoxDensity = 0.69655;

@@ -15,8 +15,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kSmallestRadius = 1.0 / (1 << 20);  // of the longer side
-
 // The integral of the importance over the places where samples may lie, as a share of the whole
 // domain at the greatest importance.
 double share_of(const Request& request, double greatest, const Poll& poll) {

@@ -19,17 +19,17 @@
 namespace lacuna::verify {
 namespace {
 
-constexpr int kTilesAlongLongerSide = 4;
+constexpr int kTilesAlongBounds = 4;
 // A cell with fewer disks near it is searched by one thread, and so is one after so many cuts.
 constexpr std::size_t kFewForThreads = 4096;
 constexpr int kCutsForThreads = 12;
 
-std::vector<Cell> tiles_of(const Cell& bounds) {
+std::vector<Cell> tiles_within(const Cell& bounds) {
     const double width = bounds.right - bounds.left;
     const double height = bounds.top - bounds.bottom;
     const auto tiles_along = [&](double side) {
-        return std::max(1, static_cast<int>(std::ceil(kTilesAlongLongerSide *
-                                                      (side / std::max(width, height)))));
+        return std::max(
+            1, static_cast<int>(std::ceil(kTilesAlongBounds * (side / std::max(width, height)))));
     };
     const auto columns = tiles_along(width);
     const auto rows = tiles_along(height);
@@ -138,7 +138,7 @@ BareSpot emptiest_by_limit(const Ground& ground, std::span<const Disk> disks, do
     const Domain& domain = ground.domain();
     const Limits limits{ground, tolerance, kFinest * domain.longer_side(), domain.rounding(),
                         patience};
-    const std::vector<Cell> tiles = tiles_of(ground.bounds());
+    const std::vector<Cell> tiles = tiles_within(ground.bounds());
     std::vector<BareSpot> found(tiles.size());
     oneapi::tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
         patience.look();

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // More disks than this, hardly fewer than those of the cell that was cut, are a crowd.
-constexpr std::size_t kCrowd = 64;
+constexpr std::size_t kCrowdOfLimits = 64;
 
 // The part that is farther from the disk that covers the centre best comes first: else a slope
 // would be climbed in the smallest steps, each of them a new record.
@@ -61,7 +61,7 @@ void LimitSearch::visit(const Cell& cell, const Under& outer, std::size_t begin)
         const Disk disk = stack_[i];
         if (bounds.may_matter(disk, most_over + limits_.rounding)) stack_.push_back(disk);
     }
-    if (stack_.size() - end > kCrowd && 8 * (stack_.size() - end) > 7 * (end - begin))
+    if (stack_.size() - end > kCrowdOfLimits && 8 * (stack_.size() - end) > 7 * (end - begin))
         thin_out(cell, bounds, end);
     const std::size_t top = stack_.size();
     const auto [first, second] = parts_of(cell, limits_.ground.cut(cell, under), frame, best);

@@ -26,9 +26,9 @@ struct Sized {
 // All samples, those of each class of radii in square bins of their own: radii of one class differ
 // by less than 2, and its bins are wider than all of them. So what is within a sample's radius of a
 // point lies in the point's own bin or in one beside it.
-class Samples {
+class SizedSamples {
 public:
-    explicit Samples(const Plan& plan) : plan_(&plan), classes_(32) {}
+    explicit SizedSamples(const Plan& plan) : plan_(&plan), classes_(32) {}
 
     void add(Sample sample) {
         const std::uint32_t radius = plan_->ground->radius_at(sample.x, sample.y);
@@ -135,7 +135,7 @@ public:
                 for (const Rectangle& part : parts_along_y(half))
                     if (ground_.under(part).least != 0) append_remnants(part, samples_);
         }
-        recent_ = Samples(plan_);
+        recent_ = SizedSamples(plan_);
         measure_places();
     }
 
@@ -165,7 +165,7 @@ private:
     // What is left of the place after the samples' chords are cut from it. A chord covers the
     // place's whole width, and no more than any of its points would let the sample cover: it is
     // that of the smaller of the sample's radius and the least one under the place.
-    void append_remnants(const Rectangle& place, const Samples& samples) {
+    void append_remnants(const Rectangle& place, const SizedSamples& samples) {
         const Under under = ground_.under(place);
         std::vector<Span> chords;
         samples.for_each_near(place, [&](const Sized& near) {
@@ -195,8 +195,8 @@ private:
 
     const Plan& plan_;
     const Ground& ground_;
-    Samples samples_;
-    Samples recent_;  // those that have not cut the places yet
+    SizedSamples samples_;
+    SizedSamples recent_;  // those that have not cut the places yet
     std::vector<Rectangle> places_;
     std::vector<std::uint32_t> lengths_;
     std::vector<std::uint32_t> widths_;
