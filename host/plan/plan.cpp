@@ -151,6 +151,11 @@ double radius_for_count(const Request& request, int attempt) {
     return radius;
 }
 
+bool needs_ground(const Request& request) {
+    return request.mode == Mode::exact && (request.field != nullptr || request.mask != nullptr ||
+                                           request.border > 0 || !request.keep.empty());
+}
+
 Plan make_plan(const Request& request) {
     check_request(request);
     if (request.mode == Mode::cells) return make_cells_plan(request, sums_of(*request.field));

@@ -120,11 +120,6 @@ void check_size(const Request& request, const std::string& option, const std::st
 
 }  // namespace
 
-bool needs_ground(const Request& request) {
-    return request.mode == Mode::exact && (request.field != nullptr || request.mask != nullptr ||
-                                           request.border > 0 || !request.keep.empty());
-}
-
 double ground_scale_for_count(const Request& request, double count, const Poll& poll) {
     const double greatest = greatest_of(request);
     const double share = share_of(request, greatest, poll);

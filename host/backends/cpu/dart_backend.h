@@ -1,0 +1,47 @@
+// admit in exact, on the sample grid or on a ground.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "backends/cpu/darts.h"
+#include "backends/cpu/round_backend.h"
+
+namespace lacuna::cpu {
+
+// Mode exact: the round's draws are thrown one after another.
+template <typename DartState>
+class DartBackend : public RoundBackend<DartState> {
+public:
+    using RoundBackend<DartState>::RoundBackend;
+
+protected:
+    using RoundBackend<DartState>::state_;
+
+    // In so many slabs, unless that is not worth it.
+    void throw_darts(std::uint32_t most_slabs) {
+        const auto count = static_cast<std::uint32_t>(state_.candidates.size());
+        if (!std::exchange(state_.is_screened, false))
+            this->for_columns(count, [&](std::uint32_t column) { cpu::screen(state_, column); });
+        const std::uint32_t slabs = count < kDrawsWorthSlabs ? 1 : most_slabs;
+        for (std::uint32_t end, begin = 0; begin < count; begin = end) {
+            const std::uint32_t draws = std::min(kTurnsAtOnce * slabs, count - begin);
+            end = begin + draws;
+            darts_.begin(begin, end, slabs);
+            this->for_slabs(slabs, draws,
+                            [&](std::uint32_t slab) { darts_.throw_in(state_, slab); });
+            darts_.finish(state_, [&] { this->poll(); });
+        }
+    }
+
+private:
+    // In each slab: thrown in some 0.02 s, after which a run can be cancelled.
+    static constexpr std::uint32_t kTurnsAtOnce = std::uint32_t{1} << 17;
+    // Fewer take one thread less time than slabs take to share out.
+    static constexpr std::uint32_t kDrawsWorthSlabs = 4096;
+
+    Darts darts_;
+};
+
+}  // namespace lacuna::cpu

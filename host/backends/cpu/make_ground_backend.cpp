@@ -1,0 +1,34 @@
+// The cpu backend of mode exact on a ground.
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+
+#include "backends/cpu/dart_backend.h"
+#include "backends/cpu/ground_state.h"
+#include "backends/cpu/make_backend.h"
+
+namespace lacuna::cpu {
+namespace {
+
+class GroundBackend : public DartBackend<GroundState> {
+public:
+    using DartBackend::DartBackend;
+
+    void admit() override { throw_darts(state_.columns); }
+
+    void subtract() override { throw std::logic_error("a ground is refined from the start"); }
+
+    void refine(bool halve) override {
+        for_columns(state_.place_begins.back(),
+                    [&](std::uint32_t region) { cpu::refine(state_, region, halve); });
+        state_.settle_places();
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_ground_backend(const Plan& plan, const Placement& placement) {
+    return std::make_unique<GroundBackend>(plan, placement.threads);
+}
+
+}  // namespace lacuna::cpu
