@@ -222,10 +222,11 @@ TEST(ASample, RefusesWhatBelongsToStipple) {
     };
     expect_refusal(sample({"--mode", "cells"}), 2, {"--mode cells:", "lacuna stipple", "exact"});
     expect_refusal(sample({kRaccoon}), 2, {kRaccoon, "no arguments are taken"});
-    for (const std::string option : {"--scale", "--metric", "--gamma", "--min-importance"})
-        expect_refusal(sample({option, "1"}), 2, {option, "no such option"});
-    for (const std::string flag : {"--invert", "--pen-path"})
-        expect_refusal(sample({flag}), 2, {flag, "no such option"});
+    expect_refusal(sample({"--metric", "min"}), 2, {"--metric", "no such option"});
+    expect_refusal(sample({"--pen-path"}), 2, {"--pen-path", "no such option"});
+    for (const std::string option : {"--scale", "--gamma", "--min-importance"})
+        expect_refusal(sample({option, "1"}), 2, {option + " without --field"});
+    expect_refusal(sample({"--invert"}), 2, {"--invert without --field"});
     EXPECT_EQ(folder.names(), Names{});
 }
 
