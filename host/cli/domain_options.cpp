@@ -25,8 +25,6 @@
 namespace lacuna::cli {
 namespace {
 
-// N r^2 over the area of a maximal set on the torus (docs/design.md, section 5).
-constexpr double kDensity = 0.69656;
 // Of the least radius: what the outline of polygons may be off by, unless --edge tells.
 constexpr double kEdge = 1.0 / 16;
 
@@ -69,7 +67,8 @@ double least_radius(const Request& request, const std::vector<Ring>& rings,
     if (!request.count || *request.count == 0) return coarse;
     const Mask mask = draw_mask(rings, request.width, request.height, coarse);
     const double area = filled_share(mask, files) * request.width * request.height;
-    return std::sqrt(kDensity * area / static_cast<double>(*request.count) / greatest);
+    const double density = expected_count(1, 1, Boundary::torus, 1);
+    return std::sqrt(density * area / static_cast<double>(*request.count) / greatest);
 }
 
 Mask mask_of_polygons(const DomainOptions& options, const Request& request,

@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "backends/columns.h"
 #include "backends/cpu/chords.h"
 #include "portable/chord.h"
 #include "portable/distance.h"

@@ -18,6 +18,15 @@ std::uint32_t distance_to(std::uint32_t at, std::uint32_t begin, std::uint32_t e
                     portable::axis_distance(at, end - 1, period));
 }
 
+// Whether the sample is closer to the place than both its own radius and the greatest under it.
+bool is_reached(const Rectangle& place, std::uint32_t greatest, const Sized& sample,
+                std::uint32_t period_x, std::uint32_t period_y) {
+    const std::uint64_t reach = std::min(sample.radius, greatest);
+    return portable::squared_length(distance_to(sample.x, place.x, place.x + place.width, period_x),
+                                    distance_to(sample.y, place.begin, place.end, period_y)) <
+           reach * reach;
+}
+
 }  // namespace
 
 NearLists::NearLists(const Plan& plan)
@@ -61,11 +70,7 @@ void NearLists::for_each_reached(const Sized& sample, std::uint32_t root, Visit 
     const std::uint32_t period_y = root == 0 ? plan_.period_y : 0;
     for (std::uint32_t i = root; i < end;) {
         const FirstPlaces::Node& node = first_.nodes[i];
-        const Rectangle& place = node.place;
-        const std::uint64_t reach = std::min(sample.radius, node.greatest);
-        const std::uint32_t dx = distance_to(sample.x, place.x, place.x + place.width, period_x);
-        const std::uint32_t dy = distance_to(sample.y, place.begin, place.end, period_y);
-        if (portable::squared_length(dx, dy) >= reach * reach) {
+        if (!is_reached(node.place, node.greatest, sample, period_x, period_y)) {
             i = node.next;
             continue;
         }
@@ -84,10 +89,7 @@ void NearLists::insert_below(const Sized& sample, std::uint32_t root) {
 }
 
 bool NearLists::reaches(const Sized& sample, const Rectangle& place, std::uint32_t greatest) const {
-    const std::uint64_t reach = std::min(sample.radius, greatest);
-    return portable::squared_length(
-               distance_to(sample.x, place.x, place.x + place.width, plan_.period_x),
-               distance_to(sample.y, place.begin, place.end, plan_.period_y)) < reach * reach;
+    return is_reached(place, greatest, sample, plan_.period_x, plan_.period_y);
 }
 
 void NearLists::add(List& list, const Rectangle& place, const Sized& sample) {
