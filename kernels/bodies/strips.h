@@ -46,6 +46,13 @@ BODY u32 cell_of(const Geometry g, const Near near, const u32 number) {
            nth_of_stretch(near.rows, number % NEAR_SIDE, g.grid_rows);
 }
 
+// Of dx and a distance in y. An image's may be 2^32 units, whose square and dx's do not fit 64 bits:
+// it counts as the domain's height at most. No sample reaches farther, for on a torus no radius is
+// larger, and on a box there are no images.
+BODY u64 squared_distance(const Geometry g, const u32 dx, const u32 dy) {
+    return squared_length(dx, min(dy, g.height));
+}
+
 // A bit where the cell's sample takes something from [begin, end) at x, or no bit.
 BODY u64 touching_bit(MEMORY const Geometry g, const u32 cell, const u32 number, const u32 x,
                       const u32 period_x, const i64 begin, const i64 end) {
@@ -53,7 +60,7 @@ BODY u64 touching_bit(MEMORY const Geometry g, const u32 cell, const u32 number,
     const u32 distance = axis_distance(sample_x, x, period_x);
     const u32 dx = distance - min(distance, 1u);
     const u32 dy = nearest_distance(to_i64(AT(grid_y, cell)), begin, end);
-    return bit_if(squared_length(dx, dy) < g.radius_squared, number) &
+    return bit_if(squared_distance(g, dx, dy) < g.radius_squared, number) &
            bit_if(sample_x != NO_SAMPLE, number);
 }
 
@@ -118,8 +125,10 @@ BODY Rest cut_strip(MEMORY const Geometry g, const Near near, const Strip strip)
             const i64 y = to_i64(AT(grid_y, cell)) + image * to_i64(g.height);
             const u32 nearest = nearest_distance(y, to_i64(strip.begin), to_i64(strip.end));
             const u32 farthest = farthest_distance(y, to_i64(strip.begin), to_i64(strip.end));
-            touching = touching | bit_if(squared_length(dx, nearest) < g.radius_squared, number);
-            covering = covering | bit_if(squared_length(dx, farthest) < g.radius_squared, number);
+            const u64 least = squared_distance(g, dx, nearest);
+            const u64 most = squared_distance(g, dx, farthest);
+            touching = touching | bit_if(least < g.radius_squared, number);
+            covering = covering | bit_if(most < g.radius_squared, number);
         }
     }
     Rest rest = {strip.begin, covering != 0u ? strip.begin : strip.end, 0u};

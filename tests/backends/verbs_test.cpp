@@ -214,6 +214,20 @@ TEST_P(Verbs, NoPlaceIsLeftWhereOneSampleCoversAll) {
     expect_equal(scene, refine_by_halves);
 }
 
+// An image of such a sample is nearly 2^32 units away: with dx, whose square is 2^57 here, the
+// square of the distance does not fit 64 bits.
+TEST_P(Verbs, NothingIsTakenByTheFarImageOfASampleAtTheTop) {
+    Scene scene{"far image", tests::plan_of(0.1269, 1, Boundary::torus, 1, 1, Mode::exact), {}, {}};
+    scene.memory = tests::empty_memory(scene.plan);
+    for (std::vector<Span>& line : scene.memory.spans) line.clear();
+    scene.memory.spans[4] = {{7'169'816, 120'866'211}};
+    tests::set_candidates(scene.plan, {{1'435'314'147, scene.plan.height - 30'012, 5, 0}},
+                          scene.memory, FATE_ADMITTED);
+    const std::vector<Box> whole = {{4 * scene.plan.strip_width, 7'169'816, 120'866'211}};
+    EXPECT_TRUE(same("box", whole, on_device(scene, refine_by_halves).memory.boxes));
+    expect_equal(scene, refine_by_halves);
+}
+
 TEST_P(Verbs, CandidatesThatEarlierSamplesCoverAreNoSurvivors) {
     Scene scene{"covered", tests::plan_of(0.1, 4, Boundary::torus, 1, 1, Mode::exact), {}, {}};
     scene.memory = tests::empty_memory(scene.plan);
