@@ -6,17 +6,19 @@
 (2, 'float64')
 
 ``sample`` makes maximal Poisson-disk sets, ``stipple`` turns pictures into dots, ``relax`` makes
-any set more even, ``verify`` proves or refutes one and ``analyze`` measures it; ``devices`` lists
-what there is to run on. ``lacuna.qmc`` has an engine in the manner of scipy.stats.qmc.
+any set more even, ``verify`` proves or refutes one and ``analyze`` measures it; ``read_polygons``
+and ``draw_mask`` make masks of outlines; ``devices`` lists what there is to run on. ``lacuna.qmc`` has an engine in the manner of scipy.stats.qmc.
 """
 
 from . import _core
+from ._domains import Polygons, draw_mask, read_polygons
 from ._errors import BadRequest, DeviceError, Error, FileError, MemoryRefused, Unavailable
 from ._judging import analyze, devices, verify
 from ._relax import relax
-from ._results import Analysis, Device, Evenness, PointSet, Relaxed, Stippling, Verdict
+from ._results import Analysis, Device, Evenness, PointSet, Relaxed, Stippling
 from ._sample import sample, sample_many
 from ._stipple import stipple
+from ._verdict import Verdict
 
 __version__: str = _core.version
 __all__ = [
@@ -29,12 +31,15 @@ __all__ = [
     "FileError",
     "MemoryRefused",
     "PointSet",
+    "Polygons",
     "Relaxed",
     "Stippling",
     "Unavailable",
     "Verdict",
     "analyze",
     "devices",
+    "draw_mask",
+    "read_polygons",
     "relax",
     "sample",
     "sample_many",

@@ -8,7 +8,7 @@ from __future__ import annotations
 import operator
 import os
 import secrets
-from typing import TYPE_CHECKING, Any, SupportsFloat, SupportsIndex
+from typing import TYPE_CHECKING, Any, Iterator, SupportsFloat, SupportsIndex
 
 import numpy as np
 
@@ -139,8 +139,8 @@ def points_array(name: str, value: object) -> npt.NDArray[np.float64]:
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
-def field_of(name: str, value: object) -> _core.Field:
-    """Importance, row 0 on top: read where it lies, whatever its numbers and strides, once."""
+def _pixels(name: str, value: object) -> npt.NDArray[Any]:
+    """An array of rows and columns, as it lies in memory."""
     array = numbers(name, value)
     if array.ndim != 2 or array.size == 0:
         raise BadRequest(
@@ -150,17 +150,42 @@ def field_of(name: str, value: object) -> _core.Field:
         raise BadRequest(
             f"{name} of shape {array.shape}: must have at most 2^28 pixels, 2^20 to a side", name
         )
-    field = _core.make_field(*array.shape)
-    # In parts, between which Ctrl-C is answered.
-    values, rows = field.values, max(1, _PIXELS_OF_PART // array.shape[1])
+    return array
+
+
+def _parts(array: npt.NDArray[Any]) -> Iterator[slice]:
+    """Rows in parts, between which Ctrl-C is answered."""
+    rows = max(1, _PIXELS_OF_PART // array.shape[1])
     for begin in range(0, len(array), rows):
-        part = slice(begin, begin + rows)
+        yield slice(begin, begin + rows)
+
+
+def field_of(name: str, value: object) -> _core.Field:
+    """Importance, row 0 on top: read where it lies, whatever its numbers and strides, once."""
+    array = _pixels(name, value)
+    field = _core.make_field(*array.shape)
+    values = field.values
+    for part in _parts(array):
         np.copyto(values[part], array[part], casting="same_kind")
     return field
 
 
+def mask_of(name: str, value: object) -> _core.Mask:
+    """Where points may lie, row 0 on top: wherever a number is not 0."""
+    array = _pixels(name, value)
+    mask = _core.make_mask(*array.shape)
+    values = mask.values
+    for part in _parts(array):
+        if array.dtype.kind == "f" and np.isnan(array[part]).any():
+            raise BadRequest(f"{name} nan: must be numbers, 0 where no point may lie", name)
+        values[part] = array[part] != 0
+    return mask
+
+
 def path_bytes(name: str, value: str | bytes | os.PathLike[Any]) -> bytes:
     """A path, as the library takes it: never the standard input."""
+    if not isinstance(value, (str, bytes, os.PathLike)):
+        raise TypeError(f"{name} must be a path, not {value!r:.60}")
     path = os.fsencode(value)
     if b"\0" in path:
         raise BadRequest(f"{name} {path!r:.60}: must have no NUL", name)

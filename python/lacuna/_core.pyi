@@ -14,6 +14,14 @@ class Field:
     @property
     def values(self) -> npt.NDArray[np.float64]: ...
 
+class Mask:
+    @property
+    def rows(self) -> int: ...
+    @property
+    def columns(self) -> int: ...
+    @property
+    def values(self) -> npt.NDArray[np.uint8]: ...
+
 class Tone:
     black: float
     white: float
@@ -33,6 +41,7 @@ class Request:
     radius: float | None
     count: int | None
     scale: float | None
+    border: float
     lines_per_radius: int | None
     limit: int | None
     snap: bool
@@ -56,10 +65,15 @@ class RelaxOptions:
     def __init__(self) -> None: ...
 
 def make_field(rows: int, columns: int) -> Field: ...
+def make_mask(rows: int, columns: int) -> Mask: ...
 def read_field(path: bytes, tone: Tone) -> Field: ...
 def decode_field(content: bytes, name: str, tone: Tone) -> Field: ...
 def sample(
-    request: Request, field: Field | None, progress: Callable[[int, int], object] | None
+    request: Request,
+    field: Field | None,
+    mask: Mask | None,
+    keep: npt.NDArray[np.float64] | None,
+    progress: Callable[[int, int], object] | None,
 ) -> dict[str, Any]: ...
 def sample_many(
     request: Request, seeds: list[int], progress: Callable[[int, int], object] | None
@@ -74,9 +88,18 @@ def dot_count(field: Field, width: float, height: float) -> int: ...
 def dot_radii(
     points: npt.NDArray[np.float64], field: Field, width: float, height: float, relaxed: bool
 ) -> npt.NDArray[np.float64]: ...
+def read_polygons(path: bytes) -> dict[str, Any]: ...
+def draw_mask(
+    rings: list[npt.NDArray[np.float64]],
+    width: float,
+    height: float,
+    edge: float,
+    memory_limit: int,
+) -> Mask: ...
 def verify(
     points: npt.NDArray[np.float64],
-    radius: float,
+    radius_or_scale: float,
+    field: Field | None,
     width: float,
     height: float,
     torus: bool,

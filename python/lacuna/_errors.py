@@ -30,7 +30,7 @@ class BadRequest(Error, ValueError):
         name = _SPELLED.get(argument, argument.replace("-", "_"))
         if argument and message.startswith(argument):
             message = name + message[len(argument) :]
-        super().__init__(message)
+        super().__init__(message.translate(_CONTROLS))
         self.argument = name
 
     def called(self, argument: str) -> BadRequest:

@@ -141,7 +141,6 @@ class PointSet(_HasPoints):
 
     def report(self) -> dict[str, Any]:
         """What the command writes with --report, as a dict of what json can write."""
-        cells = self.mode == "cells"
         report: dict[str, Any] = {
             "program": "lacuna",
             "version": _core.version,
@@ -149,7 +148,7 @@ class PointSet(_HasPoints):
             "count": len(self),
             "radius": self.radius,
         }
-        if cells:
+        if self.scale is not None:
             report["scale"] = self.scale
         report.update(
             maximal=self.maximal,
@@ -182,46 +181,6 @@ class Stippling(PointSet):
     """
 
     radii: Floats = field(repr=False)
-
-
-@dataclass(frozen=True, eq=False)
-class Verdict:
-    """What ``verify`` has found. True where the claim holds.
-
-    Attributes
-    ----------
-    holds : bool
-        No two points are closer than the radius and, where that was asked, no spot is farther
-        from every point than radius + tolerance.
-    maximal : bool
-        Holds, and with a tolerance of at most 1 % of the radius: nothing is missing.
-    kept, covered : bool or None
-        The two halves of the claim; covered is None with ``distances_only``, and both are where
-        a point lies outside.
-    outside : int or None
-        The first point outside the domain: nothing else is then looked at.
-    closest_pair, least_distance : tuple of int or None, float
-        The indices of the closest two points; how far: infinite for fewer than two.
-    emptiest_spot, emptiest_distance : tuple of float or None, float or None
-        The spot of the domain that is farthest from every point; how far.
-    radius, tolerance : float
-        As claimed.
-    """
-
-    holds: bool
-    maximal: bool
-    kept: bool | None
-    covered: bool | None
-    outside: int | None
-    closest_pair: tuple[int, int] | None
-    least_distance: float
-    emptiest_spot: tuple[float, float] | None
-    emptiest_distance: float | None
-    radius: float
-    tolerance: float
-
-    def __bool__(self) -> bool:
-        return self.holds
 
 
 @dataclass(frozen=True, eq=False)

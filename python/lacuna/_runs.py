@@ -28,7 +28,7 @@ def checked_progress(progress: object) -> None:
         raise TypeError(f"progress must be callable, not {progress!r:.60}")
 
 
-def shape_of(field: _core.Field) -> tuple[float, float]:
+def shape_of(field: _core.Field | _core.Mask) -> tuple[float, float]:
     """The domain of a picture: its shape, the longer side 1."""
     longer = max(field.columns, field.rows)
     return field.columns / longer, field.rows / longer
@@ -71,10 +71,10 @@ def fill(
 
 
 def choose_metric(request: _core.Request, metric: object, iterations: int) -> None:
-    """The metric of a field: mean is what relaxing comes farthest from."""
+    """The metric of a field: in cells mean is what relaxing comes farthest from."""
     if metric is not None:
         request.metric = choice("metric", metric, METRICS)
-    elif iterations:
+    elif iterations and request.mode == "cells":
         request.metric = "mean"
 
 
@@ -135,22 +135,22 @@ def _relax_set(
         return relaxed, 0.0
     longer = max(options.width, options.height)
     proof = _core.verify(
-        relaxed.points, longer, options.width, options.height, options.torus, None, True
+        relaxed.points, longer, None, options.width, options.height, options.torus, None, True
     )
     return relaxed, proof["least_distance"]
 
 
-def _request_of(request: _core.Request, lines_per_radius: int) -> dict[str, Any]:
+def _request_of(request: _core.Request, has_field: bool, lines_per_radius: int) -> dict[str, Any]:
     """What was asked for, as a report says it."""
     cells = request.mode == "cells"
-    size = "scale" if cells else "radius"
+    size = "scale" if has_field else "radius"
     asked: dict[str, Any] = {
         "width": request.width,
         "height": request.height,
         "boundary": "torus" if request.torus else "box",
         "mode": request.mode,
     }
-    if cells:
+    if has_field:
         asked["metric"] = request.metric
     asked[size] = getattr(request, size)
     asked["count"] = request.count
@@ -167,11 +167,17 @@ def make(
     field: _core.Field | None,
     iterations: int,
     progress: Progress | None,
+    mask: _core.Mask | None = None,
+    keep: npt.NDArray[np.float64] | None = None,
 ) -> dict[str, Any]:
     """Samples, relaxes, and gives what a PointSet is made of."""
     checked_progress(progress)
-    made = _core.sample(request, field, progress)
-    asked = _request_of(request, made["lines_per_radius"])
+    made = _core.sample(request, field, mask, keep, progress)
+    asked = _request_of(request, field is not None, made["lines_per_radius"])
+    if request.border:
+        asked["border"] = request.border
+    if keep is not None:
+        asked["kept"] = len(keep)
     relaxed = None
     if iterations:
         relaxed, least = _relax_set(made["points"], field, request, iterations, progress)
@@ -180,7 +186,7 @@ def make(
         for step, spent in relaxed.seconds.items():
             seconds[step] = seconds.get(step, 0.0) + spent
         made.update(points=relaxed.points, radius=least, maximal=False, seconds=seconds)
-    return _set_of(made, request, relaxed, asked)
+    return _set_of(made, request, field is not None, relaxed, asked)
 
 
 def make_many(
@@ -195,17 +201,19 @@ def make_many(
     for seed, made in zip(seeds, all_made):
         request.seed = seed
         made["seconds"] = {"total": total / len(seeds)}
-        sets.append(_set_of(made, request, None, _request_of(request, made["lines_per_radius"])))
+        asked = _request_of(request, False, made["lines_per_radius"])
+        sets.append(_set_of(made, request, False, None, asked))
     return sets
 
 
 def _set_of(
     made: dict[str, Any],
     request: _core.Request,
+    has_field: bool,
     relaxed: Relaxed | None,
     asked: dict[str, Any],
 ) -> dict[str, Any]:
-    if request.mode != "cells":
+    if not has_field:
         made["scale"] = None
     return dict(
         made,

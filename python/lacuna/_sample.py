@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Iterable, SupportsFloat, SupportsIndex
 
 from . import _core
-from ._arguments import choice, field_of, flag, pair, whole
+from ._arguments import choice, field_of, flag, mask_of, pair, points_array, real, whole
 from ._errors import BadRequest
 from ._results import PointSet
 from ._runs import (
@@ -44,6 +44,9 @@ def sample(
     field: npt.ArrayLike | None = None,
     scale: SupportsFloat | None = None,
     metric: str | None = None,
+    mask: npt.ArrayLike | None = None,
+    border: SupportsFloat = 0,
+    keep: npt.ArrayLike | None = None,
     domain: tuple[SupportsFloat, SupportsFloat] | None = None,
     torus: bool = False,
     mode: str | None = None,
@@ -79,15 +82,26 @@ def sample(
     scale : float
         With a field, this or ``n``: the radius of a place is ``scale / sqrt(importance there)``.
     metric : {'min', 'mean', 'max'}, optional
-        With a field: what two points of different radii keep apart. By default 'min', and 'mean'
-        with ``relax``.
+        With a field: what two points of different radii keep apart. By default 'min', which is the
+        only one in 'exact', and in 'cells' 'mean' with ``relax``.
+    mask : array_like, shape (rows, columns), optional
+        Where points may lie: on pixels that are not 0, or True, stretched over the domain. Row 0
+        is the top. Any real dtype, byte order and strides. ``draw_mask`` makes one of polygons.
+    border : float
+        Least distance of points to the domain's edges, in the unit of ``domain``; not on a torus.
+    keep : array_like, shape (N, 2), optional
+        Points that are there already: they come first, unmoved, and new ones keep their distance
+        from them and fill what they leave. Each must lie where points may, and keep its distance
+        from the others. They count for ``n`` and ``limit``.
     domain : tuple of float, optional
-        Width and height. By default (1, 1); with a field its shape, the longer side 1.
+        Width and height. By default (1, 1); with a field its shape, the longer side 1, and with a
+        mask alone the mask's.
     torus : bool
         Whether the edges wrap.
     mode : {'exact', 'lines', 'cells'}, optional
         'exact', the default, leaves no gap; 'lines' is the approximation of Kalantari & Sen 2011;
-        'cells', the default with a field, puts points on a lattice.
+        'cells', the default with a field, puts points on a lattice. With mask, border or keep it is
+        'exact', with a field too.
     seed : None, int or numpy.random.Generator
         An int, 0 to 2^64 - 1, is what the command calls --seed; 64 bits are drawn from a
         generator, and None takes them from the system. The result tells which seed it was.
@@ -95,10 +109,10 @@ def sample(
         Stop after so many points.
     relax : int
         Then move the points so many times until their shares of the domain, or of the field, are
-        equal: see ``lacuna.relax``.
+        equal: see ``lacuna.relax``. Not with mask, border or keep.
     lines_per_radius : int, optional
-        1 to 1000; by default 6 in 'exact', where it decides nothing but the speed, 30 in 'lines'
-        and 10 in 'cells'.
+        1 to 1000; by default 6 in 'exact', where it decides nothing but the speed (1 with a field,
+        a mask, a border or kept points), 30 in 'lines' and 10 in 'cells'.
     snap, uniform_x : bool
         In 'lines': points on the lines themselves; lines with room are equally likely.
     round_size : int
@@ -149,18 +163,35 @@ def sample(
     >>> dense = lacuna.sample(n=500, field=ramp, seed=1)
     >>> bool((dense.points[:, 0] > 0.5).mean() > 0.7)
     True
+
+    A maximal set on it, in a disk, around a point that is there:
+
+    >>> y, x = np.mgrid[-1:1:64j, -1:1:64j]
+    >>> disk = np.hypot(x, y) < 0.9
+    >>> made = lacuna.sample(field=ramp, scale=0.02, mask=disk, keep=[(0.5, 0.5)], seed=1)
+    >>> made.maximal, made.points[0].tolist()
+    (True, [0.5, 0.5])
     """
     request = _core.Request()
     importance = None if field is None else field_of("field", field)
+    request.border = real("border", border)
+    is_bounded = mask is not None or keep is not None or request.border != 0
     if mode is not None:
         request.mode = choice("mode", mode, _MODES)
-    elif importance is not None:
+    elif importance is not None and not is_bounded:
         request.mode = "cells"
+    allowed = None if mask is None else mask_of("mask", mask)
+    kept = None if keep is None else points_array("keep", keep)
     iterations = whole("relax", relax, 0, MOST_32)
+    if iterations and is_bounded:
+        raise BadRequest(
+            f"relax {iterations}: is not for mask, border or keep, which it knows nothing of",
+            "relax",
+        )
     if importance is None:
         _refuse_what_is_for_fields(request, scale, metric)
         set_size(request, {"radius": radius, "n": n})
-        sides = (1.0, 1.0)
+        sides = (1.0, 1.0) if allowed is None else shape_of(allowed)
     else:
         if radius is not None:
             raise BadRequest(f"radius {radius!r:.60}: with a field give scale or n", "radius")
@@ -180,7 +211,7 @@ def sample(
     )
     request.snap = flag("snap", snap)
     request.uniform_x = flag("uniform_x", uniform_x)
-    return PointSet(**make(request, importance, iterations, progress))
+    return PointSet(**make(request, importance, iterations, progress, allowed, kept))
 
 
 def sample_many(

@@ -31,13 +31,17 @@ Boundary boundary_of(bool torus) {
     return torus ? Boundary::torus : Boundary::box;
 }
 
-nb::object or_none(const std::optional<double>& number) {
+template <typename Number>
+nb::object or_none(const std::optional<Number>& number) {
     return number ? nb::cast(*number) : nb::none();
 }
 
-nb::dict verify_points(const PointArray& array, double radius, double width, double height,
-                       bool torus, std::optional<double> tolerance, bool distances_only) {
-    const Claim claim{radius, width, height, boundary_of(torus), tolerance, distances_only};
+// `size` is the radius, or with a field the scale.
+nb::dict verify_points(const PointArray& array, double size, const Field* field, double width,
+                       double height, bool torus, std::optional<double> tolerance,
+                       bool distances_only) {
+    const Claim claim{size,      width,          height, boundary_of(torus),
+                      tolerance, distances_only, field,  size};
     const auto work = [&](const std::atomic<bool>& stop) {
         return prove(points_of(array), claim, [&] { return !stop; });
     };
@@ -50,14 +54,17 @@ nb::dict verify_points(const PointArray& array, double radius, double width, dou
         proof = in_background(work);
     }
     nb::dict found;
-    found["outside"] = proof.outside ? nb::cast(*proof.outside) : nb::none();
+    found["outside"] = or_none(proof.outside);
+    found["forbidden"] = or_none(proof.forbidden);
     found["kept"] = proof.kept;
     found["first"] = proof.first;
     found["second"] = proof.second;
     found["least_distance"] = proof.least_distance;
+    found["least_limit"] = proof.least_limit;
     found["covered"] = proof.covered;
     found["emptiest"] = nb::make_tuple(proof.emptiest.x, proof.emptiest.y);
     found["emptiest_distance"] = proof.emptiest_distance;
+    found["emptiest_limit"] = proof.emptiest_limit;
     found["maximal"] = proof.maximal;
     return found;
 }
@@ -108,8 +115,8 @@ nb::dict analyze_sets(const nb::list& arrays, double width, double height, bool 
 }  // namespace
 
 void add_judging(nb::module_& module) {
-    module.def("verify", verify_points, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
-               nb::arg().none(), nb::arg());
+    module.def("verify", verify_points, nb::arg(), nb::arg(), nb::arg().none(), nb::arg(),
+               nb::arg(), nb::arg(), nb::arg().none(), nb::arg());
     module.def("analyze", analyze_sets, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
                nb::arg(), nb::arg().none());
 }

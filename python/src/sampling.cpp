@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,13 +51,17 @@ nb::dict dict_of(Result result) {
     return made;
 }
 
-nb::dict sample_points(const Request& wanted, const Field* field, nb::object progress) {
+nb::dict sample_points(const Request& wanted, const Field* field, const Mask* mask,
+                       const std::optional<PointArray>& keep, nb::object progress) {
     Request request = wanted;
     request.field = field;
+    request.mask = mask;
     Watch watch(std::move(progress));
     Result result;
     {
         const nb::gil_scoped_release no_gil;
+        const std::vector<Point> kept = keep ? points_of(*keep) : std::vector<Point>{};
+        request.keep = kept;
         result = sample(request, watch);
     }
     nb::dict made = dict_of(std::move(result));
@@ -163,6 +168,7 @@ void add_request(nb::module_& module) {
         .def_rw("radius", &Request::radius, nb::arg().none())
         .def_rw("count", &Request::count, nb::arg().none())
         .def_rw("scale", &Request::scale, nb::arg().none())
+        .def_rw("border", &Request::border)
         .def_rw("lines_per_radius", &Request::lines_per_radius, nb::arg().none())
         .def_rw("limit", &Request::limit, nb::arg().none())
         .def_rw("snap", &Request::snap)
@@ -201,7 +207,8 @@ void add_sampling(nb::module_& module) {
     module.def("make_field", make_field);
     module.def("read_field", read_picture);
     module.def("decode_field", decode_picture);
-    module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg().none());
+    module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg().none(),
+               nb::arg().none(), nb::arg().none());
     module.def("sample_many", sample_many_points, nb::arg(), nb::arg(), nb::arg().none());
     module.def("relax", relax_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none());
     module.def("dot_count", dot_count);

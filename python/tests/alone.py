@@ -15,6 +15,7 @@ made = lacuna.sample(0.02, torus=True, seed=1)
 assert lacuna.verify(made).maximal
 assert len(lacuna.stipple([[0.0, 1.0], [0.5, 0.2]], 50, seed=1)) == 50
 assert lacuna.analyze(made).sets == 1
+assert lacuna.draw_mask([[(0, 0), (1, 0), (0, 1)]], 0.1).any()
 for device in lacuna.devices():
     if device.backend in ("opencl", "vulkan"):
         assert "loader" in device.unusable, device

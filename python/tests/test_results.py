@@ -130,7 +130,9 @@ RESULTS: list[Any] = [
     lacuna.sample(n=30, seed=1, relax=1),
     lacuna.stipple(np.eye(8), 10, seed=1),
     lacuna.relax(np.random.default_rng(1).random((9, 2)), measure=True),
+    lacuna.sample(field=np.ones((2, 2)), scale=0.3, mode="exact", seed=1),
     lacuna.verify([[0.1, 0.2]], 0.1),
+    lacuna.read_polygons(REPOSITORY / "examples" / "lakes.svg"),
     lacuna.analyze(np.random.default_rng(1).random((9, 2))),
     lacuna.devices()[0],
 ]

@@ -47,6 +47,8 @@ lines: lacuna.PointSet = lacuna.sample(
 )
 
 field: Floats = np.ones((4, 6))
+lake: lacuna.PointSet = lacuna.sample(0.2, mask=field > 0, border=0.1, keep=[(0.5, 0.5)])
+on_a_field: lacuna.PointSet = lacuna.sample(field=field, scale=0.2, mode="exact")
 dense: lacuna.PointSet = lacuna.sample(field=field, scale=0.2, metric="max", relax=1)
 relaxed_or_none: lacuna.Relaxed | None = dense.relaxed
 
@@ -84,6 +86,17 @@ spot: tuple[float, float] | None = verdict.emptiest_spot
 outside: int | None = verdict.outside
 facts: tuple[bool | None, bool | None, bool] = (verdict.kept, verdict.covered, verdict.maximal)
 lengths: tuple[float, float | None] = (verdict.least_distance, verdict.emptiest_distance)
+
+of_a_field: lacuna.Verdict = lacuna.verify(on_a_field, field=field, scale=0.2)
+limits: tuple[float | None, float | None] = (of_a_field.least_limit, of_a_field.emptiest_limit)
+forbidden: int | None = of_a_field.forbidden
+claimed: tuple[float, float | None] = (of_a_field.radius, of_a_field.scale)
+
+page: lacuna.Polygons = lacuna.read_polygons(photograph.with_name("lakes.svg"))
+rings: tuple[Floats, ...] = page.rings
+size: tuple[float, float] | None = page.domain
+mask: npt.NDArray[np.bool_] = lacuna.draw_mask(page, 1.0, domain=size, memory_limit=10**8)
+triangle: npt.NDArray[np.bool_] = lacuna.draw_mask([[(0, 0), (1, 0), (0, 1)]], 0.1)
 
 found: lacuna.Analysis = lacuna.analyze([made, made], torus=True, domain=(1, 1), progress=None)
 curves: list[Floats] = [found.frequency, found.power, found.anisotropy_db]

@@ -1,0 +1,154 @@
+"""read_polygons and draw_mask: outlines of where points may lie."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Iterable, SupportsFloat, SupportsIndex
+
+import numpy as np
+
+from . import _core
+from ._arguments import pair, path_bytes, points_array, real, whole
+from ._errors import BadRequest
+from ._runs import MOST_64
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Polygons:
+    """Closed outlines. Together they enclose what an odd number of them goes around.
+
+    Attributes
+    ----------
+    rings : tuple of ndarray, each of shape (N, 2), float64
+        The corners of each, y upwards; the last is joined to the first.
+    domain : tuple of float or None
+        Width and height of the page that they lie on; None where the file has none.
+    """
+
+    rings: tuple[Floats, ...] = field(repr=False)
+    domain: tuple[float, float] | None
+
+    def __len__(self) -> int:
+        return len(self.rings)
+
+
+def read_polygons(path: str | bytes | os.PathLike[Any]) -> Polygons:
+    """Read the polygons of a file, by its extension.
+
+    Parameters
+    ----------
+    path : path
+        ``.svg``: the outlines of its shapes, in user units of the page. ``.geojson``, ``.json``:
+        polygons, their coordinates as they are. ``.txt``: ``x y`` a line, a blank line between two
+        rings. docs/domains.md has what is read and what is passed over.
+
+    Returns
+    -------
+    Polygons
+
+    Raises
+    ------
+    FileError
+        An OSError: the file cannot be read, is broken or has no polygon.
+    BadRequest
+        Another extension.
+    TypeError
+        No path.
+
+    Examples
+    --------
+    >>> import lacuna, pathlib, tempfile
+    >>> folder = tempfile.TemporaryDirectory()
+    >>> path = pathlib.Path(folder.name, "moon.svg")
+    >>> _ = path.write_text('<svg viewBox="0 0 4 2"><circle cx="2" cy="1" r="0.9"/></svg>')
+    >>> moon = lacuna.read_polygons(path)
+    >>> len(moon), moon.domain
+    (1, (4.0, 2.0))
+    >>> mask = lacuna.draw_mask(moon, 0.1 / 16)
+    >>> made = lacuna.sample(0.1, mask=mask, domain=moon.domain, seed=1)
+    >>> made.maximal, bool((abs(made.points - (2, 1)) < 0.91).all())
+    (True, True)
+    >>> folder.cleanup()
+    """
+    try:
+        found = _core.read_polygons(path_bytes("path", path))
+    except BadRequest as error:
+        raise error.called("path") from None
+    width, height = found["width"], found["height"]
+    return Polygons(tuple(found["rings"]), (width, height) if width > 0 else None)
+
+
+def _arrays_of(rings: object) -> list[Floats]:
+    if isinstance(rings, Polygons):
+        return list(rings.rings)
+    if isinstance(rings, (str, bytes, os.PathLike)) or not isinstance(rings, Iterable):
+        raise TypeError(f"rings must be Polygons or a list of N x 2 arrays, not {rings!r:.60}")
+    return [points_array("rings", ring) for ring in rings]
+
+
+def draw_mask(
+    rings: Polygons | Iterable[npt.ArrayLike],
+    edge: SupportsFloat,
+    *,
+    domain: tuple[SupportsFloat, SupportsFloat] | None = None,
+    memory_limit: SupportsIndex | None = None,
+) -> npt.NDArray[np.bool_]:
+    """Draw polygons onto a mask, for ``sample``.
+
+    A pixel is True where an odd number of rings goes around its middle: a ring within another is a
+    hole. No place of a pixel is farther than ``edge`` from its middle: so no point is farther
+    outside, and every place that is farther inside is filled. The same rings give the same mask on
+    every machine, and the same as the command's ``--inside`` with this ``--edge``.
+
+    Parameters
+    ----------
+    rings : Polygons or iterable of array_like, each of shape (N, 2)
+        The corners of each ring in the unit of ``domain``, y upwards.
+    edge : float
+        How far the outline may be off. The command takes a sixteenth of the least radius.
+    domain : tuple of float, optional
+        Width and height, which ``sample`` must be given too. By default the page of Polygons, else
+        (1, 1). A page is stretched over it.
+    memory_limit : int, optional
+        Refuse a mask of more bytes, one a pixel; by default a quarter of the machine's memory.
+
+    Returns
+    -------
+    ndarray, shape (rows, columns), bool
+        Row 0 is the top, where y is largest.
+
+    Raises
+    ------
+    BadRequest
+        An edge that takes more memory, or rings that enclose nothing of the domain.
+    TypeError
+        An argument is of the wrong type. Names it.
+
+    Examples
+    --------
+    >>> import lacuna
+    >>> outer, hole = [(0, 0), (1, 0), (1, 1), (0, 1)], [(0.2, 0.2), (0.6, 0.2), (0.2, 0.6)]
+    >>> mask = lacuna.draw_mask([outer, hole], 0.01)
+    >>> mask.shape, round(float(mask.mean()), 2)  # all but a triangle of 0.08
+    ((71, 71), 0.92)
+    >>> lacuna.sample(0.05, mask=mask, seed=1).maximal
+    True
+    """
+    page = rings.domain if isinstance(rings, Polygons) else None
+    width, height = pair("domain", domain if domain is not None else page or (1.0, 1.0))
+    most = 0 if memory_limit is None else whole("memory_limit", memory_limit, 1, MOST_64)
+    arrays, off_by = _arrays_of(rings), real("edge", edge)
+    if page is not None:
+        with np.errstate(over="ignore", invalid="ignore"):  # which the library refuses
+            arrays = [ring * (width / page[0], height / page[1]) for ring in arrays]
+    try:
+        mask = _core.draw_mask(arrays, width, height, off_by, most)
+    except BadRequest as error:
+        raise error.called("rings") if error.argument == "inside" else error from None
+    return mask.values.view(np.bool_)

@@ -1,0 +1,71 @@
+// Where points may lie: masks, and polygons that are drawn onto them.
+#include <lacuna/domains.h>
+#include <lacuna/lacuna.h>
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+#include "parts.h"
+
+namespace nb = nanobind;
+
+namespace lacuna::python {
+namespace {
+
+using Truths = nb::ndarray<std::uint8_t, nb::numpy, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+
+Mask make_mask(std::uint32_t rows, std::uint32_t columns) {
+    return {columns, rows, std::vector<std::uint8_t>(std::size_t{columns} * rows)};
+}
+
+// The truths of a mask, for numpy to fill or to keep: nothing is copied.
+Truths truths_of(Mask& mask) {
+    return Truths(mask.allowed.data(), {mask.rows, mask.columns}, nb::find(mask));
+}
+
+nb::dict polygons_of(const nb::bytes& bytes) {
+    const std::string path(bytes.c_str(), bytes.size());
+    Polygons polygons;
+    {
+        const nb::gil_scoped_release no_gil;
+        polygons = read_polygons(path);
+    }
+    nb::list rings;
+    for (Ring& ring : polygons.rings) rings.append(array_of(std::move(ring)));
+    nb::dict found;
+    found["rings"] = rings;
+    found["width"] = polygons.width;
+    found["height"] = polygons.height;
+    return found;
+}
+
+Mask mask_of(const nb::list& arrays, double width, double height, double edge,
+             std::uint64_t memory_limit) {
+    std::vector<PointArray> given;
+    for (const nb::handle array : arrays) given.push_back(nb::cast<PointArray>(array));
+    const nb::gil_scoped_release no_gil;
+    std::vector<Ring> rings;
+    rings.reserve(given.size());
+    for (const PointArray& array : given) rings.push_back(points_of(array));
+    return draw_mask(rings, width, height, edge, memory_limit);
+}
+
+}  // namespace
+
+void add_domains(nb::module_& module) {
+    nb::class_<Mask>(module, "Mask")
+        .def_ro("rows", &Mask::rows)
+        .def_ro("columns", &Mask::columns)
+        .def_prop_ro("values", truths_of);
+    module.def("make_mask", make_mask);
+    module.def("read_polygons", polygons_of);
+    module.def("draw_mask", mask_of);
+}
+
+}  // namespace lacuna::python

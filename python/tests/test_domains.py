@@ -1,0 +1,331 @@
+"""Fields, masks, polygons, borders and kept points: sets that fill just what they may."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+from conftest import REPOSITORY, Command, refused
+
+import lacuna
+
+FIELD = np.ones((8, 8))
+MASK = np.ones((2, 3))
+LAKES = REPOSITORY / "examples" / "lakes.svg"
+NAN = float("nan")
+
+
+@pytest.fixture(scope="session")
+def ground_backend(backend: str) -> str:
+    """Each backend that serves a field in mode exact, a mask, a border or kept points."""
+    try:
+        lacuna.sample(0.4, border=0.1, backend=backend)
+    except lacuna.BadRequest as error:
+        assert error.argument == "backend" and backend in ("opencl", "vulkan")
+        pytest.skip(str(error))
+    return backend
+
+
+def pixels_under(array: npt.NDArray[Any], made: lacuna.PointSet) -> npt.NDArray[Any]:
+    """What lies under each point."""
+    rows, columns = array.shape
+    x, y = (made.points / made.domain).T
+    found: npt.NDArray[Any] = array[
+        rows - 1 - np.floor(y * rows).astype(int), np.floor(x * columns).astype(int)
+    ]
+    return found
+
+
+def is_full(made: lacuna.PointSet, radius: float, spots: npt.NDArray[np.float64]) -> bool:
+    """Whether every spot is closer than the radius to a point."""
+    return all(
+        np.hypot(*(made.points - spot).T).min() < radius * (1 + 1e-6) for spot in spots
+    )
+
+
+# ----------------------------------------------------------------------- the same as the command
+
+
+def test_an_exact_set_on_a_field_is_the_commands(
+    command: Command, ground_backend: str, tmp_path: Path, ramp: npt.NDArray[np.float64]
+) -> None:
+    np.save(tmp_path / "ramp.npy", ramp)
+    picture = ["sample", "--field", tmp_path / "ramp.npy", "--invert", "--seed", 4]
+    expected = command(*picture, "--scale", 0.04)
+    made = lacuna.sample(scale=0.04, field=ramp, mode="exact", seed=4, backend=ground_backend)
+    assert made.points.tobytes() == expected.tobytes()
+    assert (made.mode, made.metric, made.scale, made.maximal) == ("exact", "min", 0.04, True)
+    expected = command(*picture, "--count", 150, "--torus")
+    made = lacuna.sample(
+        n=150, field=ramp, mode="exact", seed=4, torus=True, backend=ground_backend
+    )
+    assert made.points.tobytes() == expected.tobytes()
+
+
+def test_a_relaxed_exact_set_is_the_commands(
+    command: Command, tmp_path: Path, ramp: npt.NDArray[np.float64]
+) -> None:
+    np.save(tmp_path / "ramp.npy", ramp)
+    expected = command(
+        "sample", "--field", tmp_path / "ramp.npy", "--invert", "--count", 150, "--relax", 3
+    )
+    made = lacuna.sample(n=150, field=ramp, mode="exact", seed=0, relax=3)
+    assert made.points.tobytes() == expected.tobytes()
+    assert made.metric == "min" and made.relaxed is not None
+
+
+def test_a_set_on_all_of_a_domain_is_the_commands(
+    command: Command, ground_backend: str, tmp_path: Path
+) -> None:
+    y, x = np.mgrid[0:30, 0:60]
+    lakes = np.hypot(x - 20, y - 12) > 8
+    trees = np.array([(0.1, 0.1), (0.9, 0.4)])
+    np.save(tmp_path / "lakes.npy", lakes)
+    np.save(tmp_path / "trees.npy", trees)
+    np.save(tmp_path / "field.npy", x / 59)
+    files = ["--mask", tmp_path / "lakes.npy", "--keep", tmp_path / "trees.npy"]
+    options = [*files, "--border", 0.02, "--seed", 6]
+    where: dict[str, Any] = {"mask": lakes, "keep": trees, "border": 0.02, "seed": 6}
+    expected = command("sample", *options, "--radius", 0.03)
+    made = lacuna.sample(0.03, **where, backend=ground_backend)
+    assert made.points.tobytes() == expected.tobytes()
+    assert made.domain == (1, 0.5) and made.maximal and (made.points[:2] == trees).all()
+    field = ["--field", tmp_path / "field.npy", "--invert", "--scale", 0.02]
+    expected = command("sample", *options, *field)
+    made = lacuna.sample(field=x / 59, scale=0.02, **where, backend=ground_backend)
+    assert made.points.tobytes() == expected.tobytes()
+    assert made.mode == "exact"
+
+
+def test_polygons_are_the_commands(command: Command) -> None:
+    page = lacuna.read_polygons(LAKES)
+    assert page.domain is not None and len(page) == len(page.rings) > 1
+    mask = lacuna.draw_mask(page, 0.1)
+    expected = command("sample", "--inside", LAKES, "--edge", 0.1, "--radius", 2, "--border", 1)
+    made = lacuna.sample(2, mask=mask, domain=page.domain, border=1, seed=0)
+    assert made.points.tobytes() == expected.tobytes()
+    options = ["--inside", LAKES, "--edge", 0.003, "--radius", 0.05, "--domain", "1x2"]
+    mask = lacuna.draw_mask(page, 0.003, domain=(1, 2))
+    made = lacuna.sample(0.05, mask=mask, domain=(1, 2), seed=0)
+    assert made.points.tobytes() == command("sample", *options).tobytes()
+
+
+# ------------------------------------------------------------------------------ what they promise
+
+
+def test_a_mask_is_filled_and_nothing_else(ground_backend: str) -> None:
+    mask = np.array([[0, 1, 1], [1, 0, 1]], bool)
+    made = lacuna.sample(0.04, mask=mask, seed=2, backend=ground_backend)
+    assert made.maximal and made.domain == (1, 2 / 3)
+    assert pixels_under(mask, made).all()
+    y, x = np.mgrid[0.005:0.6:60j, 0.005:0.99:90j]
+    spots = np.stack([x.ravel(), y.ravel()], axis=1)
+    inside = mask[1 - (spots[:, 1] * 3).astype(int), (spots[:, 0] * 3).astype(int)]
+    assert 0.6 < inside.mean() < 0.7
+    assert is_full(made, 0.04, spots[inside])
+    assert not is_full(made, 0.04, spots[~inside])
+
+
+def test_a_mask_may_have_any_layout_and_type() -> None:
+    mask = (np.arange(48).reshape(6, 8) % 5 != 0) & (np.arange(8) != 3)
+    expected = lacuna.sample(0.05, mask=mask, seed=1).points
+    padded = np.zeros((12, 24))
+    padded[::2, ::3] = mask
+    for same in (
+        np.asfortranarray(mask),
+        mask[::-1].copy()[::-1],
+        padded[::2, ::3],
+        mask * np.uint8(7),
+        mask * -1e-300,
+        mask.astype(">i2"),
+        mask.astype(np.longdouble),
+        mask.tolist(),
+    ):
+        assert (lacuna.sample(0.05, mask=same, seed=1).points == expected).all()
+
+
+def test_a_set_that_was_stopped_is_carried_on(ground_backend: str) -> None:
+    begun = lacuna.sample(0.05, limit=100, seed=1)
+    for keep in (begun, begun.points.astype(">f8"), np.asfortranarray(begun.points)):
+        made = lacuna.sample(0.05, keep=keep, seed=2, backend=ground_backend)
+        assert not begun.maximal and made.maximal
+        assert (made.points[:100] == begun.points).all()
+        assert lacuna.verify(made).maximal
+    assert len(lacuna.sample(n=400, keep=begun, seed=2)) == 400
+    report: Any = made.report()["request"]
+    assert report["kept"] == 100
+
+
+def test_no_kept_points_are_none(ramp: npt.NDArray[np.float64]) -> None:
+    none = lacuna.sample(scale=0.05, field=ramp, keep=[], seed=1)
+    exact = lacuna.sample(scale=0.05, field=ramp, mode="exact", seed=1)
+    assert none.mode == "exact" and none.sha256 == exact.sha256
+
+
+def test_a_field_alone_still_means_cells(ramp: npt.NDArray[np.float64]) -> None:
+    assert lacuna.sample(n=50, field=ramp, seed=1, border=0).mode == "cells"
+
+
+def test_rings_of_arrays_and_of_lists_are_drawn_alike() -> None:
+    outer, hole = [(0, 0), (2, 0), (2, 1), (0, 1)], [(0.5, 0.25), (1.5, 0.25), (1, 0.75)]
+    mask = lacuna.draw_mask([outer, hole], 0.01, domain=(2, 1))
+    assert mask.dtype == np.bool_ and mask.ndim == 2
+    assert mask.mean() == pytest.approx(1 - 0.25 / 2, abs=0.005)
+    assert not mask[mask.shape[0] // 2, mask.shape[1] // 2] and mask[0, 0]
+    same = lacuna.draw_mask(
+        (np.asarray(ring, ">f4") for ring in (hole[::-1], outer)), 0.01, domain=(2, 1)
+    )
+    assert (mask == same).all()
+
+
+def test_polygons_of_geojson_have_no_page(tmp_path: Path) -> None:
+    path = tmp_path / "half.geojson"
+    path.write_text(
+        '{"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 0.5], [0, 0.5], [0, 0]]]}'
+    )
+    half = lacuna.read_polygons(str(path))
+    assert half.domain is None
+    mask = lacuna.draw_mask(half, 0.1)
+    assert not mask[0].any() and mask[-1].all()
+
+
+# ------------------------------------------------------------------------------------- judging
+
+
+def test_a_set_on_a_field_is_proven_and_one_with_a_hole_is_not() -> None:
+    field = np.array([[1, 0.25, 0], [0.04, 1, 0.5]])
+    made = lacuna.sample(field=field, scale=0.02, mode="exact", seed=1)
+    verdict = lacuna.verify(made, field=field)
+    assert verdict and verdict.maximal and verdict.kept and verdict.covered
+    assert verdict.scale == 0.02 and verdict.radius == made.radius == 0.02
+    assert verdict.least_limit is not None and verdict.emptiest_limit is not None
+    assert 1 <= verdict.least_distance / verdict.least_limit < 1.1
+    missing = made.points[17]
+    refuted = lacuna.verify(np.delete(made.points, 17, axis=0), field=field, scale=0.02)
+    assert not refuted and refuted.kept and not refuted.covered
+    assert refuted.emptiest_spot is not None
+    assert math.dist(refuted.emptiest_spot, missing) < 0.1
+    only = lacuna.verify(made.points[:9], field=field, scale=0.02, distances_only=True)
+    assert only and only.covered is None and only.emptiest_limit is None
+
+
+def test_a_point_where_the_field_is_0_is_told() -> None:
+    field = np.array([[1.0, 0.0]])
+    made = lacuna.sample(field=field, scale=0.05, mode="exact", seed=1)
+    verdict = lacuna.verify(np.vstack([made.points, (0.8, 0.2)]), field=field, scale=0.05)
+    assert verdict.forbidden == len(made) and verdict.outside is None
+    assert not verdict and verdict.kept is None and verdict.covered is None
+
+
+def test_a_set_in_cells_keeps_its_distances_but_is_not_maximal_in_the_plane() -> None:
+    field = np.array([[1.0, 0.5]])
+    made = lacuna.sample(field=field, scale=0.02, seed=1)
+    verdict = lacuna.verify(made, field=field)
+    assert verdict.kept and not verdict.covered
+
+
+# ------------------------------------------------------------------------------------- refused
+
+
+@pytest.mark.parametrize(
+    ("error", "argument", "arguments"),
+    [
+        (ValueError, "mask", {"mask": np.zeros((2, 3))}),
+        (ValueError, "mask", {"mask": np.ones(3)}),
+        (ValueError, "mask", {"mask": np.ones((2, 3, 4))}),
+        (ValueError, "mask", {"mask": np.ones((0, 3))}),
+        (ValueError, "mask", {"mask": [[1, NAN]]}),
+        (ValueError, "mask", {"mask": [[1], [1, 2]]}),
+        (ValueError, "mask", {"mask": np.broadcast_to(True, (10**6, 10**6))}),
+        (ValueError, "mask", {"mask": MASK, "mode": "lines"}),
+        (ValueError, "mask", {"mask": FIELD, "field": FIELD, "mode": "cells", "radius": None}),
+        (TypeError, "mask", {"mask": "black"}),
+        (TypeError, "mask", {"mask": MASK * 1j}),
+        (TypeError, "mask", {"mask": np.ma.masked_array(MASK, mask=MASK > 0)}),
+        (TypeError, "mask", {"mask": object()}),
+        (ValueError, "border", {"border": 0.5}),
+        (ValueError, "border", {"border": -0.1}),
+        (ValueError, "border", {"border": NAN}),
+        (ValueError, "border", {"border": float("inf")}),
+        (ValueError, "border", {"border": 0.1, "torus": True}),
+        (ValueError, "border", {"border": 0.1, "mode": "lines"}),
+        (TypeError, "border", {"border": "wide"}),
+        (TypeError, "border", {"border": None}),
+        (TypeError, "border", {"border": [0.1, 0.1]}),
+        (ValueError, "keep", {"keep": [0.1, 0.2, 0.3]}),
+        (ValueError, "keep", {"keep": [(0.1, 1)]}),
+        (ValueError, "keep", {"keep": [(0.1, 0.1), (0.1, 0.11)]}),
+        (ValueError, "keep", {"keep": [(0.1, NAN)]}),
+        (ValueError, "keep", {"keep": [(0.01, 0.5)], "border": 0.02}),
+        (ValueError, "keep", {"keep": [(0.1, 0.1)], "mask": [[1], [0]]}),
+        (ValueError, "keep", {"keep": [(0.1, 0.1)], "mode": "lines"}),
+        (TypeError, "keep", {"keep": "points.txt"}),
+        (TypeError, "keep", {"keep": {"x": 1}}),
+        (ValueError, "metric", {"field": FIELD, "mode": "exact", "metric": "max", "radius": None}),
+        (ValueError, "relax", {"border": 0.1, "relax": 3}),
+        (ValueError, "relax", {"mask": MASK, "relax": 3}),
+        (ValueError, "relax", {"keep": [(0.5, 0.5)], "relax": 3}),
+    ],
+    ids=lambda value: f"{value!r:.60}",
+)
+def test_sample_refuses(
+    error: type[Exception], argument: str, arguments: dict[str, Any]
+) -> None:
+    size = {"scale": 0.1} if "field" in arguments else {"radius": 0.1}
+    refused(error, argument, lacuna.sample, **{**size, **arguments})
+
+
+def test_a_kept_point_that_cannot_stay_is_named() -> None:
+    keep = [(0.5, 0.5), (0.25, 0.25), (0.75, 0.5), (0.25, 0.375)]
+    with pytest.raises(lacuna.BadRequest) as caught:
+        lacuna.sample(0.2, keep=keep)
+    assert str(caught.value) == (
+        "keep point 1 at (0.25, 0.25) and point 3 at (0.25, 0.375): are 0.125 apart: "
+        "must be at least 0.2, the radius"
+    )
+
+
+RING = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
+
+
+@pytest.mark.parametrize(
+    ("error", "argument", "arguments"),
+    [
+        (ValueError, "edge", {"edge": 0}),
+        (ValueError, "edge", {"edge": NAN}),
+        (ValueError, "edge", {"edge": 1e-9}),
+        (ValueError, "edge", {"memory_limit": 100}),
+        (ValueError, "memory_limit", {"memory_limit": 0}),
+        (TypeError, "edge", {"edge": "fine"}),
+        (ValueError, "domain", {"domain": (0, 1)}),
+        (TypeError, "domain", {"domain": 3}),
+        (ValueError, "rings", {"rings": []}),
+        (ValueError, "rings", {"rings": [[(2, 2), (3, 2), (2, 3)]]}),
+        (ValueError, "rings", {"rings": [[(0, 0), (1, NAN), (0, 1)]]}),
+        (ValueError, "rings", {"rings": RING}),  # one ring is a list of one
+        (ValueError, "rings", {"rings": [np.ones((3, 3))]}),
+        (TypeError, "rings", {"rings": [RING, None]}),
+        (TypeError, "rings", {"rings": "lakes.svg"}),
+        (TypeError, "rings", {"rings": 3}),
+    ],
+    ids=lambda value: f"{value!r:.60}",
+)
+def test_draw_mask_refuses(
+    error: type[Exception], argument: str, arguments: dict[str, Any]
+) -> None:
+    refused(error, argument, lacuna.draw_mask, **{"rings": [RING], "edge": 0.01, **arguments})
+
+
+def test_files_of_polygons_that_are_none_are_refused(tmp_path: Path) -> None:
+    refused(ValueError, "path", lacuna.read_polygons, tmp_path / "a\nb.png")
+    refused(TypeError, "path", lacuna.read_polygons, 3)
+    (tmp_path / "broken.svg").write_text("<svg")
+    (tmp_path / "line.txt").write_text("0 0\n1 1\n")
+    for name in ("none.svg", "broken.svg", "line.txt"):
+        with pytest.raises(OSError, match=f"^[^\n]*{name}[^\n]*$") as caught:
+            lacuna.read_polygons(tmp_path / name)
+        assert isinstance(caught.value, lacuna.FileError)
