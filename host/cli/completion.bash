@@ -15,7 +15,11 @@ _lacuna() {
     local command=${COMP_WORDS[1]}
     case $before in
         --backend | --backends) mapfile -t COMPREPLY < <(compgen -W "auto cpu opencl vulkan reference" -- "$word") ;;
-        --mode) mapfile -t COMPREPLY < <(compgen -W "exact lines" -- "$word") ;;
+        --mode)
+            local modes="exact lines"
+            [[ $command != stipple ]] || modes="cells exact"
+            mapfile -t COMPREPLY < <(compgen -W "$modes" -- "$word")
+            ;;
         --paper-size) mapfile -t COMPREPLY < <(compgen -W "A0 A1 A2 A3 A4 A5 A6 letter legal tabloid" -- "$word") ;;
         --format) mapfile -t COMPREPLY < <(compgen -W "txt csv npy ply json svg pdf png" -- "$word") ;;
         --metric) mapfile -t COMPREPLY < <(compgen -W "min mean max" -- "$word") ;;

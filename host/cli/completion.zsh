@@ -13,7 +13,13 @@ _lacuna() {
     fi
     case $before in
         --backend | --backends) compadd -- auto cpu opencl vulkan reference ;;
-        --mode) compadd -- exact lines ;;
+        --mode)
+            if [[ $command == stipple ]]; then
+                compadd -- cells exact
+            else
+                compadd -- exact lines
+            fi
+            ;;
         --metric) compadd -- min mean max ;;
         --paper-size) compadd -- A0 A1 A2 A3 A4 A5 A6 letter legal tabloid ;;
         --format) compadd -- txt csv npy ply json svg pdf png ;;

@@ -1,4 +1,4 @@
-// A picture on the command line, as the field of a request in mode cells.
+// A picture on the command line, as the field of a request.
 #pragma once
 
 #include <lacuna/lacuna.h>

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
 import numpy as np
 
 from . import _core
-from ._arguments import flag, numbers, path_bytes, real, whole
+from ._arguments import choice, flag, numbers, path_bytes, real, whole
 from ._errors import BadRequest, FileError
 from ._results import Stippling
 from ._runs import MOST_32, choose_metric, fill, make, place, set_size, shape_of
@@ -58,6 +58,7 @@ def stipple(
     scale: SupportsFloat | None = None,
     relax: SupportsIndex = 15,
     metric: str | None = None,
+    mode: str = "cells",
     invert: bool = False,
     black: SupportsFloat = 0.0,
     white: SupportsFloat = 1.0,
@@ -93,7 +94,10 @@ def stipple(
         stay at random, as Kalantari & Sen 2011 place them.
     metric : {'min', 'mean', 'max'}, optional
         What two dots of different radii keep apart. By default 'mean', and 'min' with
-        ``relax=0``.
+        ``relax=0`` and in 'exact', which knows no other.
+    mode : {'cells', 'exact'}
+        'cells' places dots on a lattice, as Kalantari & Sen 2011 do; 'exact' in the plane, where it
+        leaves no gap: the set that ``sample`` makes of the picture's importance.
     invert : bool
         Bright is dense.
     black, white : float
@@ -133,7 +137,7 @@ progress
     """
     field = _picture(image, _tone(invert, black, white, auto_levels, gamma, min_importance))
     request = _core.Request()
-    request.mode = "cells"
+    request.mode = choice("mode", mode, ("cells", "exact"))
     sides = shape_of(field)
     if n is None and scale is None:
         n = _core.dot_count(field, *sides)

@@ -161,6 +161,9 @@ def test_relax_refuses(error: type[Exception], argument: str, arguments: dict[st
         (ValueError, "min_importance", {"image": np.eye(3), "n": 5, "min_importance": 2}),
         (ValueError, "auto_levels", {"image": np.eye(3), "n": 5, "auto_levels": 1, "black": 0.1}),
         (ValueError, "relax", {"image": np.eye(3), "n": 5, "relax": 10_001}),
+        (ValueError, "mode", {"image": np.eye(3), "n": 5, "mode": "lines"}),
+        (TypeError, "mode", {"image": np.eye(3), "n": 5, "mode": None}),
+        (ValueError, "metric", {"image": np.eye(3), "n": 5, "mode": "exact", "metric": "mean"}),
     ],
     ids=lambda value: f"{value!r:.60}",
 )

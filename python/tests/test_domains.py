@@ -78,6 +78,22 @@ def test_a_relaxed_exact_set_is_the_commands(
     assert made.metric == "min" and made.relaxed is not None
 
 
+def test_an_exact_stipple_is_the_commands(
+    command: Command, ground_backend: str, tmp_path: Path, ramp: npt.NDArray[np.float64]
+) -> None:
+    np.save(tmp_path / "ramp.npy", ramp)
+    options = ["stipple", tmp_path / "ramp.npy", "--mode", "exact", "--count", 150, "--seed", 7]
+    for relax in (0, 2):
+        expected = command(*options, "--relax", relax)
+        made = lacuna.stipple(
+            ramp, 150, mode="exact", relax=relax, seed=7, backend=ground_backend
+        )
+        assert made.points.tobytes() == expected.tobytes()
+        assert made.mode == "exact" and made.metric == "min" and len(made.radii) == 150
+    report: Any = made.report()
+    assert report["scale"] == made.scale and report["request"]["metric"] == "min"
+
+
 def test_a_set_on_all_of_a_domain_is_the_commands(
     command: Command, ground_backend: str, tmp_path: Path
 ) -> None:

@@ -57,6 +57,7 @@ dots: lacuna.Stippling = lacuna.stipple(
     20,
     relax=1,
     metric="mean",
+    mode="cells",
     invert=False,
     black=0.1,
     white=0.9,

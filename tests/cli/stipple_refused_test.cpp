@@ -134,6 +134,10 @@ INSTANTIATE_TEST_SUITE_P(
     Importance, ABadOptionOfStipple,
     testing::Values(
         BadOption{"Metric", {"--count", "9", "--metric", "most"}, {"--metric most:", "min, mean"}},
+        BadOption{"Mode", {"--mode", "lines"}, {"--mode lines:", "must be cells or exact"}},
+        BadOption{"MetricOfExact",
+                  {"--count", "9", "--mode", "exact", "--metric", "mean"},
+                  {"--metric mean:", "is for mode cells"}},
         BadOption{"Black", {"--count", "9", "--black", "1"}, {"--black 1:", "under 1"}},
         BadOption{"White",
                   {"--count", "9", "--black", "0.5", "--white", "0.4"},
