@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "verify/bounds.h"
 #include "verify/emptiest.h"
 #include "verify/limit_search.h"
 
@@ -20,13 +21,17 @@ namespace lacuna::verify {
 namespace {
 
 constexpr int kTilesAlongBounds = 4;
+// Every so many-th tile is searched first: what it finds spares the others most of their work.
+constexpr std::size_t kScoutStepOfTiles = 4;
 // A cell with fewer disks near it is searched by one thread, and so is one after so many cuts.
 constexpr std::size_t kFewForThreads = 4096;
 constexpr int kCutsForThreads = 12;
 
 std::vector<Cell> tiles_within(const Cell& bounds) {
+    if (bounds.right < bounds.left || bounds.top < bounds.bottom) return {};
     const double width = bounds.right - bounds.left;
     const double height = bounds.top - bounds.bottom;
+    if (width == 0 && height == 0) return {bounds};
     const auto tiles_along = [&](double side) {
         return std::max(
             1, static_cast<int>(std::ceil(kTilesAlongBounds * (side / std::max(width, height)))));
@@ -87,6 +92,7 @@ std::vector<Disk> disks_near(const Limits& limits, const Cell& tile, const Under
         if (y.second != y.first) append(x.first, y.second, disk.radius);
         if (x.second != x.first && y.second != y.first) append(x.second, y.second, disk.radius);
     }
+    thin_out(tile, bounds, disks.size(), near, 0);
     return near;
 }
 
@@ -95,11 +101,11 @@ const BareSpot& barer(const BareSpot& a, const BareSpot& b) {
 }
 
 // No part sees what another finds, or the spot would depend on which thread comes first.
-BareSpot search_with_threads(const Limits& limits, const Cell& cell, const Under& under,
-                             std::vector<Disk> disks, int cuts) {
+BareSpot search_with_threads(const Limits& limits, const BareSpot& start, const Cell& cell,
+                             const Under& under, std::vector<Disk> disks, int cuts) {
     limits.patience.look();
     if (cuts == kCutsForThreads || disks.size() < kFewForThreads || under.is_closed())
-        return LimitSearch(limits).run(cell, under, std::move(disks));
+        return LimitSearch(limits, start).run(cell, under, std::move(disks));
     const Cut cut = limits.ground.cut(cell, under);
     const auto search = [&](const Cell& half) {
         const Under below = limits.ground.under(half, under);
@@ -109,12 +115,28 @@ BareSpot search_with_threads(const Limits& limits, const Cell& cell, const Under
         std::vector<Disk> near;
         for (const Disk& disk : disks)
             if (bounds.may_matter(disk, most_over + limits.rounding)) near.push_back(disk);
-        return search_with_threads(limits, half, below, std::move(near), cuts + 1);
+        thin_out(half, bounds, disks.size(), near, 0);
+        return search_with_threads(limits, start, half, below, std::move(near), cuts + 1);
     };
     BareSpot low, high;
     oneapi::tbb::parallel_invoke([&] { low = search(cut.low(cell)); },
                                  [&] { high = search(cut.high(cell)); });
     return barer(low, high);
+}
+
+BareSpot search_tiles(const Limits& limits, const BareSpot& start, std::span<const Cell> tiles,
+                      std::span<const Disk> disks) {
+    std::vector<BareSpot> found(tiles.size());
+    oneapi::tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
+        limits.patience.look();
+        const Under under = limits.ground.under(tiles[i], {});
+        if (under.is_closed()) return;
+        found[i] = search_with_threads(limits, start, tiles[i], under,
+                                       disks_near(limits, tiles[i], under, disks), 0);
+    });
+    BareSpot barest = start;
+    for (const BareSpot& spot : found) barest = barer(barest, spot);
+    return barest;
 }
 
 // As a user would compute it, without the roundings of images.
@@ -138,17 +160,13 @@ BareSpot emptiest_by_limit(const Ground& ground, std::span<const Disk> disks, do
     const Domain& domain = ground.domain();
     const Limits limits{ground, tolerance, kFinest * domain.longer_side(), domain.rounding(),
                         patience};
-    const std::vector<Cell> tiles = tiles_within(ground.bounds());
-    std::vector<BareSpot> found(tiles.size());
-    oneapi::tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
-        patience.look();
-        const Under under = ground.under(tiles[i], {});
-        if (under.is_closed()) return;
-        found[i] = search_with_threads(limits, tiles[i], under,
-                                       disks_near(limits, tiles[i], under, disks), 0);
-    });
-    BareSpot barest;
-    for (const BareSpot& spot : found) barest = barer(barest, spot);
+    std::vector<Cell> scouts;
+    std::vector<Cell> others;
+    for (const Cell& tile : tiles_within(ground.bounds()))
+        ((scouts.size() + others.size()) % kScoutStepOfTiles == 0 ? scouts : others)
+            .push_back(tile);
+    BareSpot barest = search_tiles(limits, {}, scouts, disks);
+    barest = search_tiles(limits, barest, others, disks);
     if (barest.over > -std::numeric_limits<double>::infinity()) measure(ground, disks, barest);
     return barest;
 }

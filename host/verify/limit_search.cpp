@@ -2,22 +2,17 @@
 #include "verify/limit_search.h"
 
 #include <algorithm>
-#include <array>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
 
-#include "verify/corners.h"
+#include "verify/bounds.h"
 #include "verify/emptiest.h"
 
 namespace lacuna::verify {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// More disks than this, hardly fewer than those of the cell that was cut, are a crowd.
-constexpr std::size_t kCrowdOfLimits = 64;
-
 // The part that is farther from the disk that covers the centre best comes first: else a slope
 // would be climbed in the smallest steps, each of them a new record.
 std::pair<Cell, Cell> parts_of(const Cell& cell, const Cut& cut, const Frame& frame, Point best) {
@@ -61,8 +56,7 @@ void LimitSearch::visit(const Cell& cell, const Under& outer, std::size_t begin)
         const Disk disk = stack_[i];
         if (bounds.may_matter(disk, most_over + limits_.rounding)) stack_.push_back(disk);
     }
-    if (stack_.size() - end > kCrowdOfLimits && 8 * (stack_.size() - end) > 7 * (end - begin))
-        thin_out(cell, bounds, end);
+    thin_out(cell, bounds, end - begin, stack_, end);
     const std::size_t top = stack_.size();
     const auto [first, second] = parts_of(cell, limits_.ground.cut(cell, under), frame, best);
     visit(first, under, end);
@@ -90,38 +84,6 @@ std::size_t LimitSearch::look_from(Point centre, const Under& under, std::size_t
         barest_.over = least;
     }
     return best;
-}
-
-void LimitSearch::thin_out(const Cell& cell, const Bounds& bounds, std::size_t begin) {
-    const Corners corners(cell);
-    // Of each corner the nearest, and the one that covers it best.
-    std::array<std::size_t, 8> chosen{};
-    for (std::size_t k = 0; k < 4; ++k) {
-        double nearest = kInfinity;
-        double least_over = kInfinity;
-        for (std::size_t i = begin; i < stack_.size(); ++i) {
-            const double distance = std::sqrt(corners.to(stack_[i].at)[k]);
-            if (distance < std::exchange(nearest, std::min(nearest, distance))) chosen[k] = i;
-            const double over = distance - bounds.effective(stack_[i]);
-            if (over < std::exchange(least_over, std::min(least_over, over))) chosen[k + 4] = i;
-        }
-    }
-    std::array<Disk, 8> standing{};
-    for (std::size_t k = 0; k < 8; ++k) standing[k] = stack_[chosen[k]];
-    std::size_t top = begin;
-    for (std::size_t i = begin; i < stack_.size(); ++i) {
-        const Disk disk = stack_[i];
-        const Corners::Squares mine = corners.to(disk.at);
-        const auto stands_for_it = [&](const Disk& other) {
-            const Corners::Squares others = corners.to(other.at);
-            return bounds.effective(other) >= bounds.effective(disk) &&
-                   std::equal(others.begin(), others.end(), mine.begin(), std::less_equal<>());
-        };
-        const bool is_standing = std::find(chosen.begin(), chosen.end(), i) != chosen.end();
-        if (is_standing || std::none_of(standing.begin(), standing.end(), stands_for_it))
-            stack_[top++] = disk;
-    }
-    stack_.resize(top);
 }
 
 double LimitSearch::settled_from() const {

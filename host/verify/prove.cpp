@@ -1,15 +1,29 @@
 // The public door to the proofs.
 #include <lacuna/verify.h>
 
-#include "verify/field_proof.h"
+#include "verify/ground_proof.h"
 #include "verify/verify.h"
 
 namespace lacuna {
+namespace {
+
+// The proof for one radius everywhere is faster.
+bool is_on_ground(const Claim& claim) {
+    return claim.field != nullptr || claim.mask != nullptr || !claim.inside.empty() ||
+           claim.border != 0;
+}
+
+}  // namespace
 
 Proof prove(std::span<const Point> points, const Claim& claim,
             const std::function<bool()>& keep_going) {
     const verify::Patience patience(keep_going);
-    if (claim.field != nullptr) return verify::prove_field(points, claim, patience);
+    if (const auto moved = verify::first_moved(points, claim.keep)) {
+        Proof proof;
+        proof.moved = moved;
+        return proof;
+    }
+    if (is_on_ground(claim)) return verify::prove_on_ground(points, claim, patience);
     const bool torus = claim.boundary == Boundary::torus;
     const double tolerance =
         claim.tolerance.value_or(verify::default_tolerance(claim.width, claim.height));

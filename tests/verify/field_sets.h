@@ -1,7 +1,8 @@
-// Fields of every hostile kind, maximal sets that follow them, and slow ways to look at both.
+// Fields of every hostile kind, where samples may lie on them, and slow ways to look at both.
 #pragma once
 
 #include <gtest/gtest.h>
+#include <lacuna/domains.h>
 #include <lacuna/lacuna.h>
 #include <lacuna/verify.h>
 
@@ -27,6 +28,10 @@ struct FieldCase {
     Field field;
     double scale = 1;
     Domain domain{1, 1, false};
+    std::optional<Mask> mask{};
+    std::vector<Ring> rings{};
+    double edge = 0;
+    double border = 0;
 
     Claim claim() const {
         Claim claim;
@@ -35,6 +40,10 @@ struct FieldCase {
         claim.boundary = domain.torus ? Boundary::torus : Boundary::box;
         claim.field = &field;
         claim.scale = scale;
+        if (mask) claim.mask = &*mask;
+        claim.inside = rings;
+        claim.edge_tolerance = edge;
+        claim.border = border;
         return claim;
     }
     double tolerance() const { return domain.longer_side() * 0x1p-27; }
@@ -42,16 +51,48 @@ struct FieldCase {
     // Nothing where there is no importance. Of a place on a border, the radius of the pixel right
     // of it or above it.
     std::optional<double> radius_at(Point at) const {
+        const double importance = field.importance[pixel_of(at, field.columns, field.rows)];
+        if (importance == 0) return std::nullopt;
+        return scale / std::sqrt(importance);
+    }
+
+    std::size_t pixel_of(Point at, std::uint32_t columns, std::uint32_t rows) const {
         const auto index = [](double share, std::uint32_t count) {
             const auto pixel = static_cast<std::int64_t>(std::floor(share * count));
             return static_cast<std::size_t>(
                 std::clamp<std::int64_t>(pixel, 0, std::int64_t{count} - 1));
         };
-        const std::size_t column = index(at.x / domain.width, field.columns);
-        const std::size_t row = field.rows - 1 - index(at.y / domain.height, field.rows);
-        const double importance = field.importance[row * field.columns + column];
-        if (importance == 0) return std::nullopt;
-        return scale / std::sqrt(importance);
+        const std::size_t row = rows - 1 - index(at.y / domain.height, rows);
+        return row * columns + index(at.x / domain.width, columns);
+    }
+
+    // Whether a spot must be covered, as far as mask, polygons and border tell.
+    bool is_open(Point at) const {
+        const double to_edges =
+            std::min(std::min(at.x, domain.width - at.x), std::min(at.y, domain.height - at.y));
+        return to_edges >= border &&
+               (!mask || mask->allowed[pixel_of(at, mask->columns, mask->rows)] != 0) &&
+               (rings.empty() || depth_of(at) > edge);
+    }
+
+    // How far inside of the rings a place is, by a look at all edges.
+    double depth_of(Point at) const {
+        double least = std::numeric_limits<double>::infinity();
+        bool inside = false;
+        for (const Ring& ring : rings)
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Point a = ring[i];
+                const Point b = ring[(i + 1) % ring.size()];
+                const double dx = b.x - a.x, dy = b.y - a.y;
+                const double along = ((at.x - a.x) * dx + (at.y - a.y) * dy) / (dx * dx + dy * dy);
+                const double share = std::isnan(along) ? 0 : std::clamp(along, 0.0, 1.0);
+                least =
+                    std::min(least, std::hypot(at.x - a.x - share * dx, at.y - a.y - share * dy));
+                if ((a.y > at.y) != (b.y > at.y) &&
+                    at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x))
+                    inside = !inside;
+            }
+        return inside ? least : -least;
     }
 
     // Of the pixels that a sample may be said to lie on, as borders may be off by 2^-28 of the
@@ -73,7 +114,7 @@ struct FieldCase {
     // How far the spot is over its limit, by a look at all points; nothing where none may lie.
     std::optional<double> over(std::span<const Point> points, Point spot) const {
         const std::optional<double> radius = radius_at(spot);
-        if (!radius) return std::nullopt;
+        if (!radius || !is_open(spot)) return std::nullopt;
         double least = std::numeric_limits<double>::infinity();
         for (const Point& point : points)
             least = std::min(least, domain.distance(spot, point) -
@@ -91,7 +132,7 @@ struct FieldCase {
                 const Point spot{domain.width * (i + 0.4987) / steps,
                                  domain.height * (j + 0.5013) / steps};
                 const auto radius = radius_at(spot);
-                if (!radius) continue;
+                if (!radius || !is_open(spot)) continue;
                 double least = std::numeric_limits<double>::infinity();
                 for (std::size_t k = 0; k < points.size(); ++k)
                     least = std::min(
@@ -176,6 +217,51 @@ inline FieldCase hostile_case(std::uint64_t seed) {
             made.scale = longer * any_in(random, 0.5, 3);
             break;
     }
+    return made;
+}
+
+// A crooked island with a lake, and a sliver across both.
+inline std::vector<Ring> any_rings(std::mt19937_64& random, const Domain& domain) {
+    const Point middle{domain.width * any_in(random, 0.3, 0.7),
+                       domain.height * any_in(random, 0.3, 0.7)};
+    const auto star = [&](double least, double most) {
+        Ring ring;
+        for (int i = 0; i < 12; ++i) {
+            const double reach = any_in(random, least, most);
+            ring.push_back({middle.x + domain.width * reach * std::cos(i * 0.5236),
+                            middle.y + domain.height * reach * std::sin(i * 0.5236)});
+        }
+        return ring;
+    };
+    std::vector<Ring> rings{star(0.25, 0.7)};
+    if (random() % 2 == 0) rings.push_back(star(0.02, 0.2));
+    if (random() % 2 == 0)
+        rings.push_back({{0, middle.y},
+                         {domain.width, middle.y * (1 + 1e-7)},
+                         {domain.width, middle.y * (1 - 1e-7)}});
+    return rings;
+}
+
+// A hostile field, and places where no sample may lie: by a mask, polygons or a border.
+inline FieldCase closed_case(std::uint64_t seed) {
+    FieldCase made = hostile_case(seed);
+    std::mt19937_64 random(seed + 2);
+    const std::uint64_t kind = random() % 4;
+    made.name += kind == 0 ? ", polygons" : kind == 1 ? ", a border" : ", a mask";
+    if (kind == 0) {
+        made.rings = any_rings(random, made.domain);
+        made.edge = made.scale / 16;
+    }
+    if (kind == 1) {
+        made.domain.torus = false;
+        made.border = made.domain.width * any_in(random, 0, 0.2);
+    }
+    if (kind < 2) return made;
+    const auto side = [&] { return static_cast<std::uint32_t>(1 + random() % 40); };
+    made.mask = Mask{side(), side(), {}};
+    made.mask->allowed.resize(std::size_t{made.mask->columns} * made.mask->rows);
+    for (std::uint8_t& allowed : made.mask->allowed) allowed = random() % kind != 0 ? 1 : 0;
+    made.mask->allowed[random() % made.mask->allowed.size()] = 255;
     return made;
 }
 

@@ -53,51 +53,69 @@ LimitedPair closest_of_all(const Domain& domain, std::span<const Disk> disks) {
     return closest;
 }
 
+// A point that is nearer to another than it may be.
+Point too_near(const FieldCase& made, std::span<const Point> points, std::mt19937_64& random) {
+    for (;;) {
+        const Point at = any_place(random, made.domain);
+        const auto over = made.over(points, at);
+        if (over && *over < 0) return at;
+    }
+}
+
+void expect_refuted_with_a_point_less(const FieldCase& made, std::vector<Point> points,
+                                      std::size_t index) {
+    const Point gone = points[index];
+    points.erase(points.begin() + static_cast<std::ptrdiff_t>(index));
+    const Proof bare = prove(points, made.claim());
+    EXPECT_TRUE(bare.kept);
+    EXPECT_FALSE(bare.covered);
+    EXPECT_TRUE(made.is_open(bare.emptiest));
+    if (points.empty()) return;
+    const double found = bare.emptiest_distance - bare.emptiest_limit;
+    EXPECT_GT(found, made.tolerance());
+    EXPECT_LE(made.most_over_of_raster(points, 60), found * (1 + 1e-6) + made.tolerance());
+    const auto spot_radius = made.most_radius_near(bare.emptiest);
+    const auto gone_radius = made.most_radius_near(gone);
+    ASSERT_TRUE(spot_radius && gone_radius);
+    EXPECT_LT(made.domain.distance(bare.emptiest, gone), std::min(*spot_radius, *gone_radius));
+}
+
+void check_filled(const FieldCase& made, std::uint64_t seed, std::size_t& all_points) {
+    std::mt19937_64 random(seed + 1);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + made.name);
+    std::vector<Point> points = filled(made, random);
+    all_points += points.size();
+    const Proof proof = prove(points, made.claim());
+    EXPECT_TRUE(proof.kept && proof.covered && proof.maximal);
+    EXPECT_LE(made.most_over_of_raster(points, 60), made.tolerance());
+    if (points.empty()) return;
+
+    std::vector<Point> crowded = points;
+    crowded.push_back(too_near(made, points, random));
+    const Proof refuted = prove(crowded, made.claim());
+    EXPECT_FALSE(refuted.kept);
+    EXPECT_EQ(refuted.second, points.size());
+    EXPECT_LT(refuted.least_distance, refuted.least_limit);
+
+    expect_refuted_with_a_point_less(made, points, random() % points.size());
+}
+
 TEST(ASetFilledAlongAField, IsMaximalAndRefutedWithAPointLessOrTooMany) {
     std::printf("seeds %lu to %lu\n", kFirstSeed, kFirstSeed + kCases - 1);
-    std::size_t all_points = 0;
-    for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + kCases; ++seed) {
-        const FieldCase made = hostile_case(seed);
-        std::mt19937_64 random(seed + 1);
-        SCOPED_TRACE("seed " + std::to_string(seed) + ": " + made.name);
-        std::vector<Point> points = filled(made, random);
-        all_points += points.size();
-        const Proof proof = prove(points, made.claim());
-        EXPECT_TRUE(proof.kept && proof.covered && proof.maximal);
-        EXPECT_LE(made.most_over_of_raster(points, 80), made.tolerance());
-        if (points.empty()) continue;
+    std::size_t points = 0;
+    for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + kCases; ++seed)
+        check_filled(hostile_case(seed), seed, points);
+    std::printf("%lu sets, %zu points\n", kCases, points);
+    EXPECT_GT(points, 5 * kCases);
+}
 
-        // A point too many.
-        std::optional<double> over;
-        Point another{};
-        while (!over || *over >= 0) {
-            another = any_place(random, made.domain);
-            over = made.over(points, another);
-        }
-        points.push_back(another);
-        const Proof crowded = prove(points, made.claim());
-        EXPECT_FALSE(crowded.kept);
-        EXPECT_EQ(crowded.second, points.size() - 1);
-        EXPECT_LT(crowded.least_distance, crowded.least_limit);
-        points.pop_back();
-
-        // A point less.
-        const std::size_t index = random() % points.size();
-        const Point gone = points[index];
-        points.erase(points.begin() + static_cast<std::ptrdiff_t>(index));
-        const Proof bare = prove(points, made.claim());
-        EXPECT_TRUE(bare.kept);
-        EXPECT_FALSE(bare.covered);
-        const double found = bare.emptiest_distance - bare.emptiest_limit;
-        if (points.empty()) continue;
-        EXPECT_GT(found, made.tolerance());
-        EXPECT_LE(made.most_over_of_raster(points, 80), found * (1 + 1e-6) + made.tolerance());
-        const auto spot_radius = made.most_radius_near(bare.emptiest);
-        const auto gone_radius = made.most_radius_near(gone);
-        ASSERT_TRUE(spot_radius && gone_radius);
-        EXPECT_LT(made.domain.distance(bare.emptiest, gone), std::min(*spot_radius, *gone_radius));
-    }
-    std::printf("%lu sets, %zu points\n", kCases, all_points);
+TEST(ASetFilledWhereSamplesMayLie, IsMaximalAndRefutedWithAPointLessOrTooMany) {
+    std::printf("seeds %lu to %lu\n", kFirstSeed, kFirstSeed + kCases - 1);
+    std::size_t points = 0;
+    for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + kCases; ++seed)
+        check_filled(closed_case(seed), seed, points);
+    std::printf("%lu sets, %zu points\n", kCases, points);
+    EXPECT_GT(points, 3 * kCases);
 }
 
 TEST(AFewPointsOnAFieldOfAMillionPixels, LeaveABarestSpotThatIsFoundWithoutAnEnd) {
@@ -137,6 +155,20 @@ RC_GTEST_PROP(TheClosestPairByLimit, IsThatOfAllPairs, ()) {
     RC_ASSERT(found.ratio == expected.ratio);
     RC_ASSERT(found.first == expected.first);
     RC_ASSERT(found.second == expected.second);
+}
+
+// Would take hours if all pairs, or all points for every cell, were looked at.
+TEST(ACrowdOfManyRadii, IsSeenThroughQuickly) {
+    std::mt19937_64 random(3);
+    for (const double size : {1e-9, 0.01}) {
+        FieldCase made{"noise", noise(random, 64, 64, 1e6), 1e-6, {1, 1, true}};
+        std::vector<Point> points(20000);
+        for (Point& point : points)
+            point = {0.5 + any_in(random, -size, size), 0.5 + any_in(random, -size, size)};
+        const Proof proof = prove(points, made.claim());
+        EXPECT_FALSE(proof.kept || proof.covered);
+        EXPECT_GT(proof.emptiest_distance, 0.69);
+    }
 }
 
 }  // namespace

@@ -9,9 +9,19 @@
 //   - With a field each place has its pixel's radius, scale / sqrt(importance), and two places are
 //     to be the smaller of theirs apart: that is the pair's limit, and it is how near a spot must
 //     have a point. Where the importance is 0 no point may lie, and no spot need be covered.
+//   - Where a mask is 0, outside of polygons and nearer to the domain's edges than the border no
+//     point may lie either, and no spot need be covered. The edges of polygons may be off by
+//     Claim::edge_tolerance: points may lie so far outside, and spots no farther inside need not be
+//     covered. A line that two rings share is an edge of both.
+//   - A mask, polygons and a border say where points may lie, as in Request; a spot where none may
+//     need not be covered. The edges of polygons may be off by what the claim tells: a point may
+//     lie so far outside, and a spot that is no farther inside than that, and 4e-12 of the longer
+//     side, need not be covered.
 //   - Samplers round the borders of pixels to the lines of a grid. So a point within 2^-28 of the
 //     longer side of a border may be on either pixel: the smaller radius holds for distances, the
-//     larger for what it covers.
+//     larger for what it covers, and it may lie there if it may on either. By as much it may lie
+//     beyond a border or the edges of polygons.
+//   - Points to keep are the first of the set, in their order, and equal to the last bit.
 //   - The work grows nearly linearly with the points, however they are crowded.
 #pragma once
 
@@ -21,6 +31,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace lacuna {
 
@@ -32,7 +43,8 @@ struct Claim {
     Boundary boundary = Boundary::box;
 
     // How far over the radius a gap may be; unset: 2^-28 of the longer side, more than sample() may
-    // lose by rounding the radius up; twice that with a field, whose borders are rounded too.
+    // lose by rounding the radius up; twice that with a field, mask, polygons or border, whose
+    // edges are rounded too.
     std::optional<double> tolerance;
     bool distances_only = false;  // gaps are not looked for, which takes most of the time
 
@@ -40,6 +52,17 @@ struct Claim {
     // where its importance is 1. It must outlive the call.
     const Field* field = nullptr;
     double scale = 0;  // > 0
+
+    // Where points may lie, as in Request: pixels that are not 0; inside of polygons, by the
+    // even-odd rule, where there are any; and so far from a box's edges. They must outlive the
+    // call.
+    const Mask* mask = nullptr;
+    std::span<const std::vector<Point>> inside{};
+    double edge_tolerance = 0;  // how far the polygons' edges may be off
+    double border = 0;
+
+    // What the points begin with, to the bit. It must outlive the call.
+    std::span<const Point> keep{};
 };
 
 // What was found. Points are numbered from 0, in the order given.
@@ -47,8 +70,14 @@ struct Proof {
     // The first point outside the domain: a box has its far edges, a torus has not. If there is
     // one, nothing else was looked at.
     std::optional<std::size_t> outside;
-    // The first point that lies where no point may. If there is one, nothing else was looked at.
+    // The first point of Claim::keep that is not in its place. If there is one, nothing else was
+    // looked at.
+    std::optional<std::size_t> moved;
+    // The first point that lies where no point may, and what says so. If there is one, nothing else
+    // was looked at.
+    enum class Closed { importance, mask, polygons, border };
     std::optional<std::size_t> forbidden;
+    Closed forbidden_by = Closed::importance;
 
     // The closest two points, where there are two: with a field the two of the least distance for
     // their limit.
@@ -71,8 +100,8 @@ struct Proof {
 };
 
 // `keep_going`, if there is one, is asked often, by every thread that works; false ends the work.
-// Throws BadRequest for a domain, radius, tolerance, field or scale that makes no sense,
-// Unavailable where the system makes no threads, and Cancelled.
+// Throws BadRequest for a domain, radius, tolerance, field, scale, mask, polygons or border that
+// makes no sense, Unavailable where the system makes no threads, and Cancelled.
 Proof prove(std::span<const Point> points, const Claim& claim,
             const std::function<bool()>& keep_going = {});
 

@@ -1,6 +1,6 @@
-// Refuses fields that make no sense, gives each sample its radius, and asks for the worst pair and
+// Refuses claims that make no sense, gives each sample its radius, and asks for the worst pair and
 // the barest spot.
-#include "verify/field_proof.h"
+#include "verify/ground_proof.h"
 
 #include <oneapi/tbb/parallel_invoke.h>
 
@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "threads.h"
@@ -34,15 +35,61 @@ void check_field(const Field& field) {
                              "importance must be a finite number of at least 0");
 }
 
-void check_scale(double scale) {
-    if (!std::isfinite(scale) || scale <= 0)
-        throw BadRequest("scale", text(scale), "must be a finite number greater than 0");
+void check_mask(const Mask& mask) {
+    const std::string size = std::to_string(mask.columns) + "x" + std::to_string(mask.rows);
+    if (mask.columns == 0 || mask.rows == 0) throw BadRequest("mask", size, "must have a pixel");
+    if (mask.allowed.size() != std::size_t{mask.columns} * mask.rows)
+        throw BadRequest(
+            "mask", size,
+            "must have columns * rows values, not " + std::to_string(mask.allowed.size()));
 }
 
-void check_least_radius(const Ground& ground, double scale) {
+void check_polygons(const Claim& claim) {
+    for (const std::vector<Point>& ring : claim.inside) {
+        if (ring.size() < 3)
+            throw BadRequest("inside", "a ring of " + std::to_string(ring.size()) + " points",
+                             "must have at least 3");
+        for (const Point& point : ring)
+            if (!std::isfinite(point.x) || !std::isfinite(point.y))
+                throw BadRequest("inside", "(" + text(point.x) + ", " + text(point.y) + ")",
+                                 "must be finite numbers");
+    }
+    if (!std::isfinite(claim.edge_tolerance) || claim.edge_tolerance < 0)
+        throw BadRequest("edge", text(claim.edge_tolerance),
+                         "must be a finite number of at least 0");
+}
+
+void check_border(const Claim& claim) {
+    if (!std::isfinite(claim.border) || claim.border < 0)
+        throw BadRequest("border", text(claim.border), "must be a finite number of at least 0");
+    if (claim.border > 0 && claim.boundary == Boundary::torus)
+        throw BadRequest("border", text(claim.border), "is not for a torus, which has no edges");
+}
+
+void check_positive(const char* option, double value) {
+    if (!std::isfinite(value) || value <= 0)
+        throw BadRequest(option, text(value), "must be a finite number greater than 0");
+}
+
+void check_claim(const Claim& claim, double tolerance) {
+    check_domain(claim.width, claim.height);
+    check_tolerance(tolerance);
+    if (claim.field != nullptr) {
+        check_field(*claim.field);
+        check_positive("scale", claim.scale);
+    } else {
+        check_positive("radius", claim.radius);
+    }
+    if (claim.mask != nullptr) check_mask(*claim.mask);
+    check_polygons(claim);
+    check_border(claim);
+}
+
+void check_least_radius(const Ground& ground, const Claim& claim) {
     const double smallest = ground.domain().longer_side() * kSmallestRadius;
     if (ground.least_radius() < smallest)
-        throw BadRequest("scale", text(scale),
+        throw BadRequest(claim.field != nullptr ? "scale" : "radius",
+                         text(claim.field != nullptr ? claim.scale : claim.radius),
                          "gives a least radius of " + text(ground.least_radius()) +
                              ", but it must be at least " + text(smallest) +
                              ", the longer side / 2^32, or doubles run out of digits");
@@ -66,13 +113,15 @@ Samples samples_of(std::span<const Point> points, const Ground& ground, Proof& p
     samples.least.reserve(points.size());
     samples.most.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto radii = ground.radii_of_sample(points[i]);
-        if (!radii) {
+        const auto found = ground.radii_of_sample(points[i]);
+        if (const auto* closed = std::get_if<Proof::Closed>(&found)) {
             proof.forbidden = i;
+            proof.forbidden_by = *closed;
             return samples;
         }
-        samples.least.push_back({points[i], radii->least});
-        samples.most.push_back({points[i], radii->most});
+        const SampleRadii radii = std::get<SampleRadii>(found);
+        samples.least.push_back({points[i], radii.least});
+        samples.most.push_back({points[i], radii.most});
     }
     return samples;
 }
@@ -98,20 +147,26 @@ void look_for_gaps(const Ground& ground, std::span<const Disk> samples, double t
 
 }  // namespace
 
-double default_field_tolerance(double width, double height) {
+std::optional<std::size_t> first_moved(std::span<const Point> points, std::span<const Point> kept) {
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        if (i >= points.size() || points[i] != kept[i]) return i;
+    return std::nullopt;
+}
+
+double default_ground_tolerance(double width, double height) {
     return 2 * default_tolerance(width, height);
 }
 
-Proof prove_field(std::span<const Point> points, const Claim& claim, const Patience& patience) {
-    check_domain(claim.width, claim.height);
+Proof prove_on_ground(std::span<const Point> points, const Claim& claim, const Patience& patience) {
     const double tolerance =
-        claim.tolerance.value_or(default_field_tolerance(claim.width, claim.height));
-    check_tolerance(tolerance);
-    check_field(*claim.field);
-    check_scale(claim.scale);
+        claim.tolerance.value_or(default_ground_tolerance(claim.width, claim.height));
+    check_claim(claim, tolerance);
     const Domain domain{claim.width, claim.height, claim.boundary == Boundary::torus};
-    const Ground ground(domain, *claim.field, claim.scale);
-    check_least_radius(ground, claim.scale);
+    const Field one_pixel{1, 1, {1}};
+    const Ground ground(domain, {claim.field != nullptr ? claim.field : &one_pixel,
+                                 claim.field != nullptr ? claim.scale : claim.radius, claim.mask,
+                                 claim.inside, claim.edge_tolerance, claim.border});
+    check_least_radius(ground, claim);
 
     Proof proof;
     const Samples samples = samples_of(points, ground, proof);

@@ -1,0 +1,153 @@
+// Given masks, polygons, borders and points that were there, the proof finds what geometry says.
+#include <gtest/gtest.h>
+#include <lacuna/domains.h>
+#include <lacuna/verify.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace lacuna;
+
+Claim unit_claim(double radius) {
+    Claim claim;
+    claim.radius = radius;
+    return claim;
+}
+
+Ring square(double low, double high) {
+    return {{low, low}, {high, low}, {high, high}, {low, high}};
+}
+
+TEST(AMask, HasNoPointWhereItIsZeroAndNeedsNoneThere) {
+    const Mask right_is_closed{2, 1, {7, 0}};
+    Claim claim = unit_claim(0.56);
+    claim.mask = &right_is_closed;
+    EXPECT_TRUE(prove(std::vector<Point>{{0.25, 0.5}}, claim).maximal);
+    const Proof proof = prove(std::vector<Point>{{0.25, 0.5}, {0.75, 0.5}}, claim);
+    EXPECT_EQ(proof.forbidden, 1U);
+    EXPECT_EQ(proof.forbidden_by, Proof::Closed::mask);
+    // On the border it may be on either pixel.
+    EXPECT_FALSE(prove(std::vector<Point>{{0.5 + 0x1p-29, 0.5}}, claim).forbidden);
+    claim.radius = 0.55;
+    const Proof bare = prove(std::vector<Point>{{0.25, 0.5}}, claim);
+    EXPECT_FALSE(bare.covered);
+    EXPECT_NEAR(bare.emptiest_distance, std::hypot(0.25, 0.5), 1e-7);
+    EXPECT_EQ(bare.emptiest_limit, 0.55);
+}
+
+TEST(AMasksRows, LieFromTheTopDown) {
+    const Mask top_is_open{1, 2, {1, 0}};
+    Claim claim = unit_claim(2);
+    claim.mask = &top_is_open;
+    EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.9}}, claim).maximal);
+    EXPECT_EQ(prove(std::vector<Point>{{0.5, 0.1}}, claim).forbidden, 0U);
+}
+
+TEST(Polygons, MayBeOffByTheirEdgesTolerance) {
+    const std::vector<Ring> rings{square(0.25, 0.75)};
+    Claim claim = unit_claim(0.36);  // from the middle to a corner of the square is 0.354
+    claim.inside = rings;
+    EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
+    EXPECT_FALSE(prove(std::vector<Point>{}, claim).covered);
+    const Proof outside = prove(std::vector<Point>{{0.76, 0.5}}, claim);
+    EXPECT_EQ(outside.forbidden, 0U);
+    EXPECT_EQ(outside.forbidden_by, Proof::Closed::polygons);
+    claim.edge_tolerance = 0.011;
+    EXPECT_FALSE(prove(std::vector<Point>{{0.76, 0.5}}, claim).forbidden);
+    // Spots that are no farther inside than that need not be covered.
+    claim.radius = 0.34;
+    EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
+    claim.edge_tolerance = 0.009;
+    const Proof bare = prove(std::vector<Point>{{0.5, 0.5}}, claim);
+    EXPECT_FALSE(bare.covered);
+    EXPECT_NEAR(bare.emptiest_distance, std::sqrt(2) * 0.241, 1e-6);
+}
+
+TEST(APolygonInAPolygon, IsAHole) {
+    const std::vector<Ring> rings{square(0, 1), square(0.25, 0.75)};
+    Claim claim = unit_claim(1.5);
+    claim.inside = rings;
+    EXPECT_EQ(prove(std::vector<Point>{{0.5, 0.5}}, claim).forbidden, 0U);
+    EXPECT_TRUE(prove(std::vector<Point>{{0.1, 0.1}}, claim).maximal);
+    // Rings that coincide enclose nothing.
+    const std::vector<Ring> twice{square(0.25, 0.75), square(0.25, 0.75)};
+    claim.inside = twice;
+    EXPECT_TRUE(prove(std::vector<Point>{}, claim).maximal);
+    EXPECT_EQ(prove(std::vector<Point>{{0.5, 0.5}}, claim).forbidden, 0U);
+}
+
+TEST(ABorder, HasNoPointAndNeedsNone) {
+    Claim claim = unit_claim(0.425);
+    claim.border = 0.2;
+    EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
+    const Proof proof = prove(std::vector<Point>{{0.5, 0.19}}, claim);
+    EXPECT_EQ(proof.forbidden, 0U);
+    EXPECT_EQ(proof.forbidden_by, Proof::Closed::border);
+    claim.radius = 0.424;
+    const Proof bare = prove(std::vector<Point>{{0.5, 0.5}}, claim);
+    EXPECT_FALSE(bare.covered);
+    EXPECT_NEAR(bare.emptiest_distance, std::hypot(0.3, 0.3), 1e-7);
+    EXPECT_NEAR(std::abs(bare.emptiest.x - 0.5), 0.3, 1e-7);
+    claim.border = 0.5;
+    EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
+    claim.border = 0.6;
+    EXPECT_TRUE(prove(std::vector<Point>{}, claim).covered);
+}
+
+TEST(PointsToKeep, MustComeFirstUnmoved) {
+    const std::vector<Point> kept{{0.1, 0.1}, {0.9, 0.9}};
+    Claim claim = unit_claim(0.95);
+    claim.keep = kept;
+    EXPECT_TRUE(prove(std::vector<Point>{{0.1, 0.1}, {0.9, 0.9}}, claim).maximal);
+    EXPECT_EQ(prove(std::vector<Point>{{0.1, 0.1}}, claim).moved, 1U);
+    EXPECT_EQ(prove(std::vector<Point>{{0.9, 0.9}, {0.1, 0.1}}, claim).moved, 0U);
+    const Proof proof = prove(std::vector<Point>{{0.1, 0.1}, {0.9, std::nextafter(0.9, 1)}}, claim);
+    EXPECT_EQ(proof.moved, 1U);
+    EXPECT_FALSE(proof.kept || proof.covered || proof.maximal);
+}
+
+TEST(AClaim, OfPlacesThatMakeNoSenseIsABadRequestThatNamesTheOption) {
+    const auto option_refused = [](auto change) {
+        Claim claim = unit_claim(0.1);
+        change(claim);
+        try {
+            prove(std::vector<Point>{}, claim);
+        } catch (const BadRequest& error) {
+            return error.option();
+        }
+        return std::string();
+    };
+    const Mask empty{};
+    const Mask short_of_one{2, 1, {1}};
+    const std::vector<Ring> line{Ring{{0, 0}, {1, 1}}};
+    const std::vector<Ring> broken{Ring{{0, 0}, {1, 1}, {0, std::nan("")}}};
+    const std::vector<Ring> whole{square(0, 1)};
+    EXPECT_EQ(option_refused([&](Claim& claim) { claim.mask = &empty; }), "mask");
+    EXPECT_EQ(option_refused([&](Claim& claim) { claim.mask = &short_of_one; }), "mask");
+    EXPECT_EQ(option_refused([&](Claim& claim) { claim.inside = line; }), "inside");
+    EXPECT_EQ(option_refused([&](Claim& claim) { claim.inside = broken; }), "inside");
+    for (const double bad : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+        EXPECT_EQ(option_refused([&](Claim& claim) { claim.border = bad; }), "border");
+        EXPECT_EQ(option_refused([&](Claim& claim) {
+                      claim.inside = whole;
+                      claim.edge_tolerance = bad;
+                  }),
+                  "edge");
+    }
+    EXPECT_EQ(option_refused([](Claim& claim) {
+                  claim.border = 0.1;
+                  claim.boundary = Boundary::torus;
+              }),
+              "border");
+    EXPECT_EQ(option_refused([](Claim& claim) {
+                  claim.border = 0.1;
+                  claim.radius = 1e-12;
+              }),
+              "radius");
+}
+
+}  // namespace
