@@ -5,6 +5,7 @@
 #include <bit>
 #include <utility>
 
+#include "rounds/insertion_sort.h"
 #include "rounds/random.h"
 
 namespace lacuna {
@@ -37,17 +38,6 @@ std::size_t highest(const Draw& draw, unsigned count, unsigned skipped = 0) {
 void sum_before(std::vector<std::uint32_t>& counts) {
     std::uint32_t sum = 0;
     for (std::uint32_t& count : counts) sum += std::exchange(count, sum);
-}
-
-// Fast when almost sorted.
-template <typename Before>
-void insertion_sort(std::span<Draw> draws, Before comes_before) {
-    for (std::size_t i = 1; i < draws.size(); ++i) {
-        const Draw moved = draws[i];
-        std::size_t to = i;
-        for (; to > 0 && comes_before(moved, draws[to - 1]); --to) draws[to] = draws[to - 1];
-        draws[to] = moved;
-    }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "plan/plan.h"
+#include "refusal.h"
 
 namespace {
 
@@ -21,12 +22,7 @@ Request of_radius(double radius) {
 }
 
 std::string refusal_of(const Request& request) {
-    try {
-        check_where(request);
-    } catch (const BadRequest& error) {
-        return error.what();
-    }
-    return "";
+    return tests::refusal_of([&] { check_where(request); });
 }
 
 TEST(AMask, NeedsAValueForEachPixel) {

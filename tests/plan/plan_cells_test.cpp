@@ -11,6 +11,7 @@
 
 #include "fields.h"
 #include "plan/cells_request.h"
+#include "refusal.h"
 
 namespace {
 
@@ -18,12 +19,7 @@ using namespace lacuna;
 using tests::cells_request;
 
 std::string refusal(const Request& request) {
-    try {
-        sample(request);
-    } catch (const BadRequest& error) {
-        return error.what();
-    }
-    return "accepted";
+    return tests::refusal_of([&] { sample(request); });
 }
 
 TEST(CellsPlan, NeedsAField) {

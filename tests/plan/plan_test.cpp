@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "refusal.h"
+
 namespace {
 
 using namespace lacuna;
@@ -94,12 +96,7 @@ RC_GTEST_PROP(Plan, RoundsDistancesInTheUsersFavour, ()) {
 }
 
 std::string refusal(const Request& request) {
-    try {
-        make_plan(request);
-    } catch (const BadRequest& error) {
-        return error.what();
-    }
-    return "accepted";
+    return tests::refusal_of([&] { make_plan(request); });
 }
 
 TEST(Plan, RefusesARadiusThatIsNoLength) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "backends/ground_requests.h"
+#include "refusal.h"
 
 namespace {
 
@@ -167,12 +168,7 @@ TEST(KeptPoints, CountForALimit) {
 }
 
 std::string refusal_of(const Request& request) {
-    try {
-        sample(request);
-    } catch (const BadRequest& refused) {
-        return refused.what();
-    }
-    return "";
+    return tests::refusal_of([&] { sample(request); });
 }
 
 TEST(ARequestOnAGround, IsRefusedInOneLineWhereItMakesNoSense) {

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <span>
 
 #include "backends/cpu/precedence.h"
 #include "portable/fate.h"
+#include "rounds/insertion_sort.h"
 
 namespace lacuna::cpu {
 namespace {
@@ -183,12 +185,7 @@ void Darts::sort_turns(Scratch& scratch) const {
     std::exclusive_scan(starts.begin(), starts.end(), starts.begin(), 0u);
     sorted.resize(count);
     for (const Turn turn : unsorted) sorted[starts[bucket_of(turn)]++] = turn;
-    for (std::size_t i = 1; i < count; ++i) {
-        const Turn moved = sorted[i];
-        std::size_t to = i;
-        for (; to > 0 && moved.number < sorted[to - 1].number; --to) sorted[to] = sorted[to - 1];
-        sorted[to] = moved;
-    }
+    insertion_sort(std::span(sorted), [](Turn a, Turn b) { return a.number < b.number; });
     thrown.clear();
     for (const Turn turn : sorted) thrown.push_back(turn.candidate);
 }
