@@ -7,7 +7,8 @@
 
 ``sample`` makes maximal Poisson-disk sets, ``stipple`` turns pictures into dots, ``relax`` makes
 any set more even, ``verify`` proves or refutes one and ``analyze`` measures it; ``read_polygons``
-and ``draw_mask`` make masks of outlines; ``devices`` lists what there is to run on. ``lacuna.qmc`` has an engine in the manner of scipy.stats.qmc.
+and ``draw_mask`` make masks of outlines; ``devices`` lists what there is to run on.
+``lacuna.qmc`` has an engine in the manner of scipy.stats.qmc.
 """
 
 from . import _core

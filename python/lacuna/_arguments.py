@@ -20,8 +20,9 @@ if TYPE_CHECKING:
 
     Seed = int | np.integer[Any] | np.random.Generator | None
 
-_MOST_PIXELS = 2**28
-_MOST_PIXELS_OF_SIDE = 2**20
+# Exponents of 2, of all pixels and of those of a side: draw_mask makes larger masks than pictures.
+_OF_FIELDS = (28, 20)
+_OF_MASKS = (33, 24)
 _MOST_POINTS = 2**31
 _PIXELS_OF_PART = 2**22
 
@@ -139,16 +140,18 @@ def points_array(name: str, value: object) -> npt.NDArray[np.float64]:
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
-def _pixels(name: str, value: object) -> npt.NDArray[Any]:
+def _pixels(name: str, value: object, most: tuple[int, int]) -> npt.NDArray[Any]:
     """An array of rows and columns, as it lies in memory."""
     array = numbers(name, value)
     if array.ndim != 2 or array.size == 0:
         raise BadRequest(
             f"{name} of shape {array.shape}: must be rows x columns, at least 1 x 1", name
         )
-    if array.size > _MOST_PIXELS or max(array.shape) > _MOST_PIXELS_OF_SIDE:
+    if array.size > 2 ** most[0] or max(array.shape) > 2 ** most[1]:
         raise BadRequest(
-            f"{name} of shape {array.shape}: must have at most 2^28 pixels, 2^20 to a side", name
+            f"{name} of shape {array.shape}: must have at most 2^{most[0]} pixels, 2^{most[1]} to "
+            "a side",
+            name,
         )
     return array
 
@@ -162,7 +165,7 @@ def _parts(array: npt.NDArray[Any]) -> Iterator[slice]:
 
 def field_of(name: str, value: object) -> _core.Field:
     """Importance, row 0 on top: read where it lies, whatever its numbers and strides, once."""
-    array = _pixels(name, value)
+    array = _pixels(name, value, _OF_FIELDS)
     field = _core.make_field(*array.shape)
     values = field.values
     for part in _parts(array):
@@ -172,7 +175,7 @@ def field_of(name: str, value: object) -> _core.Field:
 
 def mask_of(name: str, value: object) -> _core.Mask:
     """Where points may lie, row 0 on top: wherever a number is not 0."""
-    array = _pixels(name, value)
+    array = _pixels(name, value, _OF_MASKS)
     mask = _core.make_mask(*array.shape)
     values = mask.values
     for part in _parts(array):

@@ -40,8 +40,15 @@ nb::object or_none(const std::optional<Number>& number) {
 nb::dict verify_points(const PointArray& array, double size, const Field* field, double width,
                        double height, bool torus, std::optional<double> tolerance,
                        bool distances_only) {
-    const Claim claim{size,      width,          height, boundary_of(torus),
-                      tolerance, distances_only, field,  size};
+    Claim claim;
+    claim.radius = size;
+    claim.width = width;
+    claim.height = height;
+    claim.boundary = boundary_of(torus);
+    claim.tolerance = tolerance;
+    claim.distances_only = distances_only;
+    claim.field = field;
+    claim.scale = size;
     const auto work = [&](const std::atomic<bool>& stop) {
         return prove(points_of(array), claim, [&] { return !stop; });
     };

@@ -164,6 +164,12 @@ def test_a_mask_may_have_any_layout_and_type() -> None:
         assert (lacuna.sample(0.05, mask=same, seed=1).points == expected).all()
 
 
+def test_a_mask_may_have_more_pixels_a_side_than_a_picture() -> None:
+    mask = np.arange(2**20 + 10) % 5 == np.array([[0], [2], [4]])
+    made = lacuna.sample(0.1, mask=mask, domain=(1, 1), seed=1)
+    assert made.maximal and len(made) > 70 and pixels_under(mask, made).all()
+
+
 def test_a_set_that_was_stopped_is_carried_on(ground_backend: str) -> None:
     begun = lacuna.sample(0.05, limit=100, seed=1)
     for keep in (begun, begun.points.astype(">f8"), np.asfortranarray(begun.points)):
