@@ -14,12 +14,12 @@ and ``draw_mask`` make masks of outlines; ``devices`` lists what there is to run
 from . import _core
 from ._domains import Polygons, draw_mask, read_polygons
 from ._errors import BadRequest, DeviceError, Error, FileError, MemoryRefused, Unavailable
-from ._judging import analyze, devices, verify
+from ._judging import analyze, devices
 from ._relax import relax
 from ._results import Analysis, Device, Evenness, PointSet, Relaxed, Stippling
 from ._sample import sample, sample_many
 from ._stipple import stipple
-from ._verdict import Verdict
+from ._verify import Verdict, verify
 
 __version__: str = _core.version
 __all__ = [

@@ -64,6 +64,18 @@ class RelaxOptions:
     measure: bool
     def __init__(self) -> None: ...
 
+class Claim:
+    width: float
+    height: float
+    torus: bool
+    radius: float
+    scale: float
+    border: float
+    edge: float
+    tolerance: float | None
+    distances_only: bool
+    def __init__(self) -> None: ...
+
 def make_field(rows: int, columns: int) -> Field: ...
 def make_mask(rows: int, columns: int) -> Mask: ...
 def read_field(path: bytes, tone: Tone) -> Field: ...
@@ -98,13 +110,11 @@ def draw_mask(
 ) -> Mask: ...
 def verify(
     points: npt.NDArray[np.float64],
-    radius_or_scale: float,
+    claim: Claim,
     field: Field | None,
-    width: float,
-    height: float,
-    torus: bool,
-    tolerance: float | None,
-    distances_only: bool,
+    mask: Mask | None,
+    inside: list[npt.NDArray[np.float64]],
+    keep: npt.NDArray[np.float64] | None,
 ) -> dict[str, Any]: ...
 def analyze(
     points: list[npt.NDArray[np.float64]],

@@ -84,12 +84,17 @@ def read_polygons(path: str | bytes | os.PathLike[Any]) -> Polygons:
     return Polygons(tuple(found["rings"]), (width, height) if width > 0 else None)
 
 
-def _arrays_of(rings: object) -> list[Floats]:
+def rings_on(name: str, rings: object, domain: tuple[float, float]) -> list[Floats]:
+    """Rings of a domain; a page is stretched over it."""
     if isinstance(rings, Polygons):
-        return list(rings.rings)
+        if rings.domain is None:
+            return list(rings.rings)
+        scale = domain[0] / rings.domain[0], domain[1] / rings.domain[1]
+        with np.errstate(over="ignore", invalid="ignore"):  # which the library refuses
+            return [ring * scale for ring in rings.rings]
     if isinstance(rings, (str, bytes, os.PathLike)) or not isinstance(rings, Iterable):
-        raise TypeError(f"rings must be Polygons or a list of N x 2 arrays, not {rings!r:.60}")
-    return [points_array("rings", ring) for ring in rings]
+        raise TypeError(f"{name} must be Polygons or a list of N x 2 arrays, not {rings!r:.60}")
+    return [points_array(name, ring) for ring in rings]
 
 
 def draw_mask(
@@ -143,12 +148,9 @@ def draw_mask(
     page = rings.domain if isinstance(rings, Polygons) else None
     width, height = pair("domain", domain if domain is not None else page or (1.0, 1.0))
     most = 0 if memory_limit is None else whole("memory_limit", memory_limit, 1, MOST_64)
-    arrays, off_by = _arrays_of(rings), real("edge", edge)
-    if page is not None:
-        with np.errstate(over="ignore", invalid="ignore"):  # which the library refuses
-            arrays = [ring * (width / page[0], height / page[1]) for ring in arrays]
+    arrays = rings_on("rings", rings, (width, height))
     try:
-        mask = _core.draw_mask(arrays, width, height, off_by, most)
+        mask = _core.draw_mask(arrays, width, height, real("edge", edge), most)
     except BadRequest as error:
         raise error.called("rings") if error.argument == "inside" else error from None
     return mask.values.view(np.bool_)

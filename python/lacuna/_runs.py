@@ -133,11 +133,11 @@ def _relax_set(
         raise error.called("relax") if error.argument == "iterations" else error from None
     if len(points) < 2:
         return relaxed, 0.0
-    longer = max(options.width, options.height)
-    proof = _core.verify(
-        relaxed.points, longer, None, options.width, options.height, options.torus, None, True
-    )
-    return relaxed, proof["least_distance"]
+    claim = _core.Claim()
+    claim.radius = max(options.width, options.height)
+    claim.width, claim.height, claim.torus = options.width, options.height, options.torus
+    claim.distances_only = True
+    return relaxed, _core.verify(relaxed.points, claim, None, None, [], None)["least_distance"]
 
 
 def _request_of(request: _core.Request, has_field: bool, lines_per_radius: int) -> dict[str, Any]:

@@ -36,20 +36,41 @@ nb::object or_none(const std::optional<Number>& number) {
     return number ? nb::cast(*number) : nb::none();
 }
 
-// `size` is the radius, or with a field the scale.
-nb::dict verify_points(const PointArray& array, double size, const Field* field, double width,
-                       double height, bool torus, std::optional<double> tolerance,
-                       bool distances_only) {
-    Claim claim;
-    claim.radius = size;
-    claim.width = width;
-    claim.height = height;
-    claim.boundary = boundary_of(torus);
-    claim.tolerance = tolerance;
-    claim.distances_only = distances_only;
-    claim.field = field;
-    claim.scale = size;
+std::vector<std::vector<Point>> rings_of(const std::vector<PointArray>& arrays) {
+    std::vector<std::vector<Point>> rings;
+    rings.reserve(arrays.size());
+    for (const PointArray& array : arrays) rings.push_back(points_of(array));
+    return rings;
+}
+
+// As python/lacuna calls what lets no point lie somewhere.
+const char* name_of(Proof::Closed closed) {
+    switch (closed) {
+        case Proof::Closed::importance:
+            return "field";
+        case Proof::Closed::mask:
+            return "mask";
+        case Proof::Closed::polygons:
+            return "inside";
+        case Proof::Closed::border:
+            return "border";
+    }
+    return "";
+}
+
+nb::dict verify_points(const PointArray& array, const Claim& asked, const Field* field,
+                       const Mask* mask, const nb::list& inside,
+                       const std::optional<PointArray>& keep) {
+    std::vector<PointArray> outlines;
+    for (const nb::handle ring : inside) outlines.push_back(nb::cast<PointArray>(ring));
     const auto work = [&](const std::atomic<bool>& stop) {
+        const std::vector<std::vector<Point>> rings = rings_of(outlines);
+        const std::vector<Point> kept = keep ? points_of(*keep) : std::vector<Point>{};
+        Claim claim = asked;
+        claim.field = field;
+        claim.mask = mask;
+        claim.inside = rings;
+        claim.keep = kept;
         return prove(points_of(array), claim, [&] { return !stop; });
     };
     Proof proof;
@@ -62,7 +83,10 @@ nb::dict verify_points(const PointArray& array, double size, const Field* field,
     }
     nb::dict found;
     found["outside"] = or_none(proof.outside);
+    found["moved"] = or_none(proof.moved);
     found["forbidden"] = or_none(proof.forbidden);
+    found["forbidden_by"] =
+        proof.forbidden ? nb::cast(name_of(proof.forbidden_by)) : nb::object(nb::none());
     found["kept"] = proof.kept;
     found["first"] = proof.first;
     found["second"] = proof.second;
@@ -122,8 +146,21 @@ nb::dict analyze_sets(const nb::list& arrays, double width, double height, bool 
 }  // namespace
 
 void add_judging(nb::module_& module) {
-    module.def("verify", verify_points, nb::arg(), nb::arg(), nb::arg().none(), nb::arg(),
-               nb::arg(), nb::arg(), nb::arg().none(), nb::arg());
+    nb::class_<Claim>(module, "Claim")
+        .def(nb::init<>())
+        .def_rw("width", &Claim::width)
+        .def_rw("height", &Claim::height)
+        .def_prop_rw(
+            "torus", [](const Claim& claim) { return claim.boundary == Boundary::torus; },
+            [](Claim& claim, bool torus) { claim.boundary = boundary_of(torus); })
+        .def_rw("radius", &Claim::radius)
+        .def_rw("scale", &Claim::scale)
+        .def_rw("border", &Claim::border)
+        .def_rw("edge", &Claim::edge_tolerance)
+        .def_rw("tolerance", &Claim::tolerance, nb::arg().none())
+        .def_rw("distances_only", &Claim::distances_only);
+    module.def("verify", verify_points, nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(),
+               nb::arg(), nb::arg().none());
     module.def("analyze", analyze_sets, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
                nb::arg(), nb::arg().none());
 }

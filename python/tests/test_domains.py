@@ -243,6 +243,53 @@ def test_a_point_where_the_field_is_0_is_told() -> None:
     assert not verdict and verdict.kept is None and verdict.covered is None
 
 
+def test_a_set_on_all_of_a_domain_is_proven_and_what_breaks_it_is_told() -> None:
+    y, x = np.mgrid[0:20, 0:40]
+    mask, field = np.hypot(x - 15, y - 9) > 6, 0.1 + x / 39
+    keep = [(0.1, 0.1), (0.9, 0.4)]
+    where: dict[str, Any] = {"field": field, "mask": mask, "border": 0.03, "keep": keep}
+    made = lacuna.sample(scale=0.02, seed=3, **where)
+    verdict = lacuna.verify(made, **where)
+    assert verdict.maximal and verdict.moved is None and verdict.forbidden is None
+    assert verdict.tolerance == 2.0**-27
+    for name in ("mask", "border"):
+        less = {other: value for other, value in where.items() if other != name}
+        assert lacuna.verify(made, **less).covered is False, name
+    assert not lacuna.verify(made.points[:-1], scale=0.02, **where).covered
+    turned = lacuna.verify(made.points[[1, 0, *range(2, len(made))]], scale=0.02, **where)
+    assert turned.moved == 0 and not turned and turned.covered is None
+    for spot, reason in (((0.37, 0.27), "mask"), ((0.5, 0.01), "border")):
+        more = lacuna.verify(np.vstack([made.points, spot]), scale=0.02, **where)
+        assert (more.forbidden, more.forbidden_by) == (len(made), reason)
+    holes = where | {"field": np.where(x > 30, 0, field)}
+    found = lacuna.verify(made, **holes)
+    assert found.forbidden is not None and found.forbidden_by == "field"
+
+
+def test_a_set_in_polygons_is_proven_within_their_edge() -> None:
+    page = lacuna.read_polygons(LAKES)
+    for domain in (page.domain, (1, 1)):
+        assert domain is not None
+        radius, edge = 0.04 * domain[0], 0.002 * domain[0]
+        mask = lacuna.draw_mask(page, edge, domain=domain)
+        made = lacuna.sample(radius, mask=mask, domain=domain, seed=1)
+        assert lacuna.verify(made, mask=mask).maximal
+        assert lacuna.verify(made, inside=page, edge=edge).maximal
+        assert not lacuna.verify(made, inside=page, edge=edge / 50)
+    rings = [ring / np.asarray(page.domain) for ring in page.rings]
+    assert lacuna.verify(made, inside=rings, edge=edge).maximal
+    outside = lacuna.verify([(0.001, 0.001)], 0.5, inside=rings)
+    assert (outside.forbidden, outside.forbidden_by) == (0, "inside")
+    assert lacuna.verify([(2, 1)], 0.5, inside=page).outside is None
+
+
+def test_a_claim_takes_the_shape_that_it_is_told_of() -> None:
+    mask = np.ones((2, 4))
+    assert lacuna.verify([(0.5, 0.6)], 2, mask=mask).outside == 0
+    assert lacuna.verify([(0.5, 0.6)], 2, mask=mask, domain=(1, 1)).maximal
+    assert lacuna.verify([(0.5, 0.6)], mask=mask, field=np.ones((3, 3)), scale=2).maximal
+
+
 def test_a_set_in_cells_keeps_its_distances_but_is_not_maximal_in_the_plane() -> None:
     field = np.array([[1.0, 0.5]])
     made = lacuna.sample(field=field, scale=0.02, seed=1)

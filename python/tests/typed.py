@@ -90,13 +90,17 @@ lengths: tuple[float, float | None] = (verdict.least_distance, verdict.emptiest_
 
 of_a_field: lacuna.Verdict = lacuna.verify(on_a_field, field=field, scale=0.2)
 limits: tuple[float | None, float | None] = (of_a_field.least_limit, of_a_field.emptiest_limit)
-forbidden: int | None = of_a_field.forbidden
+forbidden: tuple[int | None, str | None] = (of_a_field.forbidden, of_a_field.forbidden_by)
+moved: int | None = of_a_field.moved
 claimed: tuple[float, float | None] = (of_a_field.radius, of_a_field.scale)
 
 page: lacuna.Polygons = lacuna.read_polygons(photograph.with_name("lakes.svg"))
 rings: tuple[Floats, ...] = page.rings
 size: tuple[float, float] | None = page.domain
 mask: npt.NDArray[np.bool_] = lacuna.draw_mask(page, 1.0, domain=size, memory_limit=10**8)
+of_a_domain: lacuna.Verdict = lacuna.verify(
+    made, 0.1, mask=field > 0, inside=page, edge=0.1, border=0.01, keep=[(0.5, 0.5)]
+)
 triangle: npt.NDArray[np.bool_] = lacuna.draw_mask([[(0, 0), (1, 0), (0, 1)]], 0.1)
 
 found: lacuna.Analysis = lacuna.analyze([made, made], torus=True, domain=(1, 1), progress=None)

@@ -1,0 +1,238 @@
+"""verify: proves or refutes a set."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Iterable, SupportsFloat
+
+import numpy as np
+
+from . import _core
+from ._arguments import field_of, flag, mask_of, points_array, real
+from ._domains import Polygons, rings_on
+from ._errors import BadRequest
+from ._judging import domain_of
+from ._results import PointSet
+from ._runs import shape_of
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+
+@dataclass(frozen=True, eq=False)
+class Verdict:
+    """What ``verify`` has found. True where the claim holds.
+
+    With a field each place has a radius of its own: two points must be the smaller of theirs apart,
+    and that is how near a spot must have a point.
+
+    Attributes
+    ----------
+    holds : bool
+        No two points are closer than the radius and, where that was asked, no spot is farther
+        from every point than radius + tolerance.
+    maximal : bool
+        Holds, and with a tolerance of at most 1 % of the radius: nothing is missing.
+    kept, covered : bool or None
+        The two halves of the claim; covered is None with ``distances_only``, and both are where
+        a point lies outside, where none may, or not where it was kept.
+    outside : int or None
+        The first point outside the domain: nothing else is then looked at.
+    moved : int or None
+        The first point of ``keep`` that is not in its place: nothing else is then looked at.
+    forbidden, forbidden_by : int or None, str or None
+        The first point that lies where none may, and what says so: 'field', 'mask', 'inside' or
+        'border'. Nothing else is then looked at.
+    closest_pair, least_distance : tuple of int or None, float
+        The indices of the closest two points; how far: infinite for fewer than two. With a field
+        the two of the least distance for what they must keep.
+    least_limit : float or None
+        What these two must keep: the radius, or the smaller of theirs.
+    emptiest_spot, emptiest_distance : tuple of float or None, float or None
+        The spot of the domain that is farthest from every point; how far. With a field the spot
+        that is farthest over its limit, and how far it is from the point that covers it best.
+    emptiest_limit : float or None
+        How near that spot must have a point.
+    radius, tolerance : float
+        As claimed; with a field radius is the least of all radii.
+    scale : float or None
+        With a field the radius where importance is 1, as claimed.
+    """
+
+    holds: bool
+    maximal: bool
+    kept: bool | None
+    covered: bool | None
+    outside: int | None
+    moved: int | None
+    forbidden: int | None
+    forbidden_by: str | None
+    closest_pair: tuple[int, int] | None
+    least_distance: float
+    least_limit: float | None
+    emptiest_spot: tuple[float, float] | None
+    emptiest_distance: float | None
+    emptiest_limit: float | None
+    radius: float
+    tolerance: float
+    scale: float | None
+
+    def __bool__(self) -> bool:
+        return self.holds
+
+
+def _claimed(
+    points: object, radius: SupportsFloat | None, scale: SupportsFloat | None, has_field: bool
+) -> float:
+    """The radius, with a field the scale: what was given, or else what a set knows of itself."""
+    if not has_field:
+        if scale is not None:
+            raise BadRequest(f"scale {scale!r:.60}: is for a field", "scale")
+        if radius is None:
+            if not isinstance(points, PointSet):
+                raise BadRequest("radius missing: give the least distance to be proven", "radius")
+            radius = points.radius
+        return real("radius", radius)
+    if radius is not None:
+        raise BadRequest(f"radius {radius!r:.60}: with a field give scale", "radius")
+    if scale is None and isinstance(points, PointSet):
+        scale = points.scale
+    if scale is None:
+        raise BadRequest("scale missing: give the radius where importance is 1", "scale")
+    return real("scale", scale)
+
+
+def _shape(pixels: _core.Field | _core.Mask | None, inside: object) -> tuple[float, float]:
+    """The domain where nobody tells it."""
+    if pixels is not None:
+        return shape_of(pixels)
+    page = inside.domain if isinstance(inside, Polygons) else None
+    return page or (1.0, 1.0)
+
+
+def verify(
+    points: npt.ArrayLike,
+    radius: SupportsFloat | None = None,
+    *,
+    field: npt.ArrayLike | None = None,
+    scale: SupportsFloat | None = None,
+    mask: npt.ArrayLike | None = None,
+    inside: Polygons | Iterable[npt.ArrayLike] | None = None,
+    edge: SupportsFloat = 0,
+    border: SupportsFloat = 0,
+    keep: npt.ArrayLike | None = None,
+    domain: tuple[SupportsFloat, SupportsFloat] | None = None,
+    torus: bool | None = None,
+    tolerance: SupportsFloat | None = None,
+    distances_only: bool = False,
+) -> Verdict:
+    """Prove or refute that points are a maximal Poisson-disk set, from their coordinates alone.
+
+    Parameters
+    ----------
+    points : PointSet or array_like, shape (N, 2)
+        Whoever made them.
+    radius : float, optional
+        Least distance between two points. By default a PointSet's own. Not with a field.
+    field : array_like, shape (rows, columns), optional
+        Importance, as of ``sample``: each place has its pixel's radius, and two points, or a point
+        and a spot, the smaller of theirs. Within 2^-28 of the longer side of a border of pixels a
+        point may count for either.
+    scale : float, optional
+        With a field the radius where importance is 1. By default a PointSet's own.
+    mask : array_like, shape (rows, columns), optional
+        Where points may lie, as of ``sample``: spots where none may need not be covered.
+    inside : Polygons or iterable of array_like, each of shape (N, 2), optional
+        Polygons in which points must lie, as of ``draw_mask``, but not drawn.
+    edge : float
+        How far their edges may be off: a point may lie so far outside, and a spot that is no
+        farther inside need not be covered.
+    border : float
+        As of ``sample``: no point may be closer to the domain's edges.
+    keep : array_like, shape (N, 2), optional
+        What the points begin with, to the bit.
+    domain : tuple of float, optional
+        Width and height. By default a PointSet's own, else the shape of the field or of the mask,
+        its longer side 1, else the page of ``inside``, or (1, 1).
+    torus : bool, optional
+        Whether the edges wrap. By default as a PointSet's do; else they do not.
+    tolerance : float, optional
+        How far over the radius a gap may be; by default 2^-28 of the longer side, with a field,
+        mask, polygons or border twice that.
+    distances_only : bool
+        Do not look for gaps, which takes most of the time.
+
+    Returns
+    -------
+    Verdict
+        True where the claim holds; with the closest pair and the emptiest spot.
+
+    Raises
+    ------
+    BadRequest, TypeError, KeyboardInterrupt
+        As ``sample``.
+
+    Examples
+    --------
+    >>> import lacuna
+    >>> made = lacuna.sample(0.05, seed=1)
+    >>> bool(lacuna.verify(made))
+    True
+    >>> verdict = lacuna.verify(made.points[:-1], 0.05)
+    >>> verdict.kept, verdict.covered
+    (True, False)
+
+    Of a set that follows a field, in a part of it:
+
+    >>> import numpy as np
+    >>> ramp = np.linspace(0, 1, 64) * np.ones((64, 1))
+    >>> disk = np.hypot(*np.mgrid[-1:1:64j, -1:1:64j]) < 0.9
+    >>> dense = lacuna.sample(field=ramp, scale=0.02, mask=disk, seed=1)
+    >>> lacuna.verify(dense, field=ramp, mask=disk).maximal
+    True
+    """
+    claim = _core.Claim()
+    claimed = _claimed(points, radius, scale, field is not None)
+    if field is None:
+        claim.radius = claimed
+    else:
+        claim.scale = claimed
+    importance = None if field is None else field_of("field", field)
+    allowed = None if mask is None else mask_of("mask", mask)
+    claim.border = real("border", border)
+    claim.edge = real("edge", edge)
+    claim.width, claim.height, claim.torus = domain_of(
+        points, domain, torus, _shape(importance or allowed, inside)
+    )
+    claim.distances_only = flag("distances_only", distances_only)
+    if tolerance is not None:
+        claim.tolerance = real("tolerance", tolerance)
+    rings = [] if inside is None else rings_on("inside", inside, (claim.width, claim.height))
+    kept = None if keep is None else points_array("keep", keep)
+    array = points_array("points", points)
+    found = _core.verify(array, claim, importance, allowed, rings, kept)
+    is_uniform = importance is None and allowed is None and not rings and claim.border == 0
+    blur = 2.0 ** (-28 if is_uniform else -27) * max(claim.width, claim.height)
+    in_place = all(found[name] is None for name in ("outside", "moved", "forbidden"))
+    pair_known = in_place and len(array) > 1
+    gaps_known = in_place and not claim.distances_only
+    spot_known = gaps_known and len(array) > 0
+    return Verdict(
+        holds=in_place and found["kept"] and (not gaps_known or found["covered"]),
+        maximal=found["maximal"],
+        kept=found["kept"] if in_place else None,
+        covered=found["covered"] if gaps_known else None,
+        outside=found["outside"],
+        moved=found["moved"],
+        forbidden=found["forbidden"],
+        forbidden_by=found["forbidden_by"],
+        closest_pair=(found["first"], found["second"]) if pair_known else None,
+        least_distance=found["least_distance"] if pair_known else np.inf,
+        least_limit=found["least_limit"] if pair_known else None,
+        emptiest_spot=found["emptiest"] if spot_known else None,
+        emptiest_distance=found["emptiest_distance"] if spot_known else None,
+        emptiest_limit=found["emptiest_limit"] if spot_known else None,
+        radius=claimed if importance is None else claimed / float(importance.values.max()) ** 0.5,
+        tolerance=blur if claim.tolerance is None else claim.tolerance,
+        scale=None if importance is None else claimed,
+    )
