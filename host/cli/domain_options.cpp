@@ -71,18 +71,6 @@ double least_radius(const Request& request, const std::vector<Ring>& rings,
     return std::sqrt(density * area / static_cast<double>(*request.count) / greatest);
 }
 
-Mask mask_of_polygons(const DomainOptions& options, const Request& request,
-                      const std::vector<Ring>& rings, DomainFiles& files) {
-    files.edge = options.edge.value_or(0);
-    if (!options.edge) {
-        files.edge = kEdge * least_radius(request, rings, files);
-        // A radius that makes no sense is for the request's own check to tell of.
-        if (!(files.edge > 0) || !std::isfinite(files.edge))
-            files.edge = std::max(request.width, request.height) / 1000;
-    }
-    return draw_mask(rings, request.width, request.height, files.edge, request.memory_limit_bytes);
-}
-
 }  // namespace
 
 void add_domain(CLI::App& command, DomainOptions& options, Request& request) {
@@ -134,8 +122,8 @@ void check_domain(const CLI::App& command, const DomainOptions& options) {
                          "is not for --inside too: draw the polygons into the picture");
 }
 
-void read_domain_files(const CLI::App& command, const DomainOptions& options, Request& request,
-                       DomainFiles& files) {
+void read_given_files(const CLI::App& command, const DomainOptions& options, Request& request,
+                      DomainFiles& files) {
     bool has_shape = command.count("--domain") > 0;
     const auto give_shape = [&](double width, double height) {
         if (!has_shape) {
@@ -151,10 +139,8 @@ void read_domain_files(const CLI::App& command, const DomainOptions& options, Re
         request.field = &*files.field;
     }
     if (!options.inside.empty()) {
-        Polygons polygons = read_polygons(options.inside);
+        const Polygons& polygons = files.polygons.emplace(read_polygons(options.inside));
         if (polygons.width > 0) give_shape(polygons.width, polygons.height);
-        const std::vector<Ring> rings = fitted(std::move(polygons), request.width, request.height);
-        files.mask = mask_of_polygons(options, request, rings, files);
     }
     if (!options.mask.empty()) {
         files.mask = read_mask(options.mask);
@@ -165,6 +151,31 @@ void read_domain_files(const CLI::App& command, const DomainOptions& options, Re
     if (options.keep.empty()) return;
     files.keep = files::read_points(options.keep);
     request.keep = files.keep;
+}
+
+std::vector<Ring> rings_of(const Request& request, const DomainFiles& files) {
+    if (!files.polygons) return {};
+    return fitted(*files.polygons, request.width, request.height);
+}
+
+double edge_of(const DomainOptions& options, const Request& request, const std::vector<Ring>& rings,
+               const DomainFiles& files) {
+    if (options.edge) return *options.edge;
+    const double edge = kEdge * least_radius(request, rings, files);
+    // A radius that makes no sense is for the request's own check to tell of.
+    if (edge > 0 && std::isfinite(edge)) return edge;
+    return std::max(request.width, request.height) / 1000;
+}
+
+void read_domain_files(const CLI::App& command, const DomainOptions& options, Request& request,
+                       DomainFiles& files) {
+    read_given_files(command, options, request, files);
+    if (!files.polygons) return;
+    const std::vector<Ring> rings = rings_of(request, files);
+    files.edge = edge_of(options, request, rings, files);
+    files.mask =
+        draw_mask(rings, request.width, request.height, files.edge, request.memory_limit_bytes);
+    request.mask = &*files.mask;
 }
 
 Json json_of(const DomainOptions& options, const Request& request, const DomainFiles& files) {

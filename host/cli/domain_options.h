@@ -1,7 +1,8 @@
-// Where samples may lie, and how densely, as `lacuna sample` is told by files: --field, --mask,
-// --inside and --keep, and --border.
+// Where samples may lie, and how densely, as `lacuna sample` and `lacuna verify` are told by files:
+// --field, --mask, --inside and --keep, and --border.
 #pragma once
 
+#include <lacuna/domains.h>
 #include <lacuna/lacuna.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -29,9 +30,10 @@ struct DomainOptions {
 // What the files hold. A request points into it.
 struct DomainFiles {
     std::optional<Field> field;
-    std::optional<Mask> mask;
+    std::optional<Mask> mask;  // as read, or as the polygons were drawn
+    std::optional<Polygons> polygons;
     std::vector<Point> keep;
-    double edge = 0;  // of the mask that polygons were drawn onto
+    double edge = 0;  // what the polygons' outline may be off by
 };
 
 // --field, --scale and how its picture becomes importance; --mask, --inside, --edge, --border and
@@ -46,7 +48,17 @@ void check_domain(const CLI::App& command, const DomainOptions& options);
 
 // Reads the files, lets `request` point to what they hold, and where there is no --domain gives it
 // the shape of the field's picture (its longer side is 1), else the page's that polygons lie on,
-// else the mask's. Throws BadRequest and files::FileError.
+// else the mask's. Draws no polygons. Throws BadRequest and files::FileError.
+void read_given_files(const CLI::App& command, const DomainOptions& options, Request& request,
+                      DomainFiles& files);
+
+// The polygons on the request's domain, and what their outline may be off by: --edge, or a
+// sixteenth of the least radius of the request, which may have a count instead.
+std::vector<Ring> rings_of(const Request& request, const DomainFiles& files);
+double edge_of(const DomainOptions& options, const Request& request, const std::vector<Ring>& rings,
+               const DomainFiles& files);
+
+// The same, and draws the polygons onto the request's mask.
 void read_domain_files(const CLI::App& command, const DomainOptions& options, Request& request,
                        DomainFiles& files);
 

@@ -7,7 +7,9 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,12 +17,14 @@
 #include <vector>
 
 #include "cli/check_failed.h"
+#include "cli/domain_options.h"
 #include "cli/given_files.h"
 #include "cli/options.h"
 #include "cli/verify_report.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
 #include "files/read_whole.h"
+#include "verify/ground_proof.h"
 #include "verify/verify.h"
 
 namespace lacuna::cli {
@@ -36,6 +40,8 @@ Examples:
   lacuna sample --radius 0.05 | lacuna verify - --radius 0.05     what another program has made
   lacuna verify a.json b.json --quiet               what the files say of themselves, by exit code
   lacuna verify bridson.csv --radius 0.01 --distances-only    not meant to be maximal
+  lacuna verify dots.npy --field photo.jpg --scale 0.002      radii that follow a picture
+  lacuna verify trees.csv --radius 4 --inside park.svg --keep old.csv    in polygons, around others
 
 Two promises are checked. No two points are closer than R. No spot of the domain, edges and corners
 included, is farther than R + T from every point. The closest two points and the emptiest spot are
@@ -45,81 +51,145 @@ up to whole units of a grid, 2^30 or more of them along the longer side; T = 0 f
 1e-12 of that side. A T over 1 % of R proves no maximal set, and the verdict says what it does prove.
 Radius, domain and boundary that a .json tells hold where no option does.
 
+With --field, R is the smaller radius of two places: of two points, or of a spot and the point that
+is to cover it. The pair and the spot are those that are worst for their R. Where the field is
+white, --mask black, outside of --inside and within --border of an edge no point may lie, and no
+spot need be covered; the outline of --inside may be off by --edge either way. With any of these T
+is twice as large unless told. Pictures, polygons and the domain are as lacuna sample takes them.
+--keep's points must be the first of the set, to the last bit.
+
 Exit code: 0 all that was asked holds, 1 not, 2 bad usage, 3 the file cannot be read, 4 the system
 makes no threads.
 )";
 
-struct Sides {
-    double width = 1;
-    double height = 1;
-};
-
 struct VerifyCommand {
     std::vector<std::string> files;
-    std::optional<double> radius;
     std::optional<double> tolerance;
-    std::optional<Sides> sides;
+    // What a request for such a set would say: the radius or scale, the domain and its border.
+    Request request;
+    DomainOptions domain;
     bool torus = false;
     bool distances_only = false;
     bool json = false;
     bool quiet = false;
 };
 
-// What is claimed of one set of a file: options first, then what the file tells.
-SetClaim claim_of(const VerifyCommand& options, const files::SetsOfFile& file,
-                  const std::string& name, const std::vector<Point>& points) {
-    const std::optional<double> radius = options.radius ? options.radius : file.radius;
-    if (!radius)
-        throw BadRequest("radius", "missing",
-                         "give the radius that the points should have, or a .json that tells it");
-    const bool is_cells = file.mode == name_of(Mode::cells);
-    if (is_cells && !options.distances_only)
+// What the files of the options hold, and what they say of each set.
+struct Grounds {
+    Request request;
+    DomainFiles files;
+};
+
+// Options first, then what the set's file tells.
+Request request_of(const CLI::App& command, const Grounds& grounds, const files::SetsOfFile& file,
+                   const std::string& name) {
+    if (file.mode == name_of(Mode::cells) && command.count("--distances-only") == 0)
         throw files::FileError(name +
                                ": made in mode cells, where radii follow a picture: give "
                                "--distances-only, for the least of them");
-    Sides sides = options.sides.value_or(Sides{});
-    if (!options.sides && file.width) sides = {*file.width, *file.height};
-    SetClaim claim{{}, name, points, file.maximal.value_or(true)};
-    claim.radius = *radius;
-    claim.width = sides.width;
-    claim.height = sides.height;
-    if (options.torus || file.boundary == Boundary::torus) claim.boundary = Boundary::torus;
-    claim.tolerance =
-        options.tolerance.value_or(verify::default_tolerance(sides.width, sides.height));
+    Request request = grounds.request;
+    if (command.count("--domain") == 0 && file.width) {
+        request.width = *file.width;
+        request.height = *file.height;
+    }
+    if (file.boundary == Boundary::torus) request.boundary = Boundary::torus;
+    if (request.field != nullptr) return request;
+    if (!request.radius) request.radius = file.radius;
+    if (!request.radius)
+        throw BadRequest("radius", "missing",
+                         "give the radius that the points should have, or a .json that tells it");
+    if (file.has_scale && command.count("--distances-only") == 0)
+        throw files::FileError(name +
+                               ": its radii follow a picture: give that, as --field, and --scale; "
+                               "or --distances-only, for the least of them");
+    return request;
+}
+
+// The radii of a field's places.
+Extremes radii_of(const Request& request) {
+    if (request.field == nullptr) return {*request.radius, *request.radius};
+    Extremes radii{std::numeric_limits<double>::infinity(), 0};
+    for (const double importance : request.field->importance) {
+        if (importance == 0) continue;
+        const double radius = *request.scale / std::sqrt(importance);
+        radii = {std::min(radii.least, radius), std::max(radii.most, radius)};
+    }
+    return radii;
+}
+
+SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Grounds& grounds,
+                  const files::SetsOfFile& file, const std::string& name) {
+    const Request request = request_of(command, grounds, file, name);
+    SetClaim claim;
+    claim.name = name;
+    claim.meant_to_be_maximal = file.maximal.value_or(true);
+    claim.options = options.domain;
+    claim.radii = radii_of(request);
+    claim.radius = request.radius.value_or(0);
+    claim.width = request.width;
+    claim.height = request.height;
+    claim.boundary = request.boundary;
+    claim.field = request.field;
+    claim.scale = request.scale.value_or(0);
+    claim.mask = request.mask;
+    claim.border = request.border;
+    claim.keep = request.keep;
+    claim.rings = rings_of(request, grounds.files);
+    if (!claim.rings.empty())
+        claim.edge_tolerance = grounds.files.edge =
+            edge_of(options.domain, request, claim.rings, grounds.files);
+    claim.given = json_of(options.domain, request, grounds.files);
+    claim.tolerance = options.tolerance.value_or(
+        claim.is_plain() ? verify::default_tolerance(claim.width, claim.height)
+                         : verify::default_ground_tolerance(claim.width, claim.height));
     claim.distances_only = options.distances_only;
     return claim;
 }
 
 // Refuses bad options before a large file is read.
-void check(const VerifyCommand& options) {
+void check(const CLI::App& command, const VerifyCommand& options) {
+    check_domain(command, options.domain);
+    const Request& request = options.request;
+    if (!options.domain.field.path.empty() && !request.scale)
+        throw BadRequest("scale", "missing",
+                         "give the radius that points should have where the field is black");
+    if (!options.domain.field.path.empty() && request.radius)
+        throw BadRequest("radius", fmt::format("{}", *request.radius),
+                         "is for sets of one radius: with --field give --scale");
     if (options.distances_only && options.tolerance)
         throw BadRequest("tolerance", fmt::format("{}", *options.tolerance),
                          "is for gaps, which --distances-only does not look for");
     std::vector<GivenFile> read;
     read.reserve(options.files.size());
     for (const std::string& file : options.files) read.push_back({"FILE", file});
+    for (const GivenFile& file : files_of(options.domain)) read.push_back(file);
     check_given_files(read, {});
-    const Sides sides = options.sides.value_or(Sides{});
-    if (options.radius)
-        verify::check({}, sides.width, sides.height, options.torus, *options.radius,
+    if (request.radius)
+        verify::check({}, request.width, request.height, options.torus, *request.radius,
                       options.tolerance.value_or(0));
 }
 
-void run(const VerifyCommand& options) {
-    check(options);
+void run(const CLI::App& command, const VerifyCommand& options) {
+    check(command, options);
+    Grounds grounds{options.request, {}};
+    if (options.torus) grounds.request.boundary = Boundary::torus;
+    read_given_files(command, options.domain, grounds.request, grounds.files);
     std::vector<files::SetsOfFile> all;
     for (const std::string& path : options.files) all.push_back(files::read_sets(path));
     std::vector<SetClaim> claims;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::string name = files::name_of(options.files[i]);
         const auto& sets = all[i].sets;
-        for (std::size_t k = 0; k < sets.size(); ++k)
-            claims.push_back(claim_of(
-                options, all[i], sets.size() == 1 ? name : fmt::format("{}: set {}", name, k + 1),
-                sets[k]));
+        for (std::size_t k = 0; k < sets.size(); ++k) {
+            claims.push_back(
+                claim_of(command, options, grounds, all[i],
+                         sets.size() == 1 ? name : fmt::format("{}: set {}", name, k + 1)));
+            claims.back().points = sets[k];
+        }
     }
     bool all_hold = true;
     for (SetClaim& claim : claims) {
+        claim.inside = claim.rings;  // wherever the claim has come to lie
         claim.proof = prove(claim.points, claim);
         all_hold = all_hold && claim.holds();
     }
@@ -137,17 +207,18 @@ void add_verify(CLI::App& app) {
                     "By extension: " + files::read_extensions() + "; - is standard input, as .txt")
         ->type_name("...")
         ->required();
-    add_number(command, "radius", "R", options->radius,
+    Request& request = options->request;
+    add_number(command, "radius", "R", request.radius,
                "The least distance promised (default: what a .json tells)");
     command
         .add_option_function<std::string>(
             "--domain",
-            [options](const std::string& text) {
-                Sides& sides = options->sides.emplace();
-                read_domain("domain", text, sides.width, sides.height);
+            [&request](const std::string& text) {
+                read_domain("domain", text, request.width, request.height);
             },
-            "Width and height of the domain (default 1x1, or what a .json tells)")
+            "Width and height of the domain (default what a .json or a picture tells, or 1x1)")
         ->type_name("WxH");
+    add_domain(command, options->domain, request);
     command.add_flag("--torus", options->torus, "The edges wrap")->disable_flag_override();
     add_number(command, "tolerance", "T", options->tolerance,
                "How far over R a gap may be (default 2^-28 of the longer side)");
@@ -158,7 +229,7 @@ void add_verify(CLI::App& app) {
     command.add_flag("--json", options->json, "As JSON")->disable_flag_override();
     command.add_flag("--quiet", options->quiet, "Say nothing: the exit code tells")
         ->disable_flag_override();
-    command.callback([options] { run(*options); });
+    command.callback([&command, options] { run(command, *options); });
 }
 
 }  // namespace lacuna::cli

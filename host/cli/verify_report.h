@@ -4,17 +4,35 @@
 #include <lacuna/lacuna.h>
 #include <lacuna/verify.h>
 
+#include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "cli/domain_options.h"
+
 namespace lacuna::cli {
+
+struct Extremes {
+    double least;
+    double most;
+};
 
 // One set, what is claimed of it, tolerance included, and what was found.
 struct SetClaim : Claim {
-    std::string name;  // of the file, for messages
-    const std::vector<Point>& points;
-    bool meant_to_be_maximal;  // as far as its file tells
-    Proof proof{};
+    std::string name;                 // of the file, for messages
+    std::span<const Point> points;    // they must outlive the claim
+    bool meant_to_be_maximal = true;  // as far as its file tells
+    DomainOptions options;
+    nlohmann::ordered_json given;  // the same for reports
+    Extremes radii{};              // of the field, or twice the one radius
+    std::vector<Ring> rings;       // of the polygons
+    Proof proof;
+
+    // One radius, and points may lie everywhere.
+    bool is_plain() const {
+        return field == nullptr && mask == nullptr && inside.empty() && border == 0;
+    }
 
     // Whether all that was asked holds.
     bool holds() const;

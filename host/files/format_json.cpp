@@ -32,6 +32,7 @@ struct JsonHeader {
     std::optional<Boundary> boundary;
     std::optional<std::string> mode;
     std::optional<bool> maximal;
+    bool has_scale = false;
 };
 
 // Follows the nesting: an optional object, whose key "points" holds an array, of pairs.
@@ -81,6 +82,7 @@ public:
 
     bool key(string_t& key) override {
         if (depth_ == 1 && in_object_) key_ = key;
+        if (depth_ == 2) key_within_ = key;
         return true;
     }
 
@@ -138,6 +140,8 @@ private:
 
     bool number(double value) {
         if (depth_ == 1 && in_object_) read_header(value);
+        if (depth_ == 2 && in_object_ && key_ == "options" && key_within_ == "scale")
+            header_.has_scale = true;
         if (!is_in_points()) return true;
         if (depth_ != points_depth() + 1) return scalar(fmt::format("{}", value));
         if (numbers_ < 2) (numbers_ == 0 ? point_.x : point_.y) = value;
@@ -168,7 +172,8 @@ private:
     std::vector<Point> points_;
     JsonHeader header_;
     std::optional<std::uint64_t> count_;
-    std::string key_;  // of the outermost object
+    std::string key_;         // of the outermost object
+    std::string key_within_;  // of an object one deeper
     Point point_{};
     std::size_t numbers_ = 0;  // of the point so far
     int depth_ = 0;
@@ -249,6 +254,7 @@ SetsOfFile decode_json(std::string_view bytes, const std::string& name) {
     file.boundary = header.boundary;
     file.mode = header.mode;
     file.maximal = header.maximal;
+    file.has_scale = header.has_scale;
     return file;
 }
 

@@ -26,6 +26,7 @@ struct SetsOfFile {
     std::optional<Boundary> boundary;
     std::optional<std::string> mode;
     std::optional<bool> maximal;  // whether no room is left
+    bool has_scale = false;       // its options have one: radii follow a picture
 };
 
 // Formats by extension; "-" is standard input, as txt:

@@ -1,0 +1,196 @@
+// Given a field, a mask, polygons, a border or points to keep, `lacuna verify` says what holds.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "expectations.h"
+#include "program.h"
+
+namespace {
+
+using namespace lacuna::test;
+
+// Two pixels, of these luminances; the domain is 1 x 0.5.
+std::string picture(char left, char right) {
+    return std::string("P5\n2 1\n255\n") + left + right;
+}
+
+TEST(VerifyAField, TellsThePairAndTheSpotInTermsOfTheirLimits) {
+    const Folder folder;
+    const std::string field = folder.path("field.pgm");
+    const std::string points = folder.path("points.txt");
+    write_file(field, picture(0, '\xc0'));  // importance 1 and 63/255: radii 0.3 and 0.6036
+    write_file(points, "0.25 0.25\n0.75 0.25\n");
+    const Outcome whole = run({"verify", points, "--field", field, "--scale", "0.36"});
+    EXPECT_EQ(whole.exit_code, 0) << whole.out << whole.err;
+    expect_has(line_of(whole.out, "domain"), {" 1 x 0.5, box"});
+    expect_has(line_of(whole.out, "radius"), {" 0.36 to 0.724", "at scale 0.36"});
+    expect_has(line_of(whole.out, "field"), {"field.pgm"});
+    expect_has(line_of(whole.out, "tolerance"), {" 7.450580596923828e-09"});
+    expect_has(line_of(whole.out, "least distance"), {" 0.5 of 0.36 (points 0 and 1)", "kept"});
+    expect_has(line_of(whole.out, "farthest spot"), {" none over its limit", "covered"});
+    expect_has(line_of(whole.out, "verdict"),
+               {"a maximal Poisson-disk set that follows the field at scale 0.36, to a tolerance"});
+
+    const Outcome bare = run({"verify", points, "--field", field, "--scale", "0.3"});
+    EXPECT_EQ(bare.exit_code, 1);
+    expect_has(line_of(bare.out, "farthest spot"), {" 0.353553", " of 0.3, at (", "not covered"});
+    expect_has(line_of(bare.out, "verdict"), {"not maximal: there is room for a point at ("});
+
+    const Outcome close = run({"verify", points, "--field", field, "--scale", "0.51"});
+    EXPECT_EQ(close.exit_code, 1);
+    expect_has(line_of(close.out, "verdict"),
+               {"points 0 at (0.25, 0.25) and 1 at (0.75, 0.25) are closer than 0.51"});
+}
+
+TEST(VerifyAField, RefusesAPointWhereThereIsNoImportance) {
+    const Folder folder;
+    const std::string field = folder.path("field.pgm");
+    write_file(field, picture(0, '\xff'));
+    write_file(folder.path("a.txt"), "0.25 0.25\n0.75 0.25\n");
+    const Outcome outcome =
+        run({"verify", folder.path("a.txt"), "--field", field, "--scale", "0.1", "--json"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    const auto set = nlohmann::json::parse(outcome.out)["sets"][0];
+    EXPECT_EQ(set["forbidden"]["point"], 1);
+    EXPECT_EQ(set["forbidden"]["by"], "field");
+    EXPECT_EQ(set["scale"], 0.1);
+    expect_has(set["verdict"], {"refused: point 1 at (0.75, 0.25) lies where the field has no"});
+    // Turned around, and stretched over another domain.
+    write_file(folder.path("b.txt"), "3 2\n");
+    EXPECT_EQ(run({"verify", folder.path("b.txt"), "--field", field, "--scale", "3", "--invert",
+                   "--domain", "4x4", "--quiet"})
+                  .exit_code,
+              0);
+}
+
+TEST(VerifyPlaces, OfAMaskPolygonsABorderAndKeptPoints) {
+    const Folder folder;
+    write_file(folder.path("mask.pgm"), picture(0, '\xff'));
+    write_file(folder.path("ring.txt"), "0.5 0\n1 0\n1 0.5\n0.5 0.5\n");
+    write_file(folder.path("right.txt"), "0.75 0.25\n");
+    write_file(folder.path("left.txt"), "0.25 0.25\n");
+    write_file(folder.path("edge.txt"), "0.5 0.05\n");
+    const auto verdict_of = [&](const std::string& file, std::vector<std::string> options,
+                                int exit_code) {
+        options.insert(options.begin(), {"verify", folder.path(file), "--domain", "1x0.5"});
+        const Outcome outcome = run(options);
+        EXPECT_EQ(outcome.exit_code, exit_code) << outcome.out << outcome.err;
+        return line_of(outcome.out, "verdict");
+    };
+    const std::string maximal = "a maximal Poisson-disk set of radius 0.4 where points may lie";
+    const std::string radius = "0.4";
+    const std::string mask = folder.path("mask.pgm");
+    const std::string ring = folder.path("ring.txt");
+    const std::string right = folder.path("right.txt");
+    expect_has(verdict_of("right.txt", {"--radius", radius, "--mask", mask}, 0), {maximal});
+    expect_has(verdict_of("left.txt", {"--radius", radius, "--mask", mask}, 1),
+               {"refused: point 0 at (0.25, 0.25) lies where the mask lets none lie"});
+    expect_has(verdict_of("right.txt", {"--radius", radius, "--inside", ring}, 0), {maximal});
+    expect_has(verdict_of("left.txt", {"--radius", radius, "--inside", ring, "--edge", "0.01"}, 1),
+               {"lies outside the polygons, by more than 0.01"});
+    expect_has(verdict_of("edge.txt", {"--radius", radius, "--border", "0.1"}, 1),
+               {"lies nearer than 0.1 to an edge of the domain"});
+    expect_has(verdict_of("left.txt", {"--radius", "0.8", "--keep", right}, 1),
+               {"refused: the set does not have point 0 of ", "right.txt, at (0.75, 0.25)"});
+    expect_has(verdict_of("right.txt", {"--radius", "0.8", "--keep", right}, 0), {"maximal"});
+}
+
+TEST(VerifyPlaces, RefusesOptionsThatMakeNoSense) {
+    const Folder folder;
+    const std::string field = folder.path("field.pgm");
+    const std::string points = folder.path("a.txt");
+    write_file(field, picture(0, 0));
+    write_file(points, "0.25 0.25\n");
+    expect_one_error(run({"verify", points, "--scale", "1"}), 2, {"--scale", "--field"});
+    expect_one_error(run({"verify", points, "--field", field}), 2, {"--scale missing"});
+    expect_one_error(run({"verify", points, "--field", field, "--scale", "1", "--radius", "1"}), 2,
+                     {"--radius 1", "--scale"});
+    expect_one_error(run({"verify", points, "--radius", "1", "--edge", "1"}), 2,
+                     {"--edge 1", "--inside"});
+    expect_one_error(run({"verify", points, "--radius", "1", "--border", "1", "--torus"}), 2,
+                     {"--border 1", "torus"});
+    expect_one_error(run({"verify", points, "--radius", "1", "--mask", folder.path("none.png")}), 3,
+                     {"none.png"});
+}
+
+// Each beside one of docs/domains.md.
+std::vector<std::vector<std::string>> examples_in(const Folder& folder) {
+    std::string shades = "P5\n64 16\n255\n";
+    std::string discs = shades;
+    for (int i = 0; i < 64 * 16; ++i) {
+        shades += static_cast<char>(255 - 4 * (i % 64));
+        discs += i % 64 % 20 < 12 ? '\xff' : '\0';
+    }
+    write_file(folder.path("shades.pgm"), shades);
+    write_file(folder.path("discs.pgm"), discs);
+    write_file(folder.path("trees.csv"), "0.25,0.125\n0.5,0.125\n0.75,0.25\n");
+    return {{"--field", folder.path("shades.pgm"), "--scale", "0.02"},
+            {"--field", folder.path("shades.pgm"), "--scale", "0.02", "--torus", "--invert",
+             "--gamma", "2"},
+            {"--field", LACUNA_EXAMPLES "/raccoon.png", "--scale", "0.02"},
+            {"--inside", LACUNA_EXAMPLES "/lakes.svg", "--border", "1", "--radius", "3"},
+            {"--mask", folder.path("discs.pgm"), "--radius", "0.02"},
+            {"--keep", folder.path("trees.csv"), "--radius", "0.05"}};
+}
+
+TEST(VerifyOfWhatSampleMade, ProvesItAndRefutesItWithALineLess) {
+    const Folder folder;
+    for (const std::vector<std::string>& options : examples_in(folder)) {
+        SCOPED_TRACE(options[0] + " " + options[1]);
+        std::vector<std::string> sample{"sample"};
+        sample.insert(sample.end(), options.begin(), options.end());
+        const Outcome made = run(sample);
+        ASSERT_EQ(made.exit_code, 0) << made.err;
+        const auto proof_of = [&](const std::string& lines) {
+            write_file(folder.path("points.txt"), lines);
+            std::vector<std::string> verify{"verify", folder.path("points.txt")};
+            verify.insert(verify.end(), options.begin(), options.end());
+            return run(verify);
+        };
+        const Outcome whole = proof_of(made.out);
+        EXPECT_EQ(whole.exit_code, 0) << whole.out << whole.err;
+        expect_has(line_of(whole.out, "verdict"), {"a maximal Poisson-disk set "});
+        // Among the first, so not one that fills a gap within the edge that polygons may be off by.
+        std::size_t fourth = 0;
+        for (int line = 0; line < 3; ++line) fourth = made.out.find('\n', fourth) + 1;
+        const std::size_t fifth = made.out.find('\n', fourth) + 1;
+        const Outcome bare = proof_of(made.out.substr(0, fourth) + made.out.substr(fifth));
+        EXPECT_EQ(bare.exit_code, 1);
+        expect_has(line_of(bare.out, "verdict"), {"not maximal: there is room for a point at ("});
+    }
+}
+
+TEST(VerifyOfWhatSampleMade, NamesAPointThatWasMovedOutOfTheMask) {
+    const Folder folder;
+    write_file(folder.path("mask.pgm"), picture(0, '\xff'));
+    const std::vector<std::string> options{"--mask", folder.path("mask.pgm"), "--radius", "0.1"};
+    std::vector<std::string> sample{"sample"};
+    sample.insert(sample.end(), options.begin(), options.end());
+    const Outcome made = run(sample);
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    const std::string rest = made.out.substr(made.out.find('\n') + 1);
+    write_file(folder.path("points.txt"), "0.25 0.25\n" + rest);
+    std::vector<std::string> verify{"verify", folder.path("points.txt")};
+    verify.insert(verify.end(), options.begin(), options.end());
+    const Outcome moved = run(verify);
+    EXPECT_EQ(moved.exit_code, 1);
+    expect_has(line_of(moved.out, "verdict"),
+               {"refused: point 0 at (0.25, 0.25) lies where the mask lets none lie"});
+}
+
+TEST(VerifyOfAFileThatTellsAScale, AsksForThePictureThatItsRadiiFollow) {
+    const Folder folder;
+    const std::string field = folder.path("field.pgm");
+    const std::string points = folder.path("points.json");
+    write_file(field, picture(0, '\xc0'));
+    ASSERT_EQ(run({"sample", "--field", field, "--scale", "0.1", "-o", points}).exit_code, 0);
+    expect_one_error(run({"verify", points}), 3, {"points.json", "--field", "--scale"});
+    EXPECT_EQ(run({"verify", points, "--distances-only"}).exit_code, 0);
+    EXPECT_EQ(run({"verify", points, "--field", field, "--scale", "0.1"}).exit_code, 0);
+}
+
+}  // namespace
