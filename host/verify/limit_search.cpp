@@ -66,7 +66,9 @@ void LimitSearch::visit(const Cell& cell, const Under& outer, std::size_t begin)
 }
 
 std::size_t LimitSearch::look_from(Point centre, const Under& under, std::size_t begin) {
-    const std::optional<double> radius = limits_.ground.radius_at(centre);
+    // Where all places are alike there is no need to look at polygons for each.
+    const std::optional<double> radius =
+        under.is_plain() ? under.radii.least : limits_.ground.radius_at(centre);
     const double reach = radius.value_or(under.radii.most);
     std::size_t best = begin;
     double least = kInfinity;
