@@ -7,6 +7,7 @@ ENTRY(screen, serve_screen, DrawArguments, SCREEN_BINDINGS)
 
 BINDINGS(DrawArguments, ADMIT_BINDINGS)
 #include "bodies/limit.h"
+#include "bodies/decide.h"
 #include "bodies/admit.h"
 ENTRY(admit, serve_admit, DrawArguments, ADMIT_BINDINGS)
 

@@ -3,6 +3,7 @@
 
 BINDINGS(DrawArguments, ADMIT_IN_CELLS_BINDINGS)
 #include "bodies/limit_in_cells.h"
+#include "bodies/decide.h"
 #include "bodies/admit.h"
 ENTRY(admit_in_cells, serve_admit, DrawArguments, ADMIT_IN_CELLS_BINDINGS)
 

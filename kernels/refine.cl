@@ -14,10 +14,6 @@ BINDINGS(StripArguments, CUT_BINDINGS)
 #include "bodies/cut.h"
 ENTRY(cut, serve_cut, StripArguments, CUT_BINDINGS)
 
-BINDINGS(ScanArguments, SCAN_BINDINGS)
-#include "bodies/scan.h"
-ENTRY(scan, serve_scan, ScanArguments, SCAN_BINDINGS)
-
 BINDINGS(StripArguments, KEEP_BINDINGS)
 #include "bodies/strips.h"
 #include "bodies/keep.h"

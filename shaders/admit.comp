@@ -12,6 +12,7 @@ ENTRY(screen, serve_screen, DrawArguments, SCREEN_BINDINGS)
 #ifdef ENTRY_admit
 BINDINGS(DrawArguments, ADMIT_BINDINGS)
 #include "bodies/limit.h"
+#include "bodies/decide.h"
 #include "bodies/admit.h"
 ENTRY(admit, serve_admit, DrawArguments, ADMIT_BINDINGS)
 #endif

@@ -22,12 +22,6 @@ BINDINGS(StripArguments, CUT_BINDINGS)
 ENTRY(cut, serve_cut, StripArguments, CUT_BINDINGS)
 #endif
 
-#ifdef ENTRY_scan
-BINDINGS(ScanArguments, SCAN_BINDINGS)
-#include "bodies/scan.h"
-ENTRY(scan, serve_scan, ScanArguments, SCAN_BINDINGS)
-#endif
-
 #ifdef ENTRY_keep
 BINDINGS(StripArguments, KEEP_BINDINGS)
 #include "bodies/strips.h"

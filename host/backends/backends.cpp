@@ -137,10 +137,6 @@ Run run_on_backend(const Request& request, const Plan& plan, Observer& observer)
             throw BadRequest("device", request.device,
                              "backend " + std::string(entry.name) +
                                  " has no devices to choose from; opencl and vulkan have");
-        if (plan.ground && entry.has_devices)
-            throw BadRequest("backend", std::string(entry.name),
-                             "does not serve a field in mode exact, a mask, a border or kept "
-                             "points: cpu and reference do");
         Run run = entry.run(request, plan, observer);
         run.backend = entry.name;
         return run;

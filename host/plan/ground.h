@@ -32,6 +32,21 @@ struct Under {
 
 class Ground {
 public:
+    // Of the radii that are not 0; all is 0 where there are none.
+    struct Radii {
+        std::uint32_t least;
+        std::uint32_t greatest : 31;
+        bool has_zeros : 1;
+        bool are_mixed() const { return least != greatest || (has_zeros && least != 0); }
+    };
+    static Radii merge_radii(Radii a, Radii b);
+    using RadiusPyramid = Pyramid<Radii, merge_radii>;
+
+    // How much of pixels is allowed.
+    static constexpr std::uint8_t kNone = 0, kSome = 1, kAll = 2;
+    static std::uint8_t merge_allowed(std::uint8_t a, std::uint8_t b) { return a == b ? a : kSome; }
+    using Allowed = Pyramid<std::uint8_t, merge_allowed>;
+
     struct Shape {
         std::uint32_t width;  // of the domain
         std::uint32_t height;
@@ -64,22 +79,15 @@ public:
     std::uint32_t cut_x(const Rectangle& place) const;
     std::uint32_t cut_y(const Rectangle& place) const;
 
+    // What all this is found with, for devices. The mask's are null where there is none.
+    const PixelAxis& columns() const { return columns_; }
+    const PixelAxis& rows() const { return rows_; }
+    const RadiusPyramid& radii() const { return radii_; }
+    const PixelAxis* mask_columns() const { return mask_columns_ ? &*mask_columns_ : nullptr; }
+    const PixelAxis* mask_rows() const { return mask_rows_ ? &*mask_rows_ : nullptr; }
+    const Allowed* mask() const { return mask_ ? &*mask_ : nullptr; }
+
 private:
-    // Of the radii that are not 0; all is 0 where there are none.
-    struct Radii {
-        std::uint32_t least;
-        std::uint32_t greatest : 31;
-        bool has_zeros : 1;
-        bool are_mixed() const { return least != greatest || (has_zeros && least != 0); }
-    };
-    static Radii merge_radii(Radii a, Radii b);
-    using RadiusPyramid = Pyramid<Radii, merge_radii>;
-
-    // How much of pixels is allowed.
-    static constexpr std::uint8_t kNone = 0, kSome = 1, kAll = 2;
-    static std::uint8_t merge_allowed(std::uint8_t a, std::uint8_t b) { return a == b ? a : kSome; }
-    using Allowed = Pyramid<std::uint8_t, merge_allowed>;
-
     static std::vector<Radii> radii_of(const Field* field, double scale, const Shape& shape,
                                        const Poll& poll);
     bool is_mask_mixed(const Rectangle& place) const;

@@ -33,6 +33,11 @@ public:
     // more pixels than units, some pixels have none.
     std::uint32_t begin_of(std::uint32_t pixel) const { return begins_[pixel]; }
 
+    // What pixel_of and begin_of compute with, for devices.
+    unsigned shift() const { return shift_; }
+    std::uint64_t scale() const { return scale_; }
+    const std::vector<std::uint32_t>& begins() const { return begins_; }
+
 private:
     std::uint32_t pixels_;
     unsigned shift_;
@@ -63,6 +68,12 @@ public:
     }
 
     const std::vector<Value>& values() const { return levels_.front().values; }
+    // Of all levels, one after another.
+    template <typename Visit>
+    void for_each_value(Visit visit) const {
+        for (const Level& level : levels_)
+            for (const Value& value : level.values) visit(value);
+    }
     Value at(std::uint32_t column, std::uint32_t row) const {
         return levels_.front().at(column, row);
     }

@@ -46,9 +46,9 @@ BODY u32 cell_of(const Geometry g, const Near near, const u32 number) {
            nth_of_stretch(near.rows, number % NEAR_SIDE, g.grid_rows);
 }
 
-// Of dx and a distance in y. An image's may be 2^32 units, whose square and dx's do not fit 64 bits:
-// it counts as the domain's height at most. No sample reaches farther, for on a torus no radius is
-// larger, and on a box there are no images.
+// Of dx and a distance in y. An image's may be 2^32 units, whose square and dx's do not fit 64
+// bits: it counts as the domain's height at most. No sample reaches farther, for on a torus no
+// radius is larger, and on a box there are no images.
 BODY u64 squared_distance(const Geometry g, const u32 dx, const u32 dy) {
     return squared_length(dx, min(dy, g.height));
 }

@@ -34,6 +34,16 @@ LACUNA_FN u32 farthest_distance(i64 y, i64 begin, i64 end) {
     return to_u32(to_begin > to_last ? to_begin : to_last);
 }
 
+// The distance of `at` from the nearest of [begin, end) on an axis that wraps after `period` units,
+// or not.
+LACUNA_FN u32 distance_to_stretch(u32 at, u32 begin, u32 end, u32 period) {
+    u32 last = end - 1u;
+    u32 straight = at < begin ? begin - at : at > last ? at - last : 0u;
+    // The other way around, to the other end.
+    u32 around = at < begin ? period - last + at : period - at + begin;
+    return period != 0u && around < straight ? around : straight;
+}
+
 // Two points conflict when they are strictly closer than the radius.
 LACUNA_FN bool conflicts(u32 ax, u32 ay, u32 bx, u32 by, u32 period_x, u32 period_y,
                          u64 radius_squared) {

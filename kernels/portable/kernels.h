@@ -43,6 +43,7 @@ struct DrawArguments {
     u32 most_reach;  // samples that reach farther are left for the next launch
     u32 is_listed;   // 1 where the candidates to serve are those of `todo`
     u32 first;       // of the draws to serve, which end at `count`
+    u32 room;        // of reach: for visitors of first places
 };
 LACUNA_TYPEDEF(DrawArguments)
 
@@ -74,7 +75,7 @@ struct SlabArguments {
 LACUNA_TYPEDEF(SlabArguments)
 
 // Of kernels that cut boxes into strips, `width` wide: each box is one, or two where is_halved
-// is 1.
+// is 1. On a ground boxes are places of any width, or strips that split made of them.
 struct StripArguments {
     u32 first_item;
     u32 chunk;
@@ -85,6 +86,7 @@ struct StripArguments {
     u32 last_pass;
     u32 block;  // the counts of so many strips have a sum of their own
     u32 room;   // of the new boxes
+    u32 first_recent;  // on a ground: places are cut by the samples in their lists from this on
 };
 LACUNA_TYPEDEF(StripArguments)
 
@@ -164,6 +166,51 @@ LACUNA_END
     B(11, SHARED, u32, free_lengths) B(12, READ, u32, todo) B(13, WRITE, u32, left)          \
     B(14, SHARED, u32, left_count) B(15, SHARED, u32, failure)
 
+// Mode exact on a ground. A place is x, width, begin, end; an entry of a list x, y, radius and the
+// number of the next one. For each first place lists[] has its first entry, and the radius under
+// all of it or 0; for each place origins[] has its first place, and the least radius under it or 0
+// where that is not known or no sample may go. node_links are the greatest radius, and the next
+// node, first place and whole of plan/first_places.h. A visitor of a first place is a candidate
+// that reaches it, and the number of the next visitor.
+#define LOCATE_ON_GROUND_BINDINGS(B) B(0, READ, u32, axes)                                   \
+    B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits) B(3, READ, u32x4, places)    \
+    B(4, READ, u32x2, origins) B(5, READ, u32x4, draws) B(6, WRITE, u32x4, candidates)        \
+    B(7, WRITE, u32, candidate_radii) B(8, WRITE, u32, fates) B(9, SHARED, u32, failure)
+#define SCREEN_ON_GROUND_BINDINGS(B)                                                         \
+    B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32x2, lists)  \
+    B(3, READ, u32x4, entries) B(4, BOTH, u32, fates) B(5, WRITE, u32x2, samples)            \
+    B(6, SHARED, u32, failure)
+#define REACH_BINDINGS(B)                                                                    \
+    B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32, fates)    \
+    B(3, READ, u32x4, node_places) B(4, READ, u32x4, node_links) B(5, READ, u32, node_of)    \
+    B(6, SHARED, u32, visitor_count) B(7, SHARED, u32, visitor_heads)                        \
+    B(8, WRITE, u32x2, visitors) B(9, SHARED, u32, failure)
+#define ADMIT_ON_GROUND_BINDINGS(B)                                                          \
+    B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, SHARED, u32, fates)  \
+    B(3, READ, u32, visitor_heads) B(4, READ, u32x2, visitors) B(5, SHARED, u32, undecided)  \
+    B(6, WRITE, u32x2, samples) B(7, SHARED, u32, failure)
+#define ENLIST_BINDINGS(B)                                                                   \
+    B(0, READ, u32, undecided) B(1, READ, u32x4, candidates)                                 \
+    B(2, READ, u32, candidate_radii) B(3, READ, u32, fates) B(4, READ, u32, visitor_heads)   \
+    B(5, READ, u32x2, visitors) B(6, SHARED, u32, entry_count) B(7, WRITE, u32x4, entries)   \
+    B(8, BOTH, u32x2, lists) B(9, SHARED, u32, failure)
+#define SPLIT_BINDINGS(B)                                                                    \
+    B(0, READ, u32, undecided) B(1, READ, u32, axes) B(2, READ, u32x2, radius_bounds)        \
+    B(3, READ, u32, mask_bits) B(4, READ, u32x4, places) B(5, READ, u32x2, origins)          \
+    B(6, READ, u32x2, lists) B(7, WRITE, u32x4, strips) B(8, WRITE, u32x2, strip_origins)    \
+    B(9, SHARED, u32, failure)
+#define CUT_ON_GROUND_BINDINGS(B)                                                            \
+    B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
+    B(3, READ, u32x2, lists) B(4, READ, u32x4, entries) B(5, BOTH, u32, counts)              \
+    B(6, BOTH, u32x2, pieces) B(7, SHARED, u32, failure)
+#define KEEP_ON_GROUND_BINDINGS(B)                                                           \
+    CUT_ON_GROUND_BINDINGS(B) B(8, READ, u32, sums) B(9, WRITE, u32x4, new_places)           \
+    B(10, WRITE, u32x2, new_origins)
+#define MEASURE_BINDINGS(B)                                                                  \
+    B(0, READ, u32, axes) B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits)        \
+    B(3, READ, u32, total) B(4, READ, u32x4, new_places) B(5, BOTH, u32x2, new_origins)      \
+    B(6, SHARED, u32, failure)
+
 // All buffers, of which a kernel has those that its bindings name.
 #define LACUNA_BUFFERS(B)                                                                         \
     B(u32x4, draws) B(u32x4, located) B(u32, column_begins) B(u32, buckets) B(u32x4, candidates)  \
@@ -174,7 +221,13 @@ LACUNA_END
     B(u32, counts) B(u32, sums) B(u32, total) B(u32, piece_begin) B(u32, piece_end)               \
     B(u32, place_begins) B(u32, bits) B(u32, widest) B(u32, widest_rows) B(u32, column_of)        \
     B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii) B(u32, pixel_reaches)                   \
-    B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, left_count)              \
+    B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, left_count) B(u32, axes)             \
+    B(u32x2, radius_bounds) B(u32, mask_bits) B(u32x4, places) B(u32x2, origins)                   \
+    B(u32x4, new_places) B(u32x2, new_origins) B(u32x2, pieces) B(u32x4, strips)                  \
+    B(u32x2, strip_origins)                                                                       \
+    B(u32x4, node_places) B(u32x4, node_links) B(u32, node_of) B(u32, visitor_count)              \
+    B(u32, visitor_heads) B(u32x2, visitors) B(u32x2, lists) B(u32x4, entries)                    \
+    B(u32, entry_count)                                                                           \
     LACUNA_RELAX_BUFFERS(B)
 
 // All kernels: name, arguments, bindings.
@@ -199,6 +252,15 @@ LACUNA_END
     K(scan, ScanArguments, SCAN_BINDINGS)                             \
     K(find_place_begins, ColumnArguments, FIND_PLACE_BEGINS_BINDINGS) \
     K(subtract_in_cells, DrawArguments, SUBTRACT_IN_CELLS_BINDINGS)   \
+    K(locate_on_ground, DrawArguments, LOCATE_ON_GROUND_BINDINGS)     \
+    K(screen_on_ground, DrawArguments, SCREEN_ON_GROUND_BINDINGS)     \
+    K(reach, DrawArguments, REACH_BINDINGS)                           \
+    K(admit_on_ground, DrawArguments, ADMIT_ON_GROUND_BINDINGS)       \
+    K(enlist, DrawArguments, ENLIST_BINDINGS)                         \
+    K(split, StripArguments, SPLIT_BINDINGS)                          \
+    K(measure, StripArguments, MEASURE_BINDINGS)                      \
+    K(cut_on_ground, StripArguments, CUT_ON_GROUND_BINDINGS)          \
+    K(keep_on_ground, StripArguments, KEEP_ON_GROUND_BINDINGS)        \
     LACUNA_RELAX_KERNELS(K)
 // clang-format on
 

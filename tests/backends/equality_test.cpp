@@ -82,10 +82,7 @@ TEST_P(Equality, OnEveryKindOfRequestInCells) {
     }
 }
 
-// Backends that serve mode exact on a ground.
-class EqualityOnAGround : public tests::OnBackend {};
-
-TEST_P(EqualityOnAGround, OnEveryKindOfRequest) {
+TEST_P(Equality, OnEveryKindOfRequestOnAGround) {
     const std::vector<tests::GroundRequest> requests = tests::ground_requests();
     ASSERT_GE(requests.size(), 60u);
     for (const tests::GroundRequest& made : requests) {
@@ -95,9 +92,6 @@ TEST_P(EqualityOnAGround, OnEveryKindOfRequest) {
                          run(made.request, plan, GetParam())));
     }
 }
-
-INSTANTIATE_TEST_SUITE_P(Backend, EqualityOnAGround, testing::Values("cpu"),
-                         tests::name_of_parameter);
 
 TEST_P(Equality, OnEveryKindOfRequestInLines) {
     expect_equal_on_every_kind_of_request(Mode::lines, GetParam());

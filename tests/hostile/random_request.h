@@ -21,7 +21,6 @@ struct HostileRequest {
     std::shared_ptr<const Field> field;  // in cells, and in exact on a ground
     std::shared_ptr<const Mask> mask;
     Request request;
-    bool has_ground = false;  // served by the reference and the cpu only
 };
 
 class RandomRequests {
@@ -112,7 +111,6 @@ private:
     // Radii that differ by up to 10^6 times.
     void choose_ground(HostileRequest& made) {
         Request& request = made.request;
-        made.has_ground = true;
         if (one_in(4)) request.lines_per_radius = below(5) + 1;
         if (request.boundary == Boundary::box && one_in(3))
             request.border = power(1e-6, 0.49) * std::min(request.width, request.height);

@@ -9,21 +9,13 @@
 namespace lacuna::cpu {
 namespace {
 
-// How far a place is from [begin, end) on one axis, which wraps after `period` units, or not.
-std::uint32_t distance_to(std::uint32_t at, std::uint32_t begin, std::uint32_t end,
-                          std::uint32_t period) {
-    const std::uint32_t straight = portable::nearest_distance(at, begin, end);
-    if (straight == 0 || period == 0) return straight;
-    return std::min(portable::axis_distance(at, begin, period),
-                    portable::axis_distance(at, end - 1, period));
-}
-
 // Whether the sample is closer to the place than both its own radius and the greatest under it.
 bool is_reached(const Rectangle& place, std::uint32_t greatest, const Sized& sample,
                 std::uint32_t period_x, std::uint32_t period_y) {
     const std::uint64_t reach = std::min(sample.radius, greatest);
-    return portable::squared_length(distance_to(sample.x, place.x, place.x + place.width, period_x),
-                                    distance_to(sample.y, place.begin, place.end, period_y)) <
+    return portable::squared_length(
+               portable::distance_to_stretch(sample.x, place.x, place.x + place.width, period_x),
+               portable::distance_to_stretch(sample.y, place.begin, place.end, period_y)) <
            reach * reach;
 }
 

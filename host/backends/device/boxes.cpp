@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "backends/columns.h"
+#include "backends/device/scan.h"
 #include "portable/fate.h"
 
 namespace lacuna::device {
@@ -13,13 +14,11 @@ namespace {
 
 // Pieces beyond the number of the boxes cut; there are seldom as many.
 constexpr std::uint32_t kSpareRoom = 1024;
-constexpr std::uint32_t kSmallestBlock = 256;
 
 // See Queue::launch.
 constexpr std::uint64_t kScreenWork = 3;
 constexpr std::uint64_t kCutWork = 16;
 constexpr std::uint64_t kKeepWork = 4;
-constexpr std::uint64_t kScanWork = 1;  // of eight values
 
 }  // namespace
 
@@ -30,7 +29,6 @@ Boxes::Boxes(RoundMemory& round) : round_(round) {
         round_.make_room(*coordinate, cells);
         round_.queue.fill(*coordinate, NO_SAMPLE, cells);
     }
-    round_.make_room(m.total, 1);
     round_.make_room(m.place_begins, round_.geometry.columns + std::uint64_t{1});
     make_boxes(m.box_x, m.box_begin, m.box_end, 0);
     make_tables(0);
@@ -42,15 +40,8 @@ void Boxes::make_boxes(Buffer& x, Buffer& begin, Buffer& end, std::uint64_t coun
 
 void Boxes::make_tables(std::uint64_t count) {
     Memory& m = round_.memory;
-    for (Buffer* const table : {&m.counts, &m.piece_begin, &m.piece_end})
-        round_.make_room(*table, count);
-    round_.make_room(m.sums, count / kSmallestBlock + 1);
-}
-
-// As many values as there are blocks: two short sums in place of a long one.
-std::uint32_t Boxes::block_of(std::uint64_t count) const {
-    return std::max(kSmallestBlock,
-                    static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count))));
+    for (Buffer* const table : {&m.piece_begin, &m.piece_end}) round_.make_room(*table, count);
+    make_room_to_scan(round_, count);
 }
 
 // ------------------------------------------------------------------------------------ the rounds
@@ -79,23 +70,9 @@ void Boxes::insert() {
 
 // ---------------------------------------------------------------------------------- refinements
 
-// The counts, and then the sums of their blocks, become prefix sums; `total` the sum of all.
-void Boxes::scan(std::uint32_t count) {
-    const std::uint32_t block = block_of(count);
-    const auto blocks = static_cast<std::uint32_t>(items_of(count, block));
-    round_.queue.fill(round_.memory.total, 0, 1);
-    launch<kernels::scan>(round_.queue, round_.memory, {0, count, block}, blocks,
-                          block * kScanWork / 8);
-    Memory memory = round_.memory;
-    memory.counts = memory.sums;
-    memory.sums = memory.total;
-    launch<kernels::scan>(round_.queue, memory, {0, blocks, blocks}, std::min(blocks, 1u),
-                          blocks * kScanWork / 8);
-}
-
 void Boxes::unfold(const Memory& memory, portable::SlabArguments arguments, const Slab& slab,
                    bool is_counting) {
-    arguments.block = block_of(round_.plan.lines);
+    arguments.block = block_of_scan(round_.plan.lines);
     arguments.is_counting = is_counting ? 1 : 0;
     launch<kernels::unfold>(round_.queue, memory, arguments, slab.lines(),
                             round_.geometry.capacity / (is_counting ? 8 : 4));
@@ -106,7 +83,7 @@ void Boxes::make_room_to_count() {
 }
 
 void Boxes::scan_lines() {
-    scan(round_.plan.lines);
+    scan(round_, round_.plan.lines);
 }
 
 void Boxes::make_room_for_lines() {
@@ -124,8 +101,9 @@ portable::StripArguments Boxes::strip_arguments(std::uint32_t served) const {
             is_halved(),
             new_width_,
             kPasses - 1,
-            block_of(strips()),
-            new_room_};
+            block_of_scan(strips()),
+            new_room_,
+            0};
 }
 
 void Boxes::refine(bool halve) {
@@ -135,7 +113,7 @@ void Boxes::refine(bool halve) {
     const portable::StripArguments arguments = strip_arguments(count_);
     launch<kernels::cut>(round_.queue, round_.memory, arguments, items_of(count_, arguments.chunk),
                          (kCutWork << is_halved()) * arguments.chunk);
-    scan(strips());
+    scan(round_, strips());
     keep();
 }
 

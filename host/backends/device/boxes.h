@@ -53,8 +53,6 @@ private:
     // Room for so many boxes, or to count and sum what is left of so many lines or strips.
     void make_boxes(Buffer& x, Buffer& begin, Buffer& end, std::uint64_t count);
     void make_tables(std::uint64_t count);
-    std::uint32_t block_of(std::uint64_t count) const;
-    void scan(std::uint32_t count);
     void keep();
     std::uint32_t is_halved() const { return new_width_ < width_ ? 1 : 0; }
     std::uint32_t strips() const { return count_ << is_halved(); }

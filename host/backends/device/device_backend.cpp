@@ -16,10 +16,7 @@ namespace {
 class DeviceBackend : public Backend {
 public:
     DeviceBackend(std::unique_ptr<Queue> queue, const Plan& plan, const Tuning& tuning)
-        : queue_(std::move(queue)),
-          round_(plan, *queue_),
-          places_(plan.mode == Mode::cells ? make_lattice(round_, tuning)
-                                           : make_spans(round_, tuning)) {}
+        : queue_(std::move(queue)), round_(plan, *queue_), places_(make_places(tuning)) {}
 
     // Transfers into this object's memory may be on their way when an error ends a run.
     ~DeviceBackend() override { queue_->drain(); }
@@ -40,7 +37,7 @@ public:
         round_.upload(draws, places_->begins(), places_->part_limits(count));
         for_parts([&] {
             places_->locate(round_.draws_of_part());
-            sort();
+            places_->sort();
         });
         ends_with_ = End::none;
         has_fates_ = are_out_ = false;
@@ -88,7 +85,7 @@ public:
         is_open_ = true;
         finish();
         const std::uint64_t survivors = take_admitted(round_.by_order, samples_);
-        return {samples_, survivors, places_->free_lengths(), places_->width()};
+        return {samples_, survivors, places_->free_lengths(), places_->width(), places_->widths()};
     }
 
     Snapshot snapshot() override {
@@ -104,7 +101,7 @@ public:
         places_->restore(snapshot);
         const auto count = static_cast<std::uint32_t>(snapshot.candidates.size());
         round_.restore_candidates(snapshot, places_->part_limits(count));
-        for_parts([&] { sort(); });  // for the buckets' sake
+        for_parts([&] { places_->sort(); });  // for the buckets' sake
         round_.restore_fates(snapshot);
         ends_with_ = End::none;
         has_fates_ = true;
@@ -112,6 +109,11 @@ public:
     }
 
 private:
+    std::unique_ptr<Places> make_places(const Tuning& tuning) {
+        if (round_.plan.ground) return make_rectangles(round_);
+        return round_.plan.is_cells() ? make_lattice(round_, tuning) : make_spans(round_, tuning);
+    }
+
     enum class End { none, take_out, subtract, refine };  // of the part, or the round
 
     void open_part(std::uint32_t part) {
@@ -150,11 +152,6 @@ private:
         if (!std::has_single_bit(part)) return places_->screen_again(round_.part.end);
         places_->screen_again(round_.draw_count);
         round_.find_done(part, is_done);
-    }
-
-    void sort() {
-        round_.sort();
-        places_->look_up();
     }
 
     // Passes after the first kPasses take up what those left undecided.

@@ -66,9 +66,9 @@ static_assert(sizeof(portable::Geometry) == 64 && offsetof(portable::DrawArgumen
               offsetof(portable::ColumnArguments, g) == 8);
 static_assert(offsetof(portable::DrawArguments, count) == 72 &&
               offsetof(portable::DrawArguments, is_listed) == 96 &&
-              offsetof(portable::DrawArguments, first) == 100 &&
+              offsetof(portable::DrawArguments, room) == 104 &&
               offsetof(portable::SlabArguments, is_counting) == 108 &&
-              offsetof(portable::StripArguments, room) == 92 &&
+              offsetof(portable::StripArguments, first_recent) == 96 &&
               offsetof(portable::ColumnArguments, room) == 72);
 
 template <typename Kernel>

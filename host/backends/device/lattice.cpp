@@ -31,9 +31,6 @@ constexpr std::uint32_t kLongestChunk = 64;
 constexpr std::uint64_t kWordsPerWork = 32;
 constexpr std::uint64_t kTurnsPerWork = 8;
 
-// So few draws are compared all with all, however wide their radii.
-constexpr std::uint32_t kFewDraws = 1024;
-
 constexpr std::uint32_t kPartWords = 1 << 20;  // of bits on their way up
 
 class Lattice : public Places {
@@ -65,17 +62,8 @@ public:
 
     std::span<const std::uint32_t> begins() const override { return first_lines_; }
 
-    // The first part so small that a candidate has few others within its own radius, where those
-    // of wide radii lie beside those of small ones. All so small that one of the widest reach,
-    // which may look at all others, takes no more turns than there are.
     PartLimits part_limits(std::uint32_t count) const override {
-        constexpr double kMostRivals = 64;
-        PartLimits limits;
-        const double most = std::max<double>(kFewDraws, kMostTurns / share_);
-        if (count > most) limits.most = static_cast<std::uint32_t>(most);
-        if (count > kFewDraws && count * mean_share_ > kMostRivals)
-            limits.first = static_cast<std::uint32_t>(std::max(kMostRivals / mean_share_, 64.0));
-        return limits;
+        return limits_by_share(count, mean_share_, share_);
     }
 
     void begin_part() override {
@@ -97,7 +85,8 @@ public:
                                          arguments.chunk * (words_ / kWordsPerWork + 1));
     }
 
-    void look_up() override {
+    void sort() override {
+        round_.sort();
         round_.launch_over_draws<kernels::look_up_radii>(arguments_of(kPasses - 1), 1);
     }
 

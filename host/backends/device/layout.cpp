@@ -7,6 +7,8 @@
 
 #include "backends/columns.h"
 #include "plan/first_free.h"
+#include "plan/first_places.h"
+#include "plan/ground.h"
 #include "portable/column.h"
 #include "portable/fate.h"
 #include "rounds/round_policy.h"
@@ -155,6 +157,29 @@ Needs needs_of_cells(const Plan& plan, std::uint64_t round) {
             std::max({bits, pixels, lines, rows, round * kCellsLargestPerDraw})};
 }
 
+// On a ground. Of draws, located, candidates; buckets, fates, radii, counts; samples; and the first
+// places that each reaches. Of a sample: its entries, places and what they become.
+constexpr std::uint64_t kGroundBytesPerDraw = 48 + 16 + 8 + 10 * 8;
+constexpr std::uint64_t kGroundBytesPerSample = 8 * 16 + 2 * (20 + 20 + 20);
+constexpr std::uint64_t kLargestPerSample = 8 * 16;
+
+Needs needs_of_ground(const Plan& plan, std::uint64_t round) {
+    const Ground& ground = *plan.ground;
+    // A pyramid has a third more values than pixels.
+    const std::uint64_t radii =
+        std::uint64_t{ground.columns().pixels()} * ground.rows().pixels() * 8 * 4 / 3;
+    const std::uint64_t mask =
+        ground.mask() == nullptr ? 0 : std::uint64_t{ground.mask()->values().size()} / 3;
+    return {radii + mask + plan.expected_samples * kGroundBytesPerSample +
+                plan.first_places->nodes.size() * 48 + round * kGroundBytesPerDraw,
+            std::max({radii, plan.expected_samples * kLargestPerSample, round * 10 * 8})};
+}
+
+Needs needs_of(const Plan& plan, std::uint64_t round) {
+    if (plan.ground) return needs_of_ground(plan, round);
+    return plan.is_cells() ? needs_of_cells(plan, round) : needs_of_lines(plan, round);
+}
+
 }  // namespace
 
 void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint64_t memory_bytes,
@@ -170,9 +195,7 @@ void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint6
     const std::uint64_t first = first_round_size(plan);
     const std::uint64_t round =
         plan.round_size != 0 ? first : std::min(2 * first, largest_round_size(plan));
-    refuse_if_too_large(device,
-                        plan.is_cells() ? needs_of_cells(plan, round) : needs_of_lines(plan, round),
-                        memory_bytes, largest_buffer_bytes);
+    refuse_if_too_large(device, needs_of(plan, round), memory_bytes, largest_buffer_bytes);
 }
 
 void refuse_if_too_large(const std::string& device, const Needs& needs, std::uint64_t memory_bytes,

@@ -26,8 +26,8 @@ public:
     // After a part of the round's draws, or of its candidates restored, was opened.
     virtual void begin_part() = 0;
     virtual void locate(std::span<const Draw> draws) = 0;
-    // After the candidates were sorted: what admit looks up of each.
-    virtual void look_up() {}
+    // What was located, into the order in which admit looks for it.
+    virtual void sort() { round_.sort(); }
     // Before the first pass of the first part: settles what samples of earlier rounds cover.
     virtual void screen() {}
     // Before the first pass of a later part: settles what samples of earlier parts cover, of the
@@ -52,6 +52,8 @@ public:
 
     virtual std::span<const std::uint32_t> free_lengths() const = 0;
     virtual std::uint32_t width() const = 0;
+    // Of each place, where they differ.
+    virtual std::span<const std::uint32_t> widths() const { return {}; }
     virtual void snapshot(Snapshot& snapshot) = 0;
     virtual void restore(const Snapshot& snapshot) = 0;
 
@@ -62,5 +64,6 @@ protected:
 // Those of the plan's mode.
 std::unique_ptr<Places> make_spans(RoundMemory& round, const Tuning& tuning);    // lines, exact
 std::unique_ptr<Places> make_lattice(RoundMemory& round, const Tuning& tuning);  // cells
+std::unique_ptr<Places> make_rectangles(RoundMemory& round);  // exact on a ground
 
 }  // namespace lacuna::device

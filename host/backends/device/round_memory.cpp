@@ -123,7 +123,8 @@ void RoundMemory::throw_if_failed() const {
 }
 
 portable::DrawArguments RoundMemory::arguments(std::uint32_t pass) const {
-    return {0, queue.chunk_of(part_count()), geometry, part.end, pass, 0, 0, 0, 0, 0, part.begin};
+    return {0, queue.chunk_of(part_count()), geometry, part.end, pass, 0, 0, 0, 0, 0, part.begin,
+            0};
 }
 
 void RoundMemory::snapshot(Snapshot& snapshot) {

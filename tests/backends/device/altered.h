@@ -33,7 +33,8 @@ std::unique_ptr<Backend> make_counted(const std::string& backend, const Plan& pl
                                       const device::Tuning& tuning, std::uint64_t* launches);
 
 // Nothing where a set is not done after so many rounds: wrong kernels need not come to an end.
-Outcome run_rounds(const Plan& plan, Backend& backend, std::uint64_t most = 30);
+inline constexpr std::uint64_t kMostRounds = 30;
+Outcome run_rounds(const Plan& plan, Backend& backend, std::uint64_t most = kMostRounds);
 Outcome run_on_cpu(const Plan& plan);
 
 }  // namespace lacuna::tests

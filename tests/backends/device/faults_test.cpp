@@ -20,7 +20,9 @@ protected:
     // A fault is noticed when it changes the set, or is an error. None may leave a box unwritten:
     // what lies there would be read as coordinates.
     void expect_noticed(const Plan& plan, const std::vector<Fault>& faults) {
-        const std::vector<Sample> right = tests::run_on_cpu(plan).samples;
+        const Outcome on_cpu = tests::run_on_cpu(plan);
+        ASSERT_LE(on_cpu.rounds, tests::kMostRounds);
+        const std::vector<Sample>& right = on_cpu.samples;
         ASSERT_FALSE(right.empty());
         for (const Fault& fault : faults) {
             const auto faulty = tests::make_faulty(GetParam(), plan, fault);
@@ -57,11 +59,11 @@ TEST_P(Faults, InLinesAreNoticed) {
     expect_noticed(
         lines_,
         {{"bodies/locate.h", "height_of_rank(piece, draw.y - passed)", "height_of_rank(piece, 0u)"},
-         {"bodies/admit.h", "other.w >= candidate.w) continue;",
+         {"bodies/decide.h", "other.w >= candidate.w) continue;",
           "other.w <= candidate.w) continue;"},
-         {"bodies/admit.h", "return waits ? FATE_UNDECIDED", "return false ? FATE_UNDECIDED"},
-         {"bodies/admit.h", "window < windows", "window < 1u"},
-         {"bodies/admit.h", "return bucket > 0u ?", "return bucket > 1u ? end : bucket > 0u ?"},
+         {"bodies/decide.h", "return waits ? FATE_UNDECIDED", "return false ? FATE_UNDECIDED"},
+         {"bodies/decide.h", "window < windows", "window < 1u"},
+         {"bodies/decide.h", "return bucket > 0u ?", "return bucket > 1u ? end : bucket > 0u ?"},
          {"bodies/sort_columns.h", "comes_before(moved,", "false && comes_before(moved,"},
          {"bodies/gather.h", "columns.count > 2u", "columns.count > 3u"},
          {"bodies/subtract.h", "if (bottom > 0u) gap", "if (false) gap"},
@@ -86,7 +88,8 @@ TEST_P(Faults, InExactAreNoticed) {
          {"bodies/unfold.h", "AT(box_end, next) = end;", "AT(box_end, next) = span.y;"},
          {"bodies/strips.h", "i < near.columns.count", "i < 1u"},
          {"bodies/strips.h", "is_at_edge ? -1 : 0", "is_at_edge ? 0 : 0"},
-         {"bodies/strips.h", "squared_length(dx, farthest)", "squared_length(dx, nearest)"},
+         {"bodies/strips.h", "squared_distance(g, dx, farthest)",
+          "squared_distance(g, dx, nearest)"},
          {"bodies/strips.h", "+ strip.width / 2u;", ";"},
          {"bodies/keep.h", "= piece.y - piece.x;", "= 1u;"},
          {"bodies/scan.h", "AT(sums, item) = sum;", "AT(sums, item) = 0u;"},
@@ -100,12 +103,12 @@ TEST_P(Faults, InCellsAreNoticed) {
         {{"bodies/locate.h", "draw.y - passed), line", "(draw.y - passed) / 2u), line"},
          {"bodies/free_bits.h", "number * 32u,", "number * 31u,"},
          {"bodies/look_up_radii.h", "+ AT(row_of, candidate.y)", ""},
-         {"bodies/admit.h", "other.w >= candidate.w) continue;",
+         {"bodies/decide.h", "other.w >= candidate.w) continue;",
           "other.w <= candidate.w) continue;"},
-         {"bodies/admit.h", "return waits ? FATE_UNDECIDED", "return false ? FATE_UNDECIDED"},
-         {"bodies/admit.h", "k < columns.count", "k < 1u"},
-         {"bodies/admit.h", "window < windows", "window < 1u"},
-         {"bodies/admit.h", "candidate.y, a.g.period_x, a.g.period_y,", "candidate.y, 0u, 0u,"},
+         {"bodies/decide.h", "return waits ? FATE_UNDECIDED", "return false ? FATE_UNDECIDED"},
+         {"bodies/decide.h", "k < columns.count", "k < 1u"},
+         {"bodies/decide.h", "window < windows", "window < 1u"},
+         {"bodies/decide.h", "candidate.y, a.g.period_x, a.g.period_y,", "candidate.y, 0u, 0u,"},
          {"bodies/limit_in_cells.h", "AT(candidate_radii, j)", "AT(candidate_radii, i)"},
          {"bodies/subtract_in_cells.h", "cut.radius, pixel)", "cut.radius, cut.radius)"},
          {"bodies/subtract_in_cells.h", "(cut.dx, farthest) < limit", "(cut.dx, nearest) < limit"},
@@ -120,6 +123,61 @@ TEST_P(Faults, InCellsAreNoticed) {
          {"bodies/subtract_in_cells.h", "class_bound(AT(pixel_radii, cut.pixel_begin + row))",
           "1u"},
          {"portable/bits.h", "lowest_bit(rest)", "lowest_bit(word)"}});
+}
+
+// A field of noise, a mask, and a sample that was there before.
+Plan ground_plan(Boundary boundary, double part) {
+    Field field = tests::noise_field(12, 9, 7);
+    Mask mask;
+    mask.columns = 7;
+    mask.rows = 8;
+    mask.allowed.assign(56, 1);
+    for (const std::size_t i : {3u, 11u, 12u, 30u, 31u, 50u}) mask.allowed[i] = 0;
+    const std::vector<Point> keep = {{0.3, 0.35}};
+    Request request;
+    request.boundary = boundary;
+    request.field = &field;
+    request.scale = 0.025;
+    request.mask = &mask;
+    request.keep = keep;
+    request.round_size = 128;
+    Plan plan = make_plan(request);
+    plan.limit = static_cast<std::uint64_t>(static_cast<double>(plan.expected_samples) * part);
+    return plan;
+}
+
+TEST_P(Faults, OnAGroundAreNoticed) {
+    expect_noticed(
+        ground_plan(Boundary::torus, 0.8),
+        {{"bodies/locate_on_ground.h", "place.z + draw.y;", "place.z;"},
+         {"bodies/locate_on_ground.h", "= radius_at(ON x, y);", "= radius_at(ON x, place.z);"},
+         {"bodies/screen_on_ground.h", "if (radius == 0u) return true;", ""},
+         {"bodies/screen_on_ground.h", "min(entry.z, radius)", "entry.z"},
+         {"bodies/reach.h", "if (node != links.y)", "if (node == links.y)"},
+         {"bodies/reach.h", "min(radius, greatest)", "min(radius, greatest) / 2u"},
+         {"bodies/reach.h", "root == 0u ? a.g.period_y : 0u", "0u"},
+         {"bodies/reach.h", "if (candidate.z == NO_SAMPLE) return 0u;", "return AT(node_of, 0u);"},
+         {"bodies/decide_on_ground.h", "other.w >= candidate.w", "other.w <= candidate.w"},
+         {"bodies/decide_on_ground.h", "min(radius, AT(candidate_radii, visitor.x))", "radius"},
+         {"bodies/enlist.h", "AT(lists, place).x = next;", ""},
+         {"bodies/remnants.h", "min(entry.z, strip.radius);", "entry.z;"},
+         {"bodies/remnants.h", "g.period_x) + middle", "g.period_x)"},
+         {"bodies/remnants.h", "window < windows", "window < 1u"},
+         {"bodies/remnants.h", "passed < next", "passed + 1u < next"},
+         {"portable/distance.h", "period - last + at :", "period - begin + at :"}});
+}
+
+// In the end places are halved, where what is left of them is cut.
+TEST_P(Faults, InHalvedPlacesOnAGroundAreNoticed) {
+    expect_noticed(
+        ground_plan(Boundary::box, 2),
+        {{"bodies/split.h", "if (up != 0u) {", "if (false) {"},
+         {"bodies/split.h", "part.y = cut - place.x;", "part.y = place.y;"},
+         {"bodies/measure.h", ".y == 0u)", ".y == 1u)"},
+         {"bodies/keep_on_ground.h", "is_whole ? origin.y", "is_whole ? 1u"},
+         {"bodies/ground.h", "AT(mask_bits, number / ALLOWED_PER_WORD)", "AT(mask_bits, 0u)"},
+         {"bodies/ground.h", "i <= pixels.y >> level.shift", "i == pixels.x >> level.shift"},
+         {"portable/ground.h", "less_a < less_b", "less_a > less_b"}});
 }
 
 // Rounds of so many draws in so few columns are admitted in parts.

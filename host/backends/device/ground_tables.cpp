@@ -1,0 +1,47 @@
+// The tables of a ground.
+#include "backends/device/ground_tables.h"
+
+#include <cstddef>
+
+#include "portable/ground.h"
+
+namespace lacuna::device {
+namespace {
+
+static_assert(Ground::kNone == ALLOWED_NONE && Ground::kSome == ALLOWED_SOME &&
+              Ground::kAll == ALLOWED_ALL);
+
+void append_axis(const PixelAxis& axis, std::uint32_t number, std::vector<std::uint32_t>& axes) {
+    std::uint32_t* const words = &axes[number * std::size_t{AXIS_WORDS}];
+    words[AXIS_PIXELS] = axis.pixels();
+    words[AXIS_SHIFT] = axis.shift();
+    words[AXIS_SCALE] = static_cast<std::uint32_t>(axis.scale());
+    words[AXIS_SCALE + 1] = static_cast<std::uint32_t>(axis.scale() >> 32);
+    words[AXIS_BEGINS] = static_cast<std::uint32_t>(axes.size());
+    axes.insert(axes.end(), axis.begins().begin(), axis.begins().end());
+}
+
+}  // namespace
+
+GroundTables tables_of(const Ground& ground) {
+    GroundTables tables;
+    tables.axes.resize(4 * std::size_t{AXIS_WORDS}, 0);
+    append_axis(ground.columns(), COLUMNS_OF_FIELD, tables.axes);
+    append_axis(ground.rows(), ROWS_OF_FIELD, tables.axes);
+    ground.radii().for_each_value([&](const Ground::Radii& radii) {
+        tables.radius_bounds.push_back(radii.least);
+        tables.radius_bounds.push_back(radii.greatest | (radii.has_zeros ? HAS_ZEROS : 0));
+    });
+    std::uint32_t number = 0;
+    tables.mask_bits = {0};
+    if (ground.mask() == nullptr) return tables;
+    append_axis(*ground.mask_columns(), COLUMNS_OF_MASK, tables.axes);
+    append_axis(*ground.mask_rows(), ROWS_OF_MASK, tables.axes);
+    ground.mask()->for_each_value([&](std::uint32_t allowed) {
+        if (number / ALLOWED_PER_WORD == tables.mask_bits.size()) tables.mask_bits.push_back(0);
+        tables.mask_bits.back() |= allowed << number++ % ALLOWED_PER_WORD * 2;
+    });
+    return tables;
+}
+
+}  // namespace lacuna::device

@@ -1,0 +1,243 @@
+// The places of mode exact on a ground: rectangles, which lists of the samples that reach their
+// first places cut (docs/design.md, section 4, "exact with a field").
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "backends/device/ground_tables.h"
+#include "backends/device/places.h"
+#include "backends/device/sample_lists.h"
+#include "backends/device/scan.h"
+#include "plan/first_places.h"
+#include "plan/ground.h"
+#include "portable/fate.h"
+
+namespace lacuna::device {
+namespace {
+
+// See Queue::launch.
+constexpr std::uint64_t kLocateWork = 2;
+constexpr std::uint64_t kScreenWork = 4;
+constexpr std::uint64_t kCutWork = 12;
+constexpr std::uint64_t kKeepWork = 2;
+constexpr std::uint64_t kSplitWork = 8;
+constexpr std::uint64_t kMeasureWork = 2;
+
+// Pieces beyond the number of the places cut; there are seldom as many.
+constexpr std::uint32_t kSpareRoom = 1024;
+
+static_assert(sizeof(Rectangle) == 4 * kWord);
+
+class Rectangles : public Places {
+public:
+    explicit Rectangles(RoundMemory& round)
+        : Places(round), first_(*round.plan.first_places), lists_(round) {
+        make_tables();
+        take_places(first_.places);
+        std::vector<std::uint32_t> origins;
+        for (std::uint32_t i = 0; i < count_; ++i)
+            origins.insert(origins.end(), {i, round_.plan.ground->under(first_.places[i]).least});
+        Memory& m = round_.memory;
+        round_.make_room(m.places, 4 * std::uint64_t{count_});
+        round_.put<Rectangle>(m.places, first_.places);
+        m.origins = round_.copy_of(origins);
+        round_.queue.wait();
+        find_shares();
+        lists_.enlist_kept();
+    }
+
+    std::span<const std::uint32_t> begins() const override { return begins_; }
+
+    PartLimits part_limits(std::uint32_t count) const override {
+        PartLimits limits = limits_by_share(count, mean_share_, widest_share_);
+        limits.of_column = limits.most;  // nothing is sorted
+        return limits;
+    }
+
+    void begin_part() override {
+        round_.make_room(round_.memory.candidate_radii, round_.draw_count);
+        lists_.begin_part();
+    }
+
+    void locate(std::span<const Draw>) override {
+        round_.launch_over_draws<kernels::locate_on_ground>(round_.arguments(), kLocateWork);
+    }
+    void sort() override {}
+
+    // Of all parts: no sample of the round is in a list yet.
+    void screen() override {
+        portable::DrawArguments arguments = round_.arguments(FATE_COVERED);
+        arguments.first = 0;
+        arguments.count = round_.draw_count;
+        round_.launch_over_draws<kernels::screen_on_ground>(arguments, kScreenWork);
+    }
+    void screen_again(std::uint32_t end) override {
+        portable::DrawArguments arguments = round_.arguments(FATE_REJECTED);
+        arguments.count = end;
+        round_.launch_over_draws<kernels::screen_on_ground>(arguments, kScreenWork);
+    }
+
+    void admit(std::uint32_t pass) override {
+        if (!lists_.has_visitors()) lists_.list_visitors();
+        portable::DrawArguments arguments = round_.arguments(pass);
+        arguments.chunk = round_.chunk_of_admit(round_.queue.run_of(round_.part_count()));
+        round_.launch_over_draws<kernels::admit_on_ground>(arguments,
+                                                           RoundMemory::admit_work(pass));
+    }
+
+    void subtract() override { throw std::logic_error("a ground is refined from the start"); }
+
+    void take_out() override { lists_.enlist(); }
+
+    void refine(bool halve) override {
+        take_out();
+        is_refining_ = true;
+        is_halving_ = halve;
+        new_room_ = count_ + (halve ? count_ / 2 : 0) + kSpareRoom;
+        Memory& m = round_.memory;
+        if (halve) {
+            round_.make_room(m.strips, 4 * std::uint64_t{strips()});
+            round_.make_room(m.strip_origins, 2 * std::uint64_t{strips()});
+            launch_over<kernels::split>(m, count_, kSplitWork);
+        }
+        round_.make_room(m.pieces, 2 * std::uint64_t{strips()});
+        make_room_to_scan(round_, strips());
+        launch_over<kernels::cut_on_ground>(memory_of_strips(), strips(), kCutWork);
+        scan(round_, strips());
+        keep();
+    }
+
+    void start_download() override {
+        lists_.start_download();
+        if (!is_refining_) return;
+        new_places_.resize(new_room_);
+        round_.get<std::uint32_t>(round_.memory.total, total_);
+        round_.get<Rectangle>(round_.memory.new_places, new_places_);
+    }
+
+    bool queue_rest() override {
+        if (!is_refining_ || total_.front() <= new_room_) return false;
+        new_room_ = total_.front();
+        keep();
+        return true;
+    }
+
+    void end_round() override {
+        if (!is_refining_) return;
+        is_refining_ = false;
+        Memory& m = round_.memory;
+        std::swap(m.places, m.new_places);
+        std::swap(m.origins, m.new_origins);
+        take_places(std::span(new_places_).first(total_.front()));
+        lists_.end_round();
+    }
+
+    std::span<const std::uint32_t> free_lengths() const override { return lengths_; }
+    std::uint32_t width() const override { return round_.plan.strip_width; }
+    std::span<const std::uint32_t> widths() const override { return widths_; }
+
+    void snapshot(Snapshot&) override { throw std::logic_error("no test looks into a ground"); }
+    void restore(const Snapshot&) override { throw std::logic_error("no test restores a ground"); }
+
+private:
+    std::uint32_t strips() const { return is_halving_ ? 4 * count_ : count_; }
+
+    void make_tables() {
+        const GroundTables tables = tables_of(*round_.plan.ground);
+        Memory& m = round_.memory;
+        m.axes = round_.copy_of(tables.axes);
+        m.radius_bounds = round_.copy_of(tables.radius_bounds);
+        m.mask_bits = round_.copy_of(tables.mask_bits);
+        round_.queue.wait();
+    }
+
+    void take_places(std::span<const Rectangle> places) {
+        count_ = static_cast<std::uint32_t>(places.size());
+        begins_ = {0, count_};
+        lengths_.clear();
+        widths_.clear();
+        for (const Rectangle& place : places) {
+            lengths_.push_back(place.end - place.begin);
+            widths_.push_back(place.width);
+        }
+    }
+
+    // Of the domain, within the radius of a place: on average, and at most.
+    void find_shares() {
+        double all = 0, sum = 0;
+        for (std::size_t i = 0; i < first_.places.size(); ++i) {
+            const Rectangle& place = first_.places[i];
+            const double area = static_cast<double>(place.width) * (place.end - place.begin);
+            const double side = 2.0 * first_.nodes[first_.node_of[i]].greatest;
+            const double share =
+                std::min(side / round_.plan.width, 1.0) * std::min(side / round_.plan.height, 1.0);
+            all += area;
+            sum += area * share;
+            widest_share_ = std::max(widest_share_, share);
+        }
+        mean_share_ = sum / all;
+    }
+
+    // What is cut: the places, or the strips that split made of them.
+    Memory memory_of_strips() const {
+        Memory memory = round_.memory;
+        if (!is_halving_) return memory;
+        memory.places = memory.strips;
+        memory.origins = memory.strip_origins;
+        return memory;
+    }
+
+    // Serves so many places or strips. Halves are cut by all samples in their lists, and what is
+    // not halved by those of the round.
+    template <typename Kernel>
+    void launch_over(const Memory& memory, std::uint32_t count, std::uint64_t work) {
+        const portable::StripArguments arguments{0,
+                                                 round_.queue.chunk_of(count),
+                                                 round_.geometry,
+                                                 count,
+                                                 0,
+                                                 0,
+                                                 kPasses - 1,
+                                                 block_of_scan(strips()),
+                                                 new_room_,
+                                                 is_halving_ ? 0 : lists_.first_recent()};
+        launch<Kernel>(round_.queue, memory, arguments, items_of(count, arguments.chunk),
+                       work * arguments.chunk);
+    }
+
+    void keep() {
+        Memory& m = round_.memory;
+        round_.make_room(m.new_places, 4 * std::uint64_t{new_room_});
+        round_.make_room(m.new_origins, 2 * std::uint64_t{new_room_});
+        launch_over<kernels::keep_on_ground>(memory_of_strips(), strips(), kKeepWork);
+        launch_over<kernels::measure>(m, new_room_, kMeasureWork);
+    }
+
+    const FirstPlaces& first_;
+    SampleLists lists_;
+    std::array<std::uint32_t, 2> begins_{};  // all places are one column: nothing is sorted
+    std::uint32_t count_ = 0;                // of places
+    std::vector<std::uint32_t> lengths_;
+    std::vector<std::uint32_t> widths_;
+    double mean_share_ = 0;
+    double widest_share_ = 0;
+
+    // Of a refinement under way.
+    bool is_refining_ = false;
+    bool is_halving_ = false;
+    std::uint32_t new_room_ = 0;
+    std::array<std::uint32_t, 1> total_{};
+    std::vector<Rectangle> new_places_;
+};
+
+}  // namespace
+
+std::unique_ptr<Places> make_rectangles(RoundMemory& round) {
+    return std::make_unique<Rectangles>(round);
+}
+
+}  // namespace lacuna::device

@@ -1,0 +1,127 @@
+// Lists of samples, and of the candidates that may become samples, on a device.
+#include "backends/device/sample_lists.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "plan/ground.h"
+#include "portable/fate.h"
+
+namespace lacuna::device {
+namespace {
+
+// See Queue::launch.
+constexpr std::uint64_t kReachWork = 12;
+constexpr std::uint64_t kEnlistWork = 1;
+
+// Entries for a sample to be expected; where more are needed, half as many again are made room for.
+constexpr std::uint64_t kEntriesPerSample = 8;
+// First places that a draw reaches, most of which are soon covered; where it is more, they are
+// listed again.
+constexpr std::uint64_t kVisitsPerDraw = 8;
+
+}  // namespace
+
+SampleLists::SampleLists(RoundMemory& round) : round_(round), first_(*round.plan.first_places) {
+    make_tree();
+    Memory& m = round_.memory;
+    std::vector<std::uint32_t> lists;
+    for (const std::uint32_t even : first_.even_radii) lists.insert(lists.end(), {NO_SAMPLE, even});
+    m.lists = round_.copy_of(lists);
+    round_.make_room(m.entries, 4 * kEntriesPerSample * round_.plan.expected_samples);
+    round_.make_room(m.entry_count, 1);
+    round_.queue.fill(m.entry_count, 0, 1);
+    round_.make_room(m.visitor_heads, places());
+    round_.make_room(m.visitor_count, 1);
+    round_.queue.wait();
+}
+
+void SampleLists::make_tree() {
+    Memory& m = round_.memory;
+    std::vector<Rectangle> places;
+    std::vector<std::uint32_t> links;
+    for (const FirstPlaces::Node& node : first_.nodes) {
+        places.push_back(node.place);
+        links.insert(links.end(), {node.greatest, node.next, node.first, node.whole});
+    }
+    round_.make_room(m.node_places, 4 * places.size());
+    round_.put<Rectangle>(m.node_places, places);
+    m.node_links = round_.copy_of(links);
+    m.node_of = round_.copy_of(first_.node_of);
+    round_.queue.wait();
+}
+
+void SampleLists::enlist_kept() {
+    const std::vector<Sample>& kept = round_.plan.kept;
+    const auto count = static_cast<std::uint32_t>(kept.size());
+    if (count == 0) return;
+    std::vector<Candidate> candidates;
+    std::vector<std::uint32_t> radii;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        candidates.push_back({kept[i].x, kept[i].y, NO_SAMPLE, i});
+        radii.push_back(round_.plan.ground->radius_at(kept[i].x, kept[i].y));
+    }
+    const std::vector<std::uint32_t> fates(count, FATE_ADMITTED);
+    Memory& m = round_.memory;
+    round_.make_room(m.candidates, 4 * std::uint64_t{count});
+    round_.put<Candidate>(m.candidates, candidates);
+    m.candidate_radii = round_.copy_of(radii);
+    m.fates = round_.copy_of(fates);
+    round_.queue.fill(m.failure, 0, 1);
+    round_.queue.fill(m.undecided, 0, kPasses);
+    round_.part = {0, count};
+    list_visitors();
+    enlist();
+    start_download();
+    round_.start_download(false);
+    round_.queue.wait();
+    round_.throw_if_failed();
+}
+
+void SampleLists::list_visitors() {
+    Memory& m = round_.memory;
+    std::array<std::uint32_t, 1> visitors{};
+    std::uint64_t room = kVisitsPerDraw * round_.part_count();
+    do {
+        room = std::max<std::uint64_t>(room, visitors.front());
+        round_.make_room(m.visitors, 2 * room);
+        round_.queue.fill(m.visitor_heads, NO_SAMPLE, places());
+        round_.queue.fill(m.visitor_count, 0, 1);
+        portable::DrawArguments arguments = round_.arguments();
+        arguments.room = static_cast<std::uint32_t>(room);
+        round_.launch_over_draws<kernels::reach>(arguments, kReachWork);
+        round_.get<std::uint32_t>(m.visitor_count, visitors);
+        round_.queue.wait();
+    } while (visitors.front() > room);
+    make_room_for_entries(std::uint64_t{entry_count_.front()} + visitors.front());
+    has_visitors_ = true;
+}
+
+// Keeps what is there.
+void SampleLists::make_room_for_entries(std::uint64_t count) {
+    Buffer& entries = round_.memory.entries;
+    if (4 * count <= entries.words()) return;
+    std::vector<std::uint32_t> words(4 * std::size_t{entry_count_.front()});
+    round_.get<std::uint32_t>(entries, words);
+    round_.queue.wait();
+    round_.make_room(entries, 4 * (count + count / 2));
+    round_.put<std::uint32_t>(entries, words);
+    round_.queue.wait();
+}
+
+void SampleLists::enlist() {
+    if (!has_visitors_) return;
+    portable::DrawArguments arguments = round_.arguments();
+    arguments.count = places();
+    arguments.chunk = round_.queue.chunk_of(arguments.count);
+    launch<kernels::enlist>(round_.queue, round_.memory, arguments,
+                            items_of(arguments.count, arguments.chunk),
+                            kEnlistWork * arguments.chunk);
+}
+
+void SampleLists::start_download() {
+    round_.get<std::uint32_t>(round_.memory.entry_count, entry_count_);
+}
+
+}  // namespace lacuna::device

@@ -1,0 +1,46 @@
+// The samples on a ground, listed on a device for each of the first places that they reach
+// (plan/first_places.h): kernels/bodies/reach.h finds those, enlist.h lists the samples.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "backends/device/round_memory.h"
+#include "plan/first_places.h"
+
+namespace lacuna::device {
+
+class SampleLists {
+public:
+    explicit SampleLists(RoundMemory& round);
+
+    // As if they were candidates of a round, all of them admitted.
+    void enlist_kept();
+
+    void begin_part() { has_visitors_ = false; }
+    bool has_visitors() const { return has_visitors_; }
+    // Lists the part's candidates for the first places that they reach, and makes room for them in
+    // the lists of samples. Waits in between.
+    void list_visitors();
+    // Queues this: those of them that were admitted are listed for good. A part without candidates
+    // left has no visitors.
+    void enlist();
+
+    void start_download();
+    // From here on entries are of samples that have not cut the places yet.
+    std::uint32_t first_recent() const { return first_recent_; }
+    void end_round() { first_recent_ = entry_count_.front(); }
+
+private:
+    std::uint32_t places() const { return static_cast<std::uint32_t>(first_.places.size()); }
+    void make_tree();
+    void make_room_for_entries(std::uint64_t count);
+
+    RoundMemory& round_;
+    const FirstPlaces& first_;
+    std::array<std::uint32_t, 1> entry_count_{};
+    std::uint32_t first_recent_ = 0;
+    bool has_visitors_ = false;
+};
+
+}  // namespace lacuna::device

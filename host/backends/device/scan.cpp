@@ -1,0 +1,41 @@
+// Prefix sums: of the values of blocks, then of the blocks.
+#include "backends/device/scan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "backends/device/kernels.h"
+
+namespace lacuna::device {
+namespace {
+
+constexpr std::uint32_t kSmallestBlock = 256;
+constexpr std::uint64_t kScanWork = 1;  // of eight values, see Queue::launch
+
+}  // namespace
+
+std::uint32_t block_of_scan(std::uint64_t count) {
+    return std::max(kSmallestBlock,
+                    static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count))));
+}
+
+void make_room_to_scan(RoundMemory& round, std::uint64_t count) {
+    round.make_room(round.memory.counts, count);
+    round.make_room(round.memory.sums, count / kSmallestBlock + 1);
+    round.make_room(round.memory.total, 1);
+}
+
+void scan(RoundMemory& round, std::uint32_t count) {
+    const std::uint32_t block = block_of_scan(count);
+    const auto blocks = static_cast<std::uint32_t>(items_of(count, block));
+    round.queue.fill(round.memory.total, 0, 1);
+    launch<kernels::scan>(round.queue, round.memory, {0, count, block}, blocks,
+                          block * kScanWork / 8);
+    Memory memory = round.memory;
+    memory.counts = memory.sums;
+    memory.sums = memory.total;
+    launch<kernels::scan>(round.queue, memory, {0, blocks, blocks}, std::min(blocks, 1u),
+                          blocks * kScanWork / 8);
+}
+
+}  // namespace lacuna::device
