@@ -161,7 +161,7 @@ Needs needs_of_cells(const Plan& plan, std::uint64_t round) {
 // places that each reaches. Of a sample: its entries, places and what they become.
 constexpr std::uint64_t kGroundBytesPerDraw = 48 + 16 + 8 + 10 * 8;
 constexpr std::uint64_t kGroundBytesPerSample = 8 * 16 + 2 * (20 + 20 + 20);
-constexpr std::uint64_t kLargestPerSample = 8 * 16;
+constexpr std::uint64_t kLargestPerSample = 128;
 
 Needs needs_of_ground(const Plan& plan, std::uint64_t round) {
     const Ground& ground = *plan.ground;
