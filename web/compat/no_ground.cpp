@@ -6,7 +6,7 @@
 #include "backends/reference/free_space.h"
 #include "plan/kept.h"
 #include "plan/plan.h"
-#include "verify/field_proof.h"
+#include "verify/ground_proof.h"
 
 namespace lacuna {
 namespace {
@@ -35,8 +35,12 @@ std::unique_ptr<Backend> cpu::make_ground_backend(const Plan&, const Placement&)
 std::unique_ptr<reference::FreeSpace> reference::make_exact_on_ground(const Plan&) {
     refuse();
 }
-Proof verify::prove_field(std::span<const Point>, const Claim&, const Patience&) {
+Proof verify::prove_on_ground(std::span<const Point>, const Claim&, const Patience&) {
     refuse();
+}
+// No claim of the page has points that were kept.
+std::optional<std::size_t> verify::first_moved(std::span<const Point>, std::span<const Point>) {
+    return {};
 }
 
 }  // namespace lacuna
