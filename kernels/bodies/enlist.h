@@ -16,8 +16,7 @@ BODY void serve_enlist(MEMORY const DrawArguments a, const u32 item) {
             const u32 candidate = AT(visitors, i).x;
             if (AT(fates, candidate) != FATE_ADMITTED) continue;
             const u32x4 entry = AT(candidates, candidate);
-            AT(entries, number) =
-                U32X4(entry.x, entry.y, AT(candidate_radii, candidate), next);
+            AT(entries, number) = U32X4(entry.x, entry.y, AT(candidate_radii, candidate), next);
             next = number;
             ++number;
         }

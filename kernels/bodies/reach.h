@@ -8,9 +8,8 @@ BODY bool is_reached(const u32x4 place, const u32 greatest, const u32x4 candidat
                      const u32 period_x, const u32 period_y) {
     u64 reach = min(radius, greatest);
     reach = reach * reach;
-    return squared_length(
-               distance_to_stretch(candidate.x, place.x, place.x + place.y, period_x),
-               distance_to_stretch(candidate.y, place.z, place.w, period_y)) < reach;
+    return squared_length(distance_to_stretch(candidate.x, place.x, place.x + place.y, period_x),
+                          distance_to_stretch(candidate.y, place.z, place.w, period_y)) < reach;
 }
 
 // Whether all that is closer than the radius lies in [begin, end), or beyond the edge that it

@@ -84,8 +84,8 @@ struct StripArguments {
     u32 is_halved;
     u32 width;
     u32 last_pass;
-    u32 block;  // the counts of so many strips have a sum of their own
-    u32 room;   // of the new boxes
+    u32 block;         // the counts of so many strips have a sum of their own
+    u32 room;          // of the new boxes
     u32 first_recent;  // on a ground: places are cut by the samples in their lists from this on
 };
 LACUNA_TYPEDEF(StripArguments)
