@@ -58,7 +58,7 @@ double filled_share(const Mask& mask, const DomainFiles& files) {
 }
 
 // The least radius of the set; for a count what a maximal set of so many needs.
-double least_radius(const Request& request, const std::vector<Ring>& rings,
+double least_radius(const Request& request, const std::vector<PolygonRing>& rings,
                     const DomainFiles& files) {
     const double greatest = greatest_of(files);
     if (request.radius) return *request.radius;
@@ -153,13 +153,13 @@ void read_given_files(const CLI::App& command, const DomainOptions& options, Req
     request.keep = files.keep;
 }
 
-std::vector<Ring> rings_of(const Request& request, const DomainFiles& files) {
+std::vector<PolygonRing> rings_of(const Request& request, const DomainFiles& files) {
     if (!files.polygons) return {};
     return fitted(*files.polygons, request.width, request.height);
 }
 
-double edge_of(const DomainOptions& options, const Request& request, const std::vector<Ring>& rings,
-               const DomainFiles& files) {
+double edge_of(const DomainOptions& options, const Request& request,
+               const std::vector<PolygonRing>& rings, const DomainFiles& files) {
     if (options.edge) return *options.edge;
     const double edge = kEdge * least_radius(request, rings, files);
     // A radius that makes no sense is for the request's own check to tell of.
@@ -171,7 +171,7 @@ void read_domain_files(const CLI::App& command, const DomainOptions& options, Re
                        DomainFiles& files) {
     read_given_files(command, options, request, files);
     if (!files.polygons) return;
-    const std::vector<Ring> rings = rings_of(request, files);
+    const std::vector<PolygonRing> rings = rings_of(request, files);
     files.edge = edge_of(options, request, rings, files);
     files.mask =
         draw_mask(rings, request.width, request.height, files.edge, request.memory_limit_bytes);

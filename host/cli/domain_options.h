@@ -54,9 +54,9 @@ void read_given_files(const CLI::App& command, const DomainOptions& options, Req
 
 // The polygons on the request's domain, and what their outline may be off by: --edge, or a
 // sixteenth of the least radius of the request, which may have a count instead.
-std::vector<Ring> rings_of(const Request& request, const DomainFiles& files);
-double edge_of(const DomainOptions& options, const Request& request, const std::vector<Ring>& rings,
-               const DomainFiles& files);
+std::vector<PolygonRing> rings_of(const Request& request, const DomainFiles& files);
+double edge_of(const DomainOptions& options, const Request& request,
+               const std::vector<PolygonRing>& rings, const DomainFiles& files);
 
 // The same, and draws the polygons onto the request's mask.
 void read_domain_files(const CLI::App& command, const DomainOptions& options, Request& request,

@@ -24,9 +24,9 @@ struct SetClaim : Claim {
     std::span<const Point> points;    // they must outlive the claim
     bool meant_to_be_maximal = true;  // as far as its file tells
     DomainOptions options;
-    nlohmann::ordered_json given;  // the same for reports
-    Extremes radii{};              // of the field, or twice the one radius
-    std::vector<Ring> rings;       // of the polygons
+    nlohmann::ordered_json given;    // the same for reports
+    Extremes radii{};                // of the field, or twice the one radius
+    std::vector<PolygonRing> rings;  // of the polygons
     Proof proof;
 
     // One radius, and points may lie everywhere.

@@ -49,7 +49,8 @@ Side side_between(Point lower, Point upper, std::uint32_t rows) {
             first_middle_from(lower.y, rows), first_middle_from(upper.y, rows)};
 }
 
-void append_sides(const Ring& ring, Point scale, std::uint32_t rows, std::vector<Side>& sides) {
+void append_sides(const PolygonRing& ring, Point scale, std::uint32_t rows,
+                  std::vector<Side>& sides) {
     if (ring.empty()) return;
     const auto in_pixels = [scale](Point point) {
         return Point{point.x * scale.x, point.y * scale.y};
@@ -137,9 +138,9 @@ struct Extent {
     Point most{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 };
 
-Extent extent_of(std::span<const Ring> rings) {
+Extent extent_of(std::span<const PolygonRing> rings) {
     Extent all;
-    for (const Ring& ring : rings)
+    for (const PolygonRing& ring : rings)
         for (const Point& point : ring) {
             all.least = {std::min(all.least.x, point.x), std::min(all.least.y, point.y)};
             all.most = {std::max(all.most.x, point.x), std::max(all.most.y, point.y)};
@@ -149,7 +150,7 @@ Extent extent_of(std::span<const Ring> rings) {
 
 }  // namespace
 
-Mask draw_mask(std::span<const Ring> rings, double width, double height, double edge,
+Mask draw_mask(std::span<const PolygonRing> rings, double width, double height, double edge,
                std::uint64_t memory_limit_bytes) {
     const std::uint64_t most = memory_limit_bytes != 0 ? memory_limit_bytes : files::most_bytes();
     check_numbers(width, height, edge, static_cast<double>(most));
@@ -163,7 +164,7 @@ Mask draw_mask(std::span<const Ring> rings, double width, double height, double 
     mask.rows = pixels_along(height, edge);
     const Point scale{mask.columns / width, mask.rows / height};
     std::vector<Side> sides;
-    for (const Ring& ring : rings) append_sides(ring, scale, mask.rows, sides);
+    for (const PolygonRing& ring : rings) append_sides(ring, scale, mask.rows, sides);
     mask.allowed.resize(std::size_t{mask.columns} * mask.rows);
     if (draw(sides, mask)) return mask;
     const Extent extent = extent_of(rings);

@@ -96,7 +96,7 @@ private:
 
     void read_ring(const Json& positions, const std::string& place) {
         array(positions, place);
-        Ring ring;
+        PolygonRing ring;
         ring.reserve(positions.size());
         for (std::size_t i = 0; i < positions.size(); ++i)
             ring.push_back(point_of(positions[i], place, i));

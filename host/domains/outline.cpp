@@ -59,7 +59,7 @@ void Outline::close() {
     current_ = begin_;
 }
 
-std::vector<Ring> Outline::take_rings() {
+std::vector<PolygonRing> Outline::take_rings() {
     close();
     return std::move(rings_);
 }

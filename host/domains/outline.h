@@ -56,7 +56,7 @@ public:
     std::size_t points() const { return points_; }
     // False once a coordinate was not finite, or too large.
     bool is_fair() const { return is_fair_; }
-    std::vector<Ring> take_rings();
+    std::vector<PolygonRing> take_rings();
 
 private:
     void add(Point point);
@@ -67,8 +67,8 @@ private:
     Affine transform_;
     Point current_{0, 0};
     Point begin_{0, 0};
-    Ring ring_;
-    std::vector<Ring> rings_;
+    PolygonRing ring_;
+    std::vector<PolygonRing> rings_;
     std::size_t points_ = 0;
     bool is_fair_ = true;
 };

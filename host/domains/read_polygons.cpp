@@ -61,12 +61,12 @@ Polygons decode_polygons(std::string_view bytes, std::string_view format, const 
     return polygons;
 }
 
-std::vector<Ring> fitted(Polygons polygons, double width, double height) {
+std::vector<PolygonRing> fitted(Polygons polygons, double width, double height) {
     if (polygons.width == 0 || (polygons.width == width && polygons.height == height))
         return std::move(polygons.rings);
     const double along = width / polygons.width;
     const double up = height / polygons.height;
-    for (Ring& ring : polygons.rings)
+    for (PolygonRing& ring : polygons.rings)
         for (Point& point : ring) point = {point.x * along, point.y * up};
     return std::move(polygons.rings);
 }

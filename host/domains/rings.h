@@ -22,7 +22,7 @@ inline bool is_fair(Point point) {
 inline constexpr std::size_t kMostPoints = 20'000'000;
 
 // A ring as files write it may end where it began: the last point goes.
-inline void open(Ring& ring) {
+inline void open(PolygonRing& ring) {
     while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
 }
 

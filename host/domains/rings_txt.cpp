@@ -44,7 +44,7 @@ public:
 private:
     const std::string& name_;
     Polygons polygons_;
-    Ring ring_;
+    PolygonRing ring_;
     std::size_t begin_ = 0;
 };
 

@@ -209,7 +209,7 @@ LACUNA_END
 #define MEASURE_BINDINGS(B)                                                                  \
     B(0, READ, u32, axes) B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits)        \
     B(3, READ, u32, total) B(4, READ, u32x4, new_places) B(5, BOTH, u32x2, new_origins)      \
-    B(6, SHARED, u32, failure)
+    B(6, READ, u32, undecided) B(7, SHARED, u32, failure)
 
 // All buffers, of which a kernel has those that its bindings name.
 #define LACUNA_BUFFERS(B)                                                                         \

@@ -37,7 +37,7 @@ nb::dict polygons_of(const nb::bytes& bytes) {
         polygons = read_polygons(path);
     }
     nb::list rings;
-    for (Ring& ring : polygons.rings) rings.append(array_of(std::move(ring)));
+    for (PolygonRing& ring : polygons.rings) rings.append(array_of(std::move(ring)));
     nb::dict found;
     found["rings"] = rings;
     found["width"] = polygons.width;
@@ -50,7 +50,7 @@ Mask mask_of(const nb::list& arrays, double width, double height, double edge,
     std::vector<PointArray> given;
     for (const nb::handle array : arrays) given.push_back(nb::cast<PointArray>(array));
     const nb::gil_scoped_release no_gil;
-    std::vector<Ring> rings;
+    std::vector<PolygonRing> rings;
     rings.reserve(given.size());
     for (const PointArray& array : given) rings.push_back(points_of(array));
     return draw_mask(rings, width, height, edge, memory_limit);

@@ -1,5 +1,6 @@
 // Polygons on masks, held against whether each pixel's middle lies inside, asked one by one.
 #include <gtest/gtest.h>
+#include <lacuna/analysis.h>  // one program may include both
 #include <lacuna/domains.h>
 
 #include <algorithm>
@@ -15,8 +16,8 @@ namespace {
 
 using namespace lacuna;
 
-std::string refusal_of(const std::vector<Ring>& rings, double width, double height, double edge,
-                       std::uint64_t memory = 0) {
+std::string refusal_of(const std::vector<PolygonRing>& rings, double width, double height,
+                       double edge, std::uint64_t memory = 0) {
     try {
         draw_mask(rings, width, height, edge, memory);
     } catch (const BadRequest& error) {
@@ -77,7 +78,7 @@ bool is_on_an_edge(const std::vector<std::vector<Whole>>& rings, Whole at) {
 }
 
 TEST(ADrawnMask, HasThePixelsWhoseMiddlesAreInside) {
-    const std::vector<Ring> rings{{{1, 1}, {5, 1}, {1, 5}}};
+    const std::vector<PolygonRing> rings{{{1, 1}, {5, 1}, {1, 5}}};
     EXPECT_EQ(picture_of(draw_mask(rings, 6, 6, kPixel)),
               "......\n"
               "......\n"
@@ -88,9 +89,9 @@ TEST(ADrawnMask, HasThePixelsWhoseMiddlesAreInside) {
 }
 
 TEST(ADrawnMask, LeavesOutHolesAndWhatIsEnclosedTwice) {
-    const Ring outer{{0, 0}, {7, 0}, {7, 7}, {0, 7}};
-    const Ring hole{{1, 1}, {1, 6}, {6, 6}, {6, 1}};
-    const Ring island{{3, 3}, {4, 3}, {4, 4}, {3, 4}};
+    const PolygonRing outer{{0, 0}, {7, 0}, {7, 7}, {0, 7}};
+    const PolygonRing hole{{1, 1}, {1, 6}, {6, 6}, {6, 1}};
+    const PolygonRing island{{3, 3}, {4, 3}, {4, 4}, {3, 4}};
     const std::string expected =
         "#######\n"
         "#.....#\n"
@@ -117,9 +118,9 @@ TEST(ADrawnMask, IsRightPixelByPixelForRandomRings) {
         // Often far beyond the domain, and often on lines that other corners are on.
         const std::int64_t reach = turn % 3 == 0 ? 1000 : 10;
         std::vector<std::vector<Whole>> whole(static_cast<std::size_t>(between(1, 4)));
-        std::vector<Ring> rings;
+        std::vector<PolygonRing> rings;
         for (auto& ring : whole) {
-            Ring points;
+            PolygonRing points;
             for (std::int64_t i = between(3, 20); i > 0; --i) {
                 ring.push_back({2 * between(-reach, 2 * columns + reach),
                                 2 * between(-reach, 2 * rows + reach)});
@@ -151,7 +152,7 @@ TEST(ADrawnMask, IsRightPixelByPixelForRandomRings) {
 }
 
 TEST(ADrawnMask, IsFineEnoughForItsEdge) {
-    const std::vector<Ring> rings{{{0.1, 0.1}, {1.9, 0.1}, {1, 0.9}}};
+    const std::vector<PolygonRing> rings{{{0.1, 0.1}, {1.9, 0.1}, {1, 0.9}}};
     for (const double edge : {0.3, 0.07, 0.01, 0.0033}) {
         const Mask mask = draw_mask(rings, 2, 1, edge);
         EXPECT_LE(std::hypot(2.0 / mask.columns, 1.0 / mask.rows) / 2, edge * (1 + 1e-12));
@@ -160,15 +161,16 @@ TEST(ADrawnMask, IsFineEnoughForItsEdge) {
 }
 
 TEST(ADrawnMask, TakesWhatIsWithinTheDomainOfRingsThatReachFarBeyond) {
-    const std::vector<Ring> rings{{{-1e100, -1e100}, {1e100, -1e100}, {1e100, 2}, {-1e100, 2}}};
+    const std::vector<PolygonRing> rings{
+        {{-1e100, -1e100}, {1e100, -1e100}, {1e100, 2}, {-1e100, 2}}};
     EXPECT_EQ(picture_of(draw_mask(rings, 2, 3, kPixel)), "..\n##\n##\n");
 }
 
 TEST(ADrawnMask, HasNothingOfRingsThatCoincide) {
-    const Ring ring{{0.1, 0.2}, {0.77, 0.31}, {0.5, 0.9}};
-    const std::vector<Ring> three{ring, ring, ring};
+    const PolygonRing ring{{0.1, 0.2}, {0.77, 0.31}, {0.5, 0.9}};
+    const std::vector<PolygonRing> three{ring, ring, ring};
     EXPECT_EQ(draw_mask(three, 1, 1, 0.01).allowed,
-              draw_mask(std::vector<Ring>{ring}, 1, 1, 0.01).allowed);
+              draw_mask(std::vector<PolygonRing>{ring}, 1, 1, 0.01).allowed);
     EXPECT_EQ(refusal_of({ring, ring}, 1, 1, 0.01),
               "inside 2 rings in [0.1, 0.77] x [0.2, 0.9]: must enclose some of the domain, [0, 1) "
               "x [0, 1), and be wider than a pixel of the mask, 0.0141");
@@ -181,7 +183,7 @@ TEST(ADrawnMask, TellsWhereTheRingsAreIfThatIsNotInTheDomain) {
 }
 
 TEST(ADrawnMask, IsRefusedWhereItTakesTooMuchMemory) {
-    const std::vector<Ring> rings{{{0, 0}, {1, 0}, {0, 1}}};
+    const std::vector<PolygonRing> rings{{{0, 0}, {1, 0}, {0, 1}}};
     EXPECT_EQ(refusal_of(rings, 1, 1, 1e-5, 1'000'000),
               "edge 1e-05: takes a mask of 70711 x 70711 pixels, 5 GB, of which 0.001 GB are "
               "allowed: must be coarser, such as 0.00071");
@@ -190,7 +192,7 @@ TEST(ADrawnMask, IsRefusedWhereItTakesTooMuchMemory) {
 }
 
 TEST(ADrawnMask, IsRefusedForNumbersThatMakeNoSense) {
-    const std::vector<Ring> rings{{{0, 0}, {1, 0}, {0, 1}}};
+    const std::vector<PolygonRing> rings{{{0, 0}, {1, 0}, {0, 1}}};
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     for (const double edge : {0.0, -1.0, nan, infinity})
@@ -206,9 +208,9 @@ TEST(ADrawnMask, IsRefusedForNumbersThatMakeNoSense) {
 }
 
 TEST(ADrawnMask, TakesAHundredThousandCrossingsARow) {
-    Ring zigzag;
+    PolygonRing zigzag;
     for (int i = 0; i < 100'000; ++i) zigzag.push_back({i / 1e5, i % 2 == 0 ? -0.5 : 1.5});
-    const Mask mask = draw_mask(std::vector<Ring>{zigzag}, 1, 1, 0.005);
+    const Mask mask = draw_mask(std::vector<PolygonRing>{zigzag}, 1, 1, 0.005);
     EXPECT_EQ(mask.columns, 142U);
 }
 

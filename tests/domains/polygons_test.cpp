@@ -12,7 +12,7 @@ namespace {
 
 using namespace lacuna;
 
-using Rings = std::vector<Ring>;
+using Rings = std::vector<PolygonRing>;
 
 Rings rings_of(std::string_view bytes, std::string_view format) {
     return decode_polygons(bytes, format, "file").rings;

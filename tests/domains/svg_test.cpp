@@ -12,7 +12,7 @@ namespace {
 
 using namespace lacuna;
 
-using Rings = std::vector<Ring>;
+using Rings = std::vector<PolygonRing>;
 
 Rings rings_of(std::string_view bytes) {
     return decode_polygons(bytes, "svg", "file").rings;
@@ -37,7 +37,7 @@ Rings rings_of_svg(std::string_view elements) {
 }
 
 // By the shoelace formula; positive where the ring goes counterclockwise.
-double area_of(const Ring& ring) {
+double area_of(const PolygonRing& ring) {
     double doubled = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point a = ring[i];
@@ -100,7 +100,7 @@ TEST(APath, LeavesOutWhatEnclosesNothing) {
 }
 
 // Each point of a circle's ring is on it, and the lines between them are close to it.
-void expect_circle(const Ring& ring, Point middle, double radius) {
+void expect_circle(const PolygonRing& ring, Point middle, double radius) {
     const double tolerance = 10 * 0x1p-20;
     ASSERT_GT(ring.size(), 100U);
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -185,20 +185,20 @@ TEST(ATransform, IsOneAfterTheOther) {
                             "'><path d='M0 0h1v2z'/></g>")
             .at(0);
     };
-    EXPECT_EQ(moved("translate(3)"), (Ring{{3, 10}, {4, 10}, {4, 8}}));
-    EXPECT_EQ(moved("translate(1,2) scale(2)"), (Ring{{1, 8}, {3, 8}, {3, 4}}));
-    EXPECT_EQ(moved("scale(2) translate(1 2)"), (Ring{{2, 6}, {4, 6}, {4, 2}}));
-    EXPECT_EQ(moved("rotate(90)"), (Ring{{0, 10}, {0, 9}, {-2, 9}}));
-    EXPECT_EQ(moved("rotate(-630, 1, 1)"), (Ring{{2, 10}, {2, 9}, {0, 9}}));
-    EXPECT_EQ(moved("matrix(1 0 1 1 0 0)"), (Ring{{0, 10}, {1, 10}, {3, 8}}));
+    EXPECT_EQ(moved("translate(3)"), (PolygonRing{{3, 10}, {4, 10}, {4, 8}}));
+    EXPECT_EQ(moved("translate(1,2) scale(2)"), (PolygonRing{{1, 8}, {3, 8}, {3, 4}}));
+    EXPECT_EQ(moved("scale(2) translate(1 2)"), (PolygonRing{{2, 6}, {4, 6}, {4, 2}}));
+    EXPECT_EQ(moved("rotate(90)"), (PolygonRing{{0, 10}, {0, 9}, {-2, 9}}));
+    EXPECT_EQ(moved("rotate(-630, 1, 1)"), (PolygonRing{{2, 10}, {2, 9}, {0, 9}}));
+    EXPECT_EQ(moved("matrix(1 0 1 1 0 0)"), (PolygonRing{{0, 10}, {1, 10}, {3, 8}}));
     EXPECT_NEAR(moved("skewX(45)").at(2).x, 3, 1e-12);
     EXPECT_NEAR(moved("skewY(45)").at(2).y, 7, 1e-12);
     EXPECT_NEAR(moved("rotate(30)").at(1).x, std::sqrt(0.75), 1e-12);
 }
 
 TEST(AnSvg, ShowsWhatIsUsedAndHidesWhatIsOnlyDefined) {
-    const Ring triangle{{0, 10}, {1, 10}, {1, 8}};
-    const Ring moved{{3, 9}, {4, 9}, {4, 7}};
+    const PolygonRing triangle{{0, 10}, {1, 10}, {1, 8}};
+    const PolygonRing moved{{3, 9}, {4, 9}, {4, 7}};
     EXPECT_EQ(rings_of_svg("<defs><g id='g'><path id='p' d='M0 0h1v2z'/></g></defs>"
                            "<use href='#p'/><use xlink:href='#g' x='3' y='1'/>"),
               (Rings{triangle, moved}));

@@ -188,8 +188,6 @@ TEST(ARequestOnAGround, IsRefusedInOneLineWhereItMakesNoSense) {
     request.scale = 1e-9;
     EXPECT_NE(refusal_of(request).find("the longer side / 2^20"), std::string::npos);
     request.scale = 0.1;
-    request.backend = "opencl";
-    EXPECT_NE(refusal_of(request).find("cpu and reference do"), std::string::npos);
     request.field = nullptr;
     EXPECT_EQ(refusal_of(request), "scale 0.1: is for a field");
 }

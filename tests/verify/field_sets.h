@@ -29,7 +29,7 @@ struct FieldCase {
     double scale = 1;
     Domain domain{1, 1, false};
     std::optional<Mask> mask{};
-    std::vector<Ring> rings{};
+    std::vector<PolygonRing> rings{};
     double edge = 0;
     double border = 0;
 
@@ -79,7 +79,7 @@ struct FieldCase {
     double depth_of(Point at) const {
         double least = std::numeric_limits<double>::infinity();
         bool inside = false;
-        for (const Ring& ring : rings)
+        for (const PolygonRing& ring : rings)
             for (std::size_t i = 0; i < ring.size(); ++i) {
                 const Point a = ring[i];
                 const Point b = ring[(i + 1) % ring.size()];
@@ -221,11 +221,11 @@ inline FieldCase hostile_case(std::uint64_t seed) {
 }
 
 // A crooked island with a lake, and a sliver across both.
-inline std::vector<Ring> any_rings(std::mt19937_64& random, const Domain& domain) {
+inline std::vector<PolygonRing> any_rings(std::mt19937_64& random, const Domain& domain) {
     const Point middle{domain.width * any_in(random, 0.3, 0.7),
                        domain.height * any_in(random, 0.3, 0.7)};
     const auto star = [&](double least, double most) {
-        Ring ring;
+        PolygonRing ring;
         for (int i = 0; i < 12; ++i) {
             const double reach = any_in(random, least, most);
             ring.push_back({middle.x + domain.width * reach * std::cos(i * 0.5236),
@@ -233,7 +233,7 @@ inline std::vector<Ring> any_rings(std::mt19937_64& random, const Domain& domain
         }
         return ring;
     };
-    std::vector<Ring> rings{star(0.25, 0.7)};
+    std::vector<PolygonRing> rings{star(0.25, 0.7)};
     if (random() % 2 == 0) rings.push_back(star(0.02, 0.2));
     if (random() % 2 == 0)
         rings.push_back({{0, middle.y},

@@ -18,7 +18,7 @@ Claim unit_claim(double radius) {
     return claim;
 }
 
-Ring square(double low, double high) {
+PolygonRing square(double low, double high) {
     return {{low, low}, {high, low}, {high, high}, {low, high}};
 }
 
@@ -48,7 +48,7 @@ TEST(AMasksRows, LieFromTheTopDown) {
 }
 
 TEST(Polygons, MayBeOffByTheirEdgesTolerance) {
-    const std::vector<Ring> rings{square(0.25, 0.75)};
+    const std::vector<PolygonRing> rings{square(0.25, 0.75)};
     Claim claim = unit_claim(0.36);  // from the middle to a corner of the square is 0.354
     claim.inside = rings;
     EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
@@ -68,13 +68,13 @@ TEST(Polygons, MayBeOffByTheirEdgesTolerance) {
 }
 
 TEST(APolygonInAPolygon, IsAHole) {
-    const std::vector<Ring> rings{square(0, 1), square(0.25, 0.75)};
+    const std::vector<PolygonRing> rings{square(0, 1), square(0.25, 0.75)};
     Claim claim = unit_claim(1.5);
     claim.inside = rings;
     EXPECT_EQ(prove(std::vector<Point>{{0.5, 0.5}}, claim).forbidden, 0U);
     EXPECT_TRUE(prove(std::vector<Point>{{0.1, 0.1}}, claim).maximal);
     // Rings that coincide enclose nothing.
-    const std::vector<Ring> twice{square(0.25, 0.75), square(0.25, 0.75)};
+    const std::vector<PolygonRing> twice{square(0.25, 0.75), square(0.25, 0.75)};
     claim.inside = twice;
     EXPECT_TRUE(prove(std::vector<Point>{}, claim).maximal);
     EXPECT_EQ(prove(std::vector<Point>{{0.5, 0.5}}, claim).forbidden, 0U);
@@ -123,9 +123,9 @@ TEST(AClaim, OfPlacesThatMakeNoSenseIsABadRequestThatNamesTheOption) {
     };
     const Mask empty{};
     const Mask short_of_one{2, 1, {1}};
-    const std::vector<Ring> line{Ring{{0, 0}, {1, 1}}};
-    const std::vector<Ring> broken{Ring{{0, 0}, {1, 1}, {0, std::nan("")}}};
-    const std::vector<Ring> whole{square(0, 1)};
+    const std::vector<PolygonRing> line{PolygonRing{{0, 0}, {1, 1}}};
+    const std::vector<PolygonRing> broken{PolygonRing{{0, 0}, {1, 1}, {0, std::nan("")}}};
+    const std::vector<PolygonRing> whole{square(0, 1)};
     EXPECT_EQ(option_refused([&](Claim& claim) { claim.mask = &empty; }), "mask");
     EXPECT_EQ(option_refused([&](Claim& claim) { claim.mask = &short_of_one; }), "mask");
     EXPECT_EQ(option_refused([&](Claim& claim) { claim.inside = line; }), "inside");

@@ -20,15 +20,15 @@ namespace lacuna::device {
 namespace {
 
 // See Queue::launch.
-constexpr std::uint64_t kLocateWork = 2;
-constexpr std::uint64_t kScreenWork = 4;
-constexpr std::uint64_t kCutWork = 12;
-constexpr std::uint64_t kKeepWork = 2;
-constexpr std::uint64_t kSplitWork = 8;
-constexpr std::uint64_t kMeasureWork = 2;
+constexpr std::uint64_t kGroundLocateWork = 2;
+constexpr std::uint64_t kGroundScreenWork = 4;
+constexpr std::uint64_t kGroundCutWork = 12;
+constexpr std::uint64_t kGroundKeepWork = 2;
+constexpr std::uint64_t kGroundSplitWork = 8;
+constexpr std::uint64_t kGroundMeasureWork = 2;
 
 // Pieces beyond the number of the places cut; there are seldom as many.
-constexpr std::uint32_t kSpareRoom = 1024;
+constexpr std::uint32_t kSparePlaces = 1024;
 
 static_assert(sizeof(Rectangle) == 4 * kWord);
 
@@ -42,9 +42,8 @@ public:
         for (std::uint32_t i = 0; i < count_; ++i)
             origins.insert(origins.end(), {i, round_.plan.ground->under(first_.places[i]).least});
         Memory& m = round_.memory;
-        round_.make_room(m.places, 4 * std::uint64_t{count_});
-        round_.put<Rectangle>(m.places, first_.places);
-        m.origins = round_.copy_of(origins);
+        round_.put_in_room<Rectangle>(m.places, first_.places);
+        round_.put_in_room<std::uint32_t>(m.origins, origins);
         round_.queue.wait();
         find_shares();
         lists_.enlist_kept();
@@ -64,7 +63,7 @@ public:
     }
 
     void locate(std::span<const Draw>) override {
-        round_.launch_over_draws<kernels::locate_on_ground>(round_.arguments(), kLocateWork);
+        round_.launch_over_draws<kernels::locate_on_ground>(round_.arguments(), kGroundLocateWork);
     }
     void sort() override {}
 
@@ -73,12 +72,12 @@ public:
         portable::DrawArguments arguments = round_.arguments(FATE_COVERED);
         arguments.first = 0;
         arguments.count = round_.draw_count;
-        round_.launch_over_draws<kernels::screen_on_ground>(arguments, kScreenWork);
+        round_.launch_over_draws<kernels::screen_on_ground>(arguments, kGroundScreenWork);
     }
     void screen_again(std::uint32_t end) override {
         portable::DrawArguments arguments = round_.arguments(FATE_REJECTED);
         arguments.count = end;
-        round_.launch_over_draws<kernels::screen_on_ground>(arguments, kScreenWork);
+        round_.launch_over_draws<kernels::screen_on_ground>(arguments, kGroundScreenWork);
     }
 
     void admit(std::uint32_t pass) override {
@@ -97,16 +96,16 @@ public:
         take_out();
         is_refining_ = true;
         is_halving_ = halve;
-        new_room_ = count_ + (halve ? count_ / 2 : 0) + kSpareRoom;
+        new_room_ = count_ + (halve ? count_ / 2 : 0) + kSparePlaces;
         Memory& m = round_.memory;
         if (halve) {
             round_.make_room(m.strips, 4 * std::uint64_t{strips()});
             round_.make_room(m.strip_origins, 2 * std::uint64_t{strips()});
-            launch_over<kernels::split>(m, count_, kSplitWork);
+            launch_over<kernels::split>(m, count_, kGroundSplitWork);
         }
         round_.make_room(m.pieces, 2 * std::uint64_t{strips()});
         make_room_to_scan(round_, strips());
-        launch_over<kernels::cut_on_ground>(memory_of_strips(), strips(), kCutWork);
+        launch_over<kernels::cut_on_ground>(memory_of_strips(), strips(), kGroundCutWork);
         scan(round_, strips());
         keep();
     }
@@ -213,8 +212,8 @@ private:
         Memory& m = round_.memory;
         round_.make_room(m.new_places, 4 * std::uint64_t{new_room_});
         round_.make_room(m.new_origins, 2 * std::uint64_t{new_room_});
-        launch_over<kernels::keep_on_ground>(memory_of_strips(), strips(), kKeepWork);
-        launch_over<kernels::measure>(m, new_room_, kMeasureWork);
+        launch_over<kernels::keep_on_ground>(memory_of_strips(), strips(), kGroundKeepWork);
+        launch_over<kernels::measure>(m, new_room_, kGroundMeasureWork);
     }
 
     const FirstPlaces& first_;

@@ -2,7 +2,9 @@
 // them, and whether the work was finished.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -77,6 +79,16 @@ struct RoundMemory {
     }
     // Room for so many words, or more of what there was; what was there is lost.
     void make_room(Buffer& buffer, std::uint64_t words) const;
+    // Room with these at its begin, for kernels to write to, and zeros: Oclgrind takes what kernels
+    // write beyond what was uploaded last for uninitialized. Waits.
+    template <typename T>
+    void put_in_room(Buffer& buffer, std::span<const T> from) {
+        make_room(buffer, from.size_bytes() / kWord);
+        std::vector<std::byte> all(buffer.bytes());
+        std::ranges::copy(std::as_bytes(from), all.begin());
+        queue.upload(buffer, all, 0);
+        queue.wait();
+    }
     // A buffer with these words.
     Buffer copy_of(std::span<const std::uint32_t> words);
 

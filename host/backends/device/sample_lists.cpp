@@ -64,10 +64,9 @@ void SampleLists::enlist_kept() {
     }
     const std::vector<std::uint32_t> fates(count, FATE_ADMITTED);
     Memory& m = round_.memory;
-    round_.make_room(m.candidates, 4 * std::uint64_t{count});
-    round_.put<Candidate>(m.candidates, candidates);
-    m.candidate_radii = round_.copy_of(radii);
-    m.fates = round_.copy_of(fates);
+    round_.put_in_room<Candidate>(m.candidates, candidates);
+    round_.put_in_room<std::uint32_t>(m.candidate_radii, radii);
+    round_.put_in_room<std::uint32_t>(m.fates, fates);
     round_.queue.fill(m.failure, 0, 1);
     round_.queue.fill(m.undecided, 0, kPasses);
     round_.part = {0, count};

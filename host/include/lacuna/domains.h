@@ -31,10 +31,10 @@
 namespace lacuna {
 
 // A closed outline: its last point is joined to its first.
-using Ring = std::vector<Point>;
+using PolygonRing = std::vector<Point>;
 
 struct Polygons {
-    std::vector<Ring> rings;  // of at least three points each, y upwards
+    std::vector<PolygonRing> rings;  // of at least three points each, y upwards
     // Of the page, [0, width) x [0, height), that the rings are seen on; 0 for files without one.
     double width = 0;
     double height = 0;
@@ -66,7 +66,7 @@ Polygons decode_polygons(std::string_view bytes, std::string_view format, const 
 
 // The rings of `polygons` for a domain of that size: where there is a page it is stretched over the
 // domain, and otherwise they are as they were.
-std::vector<Ring> fitted(Polygons polygons, double width, double height);
+std::vector<PolygonRing> fitted(Polygons polygons, double width, double height);
 
 // The mask of the places within `rings` for a domain [0, width) x [0, height): a pixel is allowed
 // if its middle lies within them. No sample on an allowed pixel is farther than `edge` from the
@@ -74,7 +74,7 @@ std::vector<Ring> fitted(Polygons polygons, double width, double height);
 // farther from its middle. Throws BadRequest for numbers that make no sense, for rings that leave
 // no pixel allowed, and for a mask of more bytes than the limit (0: a quarter of the machine's
 // memory).
-Mask draw_mask(std::span<const Ring> rings, double width, double height, double edge,
+Mask draw_mask(std::span<const PolygonRing> rings, double width, double height, double edge,
                std::uint64_t memory_limit_bytes = 0);
 
 }  // namespace lacuna
