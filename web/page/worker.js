@@ -9,6 +9,8 @@ let told = 0;
 const started = new Promise((resolve) => {
     self.addEventListener("message", function first({ data }) {
         self.removeEventListener("message", first);
+        // Requests may come while the module is being made.
+        self.addEventListener("message", (event) => started.then(() => serve(event.data)));
         createLacuna({
             instantiateWasm(imports, done) {
                 WebAssembly.instantiate(data.module, imports).then((instance) => done(instance));
@@ -23,7 +25,6 @@ const started = new Promise((resolve) => {
         }).then((made) => {
             lacuna = made;
             resolve();
-            self.addEventListener("message", (event) => serve(event.data));
             postMessage({ ready: true });
         });
     });

@@ -68,7 +68,9 @@ class Browser:
     def until(self, condition, what):
         end = time.monotonic() + PATIENCE
         while not (found := condition()):
-            assert time.monotonic() < end, f"{what}: not within {PATIENCE} s; {self.text('status')}"
+            if time.monotonic() >= end:
+                told = f"{self.text('status')} {self.text('error')}"
+                raise AssertionError(f"{what}: not within {PATIENCE} s; {told}")
             time.sleep(0.02)
         return found
 

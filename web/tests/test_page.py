@@ -224,6 +224,18 @@ class PageTest(unittest.TestCase):
         self.assertIn("500 dots", page.text("status"))
         self.assertIsNone(page.element("count").get_attribute("aria-invalid"))
 
+    def test_a_request_that_comes_before_its_worker_is_ready_is_answered(self):
+        answer = self.browser.driver.execute_async_script("""
+            const done = arguments[arguments.length - 1];
+            fetch("lacuna.wasm").then((response) => response.arrayBuffer())
+                .then((bytes) => WebAssembly.compile(bytes)).then((module) => {
+                    const worker = new Worker("worker.js");
+                    worker.onmessage = ({ data }) => data.id === 7 && done(data.error);
+                    worker.postMessage({ module });
+                    worker.postMessage({ id: 7, verb: "no such verb", options: {} });
+                });""")
+        self.assertIn("not a function", answer)
+
     def test_cancel_ends_the_work_and_leaves_the_page_ready(self):
         page = self.browser
         page.run("delete document.documentElement.dataset.state")
