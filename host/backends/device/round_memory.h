@@ -85,7 +85,8 @@ struct RoundMemory {
     void put_in_room(Buffer& buffer, std::span<const T> from) {
         make_room(buffer, from.size_bytes() / kWord);
         std::vector<std::byte> all(buffer.bytes());
-        std::ranges::copy(std::as_bytes(from), all.begin());
+        const std::span<const std::byte> bytes = std::as_bytes(from);
+        std::copy(bytes.begin(), bytes.end(), all.begin());
         queue.upload(buffer, all, 0);
         queue.wait();
     }
