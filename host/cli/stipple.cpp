@@ -81,7 +81,7 @@ struct StippleCommand {
     std::uint32_t relax = RelaxOptions{}.iterations;
 };
 
-void read_mode(const std::string& text, Mode& mode) {
+void read_dot_mode(const std::string& text, Mode& mode) {
     for (const Mode known : {Mode::cells, Mode::exact}) {
         if (text != name_of(known)) continue;
         mode = known;
@@ -100,7 +100,7 @@ void add_what_to_stipple(CLI::App& command, StippleCommand& options) {
     request.mode = Mode::cells;
     command
         .add_option_function<std::string>(
-            "--mode", [&request](const std::string& mode) { read_mode(mode, request.mode); },
+            "--mode", [&request](const std::string& mode) { read_dot_mode(mode, request.mode); },
             "cells (default): dots are placed on a lattice, as in the paper; exact: in the plane, "
             "with no gap left, by metric min")
         ->type_name("MODE");
