@@ -75,14 +75,11 @@ BODY u32 allowed_over(MEMORY const u32x4 pixels) {
     return seen == 1u << ALLOWED_ALL ? ALLOWED_ALL : ALLOWED_SOME;
 }
 
-BODY bool has_mask(MEMORY const u32 nothing) {
-    return axis_word(ON COLUMNS_OF_MASK, AXIS_PIXELS) != 0u;
-}
-
 BODY Under under(MEMORY const u32x4 place) {
     const u32x2 radii = radii_over(ON pixels_under(ON COLUMNS_OF_FIELD, place));
     Under found = {radii.x, are_radii_mixed(radii.x, radii.y), ALLOWED_ALL};
-    if (has_mask(ON 0u)) found.allowed = allowed_over(ON pixels_under(ON COLUMNS_OF_MASK, place));
+    if (axis_word(ON COLUMNS_OF_MASK, AXIS_PIXELS) != 0u)
+        found.allowed = allowed_over(ON pixels_under(ON COLUMNS_OF_MASK, place));
     if (found.allowed == ALLOWED_NONE) found.least = 0u;
     return found;
 }

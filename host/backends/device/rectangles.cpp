@@ -44,7 +44,6 @@ public:
         Memory& m = round_.memory;
         round_.put_in_room<Rectangle>(m.places, first_.places);
         round_.put_in_room<std::uint32_t>(m.origins, origins);
-        round_.queue.wait();
         find_shares();
         lists_.enlist_kept();
     }
