@@ -68,6 +68,10 @@ struct Round {
     std::span<const std::uint32_t> free_lengths;  // of every place, after the round
     std::uint32_t place_width;                    // of every place, unless
     std::span<const std::uint32_t> place_widths = {};  // tells that of each
+    // Where the plan tells orders: that of each sample's draw. In lines and exact without a ground:
+    // the first place of each column, then the number of places.
+    std::span<const std::uint32_t> orders = {};
+    std::span<const std::uint32_t> place_begins = {};
 };
 
 // Serves one plan. A backend may queue the verbs and do them at finish_round. Whatever the order
@@ -80,6 +84,9 @@ struct Round {
 //   subtract  the chords of the round's samples are cut from the free spans of all lines
 //   refine    exact only, in place of subtract and then for good: spans become boxes, boxes are cut
 //             by all samples near them; with `halve`, into two of half the width first
+// A plan's halo is never cut: its places are its lines, whole, and from the first refinement on
+// each of them in boxes that end where rows of the sample grid do. So draws can be made that put
+// samples of others there. Of several locates in a round the last one counts.
 // Throws DeviceError, and Cancelled when a watch says so.
 class Backend {
 public:
@@ -91,6 +98,9 @@ public:
     virtual void subtract() = 0;
     virtual void refine(bool halve) = 0;
     virtual Round finish_round() = 0;
+
+    // What the last locate made of its draws, in no particular order.
+    virtual std::vector<Candidate> located() = 0;
 
     // Threads of the host, which also serve what a round has to do before the verbs.
     virtual Workers& workers() = 0;

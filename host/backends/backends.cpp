@@ -20,27 +20,11 @@ namespace {
 
 struct Entry {
     std::string_view name;
-    // Throws Unavailable when there is no such device.
-    Run (*run)(const Request&, const Plan&, Observer&);
+    // Throws Unavailable when there is no such device. None: it has a loop of its own.
+    std::unique_ptr<Backend> (*make)(const Plan&, const Placement&);
     bool has_devices;  // that a request may name
     std::vector<DeviceEntry> (*list)();
 };
-
-template <std::unique_ptr<Backend> (*make)(const Plan&, const Placement&)>
-Run run_rounds(const Request& request, const Plan& plan, Observer& observer) {
-    // A device's kernels are built here, at first use.
-    observer.begin(Verb::first_use);
-    const std::unique_ptr<Backend> backend = make(plan, {request.device, request.threads});
-    observer.end(Verb::first_use);
-    Run run;
-    run.outcome = generate(plan, *backend, observer);
-    run.device = backend->device();
-    return run;
-}
-
-Run run_reference(const Request&, const Plan& plan, Observer& observer) {
-    return {reference::sample(plan, observer), "", "1 thread"};
-}
 
 std::vector<DeviceEntry> processor_with(unsigned threads) {
     DeviceEntry entry;
@@ -60,10 +44,13 @@ std::vector<DeviceEntry> list_one_thread() {
 }
 
 #if !defined(LACUNA_OPENCL) || !defined(LACUNA_VULKAN)
+constexpr char kOpenCl[] = "opencl";
+constexpr char kVulkan[] = "vulkan";
 constexpr const char* kLeftOut = "this build was made without it";
 
-Run run_left_out(const Request& request, const Plan&, Observer&) {
-    throw Unavailable("backend " + request.backend + ": " + kLeftOut);
+template <const char* name>
+std::unique_ptr<Backend> make_left_out(const Plan&, const Placement&) {
+    throw Unavailable("backend " + std::string(name) + ": " + kLeftOut);
 }
 
 std::vector<DeviceEntry> list_left_out() {
@@ -75,18 +62,18 @@ std::vector<DeviceEntry> list_left_out() {
 
 // In order of preference.
 constexpr Entry kBackends[] = {
-    {"cpu", run_rounds<cpu::make_backend>, false, list_processor},
+    {"cpu", cpu::make_backend, false, list_processor},
 #ifdef LACUNA_OPENCL
-    {"opencl", run_rounds<opencl::make_backend>, true, opencl::list_devices},
+    {"opencl", opencl::make_backend, true, opencl::list_devices},
 #else
-    {"opencl", run_left_out, true, list_left_out},
+    {kOpenCl, make_left_out<kOpenCl>, true, list_left_out},
 #endif
 #ifdef LACUNA_VULKAN
-    {"vulkan", run_rounds<vulkan::make_backend>, true, vulkan::list_devices},
+    {"vulkan", vulkan::make_backend, true, vulkan::list_devices},
 #else
-    {"vulkan", run_left_out, true, list_left_out},
+    {kVulkan, make_left_out<kVulkan>, true, list_left_out},
 #endif
-    {"reference", run_reference, false, list_one_thread},
+    {"reference", nullptr, false, list_one_thread},
 };
 
 // A driver that fails is told of as one that cannot be used: it must not hide the others.
@@ -106,6 +93,19 @@ std::string names() {
     std::string all = "auto";
     for (const Entry& entry : kBackends) all += ", " + std::string(entry.name);
     return all;
+}
+
+const Entry& entry_for(const Request& request) {
+    const std::string wanted = wanted_backend(request.backend);
+    for (const Entry& entry : kBackends) {
+        if (wanted != "auto" && wanted != entry.name) continue;
+        if (!request.device.empty() && !entry.has_devices)
+            throw BadRequest("device", request.device,
+                             "backend " + std::string(entry.name) +
+                                 " has no devices to choose from; opencl and vulkan have");
+        return entry;
+    }
+    throw no_such_backend(wanted);
 }
 
 }  // namespace
@@ -129,19 +129,27 @@ std::vector<Device> devices() {
     return all;
 }
 
+ReadyBackend make_backend(const Request& request, const Plan& plan, Observer& observer) {
+    const Entry& entry = entry_for(request);
+    if (entry.make == nullptr)
+        throw BadRequest("backend", std::string(entry.name),
+                         "makes whole sets only; here: auto, cpu, opencl or vulkan");
+    // A device's kernels are built here, at first use.
+    observer.begin(Verb::first_use);
+    std::unique_ptr<Backend> backend = entry.make(plan, {request.device, request.threads});
+    observer.end(Verb::first_use);
+    return {std::move(backend), std::string(entry.name)};
+}
+
 Run run_on_backend(const Request& request, const Plan& plan, Observer& observer) {
-    const std::string wanted = wanted_backend(request.backend);
-    for (const Entry& entry : kBackends) {
-        if (wanted != "auto" && wanted != entry.name) continue;
-        if (!request.device.empty() && !entry.has_devices)
-            throw BadRequest("device", request.device,
-                             "backend " + std::string(entry.name) +
-                                 " has no devices to choose from; opencl and vulkan have");
-        Run run = entry.run(request, plan, observer);
-        run.backend = entry.name;
-        return run;
-    }
-    throw no_such_backend(wanted);
+    if (entry_for(request).make == nullptr)
+        return {reference::sample(plan, observer), "reference", "1 thread"};
+    const ReadyBackend ready = make_backend(request, plan, observer);
+    Run run;
+    run.outcome = generate(plan, *ready.backend, observer);
+    run.backend = ready.name;
+    run.device = ready.backend->device();
+    return run;
 }
 
 }  // namespace lacuna

@@ -3,6 +3,7 @@
 
 #include <lacuna/lacuna.h>
 
+#include <memory>
 #include <string>
 
 #include "generate.h"
@@ -21,6 +22,14 @@ std::string wanted_backend(const std::string& asked);
 
 // For a backend of another name than those there are. All builds know the same names.
 BadRequest no_such_backend(const std::string& wanted);
+
+// The backend that the request asks for, for a plan that may be a part of it. Throws Unavailable,
+// DeviceError, and BadRequest for the reference, which serves no plan in verbs.
+struct ReadyBackend {
+    std::unique_ptr<Backend> backend;
+    std::string name;
+};
+ReadyBackend make_backend(const Request& request, const Plan& plan, Observer& observer);
 
 // Runs the plan on the backend that the request asks for, or throws Unavailable.
 Run run_on_backend(const Request& request, const Plan& plan, Observer& observer);

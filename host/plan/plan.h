@@ -34,6 +34,12 @@ inline constexpr double kCountDeviation = 0.244;
 class Ground;
 struct FirstPlaces;
 
+// Lines at either end of a plan that belong to a neighbour: see ranks/strip.h.
+struct Halo {
+    std::uint32_t low = 0;
+    std::uint32_t high = 0;
+};
+
 // Everything that decides where samples go. In mode cells the grid is the lattice: a line is one of
 // its columns, a strip is one unit wide, and `radius` is the least of all, rounded up. Equal plans
 // give equal samples on every backend.
@@ -47,6 +53,7 @@ struct Plan {
     std::uint32_t period_y;
 
     std::uint32_t lines;        // L = ceil(m * W / r)
+    Halo halo;                  // of them: never cut; in exact without a ground only
     std::uint32_t strip_width;  // even; a power of two in exact; lines * strip_width == width
     std::uint32_t radius;       // rounded up: so many units are never less than the user's radius
     std::uint64_t radius_squared;
@@ -72,6 +79,7 @@ struct Plan {
     std::uint64_t limit;       // stop after so many samples
     std::uint64_t round_size;  // 0: chosen by rounds/round_policy.h
     std::uint64_t seed;
+    bool tells_orders;  // rounds tell the orders of the draws that became samples
 
     // The user's units for one grid unit, along x and y. They differ by less than 2^-20.
     double unit_x;
@@ -86,6 +94,9 @@ struct Plan {
         return line * strip_width + strip_width / 2;
     }
     std::uint32_t line_of(Sample sample) const { return sample.x / strip_width; }
+    // The plan's own lines, and the x of their strips.
+    Span own_lines() const { return {halo.low, lines - halo.high}; }
+    Span own_x() const { return {halo.low * strip_width, (lines - halo.high) * strip_width}; }
     // Added to the distance of a line before its chord is found. In exact a chord is what covers
     // the whole width of the strip, so that the free spans hold all of the free space.
     std::uint32_t chord_margin() const { return is_exact() ? strip_width / 2 : 0; }

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "rounds/insertion_sort.h"
-#include "rounds/random.h"
 
 namespace lacuna {
 namespace {
@@ -21,6 +20,8 @@ constexpr unsigned kPartBits = 12;
 // about kMostChunks of them, for each counts the draws of all parts.
 constexpr std::uint32_t kLeastChunk = std::uint32_t{1} << 12;
 constexpr std::uint32_t kMostChunks = 64;
+
+constexpr std::uint64_t kAllBits = ~std::uint64_t{0};
 
 // So many sums take about a millisecond.
 constexpr std::size_t kPollEvery = std::size_t{1} << 14;
@@ -68,11 +69,15 @@ void Marginal::rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_
 class Marginal::Walk {
 public:
     explicit Walk(const Marginal& marginal)
-        : sums_(marginal.sums_), lengths_(marginal.lengths_), widths_(marginal.widths_) {}
+        : sums_(marginal.sums_),
+          lengths_(marginal.lengths_),
+          widths_(marginal.widths_),
+          bits_(marginal.bits_),
+          share_(marginal.share_) {}
 
     // The same numbers as the reference's, up to the walk along the place's free length.
     void invert(Draw& draw) {
-        const std::uint64_t c = scaled(bits_of(draw), sums_.back());
+        const std::uint64_t c = weight_of(draw);
         seek(c);
         std::size_t place = block_ * kBlock;
         std::uint64_t rank = c - sums_[block_];
@@ -83,7 +88,7 @@ public:
 
     // The weight is an area: what c exceeds the sum before the place by is one of its points.
     void invert_areas(Draw& draw) {
-        const std::uint64_t c = scaled(bits_of(draw), sums_.back());
+        const std::uint64_t c = weight_of(draw);
         seek(c);
         std::size_t place = block_ * kBlock;
         std::uint64_t rank = c - sums_[block_];
@@ -95,7 +100,7 @@ public:
     }
 
     void invert_uniform_x(Draw& draw, std::uint64_t for_rank) {
-        const std::uint64_t c = scaled(bits_of(draw), sums_.back());
+        const std::uint64_t c = weight_of(draw);
         seek(c);
         std::size_t place = block_ * kBlock;
         for (std::uint64_t before = sums_[block_];; ++place) {
@@ -107,6 +112,10 @@ public:
     }
 
 private:
+    // That the draw's bits tell, within the share.
+    std::uint64_t weight_of(const Draw& draw) const {
+        return scaled((bits_of(draw) >> bits_.shift) + bits_.first, share_.total) - share_.before;
+    }
     // To the block that weight c falls into. Gallops: the next one is near when draws are many,
     // and far when they are few.
     void seek(std::uint64_t c) {
@@ -123,49 +132,69 @@ private:
     std::span<const std::uint64_t> sums_;
     std::span<const std::uint32_t> lengths_;
     std::span<const std::uint32_t> widths_;
+    Bits bits_;
+    Share share_;
     std::size_t block_ = 0;
 };
 
 // With random bits in place of place and rank.
-Draw Marginal::drawn(std::uint64_t first_number, std::uint32_t order) const {
-    const RandomBits random = random_bits(plan_.seed, first_number + order);
+Draw Marginal::drawn(RandomBits random, std::uint64_t first_number, std::uint32_t order) const {
     const std::uint64_t for_offset =
         plan_.uniform_x ? random_bits(plan_.seed, first_number + order, 1).first : random.second;
     const std::uint64_t offset =
         plan_.snap ? plan_.strip_width / 2 : scaled(for_offset, place_width_);
-    return {static_cast<std::uint32_t>(random.first >> 32),
-            static_cast<std::uint32_t>(random.first), static_cast<std::uint32_t>(offset), order};
+    const std::uint64_t bits = (random.first - bits_.first) << bits_.shift;
+    return {static_cast<std::uint32_t>(bits >> 32), static_cast<std::uint32_t>(bits),
+            static_cast<std::uint32_t>(offset), order};
+}
+
+// The draws [begin, end) that fall into the share, in their order; and how many of each part.
+void Marginal::draw_chunk(std::uint64_t first_number, std::uint32_t begin, std::uint32_t end,
+                          Chunk chunk) const {
+    const std::uint64_t width = bits_.last - bits_.first;
+    chunk.drawn.clear();
+    if (width == kAllBits) chunk.drawn.reserve(end - begin);
+    for (std::uint32_t i = begin; i < end; ++i) {
+        const RandomBits random = random_bits(plan_.seed, first_number + i);
+        if (random.first - bits_.first > width) continue;
+        chunk.drawn.push_back(drawn(random, first_number, i));
+        ++chunk.ends[highest(chunk.drawn.back(), part_bits_)];
+    }
 }
 
 // Leaves the draws of each part together, in their order, not inverted: counted chunk by chunk,
 // then moved to where they belong.
 void Marginal::draw_bits(std::uint64_t first_number, std::uint32_t count) {
-    const auto width = static_cast<unsigned>(std::bit_width(count));
+    const std::uint64_t expected = scaled(bits_.last - bits_.first, count);
+    const auto width = static_cast<unsigned>(std::bit_width(expected + 1));
     part_bits_ = std::max(width, kPartBits) - kPartBits;
     const std::size_t parts = std::size_t{1} << part_bits_;
-    const std::uint32_t chunk = std::max(kLeastChunk, count / kMostChunks + 1);
-    const std::uint32_t chunks = (count - 1) / chunk + 1;
+    const std::uint32_t size = std::max(kLeastChunk, count / kMostChunks + 1);
+    const std::uint32_t chunks = (count - 1) / size + 1;
     chunk_ends_.assign(chunks * parts, 0);
-    drawn_.resize(count);
-    draws_.resize(count);
-    const auto for_chunk = [&](std::uint32_t index, auto visit) {
-        const std::span<std::uint32_t> of_chunk =
-            std::span(chunk_ends_).subspan(index * parts, parts);
-        const std::uint32_t begin = index * chunk;
-        const std::uint32_t end = begin + std::min(chunk, count - begin);
-        for (std::uint32_t i = begin; i < end; ++i) visit(i, of_chunk);
+    drawn_.resize(std::max<std::size_t>(drawn_.size(), chunks));
+    const auto chunk_at = [&](std::uint32_t index) {
+        return Chunk{drawn_[index], std::span(chunk_ends_).subspan(index * parts, parts)};
     };
     workers_.for_columns(chunks, count, [&](std::uint32_t index) {
-        for_chunk(index, [&](std::uint32_t i, std::span<std::uint32_t> counts) {
-            drawn_[i] = drawn(first_number, i);
-            ++counts[highest(drawn_[i], part_bits_)];
-        });
+        const std::uint32_t begin = index * size;
+        draw_chunk(first_number, begin, begin + std::min(size, count - begin), chunk_at(index));
     });
+    std::vector<std::uint32_t> orders(chunks);
+    std::uint32_t kept = 0;
+    for (std::uint32_t i = 0; i < chunks; ++i)
+        orders[i] = std::exchange(kept, kept + static_cast<std::uint32_t>(drawn_[i].size()));
     find_ends(chunks);
-    workers_.for_columns(chunks, count, [&](std::uint32_t index) {
-        for_chunk(index, [&](std::uint32_t i, std::span<std::uint32_t> ends) {
-            draws_[ends[highest(drawn_[i], part_bits_)]++] = drawn_[i];
-        });
+    draws_.resize(kept);
+    numbers_.resize(kept < count ? kept : 0);
+    workers_.for_columns(chunks, kept, [&](std::uint32_t index) {
+        const Chunk chunk = chunk_at(index);
+        std::uint32_t order = orders[index];
+        for (Draw& draw : chunk.drawn) {
+            if (!numbers_.empty()) numbers_[order] = draw.order;
+            draw.order = order++;
+            draws_[chunk.ends[highest(draw, part_bits_)]++] = draw;
+        }
     });
 }
 
@@ -212,9 +241,16 @@ void Marginal::invert_part(std::uint64_t first_number, std::span<Draw> part) con
 }
 
 std::span<const Draw> Marginal::invert(std::uint64_t first_number, std::uint32_t count) {
+    return invert(first_number, count, {0, total()});
+}
+
+std::span<const Draw> Marginal::invert(std::uint64_t first_number, std::uint32_t count,
+                                       Share share) {
+    find_bits(share);
+    if (total() == 0) return {};
     draw_bits(first_number, count);
     workers_.for_columns(
-        static_cast<std::uint32_t>(part_ends_.size()), count, [&](std::uint32_t part) {
+        static_cast<std::uint32_t>(part_ends_.size()), draws_.size(), [&](std::uint32_t part) {
             const std::uint32_t begin = part == 0 ? 0 : part_ends_[part - 1];
             invert_part(first_number, std::span(draws_).subspan(begin, part_ends_[part] - begin));
         });
@@ -223,6 +259,24 @@ std::span<const Draw> Marginal::invert(std::uint64_t first_number, std::uint32_t
             return a.place != b.place ? a.place < b.place : a.rank < b.rank;
         });
     return draws_;
+}
+
+std::uint32_t Marginal::number_of(std::uint32_t order) const {
+    return numbers_.empty() ? order : numbers_[order];
+}
+
+// c = scaled(bits, total) lies in the share from the least bits that reach its begin to the last
+// that do not reach its end.
+void Marginal::find_bits(Share share) {
+    __extension__ using Wide = unsigned __int128;
+    const auto least = [&](std::uint64_t c) {
+        return ((Wide{c} << 64) + share.total - 1) / share.total;
+    };
+    share_ = share;
+    if (total() == 0) return;
+    bits_.first = static_cast<std::uint64_t>(least(share.before));
+    bits_.last = static_cast<std::uint64_t>(least(share.before + total()) - 1);
+    bits_.shift = static_cast<unsigned>(std::min(std::countl_zero(bits_.last - bits_.first), 63));
 }
 
 }  // namespace lacuna

@@ -10,9 +10,17 @@
 
 #include "backends/backend.h"
 #include "plan/plan.h"
+#include "rounds/random.h"
 #include "workers.h"
 
 namespace lacuna {
+
+// Of several marginals that share one cdf, which places are this one's: their weights follow
+// `before` others, in `total`.
+struct Share {
+    std::uint64_t before;
+    std::uint64_t total;
+};
 
 class Marginal {
 public:
@@ -34,12 +42,32 @@ public:
     // Draws first_number, first_number + 1, ... of the plan's seed, `count` of them, inverted from
     // one cdf and sorted by place and rank. Valid until the next call. total() must not be 0.
     std::span<const Draw> invert(std::uint64_t first_number, std::uint32_t count);
+    // Of the same draws those that fall into the share, if any. Their orders are 0, 1, ...
+    std::span<const Draw> invert(std::uint64_t first_number, std::uint32_t count, Share share);
+    // Which of the `count` draws the one of so high an order is.
+    std::uint32_t number_of(std::uint32_t order) const;
 
 private:
     class Walk;
+    // Random bits that fall into the share: those from first to last. A draw has their distance
+    // from the first, shifted left as far as the last allows.
+    struct Bits {
+        std::uint64_t first = 0;
+        std::uint64_t last = 0;
+        unsigned shift = 0;
+    };
+    // Draws of some numbers that follow one another: what they are; and, for each part, how many
+    // are in it, then where in draws_ the next goes.
+    struct Chunk {
+        std::vector<Draw>& drawn;
+        std::span<std::uint32_t> ends;
+    };
 
     std::uint64_t weight_of(std::size_t place) const;
-    Draw drawn(std::uint64_t first_number, std::uint32_t order) const;
+    void find_bits(Share share);
+    Draw drawn(RandomBits random, std::uint64_t first_number, std::uint32_t order) const;
+    void draw_chunk(std::uint64_t first_number, std::uint32_t begin, std::uint32_t end,
+                    Chunk chunk) const;
     void draw_bits(std::uint64_t first_number, std::uint32_t count);
     void find_ends(std::size_t chunks);
     void invert_part(std::uint64_t first_number, std::span<Draw> part) const;
@@ -51,13 +79,15 @@ private:
     std::uint32_t place_width_ = 0;
     std::span<const std::uint32_t> widths_;
     std::vector<std::uint64_t> sums_ = {0};  // sums_[block]: all blocks of places below it
+    Share share_{};
+    Bits bits_;
     // A draw's place and rank hold its random bits until it is inverted.
-    std::vector<Draw> drawn_;               // by number
-    std::vector<Draw> draws_;               // by part: by the highest bits
-    unsigned part_bits_ = 0;                // how many those are
-    std::vector<std::uint32_t> part_ends_;  // in draws_
-    // Of each chunk of numbers, for each part: how many draws, then where in draws_ the next goes.
-    std::vector<std::uint32_t> chunk_ends_;
+    std::vector<std::vector<Draw>> drawn_;   // by chunk and number
+    std::vector<Draw> draws_;                // by part: by the highest bits
+    std::vector<std::uint32_t> numbers_;     // by order; none where all draws are in the share
+    unsigned part_bits_ = 0;                 // how many those are
+    std::vector<std::uint32_t> part_ends_;   // in draws_
+    std::vector<std::uint32_t> chunk_ends_;  // of each chunk
 };
 
 }  // namespace lacuna

@@ -63,6 +63,10 @@ public:
         const Timed timed(observer_, Verb::transfer);
         return backend_.finish_round();
     }
+    std::vector<Candidate> located() override {
+        const Timed timed(observer_, Verb::transfer);
+        return backend_.located();
+    }
 
     std::string device() const override { return backend_.device(); }
     Workers& workers() override { return backend_.workers(); }

@@ -87,6 +87,8 @@ struct StripArguments {
     u32 block;         // the counts of so many strips have a sum of their own
     u32 room;          // of the new boxes
     u32 first_recent;  // on a ground: places are cut by the samples in their lists from this on
+    u32 own_begin;     // boxes at other x than the own_width from there on belong to the halo
+    u32 own_width;
 };
 LACUNA_TYPEDEF(StripArguments)
 

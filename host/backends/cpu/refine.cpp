@@ -17,10 +17,15 @@ namespace {
 class Refinement {
 public:
     Refinement(const SpanState& state, std::uint32_t width)
-        : state_(state), vectors_(vectors_for(state.plan.radius)), width_(width) {}
+        : state_(state),
+          vectors_(vectors_for(state.plan.radius)),
+          width_(width),
+          own_(state.plan.own_x()) {}
 
-    // Appends what is left of a box as wide as the places were, cut to the new width.
+    // Appends what is left of a box as wide as the places were, cut to the new width; in the halo
+    // the box itself.
     void cut(Box box, std::vector<Box>& left) {
+        if (box.x - own_.begin >= own_.end - own_.begin) return left.push_back(box);
         near_count_ = 0;
         // Every cell is written, and kept or not: no branch.
         state_.grid->for_each_cell_near(box.x, box.x + state_.place_width, box.begin, box.end,
@@ -112,6 +117,7 @@ private:
     const SpanState& state_;
     const Vectors& vectors_;
     std::uint32_t width_;
+    Span own_;  // x
     std::array<Sample, kMost> near_;
     std::size_t near_count_ = 0;
     std::array<Seen, kMost + kVectorPadding> touching_;

@@ -49,8 +49,11 @@ public:
             next += state_.fates[i] == FATE_ADMITTED;
         }
         samples_.resize(static_cast<std::size_t>(next - samples_.data()));
-        return {samples_, survivors, state_.free_lengths, state_.place_width, state_.place_widths};
+        if (state_.plan.tells_orders) find_orders();
+        return {samples_, survivors, state_.free_lengths, state_.place_width, state_.place_widths,
+                orders_,  state_.place_begins};
     }
+    std::vector<Candidate> located() override { return state_.candidates; }
 
     Snapshot snapshot() override { return state_.snapshot(); }
     void restore(const Snapshot& snapshot) override {
@@ -108,6 +111,13 @@ private:
     static constexpr std::uint32_t kColumnsOfSlab = 64;
     static constexpr std::uint32_t kMostSlabs = 1024;
 
+    // Of the samples.
+    void find_orders() {
+        orders_.clear();
+        for (std::uint32_t order = 0; order < state_.by_order.size(); ++order)
+            if (state_.fates[state_.by_order[order]] == FATE_ADMITTED) orders_.push_back(order);
+    }
+
     void settle() {
         while (!all_columns([&](std::uint32_t i) { return cpu::admit(state_, i); })) {
         }
@@ -126,6 +136,7 @@ private:
     Workers workers_;
     bool is_set_ = false;  // the places are set free in the first round
     std::vector<Sample> samples_;
+    std::vector<std::uint32_t> orders_;  // where the plan asks for them
 };
 
 }  // namespace lacuna::cpu

@@ -190,7 +190,9 @@ bool subtract(SpanState& state, std::uint32_t column) {
     if (near.empty()) return true;
 
     bool complete = true;
-    for (std::uint32_t i = state.first_lines[column]; i < state.first_lines[column + 1]; ++i) {
+    const Span own = state.plan.own_lines();
+    const std::uint32_t end = std::min(state.first_lines[column + 1], own.end);
+    for (std::uint32_t i = std::max(state.first_lines[column], own.begin); i < end; ++i) {
         if (state.span_counts[i] == 0) continue;
         const std::span<const Span> chords =
             chords_of_line(state.plan, state.plan.centre_of_line(i), near, scratch);

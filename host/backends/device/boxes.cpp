@@ -94,6 +94,7 @@ void Boxes::make_room_for_lines() {
 }
 
 portable::StripArguments Boxes::strip_arguments(std::uint32_t served) const {
+    const Span own = round_.plan.own_x();
     return {0,
             round_.queue.chunk_of(served),
             round_.geometry,
@@ -103,7 +104,9 @@ portable::StripArguments Boxes::strip_arguments(std::uint32_t served) const {
             kPasses - 1,
             block_of_scan(strips()),
             new_room_,
-            0};
+            0,
+            own.begin,
+            own.end - own.begin};
 }
 
 void Boxes::refine(bool halve) {

@@ -9,6 +9,7 @@
 
 #include "backends/device/places.h"
 #include "backends/device/round_memory.h"
+#include "portable/fate.h"
 
 namespace lacuna::device {
 namespace {
@@ -85,7 +86,13 @@ public:
         is_open_ = true;
         finish();
         const std::uint64_t survivors = take_admitted(round_.by_order, samples_);
-        return {samples_, survivors, places_->free_lengths(), places_->width(), places_->widths()};
+        if (round_.plan.tells_orders) find_orders();
+        return {samples_, survivors, places_->free_lengths(), places_->width(), places_->widths(),
+                orders_,  places_->begins()};
+    }
+    std::vector<Candidate> located() override {
+        finish();
+        return round_.candidates();
     }
 
     Snapshot snapshot() override {
@@ -112,6 +119,13 @@ private:
     std::unique_ptr<Places> make_places(const Tuning& tuning) {
         if (round_.plan.ground) return make_rectangles(round_);
         return round_.plan.is_cells() ? make_lattice(round_, tuning) : make_spans(round_, tuning);
+    }
+
+    // Of the samples.
+    void find_orders() {
+        orders_.clear();
+        for (std::uint32_t order = 0; order < round_.by_order.size(); ++order)
+            if (round_.by_order[order].x != NO_SAMPLE) orders_.push_back(order);
     }
 
     enum class End { none, take_out, subtract, refine };  // of the part, or the round
@@ -203,6 +217,7 @@ private:
     RoundMemory round_;
     std::unique_ptr<Places> places_;
     std::vector<Sample> samples_;
+    std::vector<std::uint32_t> orders_;  // where the plan asks for them
     bool is_open_ = false;    // verbs whose outcome is not known yet
     bool has_fates_ = false;  // passes have something to take up
     bool are_out_ = false;    // the samples of all parts but the one that is open

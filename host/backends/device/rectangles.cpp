@@ -202,7 +202,9 @@ private:
                                                  kPasses - 1,
                                                  block_of_scan(strips()),
                                                  new_room_,
-                                                 is_halving_ ? 0 : lists_.first_recent()};
+                                                 is_halving_ ? 0 : lists_.first_recent(),
+                                                 0,
+                                                 0};
         launch<Kernel>(round_.queue, memory, arguments, items_of(count, arguments.chunk),
                        work * arguments.chunk);
     }

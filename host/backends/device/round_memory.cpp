@@ -127,11 +127,17 @@ portable::DrawArguments RoundMemory::arguments(std::uint32_t pass) const {
             0};
 }
 
+std::vector<Candidate> RoundMemory::candidates() {
+    std::vector<Candidate> all(draw_count);
+    get<Candidate>(memory.candidates, all);
+    queue.wait();
+    return all;
+}
+
 void RoundMemory::snapshot(Snapshot& snapshot) {
     snapshot.capacity = geometry.capacity;
-    snapshot.candidates.resize(draw_count);
+    snapshot.candidates = candidates();
     snapshot.fates.resize(draw_count);
-    get<Candidate>(memory.candidates, snapshot.candidates);
     get<std::uint32_t>(memory.fates, snapshot.fates);
     queue.wait();
     if (parts() > 1) merge_parts(snapshot);

@@ -93,6 +93,9 @@ struct RoundMemory {
     // A buffer with these words.
     Buffer copy_of(std::span<const std::uint32_t> words);
 
+    // Once they were sorted. Waits.
+    std::vector<Candidate> candidates();
+
     void snapshot(Snapshot& snapshot);
     // The candidates, part by part, to be sorted; and then what became of them.
     void restore_candidates(const Snapshot& snapshot, PartLimits limits);

@@ -244,9 +244,15 @@ private:
         round_.queue.fill(round_.memory.overflow, 0, 1);
         launch<kernels::gather>(round_.queue, round_.memory, {0, kPasses - 1, round_.geometry, 0},
                                 columns, near);
-        for (std::size_t i = 0; i < slabs_.size(); ++i)
-            launch<kernels::subtract>(round_.queue, memory_of(i), arguments_of(i),
-                                      slabs_[i].lines(), near);
+        const Span own = round_.plan.own_lines();
+        for (std::size_t i = 0; i < slabs_.size(); ++i) {
+            portable::SlabArguments arguments = arguments_of(i);
+            arguments.first_line = std::max(arguments.first_line, own.begin);
+            arguments.end_line = std::min(arguments.end_line, own.end);
+            if (arguments.first_line < arguments.end_line)
+                launch<kernels::subtract>(round_.queue, memory_of(i), arguments,
+                                          arguments.end_line - arguments.first_line, near);
+        }
     }
 
     Memory memory_of(std::size_t slab) const {
