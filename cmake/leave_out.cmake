@@ -1,14 +1,14 @@
-# What happens where a backend's packages are missing.
+# What happens where the packages of a backend, or of lacuna-mpi, are missing.
 include_guard()
 set(LACUNA_REQUIRE "$ENV{LACUNA_REQUIRE}" CACHE STRING
-    "Backends that must not be left out: opencl, vulkan")
+    "What must not be left out: opencl, vulkan, mpi")
 
-# lacuna_leave_out(BACKEND MISSING PACKAGES) says what is missing, and the Debian packages that have
-# it; an error where LACUNA_REQUIRE names the backend.
-function(lacuna_leave_out backend missing packages)
+# lacuna_leave_out(WHAT NAME MISSING PACKAGES) says what is missing, and the Debian packages that have
+# it; an error where LACUNA_REQUIRE has the name.
+function(lacuna_leave_out what name missing packages)
     set(message "${missing} (Debian: ${packages})")
-    if("${LACUNA_REQUIRE}" MATCHES "${backend}")
+    if("${LACUNA_REQUIRE}" MATCHES "${name}")
         message(FATAL_ERROR "${message}")
     endif()
-    message(STATUS "${message}. Lacuna is built without the backend ${backend}.")
+    message(STATUS "${message}. Lacuna is built without ${what}.")
 endfunction()

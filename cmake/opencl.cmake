@@ -22,7 +22,7 @@ function(lacuna_add_opencl)
     find_path(OPENCL_INCLUDE_DIR CL/opencl.h)
     find_path(OPENCL_HPP_INCLUDE_DIR CL/opencl.hpp HINTS ${OPENCL_INCLUDE_DIR})
     if(NOT OPENCL_INCLUDE_DIR OR NOT OPENCL_HPP_INCLUDE_DIR)
-        lacuna_leave_out(opencl "OpenCL is missing: install its C and C++ headers"
+        lacuna_leave_out("the backend opencl" opencl "OpenCL is missing: install its C and C++ headers"
             "opencl-headers opencl-clhpp-headers")
         return()
     endif()

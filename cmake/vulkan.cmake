@@ -48,7 +48,7 @@ function(lacuna_add_vulkan)
     find_path(VULKAN_RAII_INCLUDE_DIR vulkan/vulkan_raii.hpp HINTS ${Vulkan_INCLUDE_DIRS})
     if(NOT TARGET Vulkan::Headers OR NOT VULKAN_RAII_INCLUDE_DIR
         OR NOT TARGET Vulkan::glslangValidator)
-        lacuna_leave_out(vulkan "Vulkan is missing: install its C++ headers and glslangValidator"
+        lacuna_leave_out("the backend vulkan" vulkan "Vulkan is missing: install its C++ headers and glslangValidator"
             "libvulkan-dev glslang-tools")
         return()
     endif()

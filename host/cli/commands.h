@@ -1,4 +1,4 @@
-// The subcommands, and which exception leaves with which exit code.
+// The program lacuna: its subcommands.
 #pragma once
 
 #include "cli/comparison.h"

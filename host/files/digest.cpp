@@ -28,11 +28,21 @@ void check(int openssl_result, const char* call) {
 
 }  // namespace
 
-std::string sha256_of(std::span<const Point> points) {
-    const std::unique_ptr<EVP_MD_CTX, ContextDeleter> context(EVP_MD_CTX_new());
-    check(context != nullptr ? 1 : 0, "EVP_MD_CTX_new");
-    check(EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr), "EVP_DigestInit_ex");
+struct Sha256OfPoints::State {
+    std::unique_ptr<EVP_MD_CTX, ContextDeleter> context{EVP_MD_CTX_new()};
     std::string bytes;
+};
+
+Sha256OfPoints::Sha256OfPoints() : state_(std::make_unique<State>()) {
+    EVP_MD_CTX* const context = state_->context.get();
+    check(context != nullptr ? 1 : 0, "EVP_MD_CTX_new");
+    check(EVP_DigestInit_ex(context, EVP_sha256(), nullptr), "EVP_DigestInit_ex");
+}
+
+Sha256OfPoints::~Sha256OfPoints() = default;
+
+void Sha256OfPoints::add(std::span<const Point> points) {
+    auto& [context, bytes] = *state_;
     while (!points.empty()) {
         const std::size_t count = std::min(kPointsPerUpdate, points.size());
         bytes.clear();
@@ -43,14 +53,22 @@ std::string sha256_of(std::span<const Point> points) {
         check(EVP_DigestUpdate(context.get(), bytes.data(), bytes.size()), "EVP_DigestUpdate");
         points = points.subspan(count);
     }
+}
+
+std::string Sha256OfPoints::hex() {
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
     unsigned int length = 0;
-    check(EVP_DigestFinal_ex(context.get(), digest.data(), &length), "EVP_DigestFinal_ex");
-
+    check(EVP_DigestFinal_ex(state_->context.get(), digest.data(), &length), "EVP_DigestFinal_ex");
     std::string hex;
     for (const unsigned char byte : std::span(digest).first(length))
         hex += fmt::format("{:02x}", byte);
     return hex;
+}
+
+std::string sha256_of(std::span<const Point> points) {
+    Sha256OfPoints digest;
+    digest.add(points);
+    return digest.hex();
 }
 
 }  // namespace lacuna::files

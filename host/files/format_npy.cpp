@@ -42,6 +42,8 @@ std::vector<Point> load_points(std::string_view data, const NpyHeader& header,
     return points;
 }
 
+}  // namespace
+
 // NumPy's .npy format, version 1.0: magic, version, length of the header, header, data.
 std::string npy_header(std::size_t count, int columns) {
     constexpr std::size_t kAlignment = 64;  // of the data, so that a reader may map the file
@@ -59,8 +61,6 @@ std::string npy_header(std::size_t count, int columns) {
     header.push_back(static_cast<char>(text.size() >> 8U));
     return header + text;
 }
-
-}  // namespace
 
 std::string encode_npy(const PointSet& set) {
     const Dots* const dots = set.dots;

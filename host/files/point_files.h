@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -87,5 +88,20 @@ std::optional<int> descriptor_named(const std::string& path);
 // SHA-256, in hex, of the points as little-endian float64 x0 y0 x1 y1 ...: what --report prints
 // and what tests pin.
 std::string sha256_of(std::span<const Point> points);
+// The same of points that come in parts.
+class Sha256OfPoints {
+public:
+    Sha256OfPoints();
+    ~Sha256OfPoints();
+    Sha256OfPoints(const Sha256OfPoints&) = delete;
+    Sha256OfPoints& operator=(const Sha256OfPoints&) = delete;
+
+    void add(std::span<const Point> points);
+    std::string hex();  // once, at the end
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 }  // namespace lacuna::files

@@ -19,6 +19,8 @@ class Sink {
 public:
     virtual ~Sink() = default;
 
+    // Samples of this plan follow; what was taken before, if anything, is void.
+    virtual void begin(const Plan& plan) = 0;
     // The samples, in units of the domain, of some of the round's draws, so many in all, and the
     // draws' numbers, which ascend. All ranks' samples of a round come after those of the rounds
     // before it, in the order of their numbers; those beyond the plan's limit are not wanted. Every

@@ -42,6 +42,7 @@ private:
 class RankSink : public Sink {
 public:
     explicit RankSink(SharedSink& shared) : shared_(shared) {}
+    void begin(const Plan&) override {}
     void take(std::span<const Sample> samples, std::span<const std::uint32_t> numbers,
               std::uint32_t) override {
         shared_.add(round_++, samples, numbers);

@@ -1,0 +1,44 @@
+// A program of subcommands: what it says, and which exception leaves with which exit code.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "cli/app_fwd.h"
+
+namespace lacuna::cli {
+
+// What is wrong with the command line, in one line.
+class BadUsage : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+class Program {
+public:
+    Program(std::string name, std::string description, std::function<void(CLI::App&)> add_commands)
+        : name_(std::move(name)),
+          description_(std::move(description)),
+          add_commands_(std::move(add_commands)) {}
+    virtual ~Program() = default;
+
+    const std::string& name() const { return name_; }
+    const std::string& description() const { return description_; }
+    void add_commands(CLI::App& app) const { add_commands_(app); }
+
+    // Tells on standard error what went wrong, and returns the exit code.
+    virtual int fail(int code, const std::string& message) const;
+    // What --help and --version print, on standard output.
+    virtual void say(const std::string& text) const;
+
+private:
+    std::string name_;
+    std::string description_;
+    std::function<void(CLI::App&)> add_commands_;
+};
+
+// Runs the command line and returns the exit code.
+int run_program(const Program& program, int argc, char** argv);
+
+}  // namespace lacuna::cli

@@ -1,0 +1,63 @@
+// Agreement on an end.
+#include "mpi/endings.h"
+
+#include <array>
+
+#include "cli/check_failed.h"
+
+namespace lacuna::mpi {
+namespace {
+
+struct Place {
+    int rank = 0;
+    int ranks = 1;
+};
+
+Place place() {
+    Place place;
+    MPI_Comm_rank(MPI_COMM_WORLD, &place.rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &place.ranks);
+    return place;
+}
+
+}  // namespace
+
+void MpiProgram::end_with(const std::optional<Ending>& own) const {
+    const auto [rank, ranks] = place();
+    int lowest = own ? rank : ranks;
+    MPI_Allreduce(MPI_IN_PLACE, &lowest, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+    if (lowest == ranks) return;
+    Ending ending = own && lowest == rank ? *own : Ending{};
+    std::array<int, 3> head{ending.code, ending.is_answer, static_cast<int>(ending.text.size())};
+    MPI_Bcast(head.data(), head.size(), MPI_INT, lowest, MPI_COMM_WORLD);
+    ending.text.resize(static_cast<std::size_t>(head[2]));
+    MPI_Bcast(ending.text.data(), head[2], MPI_CHAR, lowest, MPI_COMM_WORLD);
+    agreed_code_ = head[0];
+    if (rank != 0) return;
+    if (head[1] != 0)
+        Program::say(ending.text);
+    else
+        Program::fail(head[0], ending.text);
+}
+
+int MpiProgram::fail(int code, const std::string& message) const {
+    const auto [rank, ranks] = place();
+    if (are_together_) {
+        if (!agreed_code_) end_with(Ending{code, 0, message});
+        return exit_code(code);
+    }
+    Program::fail(code, ranks == 1 ? message : "rank " + std::to_string(rank) + ": " + message);
+    MPI_Abort(MPI_COMM_WORLD, code);
+    return code;
+}
+
+void MpiProgram::say(const std::string& text) const {
+    end_with(Ending{0, 1, text});
+}
+
+void MpiProgram::join() const {
+    end_with({});
+    if (agreed_code_) throw cli::CheckFailed();
+}
+
+}  // namespace lacuna::mpi

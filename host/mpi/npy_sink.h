@@ -1,0 +1,68 @@
+// All ranks' samples in one .npy, in the order of admission, by MPI-IO.
+#pragma once
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "files/new_file.h"
+#include "mpi/mpi_ranks.h"
+#include "ranks/generate_on_ranks.h"
+
+namespace lacuna::mpi {
+
+// Each round every rank gets the samples of a stretch of the round's draws, sorts them, and writes
+// them behind those of the ranks below it. The file lies beside the one it is to become, and is
+// gone at the end unless it was finished, after a signal too. Errors of writing are thrown as
+// FailedTogether.
+class NpySink : public Sink {
+public:
+    NpySink(std::string path, MpiRanks& ranks);
+    ~NpySink() override;
+    NpySink(const NpySink&) = delete;
+    NpySink& operator=(const NpySink&) = delete;
+
+    void begin(const Plan& plan) override;
+    void take(std::span<const Sample> samples, std::span<const std::uint32_t> numbers,
+              std::uint32_t draws) override;
+    // Writes the header and puts the file in place.
+    void finish();
+    // Every rank: closes the file, which none of them can go on with.
+    void close();
+
+    // SHA-256 of all points; rank 0 alone, once finished.
+    std::string sha256() const;
+
+    std::uint64_t bytes_sent() const { return bytes_sent_; }  // to ranks that write them
+    double seconds() const { return seconds_; }
+
+private:
+    struct Record {
+        std::uint32_t number;
+        std::uint32_t x;
+        std::uint32_t y;
+    };
+    void open();
+    std::vector<Record> redistribute(std::span<const Sample> samples,
+                                     std::span<const std::uint32_t> numbers, std::uint32_t draws);
+    void write(std::uint64_t first, std::span<const Record> records);
+    void write_at(std::uint64_t offset, const void* bytes, std::size_t size) const;
+
+    std::string path_;
+    MpiRanks& ranks_;
+    std::unique_ptr<files::NewFile> file_;  // rank 0's
+    std::string name_;
+    MPI_File handle_ = MPI_FILE_NULL;
+    MPI_Datatype record_ = MPI_DATATYPE_NULL;
+    std::optional<Plan> plan_;
+    std::uint64_t written_ = 0;  // samples of all ranks, in earlier rounds
+    std::uint64_t bytes_sent_ = 0;
+    double seconds_ = 0;
+};
+
+}  // namespace lacuna::mpi

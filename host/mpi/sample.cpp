@@ -1,0 +1,212 @@
+// The options of `lacuna-mpi sample`, and its run.
+#include "mpi/sample.h"
+
+#include <fmt/core.h>
+#include <mpi.h>
+#include <sched.h>
+#include <unistd.h>
+
+#include <lacuna/lacuna.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/common_options.h"
+#include "cli/driver.h"
+#include "cli/observers.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/progress_bar.h"
+#include "cli/report.h"
+#include "cli/run_program.h"
+#include "cli/sample.h"
+#include "cli/stopwatch.h"
+#include "files/point_files.h"
+#include "mpi/mpi_ranks.h"
+#include "mpi/npy_sink.h"
+#include "mpi/report.h"
+#include "plan/plan.h"
+#include "ranks/sample_on_ranks.h"
+#include "ranks/together.h"
+
+namespace lacuna::mpi {
+namespace {
+
+constexpr const char* kSampleDescription =
+    R"(Makes a maximal blue-noise point set on all ranks, the same as lacuna sample --mode exact.
+
+Examples:
+  mpirun -n 4 lacuna-mpi sample --radius 0.0001 --torus -o points.npy
+  mpirun -n 64 lacuna-mpi sample --count 1e9 --torus --seed 7 -o points.npy --report cost.json
+)";
+
+// Ranks of one machine share its cores and its memory.
+struct Machine {
+    std::uint32_t ranks = 1;
+    std::uint64_t memory_bytes = 0;  // of all machines
+};
+
+Machine look_at_machines(MPI_Comm communicator) {
+    MPI_Comm here = MPI_COMM_NULL;
+    MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+    int ranks = 1;
+    int rank = 0;
+    MPI_Comm_size(here, &ranks);
+    MPI_Comm_rank(here, &rank);
+    MPI_Comm_free(&here);
+    Machine machine{static_cast<std::uint32_t>(ranks), rank == 0 ? machine_memory_bytes() : 0};
+    MPI_Allreduce(MPI_IN_PLACE, &machine.memory_bytes, 1, MPI_UINT64_T, MPI_SUM, communicator);
+    return machine;
+}
+
+// Where mpirun binds a rank to cores, these; else its share of all.
+std::uint32_t threads_for(const Machine& machine) {
+    cpu_set_t mine{};
+    const bool is_known = sched_getaffinity(0, sizeof(mine), &mine) == 0;
+    const auto all = static_cast<std::uint32_t>(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
+    const std::uint32_t bound = is_known ? static_cast<std::uint32_t>(CPU_COUNT(&mine)) : all;
+    return std::max(1u, std::min(bound, all / machine.ranks));
+}
+
+struct MpiSample {
+    cli::CommonOptions common;
+    std::string path;
+};
+
+void check(const MpiSample& all, const Request& request, const MpiRanks& ranks) {
+    if (all.path.empty())
+        throw BadRequest("output", "nothing", "must be given: a file whose name ends in .npy");
+    cli::OutputOptions output;
+    output.paths = {all.path};
+    cli::outputs_of(output, ".npy", "npy");
+    if (cli::is_stream(all.path))
+        throw BadRequest("output", cli::shown(all.path),
+                         "must be a file: ranks write to it side by side");
+    if (!all.common.report.empty()) cli::check_json("report", all.common.report);
+    check_request_on_ranks(request, ranks.count());
+}
+
+// All that must be the same on all ranks. FNV-1a.
+void check_same_everywhere(const MpiSample& all, const MpiRanks& ranks) {
+    const Request& request = all.common.request;
+    const std::string said = cli::what_decides(request, {}).dump() + "\n" + all.path + "\n" +
+                             all.common.report + "\n" + LACUNA_VERSION;
+    std::uint64_t own = 0xcbf29ce484222325;
+    for (const char c : said) own = (own ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    std::uint64_t first = own;
+    MPI_Bcast(&first, 1, MPI_UINT64_T, 0, ranks.communicator());
+    if (own != first)
+        throw cli::BadUsage(fmt::format(
+            "rank {} was given another request than rank 0: must be the same on all ranks",
+            ranks.rank()));
+}
+
+// Rank 0 shows a bar.
+class Watch {
+public:
+    Watch(const MpiSample& all, bool speaks)
+        : driver_(all.common.request.backend), bar_(all.common.quiet || !speaks) {}
+    cli::Observers& observers() { return observers_; }
+    const cli::Stopwatch& stopwatch() const { return stopwatch_; }
+
+private:
+    cli::DriverAtWork driver_;
+    cli::Stopwatch stopwatch_;
+    cli::ProgressBar bar_;
+    cli::Observers observers_{{driver_, stopwatch_, bar_}};
+};
+
+void sum_up(const MpiSample& all, const ResultOnRanks& result, double seconds,
+            std::uint32_t ranks) {
+    const std::uint64_t rounds = result.outcome.rounds;
+    const std::string size =
+        all.common.request.count ? fmt::format(", radius {:.4g}", result.radius) : "";
+    const std::string line = fmt::format(
+        "{} point{}{}, {} round{}, {:.3f} s, {} on {} rank{} -> {}", result.outcome.samples,
+        result.outcome.samples == 1 ? "" : "s", size, rounds, rounds == 1 ? "" : "s", seconds,
+        result.backend, ranks, ranks == 1 ? "" : "s", all.path);
+    std::fputs((cli::printable(line) + "\n").c_str(), stderr);
+}
+
+// What all ranks do from here on they do together, but for what FailedTogether does not tell.
+void make(const MpiSample& all, const Request& request, MpiRanks& ranks) {
+    const bool speaks = ranks.rank() == 0;
+    NpySink sink(all.path, ranks);
+    try {
+        ResultOnRanks result;
+        double seconds = 0;
+        Watch watch(all, speaks);
+        result = sample_on_ranks(request, ranks, sink, watch.observers());
+        sink.finish();
+        seconds = watch.stopwatch().seconds_so_far();
+        if (!all.common.report.empty()) {
+            const std::string report = report_of(request, result, watch.stopwatch(), seconds, ranks,
+                                                 sink, speaks ? sink.sha256() : "");
+            together(ranks, [&] {
+                if (speaks) files::write_whole(all.common.report, report);
+            });
+        }
+        const bool is_quiet = all.common.quiet || cli::is_standard_output(all.common.report);
+        if (speaks && !is_quiet) sum_up(all, result, seconds, ranks.count());
+    } catch (const FailedTogether&) {
+        sink.close();
+        throw;
+    }
+}
+
+void run(const MpiSample& all, const MpiProgram& program) {
+    MpiRanks ranks(MPI_COMM_WORLD);
+    const Machine machine = look_at_machines(ranks.communicator());
+    Request request = all.common.request;
+    if (request.threads == 0) request.threads = threads_for(machine);
+    if (request.memory_limit_bytes == 0) request.memory_limit_bytes = machine.memory_bytes;
+    check(all, request, ranks);
+    check_same_everywhere(all, ranks);
+    program.join();
+    program.part();
+    try {
+        make(all, request, ranks);
+    } catch (const FailedTogether& failed) {
+        program.meet();
+        if (failed.own) std::rethrow_exception(failed.own);
+        program.join();
+    }
+    program.meet();
+}
+
+}  // namespace
+
+void add_sample(CLI::App& app, const MpiProgram* const& program) {
+    CLI::App& command = *app.add_subcommand("sample", kSampleDescription);
+    const auto options = std::make_shared<MpiSample>();
+    Request& request = options->common.request;
+    cli::add_size(command, request);
+    cli::add_what_to_make(command, request);
+    cli::add_number(command, "lines-per-radius", "M", request.lines_per_radius,
+                    "Lines in a radius' width (default 6)");
+    cli::add_number(command, "round-size", "K", request.round_size,
+                    "Draws in a round; 0 chooses (default), 1 is the paper's algorithm");
+    cli::add_number(
+        command, "threads", "T", request.threads,
+        "Threads of each rank; 0 shares a machine's cores out among its ranks (default)");
+    cli::add_place(command, request);
+    command.add_option("-o,--output", options->path, "A .npy, which all ranks write")
+        ->type_name("FILE.npy");
+    command
+        .add_option(
+            "--report", options->common.report,
+            "Request, counts, SHA-256 of the points, and the least, median and most seconds, "
+            "bytes and memory of a rank; - is standard output")
+        ->type_name("FILE.json");
+    command.add_flag("--quiet", options->common.quiet, "No progress bar and no last line")
+        ->disable_flag_override();
+    command.callback([options, &program] { run(*options, *program); });
+}
+
+}  // namespace lacuna::mpi

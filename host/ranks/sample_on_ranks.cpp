@@ -1,0 +1,53 @@
+// From the request to the ranks' strips.
+#include "ranks/sample_on_ranks.h"
+
+#include <algorithm>
+
+#include "backends/backends.h"
+#include "plan/plan.h"
+
+namespace lacuna {
+namespace {
+
+// The request for a radius and a limit that stands for one for a count; see sample.cpp.
+Request sized_for(const Request& request, int attempt) {
+    Request sized = request;
+    if (!request.count) return sized;
+    sized.radius = radius_for_count(request, attempt);
+    sized.count.reset();
+    sized.limit = std::min(*request.count, request.limit.value_or(*request.count));
+    return sized;
+}
+
+}  // namespace
+
+void check_request_on_ranks(const Request& request, std::uint32_t ranks) {
+    check_request(request);
+    if (request.mode != Mode::exact)
+        throw BadRequest("mode", std::string(name_of(request.mode)), "must be exact on ranks");
+    if (needs_ground(request))
+        throw BadRequest("field", "given",
+                         "fields, masks, borders and kept points are not for ranks");
+    const std::uint32_t most = most_ranks(make_plan(sized_for(request, 0)));
+    if (ranks > most)
+        throw BadRequest("ranks", std::to_string(ranks),
+                         "must be at most " + std::to_string(most) +
+                             " for this radius: each rank takes a strip two radii wide or more");
+}
+
+ResultOnRanks sample_on_ranks(const Request& request, Ranks& ranks, Sink& sink,
+                              Observer& observer) {
+    for (int attempt = 0;; ++attempt) {
+        const Request sized = sized_for(request, attempt);
+        const Plan plan = make_plan(sized);
+        const Strip strip = strip_of(plan, ranks.rank(), ranks.count());
+        const ReadyBackend ready = make_backend(sized, strip.plan, observer);
+        sink.begin(plan);
+        ResultOnRanks result{generate_on_ranks(plan, strip, *ready.backend, ranks, sink, observer),
+                             plan.user_radius, plan.lines_per_radius, ready.name,
+                             ready.backend->device()};
+        if (!request.count || result.outcome.samples == *sized.limit) return result;
+    }
+}
+
+}  // namespace lacuna
