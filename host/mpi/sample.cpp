@@ -82,14 +82,18 @@ struct MpiSample {
 void check(const MpiSample& all, const Request& request, const MpiRanks& ranks) {
     if (all.path.empty())
         throw BadRequest("output", "nothing", "must be given: a file whose name ends in .npy");
-    cli::OutputOptions output;
-    output.paths = {all.path};
-    cli::outputs_of(output, ".npy", "npy");
-    if (cli::is_stream(all.path))
+    const files::Format* const format = files::find_format_of(all.path);
+    if (cli::is_stream(all.path) || format == nullptr || format->extension != ".npy")
         throw BadRequest("output", cli::shown(all.path),
-                         "must be a file: ranks write to it side by side");
+                         "must be a file whose name ends in .npy, to which all ranks can write");
+    cli::check_writable(all.path);
     if (!all.common.report.empty()) cli::check_json("report", all.common.report);
-    check_request_on_ranks(request, ranks.count());
+    check_request_on_ranks(request);
+    const std::uint32_t most = most_ranks(request);
+    if (ranks.count() > most)
+        throw cli::BadUsage(fmt::format(
+            "{} ranks are too many for this radius: at most {}, each with two radii of the width",
+            ranks.count(), most));
 }
 
 // All that must be the same on all ranks. FNV-1a.
@@ -161,13 +165,14 @@ void make(const MpiSample& all, const Request& request, MpiRanks& ranks) {
 }
 
 void run(const MpiSample& all, const MpiProgram& program) {
+    program.join();  // all ranks have understood their options
     MpiRanks ranks(MPI_COMM_WORLD);
     const Machine machine = look_at_machines(ranks.communicator());
     Request request = all.common.request;
     if (request.threads == 0) request.threads = threads_for(machine);
     if (request.memory_limit_bytes == 0) request.memory_limit_bytes = machine.memory_bytes;
-    check(all, request, ranks);
     check_same_everywhere(all, ranks);
+    check(all, request, ranks);
     program.join();
     program.part();
     try {

@@ -5,6 +5,7 @@
 
 #include "backends/backends.h"
 #include "plan/plan.h"
+#include "ranks/together.h"
 
 namespace lacuna {
 namespace {
@@ -21,18 +22,17 @@ Request sized_for(const Request& request, int attempt) {
 
 }  // namespace
 
-void check_request_on_ranks(const Request& request, std::uint32_t ranks) {
+void check_request_on_ranks(const Request& request) {
     check_request(request);
     if (request.mode != Mode::exact)
         throw BadRequest("mode", std::string(name_of(request.mode)), "must be exact on ranks");
     if (needs_ground(request))
         throw BadRequest("field", "given",
                          "fields, masks, borders and kept points are not for ranks");
-    const std::uint32_t most = most_ranks(make_plan(sized_for(request, 0)));
-    if (ranks > most)
-        throw BadRequest("ranks", std::to_string(ranks),
-                         "must be at most " + std::to_string(most) +
-                             " for this radius: each rank takes a strip two radii wide or more");
+}
+
+std::uint32_t most_ranks(const Request& request) {
+    return most_ranks(make_plan(sized_for(request, 0)));
 }
 
 ResultOnRanks sample_on_ranks(const Request& request, Ranks& ranks, Sink& sink,
@@ -41,7 +41,8 @@ ResultOnRanks sample_on_ranks(const Request& request, Ranks& ranks, Sink& sink,
         const Request sized = sized_for(request, attempt);
         const Plan plan = make_plan(sized);
         const Strip strip = strip_of(plan, ranks.rank(), ranks.count());
-        const ReadyBackend ready = make_backend(sized, strip.plan, observer);
+        ReadyBackend ready;
+        together(ranks, [&] { ready = make_backend(sized, strip.plan, observer); });
         sink.begin(plan);
         ResultOnRanks result{generate_on_ranks(plan, strip, *ready.backend, ranks, sink, observer),
                              plan.user_radius, plan.lines_per_radius, ready.name,

@@ -19,10 +19,13 @@ struct ResultOnRanks {
     std::string device;
 };
 
-// Throws BadRequest where a rank alone could have, before any rank calls another: for what ranks do
-// not make, and where the domain has too few columns for so many. Then what generate_on_ranks and
-// make_backend throw.
-void check_request_on_ranks(const Request& request, std::uint32_t ranks);
+// Throws BadRequest for what is wrong with any request, and for what ranks do not make.
+void check_request_on_ranks(const Request& request);
+// So many can share the set: each takes a strip two radii wide or more.
+std::uint32_t most_ranks(const Request& request);
+
+// The request was checked, and the ranks are no more than that. Throws FailedTogether where one of
+// them has no such backend, and what generate_on_ranks throws.
 ResultOnRanks sample_on_ranks(const Request& request, Ranks& ranks, Sink& sink, Observer& observer);
 
 }  // namespace lacuna
