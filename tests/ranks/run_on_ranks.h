@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <span>
 #include <string>
@@ -57,6 +58,7 @@ struct MadeOnRanks {
     std::vector<Sample> samples;
     OutcomeOnRanks outcome;              // as rank 0 knows it
     std::vector<Border::Tally> tallies;  // of each rank
+    std::uint64_t bytes = 0;             // that neighbours sent each other
 };
 
 // With one thread a rank. The backends are made one after another: drivers compile then.
@@ -73,12 +75,12 @@ inline MadeOnRanks run_on_ranks(const Plan& plan, std::uint32_t count, const std
     on_threads(ring, [&](Ranks& rank) {
         RankSink own(sink);
         Observer nobody;
-        const OutcomeOnRanks outcome =
-            generate_on_ranks(plan, strips[rank.rank()], *backends[rank.rank()], rank, own, nobody,
-                              depth);
+        const OutcomeOnRanks outcome = generate_on_ranks(
+            plan, strips[rank.rank()], *backends[rank.rank()], rank, own, nobody, depth);
         made.tallies[rank.rank()] = outcome.border;
         if (rank.rank() == 0) made.outcome = outcome;
     });
+    made.bytes = ring.bytes();
     made.samples = sink.in_order(plan.limit);
     return made;
 }

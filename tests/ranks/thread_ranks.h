@@ -1,11 +1,11 @@
 // Ranks that are threads of one process, for tests: mailboxes and a barrier.
 #pragma once
 
+#include <atomic>
 #include <barrier>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <numeric>
 #include <span>
 #include <thread>
 #include <vector>
