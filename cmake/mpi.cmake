@@ -8,16 +8,25 @@ function(lacuna_add_mpi)
         lacuna_leave_out("the command lacuna-mpi" mpi "MPI is missing" "libopenmpi-dev openmpi-bin")
         return()
     endif()
-    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/host/mpi/*.cpp)
-    add_executable(lacuna_mpi ${sources}
+    set(folder ${PROJECT_SOURCE_DIR}/host/mpi)
+    # The ranks and their file, without the command: for tests too.
+    add_library(lacuna_mpi_ranks STATIC
+        ${folder}/mpi_ranks.cpp ${folder}/npy_sink.cpp ${folder}/unfinished_file.cpp)
+    target_include_directories(lacuna_mpi_ranks PRIVATE ${PROJECT_SOURCE_DIR}/kernels)
+    target_include_directories(lacuna_mpi_ranks SYSTEM PRIVATE ${RANDOM123_INCLUDE_DIR})
+    target_compile_definitions(lacuna_mpi_ranks PUBLIC OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
+    target_link_libraries(lacuna_mpi_ranks PUBLIC lacuna_files MPI::MPI_CXX
+        PRIVATE lacuna_options TBB::tbb)
+    add_executable(lacuna_mpi ${folder}/main.cpp ${folder}/endings.cpp ${folder}/report.cpp
+        ${folder}/sample.cpp
         $<FILTER:$<TARGET_OBJECTS:lacuna_command>,EXCLUDE,/main\\.cpp>)
     set_target_properties(lacuna_mpi PROPERTIES OUTPUT_NAME lacuna-mpi)
     target_include_directories(lacuna_mpi PRIVATE ${PROJECT_SOURCE_DIR}/host ${PROJECT_SOURCE_DIR}/kernels)
     target_include_directories(lacuna_mpi SYSTEM PRIVATE ${CLI11_INCLUDE_DIR} ${RANDOM123_INCLUDE_DIR})
-    target_compile_definitions(lacuna_mpi PRIVATE LACUNA_VERSION="${PROJECT_VERSION}"
-        OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
-    target_link_libraries(lacuna_mpi PRIVATE
-        $<TARGET_PROPERTY:lacuna_command,LINK_LIBRARIES> TBB::tbb MPI::MPI_CXX)
+    target_compile_definitions(lacuna_mpi PRIVATE LACUNA_VERSION="${PROJECT_VERSION}")
+    target_link_libraries(lacuna_mpi PRIVATE lacuna_mpi_ranks
+        $<TARGET_PROPERTY:lacuna_command,LINK_LIBRARIES> TBB::tbb)
+    set(MPIEXEC_EXECUTABLE ${MPIEXEC_EXECUTABLE} PARENT_SCOPE)
     set(LACUNA_HAS_MPI ON PARENT_SCOPE)
 endfunction()
 

@@ -1,0 +1,47 @@
+// lacuna-mpi as a user has it.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "cli/program.h"
+#include "mpi/mpirun.h"
+
+namespace {
+
+using lacuna::test::content_of;
+using lacuna::test::Folder;
+using lacuna::test::Outcome;
+using namespace lacuna::test::mpi;
+
+TEST(Mpi, TheCommandWritesTheFileOfLacunaAndReportsWhatItCost) {
+    Folder folder;
+    const std::string alone = folder.path("alone.npy");
+    const std::string path = folder.path("ranks.npy");
+    const std::string report = folder.path("report.json");
+    ASSERT_EQ(lacuna::test::run({"sample", "--radius", "0.004", "--torus", "-o", alone}).exit_code,
+              0);
+
+    const Outcome outcome = mpirun(
+        ranks(3, {"sample", "--radius", "0.004", "--torus", "-o", path, "--report", report}));
+
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find(" on 3 ranks -> "), std::string::npos) << outcome.err;
+    EXPECT_EQ(lines_of(outcome.err, "\n"), 1u) << outcome.err;
+    EXPECT_EQ(content_of(path), content_of(alone));
+    const std::string told = content_of(report);
+    for (const char* const word : {"\"ranks\": 3", "border_bytes_sent", "points_sha256", "median",
+                                   "most_border_messages_in_a_round", "exchange"})
+        EXPECT_NE(told.find(word), std::string::npos) << word;
+}
+
+TEST(Mpi, HelpAndVersionAreToldOnce) {
+    const Outcome version = mpirun(ranks(3, {"--version"}));
+    EXPECT_EQ(version.exit_code, 0) << version.err;
+    EXPECT_EQ(lines_of(version.out, "lacuna-mpi "), 1u) << version.out;
+    const Outcome help = mpirun(ranks(2, {"sample", "--help"}));
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_EQ(lines_of(help.out, "Usage: "), 1u) << help.out;
+}
+
+}  // namespace

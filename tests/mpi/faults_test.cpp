@@ -1,0 +1,130 @@
+// When something goes wrong on one rank: one message, the right exit code, no hang, and nothing
+// half written.
+#include <gtest/gtest.h>
+
+#include <signal.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/program.h"
+#include "mpi/mpirun.h"
+
+namespace {
+
+using lacuna::test::content_of;
+using lacuna::test::Folder;
+using lacuna::test::Outcome;
+using namespace lacuna::test::mpi;
+
+void expect_one_message(const Outcome& outcome, int exit_code, const std::string& message) {
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+    EXPECT_EQ(lines_of(outcome.err, "lacuna-mpi: "), 1u) << outcome.err;
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+}
+
+TEST(MpiFaults, ABadOptionIsToldOnce) {
+    expect_one_message(mpirun(ranks(3, {"sample", "--radus", "0.1"})), 2, "did you mean --radius");
+    expect_one_message(mpirun(ranks(3, {"sample", "--radius", "x", "-o", "x.npy"})), 2,
+                       "--radius x");
+}
+
+TEST(MpiFaults, AnOutputThatIsNoNpyIsRefused) {
+    expect_one_message(mpirun(ranks(2, {"sample", "--radius", "0.1", "-o", "x.svg"})), 2, ".npy");
+    expect_one_message(mpirun(ranks(2, {"sample", "--radius", "0.1"})), 2, "--output");
+    expect_one_message(mpirun(ranks(2, {"sample", "--radius", "0.1", "-o", "/nowhere/x.npy"})), 3,
+                       "there is no folder /nowhere");
+}
+
+TEST(MpiFaults, MoreRanksThanTheDomainHasRoomForAreRefused) {
+    Folder folder;
+    expect_one_message(mpirun(ranks(5, {"sample", "--radius", "0.1", "-o", folder.path("x.npy")})),
+                       2, "5 ranks are too many for this radius: at most 4");
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(MpiFaults, RanksWithDifferentRequestsAreRefused) {
+    Folder folder;
+    const std::string path = folder.path("x.npy");
+    expect_one_message(mpirun(joined(ranks(2, {"sample", "--radius", "0.01", "-o", path}),
+                                     ranks(1, {"sample", "--radius", "0.02", "-o", path}))),
+                       2, "rank 2 was given another request than rank 0");
+    expect_one_message(mpirun(joined(ranks(2, {"sample", "--radius", "0.01", "-o", path}),
+                                     ranks(1, {"sample", "--radius"}))),
+                       2, "--radius: a value must follow");
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(MpiFaults, ABackendThatOneRankLacksIsToldOnce) {
+    Folder folder;
+    const std::string path = folder.path("x.npy");
+    expect_one_message(mpirun(joined(ranks(1, {"sample", "--radius", "0.01", "-o", path}),
+                                     ranks(1, {"sample", "--radius", "0.01", "--backend",
+                                               "reference", "-o", path}))),
+                       2, "--backend reference");
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(MpiFaults, ADiskThatIsFullForOneRankLeavesNothing) {
+    Folder folder;
+    const std::string path = folder.path("x.npy");
+    lacuna::test::write_file(path, "an older file");
+    const std::string limited =
+        "ulimit -f 10000; exec " LACUNA_MPI_PROGRAM " sample --radius 0.001 -o " + path;
+    const Outcome outcome = mpirun(joined(ranks(1, {"sample", "--radius", "0.001", "-o", path}),
+                                          {"-n", "1", "/bin/bash", "-c", limited}));
+    expect_one_message(outcome, 3, path + ": File too large");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"x.npy"});
+    EXPECT_EQ(content_of(path), "an older file");
+}
+
+// Processes of lacuna-mpi that write into the folder, by what Linux tells of them.
+std::vector<pid_t> ranks_writing_to(const std::string& path) {
+    std::vector<pid_t> found;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+        const std::string name = entry.path().filename().string();
+        if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+        std::ifstream file(entry.path() / "cmdline", std::ios::binary);
+        const std::string line((std::istreambuf_iterator<char>(file)), {});
+        if (line.starts_with(LACUNA_MPI_PROGRAM) && line.find(path) != std::string::npos)
+            found.push_back(static_cast<pid_t>(std::stol(name)));
+    }
+    return found;
+}
+
+// Of a run that takes some seconds, once its file is there.
+void end_a_rank_by(int signal) {
+    Folder folder;
+    const std::string path = folder.path("x.npy");
+    lacuna::test::Program program(
+        command_of(ranks(3, {"sample", "--count", "10M", "--torus", "-o", path})), setting());
+    std::vector<pid_t> found;
+    while (program.is_running() && (folder.names().empty() || found.size() < 3)) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        found = ranks_writing_to(path);
+    }
+    ASSERT_EQ(found.size(), 3u);
+    EXPECT_EQ(folder.names().size(), 1u);  // the unfinished one
+
+    ASSERT_EQ(kill(found[1], signal), 0);
+    const Outcome outcome = program.wait();
+
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_NE(outcome.exit_code, 124) << "ended by the time limit";
+    EXPECT_TRUE(folder.names().empty()) << folder.names().front();
+}
+
+TEST(MpiFaults, AKilledRankEndsAllAndLeavesNothing) {
+    end_a_rank_by(SIGKILL);
+}
+
+TEST(MpiFaults, ATerminatedRankEndsAllAndLeavesNothing) {
+    end_a_rank_by(SIGTERM);
+}
+
+}  // namespace

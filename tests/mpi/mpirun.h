@@ -1,0 +1,55 @@
+// Runs lacuna-mpi by mpirun, as a user would.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cli/program.h"
+
+namespace lacuna::test::mpi {
+
+inline const std::vector<std::string> kMpirun{"-q", "--oversubscribe", "--bind-to", "none"};
+
+// `mpirun` with these arguments; a run of more than a minute is ended, with the exit code 124.
+inline std::vector<std::string> command_of(const std::vector<std::string>& arguments) {
+    std::vector<std::string> all{"60", LACUNA_MPIRUN};
+    all.insert(all.end(), kMpirun.begin(), kMpirun.end());
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return all;
+}
+
+inline Setting setting() {
+    Setting made;
+    made.program = "/usr/bin/timeout";
+    made.environment = {{"OMPI_ALLOW_RUN_AS_ROOT", "1"}, {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"}};
+    return made;
+}
+
+inline Outcome mpirun(const std::vector<std::string>& arguments) {
+    return run(command_of(arguments), setting());
+}
+
+// So many ranks of lacuna-mpi with the same options.
+inline std::vector<std::string> ranks(int count, const std::vector<std::string>& options) {
+    std::vector<std::string> all{"-n", std::to_string(count), LACUNA_MPI_PROGRAM};
+    all.insert(all.end(), options.begin(), options.end());
+    return all;
+}
+
+inline std::vector<std::string> joined(std::vector<std::string> first,
+                                       const std::vector<std::string>& then) {
+    first.emplace_back(":");
+    first.insert(first.end(), then.begin(), then.end());
+    return first;
+}
+
+inline std::size_t lines_of(const std::string& text, const std::string& beginning) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(beginning); at != std::string::npos;
+         at = text.find(beginning, at + 1))
+        ++count;
+    return count;
+}
+
+}  // namespace lacuna::test::mpi
