@@ -152,13 +152,26 @@ Draw Marginal::drawn(RandomBits random, std::uint64_t first_number, std::uint32_
 void Marginal::draw_chunk(std::uint64_t first_number, std::uint32_t begin, std::uint32_t end,
                           Chunk chunk) const {
     const std::uint64_t width = bits_.last - bits_.first;
-    chunk.drawn.clear();
-    if (width == kAllBits) chunk.drawn.reserve(end - begin);
+    const bool is_whole = width == kAllBits;
+    std::vector<Draw>& all = chunk.drawn;
+    all.resize(is_whole ? end - begin : 0);
     for (std::uint32_t i = begin; i < end; ++i) {
         const RandomBits random = random_bits(plan_.seed, first_number + i);
-        if (random.first - bits_.first > width) continue;
-        chunk.drawn.push_back(drawn(random, first_number, i));
-        ++chunk.ends[highest(chunk.drawn.back(), part_bits_)];
+        if (!is_whole && random.first - bits_.first > width) continue;
+        const Draw draw = drawn(random, first_number, i);
+        if (is_whole)
+            all[i - begin] = draw;
+        else
+            all.push_back(draw);
+        ++chunk.ends[highest(draw, part_bits_)];
+    }
+}
+
+// Gives draws of the share orders of their own, from the first on.
+void Marginal::number(std::span<Draw> draws, std::uint32_t order) {
+    for (Draw& draw : draws) {
+        numbers_[order] = draw.order;
+        draw.order = order++;
     }
 }
 
@@ -189,12 +202,8 @@ void Marginal::draw_bits(std::uint64_t first_number, std::uint32_t count) {
     numbers_.resize(kept < count ? kept : 0);
     workers_.for_columns(chunks, kept, [&](std::uint32_t index) {
         const Chunk chunk = chunk_at(index);
-        std::uint32_t order = orders[index];
-        for (Draw& draw : chunk.drawn) {
-            if (!numbers_.empty()) numbers_[order] = draw.order;
-            draw.order = order++;
-            draws_[chunk.ends[highest(draw, part_bits_)]++] = draw;
-        }
+        if (!numbers_.empty()) number(chunk.drawn, orders[index]);
+        for (const Draw& draw : chunk.drawn) draws_[chunk.ends[highest(draw, part_bits_)]++] = draw;
     });
 }
 
