@@ -15,11 +15,13 @@ packages=(
     libvulkan-dev glslang-tools spirv-tools
     python3-dev python3-venv
 )
-# What tests, benchmarks, checks and man pages need besides, with drivers that need no graphics card.
+# What tests, benchmarks, checks and man pages need besides, with drivers that need no graphics card,
+# and MPI, which the command lacuna-mpi is for.
 more_packages=(
     libgtest-dev libbenchmark-dev librapidcheck-dev
     pocl-opencl-icd clinfo oclgrind mesa-vulkan-drivers vulkan-validationlayers
     clang-format clang-tidy valgrind help2man zsh fish
+    libopenmpi-dev openmpi-bin
 )
 # What the page in web/ is made of, and what its tests need besides.
 web_packages=(

@@ -23,7 +23,16 @@ if(HELP2MAN)
     lacuna_man(compare "compare the backends")
     lacuna_man(reproduce "the tables and figures of the paper")
     lacuna_man(devices "list backends and devices")
-    add_custom_target(man ALL DEPENDS ${man_pages})
+    if(LACUNA_HAS_MPI)
+        set(mpi_man_page ${PROJECT_BINARY_DIR}/man/lacuna-mpi.1)
+        add_custom_command(OUTPUT ${mpi_man_page}
+            COMMAND ${PROJECT_SOURCE_DIR}/cmake/man_page.sh ${HELP2MAN} $<TARGET_FILE:lacuna_mpi>
+                sample lacuna-mpi "blue-noise point sets on many machines" ${PROJECT_VERSION}
+                ${PROJECT_BINARY_DIR}/man
+            DEPENDS lacuna_mpi ${PROJECT_SOURCE_DIR}/cmake/man_page.sh
+            COMMENT "Man page lacuna-mpi(1)" VERBATIM)
+    endif()
+    add_custom_target(man ALL DEPENDS ${man_pages} ${mpi_man_page})
 else()
     message(STATUS "help2man is missing: no man pages are made")
 endif()

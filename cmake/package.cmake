@@ -1,5 +1,5 @@
-# `cpack -G DEB`: lacuna, the command, and liblacuna-dev, the library with its headers. What the
-# command links is found by dpkg-shlibdeps.
+# `cpack -G DEB`: lacuna, the command, lacuna-mpi, where there is MPI, and liblacuna-dev, the library
+# with its headers. What the commands link is found by dpkg-shlibdeps.
 set(CPACK_PACKAGE_NAME lacuna)
 set(CPACK_PACKAGE_CONTACT "The authors of Lacuna <lacuna@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
@@ -9,6 +9,13 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL development)
 if(LACUNA_COMMAND)
     list(APPEND CPACK_COMPONENTS_ALL command)
+endif()
+if(LACUNA_HAS_MPI)
+    list(APPEND CPACK_COMPONENTS_ALL mpi)
+    set(CPACK_DEBIAN_MPI_PACKAGE_NAME lacuna-mpi)
+    set(CPACK_DEBIAN_MPI_PACKAGE_SECTION science)
+    set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)
+    set(CPACK_DEBIAN_MPI_PACKAGE_RECOMMENDS openmpi-bin)
 endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME lacuna)
