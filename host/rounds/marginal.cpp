@@ -2,10 +2,12 @@
 #include "rounds/marginal.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <utility>
 
 #include "rounds/insertion_sort.h"
+#include "rounds/random_run.h"
 
 namespace lacuna {
 namespace {
@@ -21,7 +23,8 @@ constexpr unsigned kPartBits = 12;
 constexpr std::uint32_t kLeastChunk = std::uint32_t{1} << 12;
 constexpr std::uint32_t kMostChunks = 64;
 
-constexpr std::uint64_t kAllBits = ~std::uint64_t{0};
+// The bits of so many draws are made at a time.
+constexpr std::uint32_t kRun = 256;
 
 // So many sums take about a millisecond.
 constexpr std::size_t kPollEvery = std::size_t{1} << 14;
@@ -151,19 +154,31 @@ Draw Marginal::drawn(RandomBits random, std::uint64_t first_number, std::uint32_
 // The draws [begin, end) that fall into the share, in their order; and how many of each part.
 void Marginal::draw_chunk(std::uint64_t first_number, std::uint32_t begin, std::uint32_t end,
                           Chunk chunk) const {
+    std::array<RandomBits, kRun> run;
+    chunk.drawn.clear();
+    for (std::uint32_t i = begin; i < end; i += std::min(kRun, end - i)) {
+        const std::span<RandomBits> bits = std::span(run).first(std::min(kRun, end - i));
+        random_run(plan_.seed, first_number + i, bits);
+        draw_run(first_number, i, bits, chunk);
+    }
+}
+
+void Marginal::draw_run(std::uint64_t first_number, std::uint32_t order,
+                        std::span<const RandomBits> run, Chunk chunk) const {
+    // Which of them fall into the share cannot be foretold: no branch.
     const std::uint64_t width = bits_.last - bits_.first;
-    const bool is_whole = width == kAllBits;
-    std::vector<Draw>& all = chunk.drawn;
-    all.resize(is_whole ? end - begin : 0);
-    for (std::uint32_t i = begin; i < end; ++i) {
-        const RandomBits random = random_bits(plan_.seed, first_number + i);
-        if (!is_whole && random.first - bits_.first > width) continue;
-        const Draw draw = drawn(random, first_number, i);
-        if (is_whole)
-            all[i - begin] = draw;
-        else
-            all.push_back(draw);
+    std::array<std::uint32_t, kRun> in_share;
+    std::size_t count = 0;
+    for (std::uint32_t k = 0; k < run.size(); ++k) {
+        in_share[count] = k;
+        count += static_cast<std::size_t>(run[k].first - bits_.first <= width);
+    }
+    const std::size_t before = chunk.drawn.size();
+    chunk.drawn.resize(before + count);
+    for (std::size_t j = 0; j < count; ++j) {
+        const Draw draw = drawn(run[in_share[j]], first_number, order + in_share[j]);
         ++chunk.ends[highest(draw, part_bits_)];
+        chunk.drawn[before + j] = draw;
     }
 }
 

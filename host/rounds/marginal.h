@@ -68,6 +68,8 @@ private:
     Draw drawn(RandomBits random, std::uint64_t first_number, std::uint32_t order) const;
     void draw_chunk(std::uint64_t first_number, std::uint32_t begin, std::uint32_t end,
                     Chunk chunk) const;
+    void draw_run(std::uint64_t first_number, std::uint32_t order, std::span<const RandomBits> run,
+                  Chunk chunk) const;
     void number(std::span<Draw> draws, std::uint32_t order);
     void draw_bits(std::uint64_t first_number, std::uint32_t count);
     void find_ends(std::size_t chunks);

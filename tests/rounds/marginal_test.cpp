@@ -77,4 +77,44 @@ TEST(Marginal, InvertsFewDrawsInManyPlaces) {
         expect_draws_inverted_alone(100'000, count, false);
 }
 
+// Ranks that share a cdf draw, between them, what one alone draws, each draw once.
+TEST(Marginal, SharesMakeTheDrawsOfTheWhole) {
+    Request request;
+    request.radius = 0.1;
+    request.seed = 5;
+    const Plan plan = make_plan(request);
+    constexpr std::uint64_t kFirst = 12'345;
+    constexpr std::uint32_t kCount = 30'000;
+    std::vector<std::uint32_t> lengths(1000);
+    for (std::size_t i = 0; i < lengths.size(); ++i)
+        lengths[i] = static_cast<std::uint32_t>(i * 7919 % 100);
+    Workers workers(2);
+    Marginal whole(plan, workers, [] {});
+    whole.rebuild(lengths, kPlaceWidth);
+    const std::span<const Draw> all = whole.invert(kFirst, kCount);
+    std::vector<Draw> expected(all.begin(), all.end());
+
+    // The second and the last have nothing.
+    std::vector<Draw> made;
+    std::uint64_t before = 0;
+    std::uint32_t place = 0;
+    for (const std::uint32_t end : {400u, 400u, 401u, 900u, 1000u, 1000u}) {
+        Marginal part(plan, workers, [] {});
+        const std::span<const std::uint32_t> own = std::span(lengths).subspan(place, end - place);
+        part.rebuild(own, kPlaceWidth);
+        const std::span<const Draw> draws = part.invert(kFirst, kCount, {before, whole.total()});
+        std::vector<bool> seen(draws.size());
+        for (const Draw& draw : draws) {
+            ASSERT_FALSE(seen.at(draw.order));
+            seen[draw.order] = true;
+            made.push_back(
+                {draw.place + place, draw.rank, draw.offset, part.number_of(draw.order)});
+        }
+        before += part.total();
+        place = end;
+    }
+
+    EXPECT_TRUE(made == expected);
+}
+
 }  // namespace

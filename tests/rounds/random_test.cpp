@@ -1,5 +1,6 @@
 // Philox 4x32-10 against Random123's published vectors, and the scaling of its bits.
 #include "rounds/random.h"
+#include "rounds/random_run.h"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,25 @@ TEST(Random, EveryArgumentMatters) {
     EXPECT_NE(base.first, random_bits(1, 3, 3).first);
     EXPECT_NE(base.first, random_bits(1, 2 + (std::uint64_t{1} << 32), 3).first);
     EXPECT_NE(base.first, random_bits(1, 2, 4).first);
+}
+
+// Runs of every length, from anywhere: also across the carry of a counter's lowest word.
+TEST(Random, RunsAreTheBitsOfEachDraw) {
+    for (const lacuna::RandomRun* const way : lacuna::all_random_runs()) {
+        SCOPED_TRACE(way->name);
+        for (const std::uint64_t first : {std::uint64_t{0}, std::uint64_t{12'345},
+                                          (std::uint64_t{1} << 32) - 9, ~std::uint64_t{0} - 40})
+            for (const std::size_t length : {0u, 1u, 7u, 8u, 9u, 33u}) {
+                const std::uint64_t seed = 0x0123456789abcdefU + length;
+                std::vector<lacuna::RandomBits> run(length);
+                way->fill(seed, first, run);
+                for (std::size_t i = 0; i < length; ++i) {
+                    const lacuna::RandomBits expected = random_bits(seed, first + i);
+                    ASSERT_EQ(run[i].first, expected.first) << first << " + " << i;
+                    ASSERT_EQ(run[i].second, expected.second) << first << " + " << i;
+                }
+            }
+    }
 }
 
 TEST(Random, ScaledCoversItsRangeAndNoMore) {
