@@ -188,6 +188,7 @@ void Border::list_sent() {
 void Border::exchange_fates() {
     const auto fates_of = [&](std::vector<std::uint32_t>& sent) {
         std::vector<std::byte> fates;
+        fates.reserve(sent.size());
         for (const std::uint32_t index : sent) fates.push_back(std::byte(rivals_[index].fate));
         std::erase_if(sent, [&](std::uint32_t i) { return rivals_[i].fate != FATE_UNDECIDED; });
         return fates;
