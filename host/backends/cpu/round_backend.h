@@ -50,8 +50,9 @@ public:
         }
         samples_.resize(static_cast<std::size_t>(next - samples_.data()));
         if (state_.plan.tells_orders) find_orders();
-        return {samples_, survivors, state_.free_lengths, state_.place_width, state_.place_widths,
-                orders_,  state_.place_begins};
+        return {samples_,           survivors,           state_.free_lengths,
+                state_.place_width, state_.place_widths, orders_,
+                state_.place_begins};
     }
     std::vector<Candidate> located() override { return state_.candidates; }
 

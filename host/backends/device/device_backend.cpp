@@ -87,8 +87,8 @@ public:
         finish();
         const std::uint64_t survivors = take_admitted(round_.by_order, samples_);
         if (round_.plan.tells_orders) find_orders();
-        return {samples_, survivors, places_->free_lengths(), places_->width(), places_->widths(),
-                orders_,  places_->begins()};
+        return {samples_,          survivors, places_->free_lengths(), places_->width(),
+                places_->widths(), orders_,   places_->begins()};
     }
     std::vector<Candidate> located() override {
         finish();
@@ -218,9 +218,9 @@ private:
     std::unique_ptr<Places> places_;
     std::vector<Sample> samples_;
     std::vector<std::uint32_t> orders_;  // where the plan asks for them
-    bool is_open_ = false;    // verbs whose outcome is not known yet
-    bool has_fates_ = false;  // passes have something to take up
-    bool are_out_ = false;    // the samples of all parts but the one that is open
+    bool is_open_ = false;               // verbs whose outcome is not known yet
+    bool has_fates_ = false;             // passes have something to take up
+    bool are_out_ = false;               // the samples of all parts but the one that is open
     End ends_with_ = End::none;
     bool halves_ = false;
 };
