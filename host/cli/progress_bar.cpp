@@ -81,8 +81,8 @@ std::string progress_line(double share, const std::string& words, std::size_t co
                        colour ? kPlain : "", "", kBarCells - full, numbers);
 }
 
-ProgressBar::ProgressBar(bool quiet)
-    : visible_(!quiet && is_capable_terminal()), colour_(!is_set("NO_COLOR")) {}
+ProgressBar::ProgressBar(bool quiet, bool is_asked_for)
+    : visible_(!quiet && (is_asked_for || is_capable_terminal())), colour_(!is_set("NO_COLOR")) {}
 
 ProgressBar::~ProgressBar() {
     if (!drawn_) return;

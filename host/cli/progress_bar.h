@@ -15,11 +15,11 @@ std::string progress_line(const Progress& progress, double seconds, std::size_t 
 // The same for any work of which `share`, 0 to 1, is done; `words` stand beside the bar.
 std::string progress_line(double share, const std::string& words, std::size_t columns, bool colour);
 
-// Shows nothing when told to be quiet or when standard error is no terminal. Clears its line when
-// destroyed, so that errors and results start on a clean one.
+// Shows nothing when told to be quiet or, unless it is asked for, when standard error is no
+// terminal. Clears its line when destroyed, so that errors and results start on a clean one.
 class ProgressBar : public Observer {
 public:
-    explicit ProgressBar(bool quiet);
+    explicit ProgressBar(bool quiet, bool is_asked_for = false);
     ~ProgressBar() override;
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;

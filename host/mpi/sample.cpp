@@ -77,6 +77,7 @@ std::uint32_t threads_for(const Machine& machine) {
 struct MpiSample {
     cli::CommonOptions common;
     std::string path;
+    bool progress = false;
 };
 
 void check(const MpiSample& all, const Request& request, const MpiRanks& ranks) {
@@ -115,7 +116,7 @@ void check_same_everywhere(const MpiSample& all, const MpiRanks& ranks) {
 class Watch {
 public:
     Watch(const MpiSample& all, bool speaks)
-        : driver_(all.common.request.backend), bar_(all.common.quiet || !speaks) {}
+        : driver_(all.common.request.backend), bar_(all.common.quiet || !speaks, all.progress) {}
     cli::Observers& observers() { return observers_; }
     const cli::Stopwatch& stopwatch() const { return stopwatch_; }
 
@@ -209,6 +210,10 @@ void add_sample(CLI::App& app, const MpiProgram* const& program) {
             "Request, counts, SHA-256 of the points, and the least, median and most seconds, "
             "bytes and memory of a rank; - is standard output")
         ->type_name("FILE.json");
+    command
+        .add_flag("--progress", options->progress,
+                  "The progress bar, though mpirun makes standard error no terminal")
+        ->disable_flag_override();
     command.add_flag("--quiet", options->common.quiet, "No progress bar and no last line")
         ->disable_flag_override();
     command.callback([options, &program] { run(*options, *program); });

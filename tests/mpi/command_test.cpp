@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "cli/program.h"
 #include "mpi/mpirun.h"
@@ -33,6 +34,15 @@ TEST(Mpi, TheCommandWritesTheFileOfLacunaAndReportsWhatItCost) {
     for (const char* const word : {"\"ranks\": 3", "border_bytes_sent", "points_sha256", "median",
                                    "most_border_messages_in_a_round", "exchange"})
         EXPECT_NE(told.find(word), std::string::npos) << word;
+}
+
+TEST(Mpi, TheProgressBarIsShownWhereItIsAskedFor) {
+    Folder folder;
+    const std::vector<std::string> options{"sample", "--count", "1M", "-o", folder.path("x.npy")};
+    std::vector<std::string> with_bar = options;
+    with_bar.emplace_back("--progress");
+    EXPECT_EQ(mpirun(ranks(2, options)).err.find('\r'), std::string::npos);
+    EXPECT_NE(mpirun(ranks(2, with_bar)).err.find("% "), std::string::npos);
 }
 
 TEST(Mpi, HelpAndVersionAreToldOnce) {
