@@ -53,9 +53,10 @@ void find_column_begins(const Plan& plan, std::uint32_t columns,
 }
 
 std::uint32_t first_capacity(const Plan& plan) {
+    const auto spans =
+        static_cast<std::uint64_t>(most_spans(static_cast<double>(plan.height) / plan.radius));
     // Each sample parts the spans of a line at most once more.
-    return static_cast<std::uint32_t>(
-        std::min<std::uint64_t>(plan.height / plan.radius / 2, plan.limit) + 8);
+    return static_cast<std::uint32_t>(std::min(spans, std::min(spans, plan.limit) + 8));
 }
 
 }  // namespace lacuna

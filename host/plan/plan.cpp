@@ -39,12 +39,12 @@ double memory_limit(const Request& request) {
     return static_cast<double>(machine_memory_bytes());
 }
 
-// What a run holds at its peak: two spans a radius on every line, and points in grid and user
-// units with the growth of their vectors.
+// What a run holds at its peak: the spans of every line, and points in grid and user units with the
+// growth of their vectors.
 double memory_needed(const Request& request, double radius, double points) {
-    constexpr double kBytesPerSpan = 8, kSpansPerRadius = 0.6, kBytesPerPoint = 48;
+    constexpr double kBytesPerSpan = 8, kBytesPerPoint = 48;
     const double lines = std::ceil(lines_per_radius(request) * request.width / radius);
-    const double spans = kSpansPerRadius * request.height / radius + 8;
+    const double spans = most_spans(request.height / radius);
     const double needed = lines * spans * kBytesPerSpan + points * kBytesPerPoint;
     if (!request.limit) return needed;
     // Each sample parts a line's spans at most once more; exact has a grid of cells, whose diagonal
@@ -124,6 +124,10 @@ void refuse_more_memory(const Request& request, const std::string& option, const
     throw MemoryRefused(option, value,
                         "needs about " + gigabytes(bytes) + " of memory, more than the " +
                             gigabytes(limit) + " there is");
+}
+
+double most_spans(double radii) {
+    return 0.28 * radii + 1.6 * std::sqrt(radii) + 8;
 }
 
 std::uint64_t machine_memory_bytes() {

@@ -141,6 +141,11 @@ void check_importance(const Field& field);
 // points, but for their distances, which depend on the radius. Throws BadRequest.
 void check_where(const Request& request);
 
+// Free spans that a line has at most, so many radii long: 0.272 a radius on average when they are
+// most, after the second round or the third, whatever m; of 18 sets of 20 to 1,000 radii none had a
+// line with more than this, less 8.
+double most_spans(double radii);
+
 // What a set may take unless the request says otherwise.
 std::uint64_t machine_memory_bytes();
 
