@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <numeric>
 #include <utility>
 
 #include "rounds/insertion_sort.h"
@@ -141,57 +142,39 @@ private:
 };
 
 // With random bits in place of place and rank.
-Draw Marginal::drawn(RandomBits random, std::uint64_t first_number, std::uint32_t order) const {
+Draw Marginal::drawn(const RandomBits& random, std::uint64_t first_number,
+                     std::uint32_t number) const {
     const std::uint64_t for_offset =
-        plan_.uniform_x ? random_bits(plan_.seed, first_number + order, 1).first : random.second;
+        plan_.uniform_x ? random_bits(plan_.seed, first_number + number, 1).first : random.second;
     const std::uint64_t offset =
         plan_.snap ? plan_.strip_width / 2 : scaled(for_offset, place_width_);
     const std::uint64_t bits = (random.first - bits_.first) << bits_.shift;
     return {static_cast<std::uint32_t>(bits >> 32), static_cast<std::uint32_t>(bits),
-            static_cast<std::uint32_t>(offset), order};
+            static_cast<std::uint32_t>(offset), number};
 }
 
-// The draws [begin, end) that fall into the share, in their order; and how many of each part.
-void Marginal::draw_chunk(std::uint64_t first_number, std::uint32_t begin, std::uint32_t end,
-                          Chunk chunk) const {
-    std::array<RandomBits, kRun> run;
-    chunk.drawn.clear();
-    for (std::uint32_t i = begin; i < end; i += std::min(kRun, end - i)) {
-        const std::span<RandomBits> bits = std::span(run).first(std::min(kRun, end - i));
-        random_run(plan_.seed, first_number + i, bits);
-        draw_run(first_number, i, bits, chunk);
-    }
-}
-
-void Marginal::draw_run(std::uint64_t first_number, std::uint32_t order,
-                        std::span<const RandomBits> run, Chunk chunk) const {
-    // Which of them fall into the share cannot be foretold: no branch.
+// Calls visit(number, random bits) for those of the draws [begin, end) that fall into the share.
+template <typename Visit>
+void Marginal::for_each_drawn(std::uint64_t first_number, Span numbers, Visit visit) const {
     const std::uint64_t width = bits_.last - bits_.first;
+    std::array<RandomBits, kRun> run;
     std::array<std::uint32_t, kRun> in_share;
-    std::size_t count = 0;
-    for (std::uint32_t k = 0; k < run.size(); ++k) {
-        in_share[count] = k;
-        count += static_cast<std::size_t>(run[k].first - bits_.first <= width);
-    }
-    const std::size_t before = chunk.drawn.size();
-    chunk.drawn.resize(before + count);
-    for (std::size_t j = 0; j < count; ++j) {
-        const Draw draw = drawn(run[in_share[j]], first_number, order + in_share[j]);
-        ++chunk.ends[highest(draw, part_bits_)];
-        chunk.drawn[before + j] = draw;
-    }
-}
-
-// Gives draws of the share orders of their own, from the first on.
-void Marginal::number(std::span<Draw> draws, std::uint32_t order) {
-    for (Draw& draw : draws) {
-        numbers_[order] = draw.order;
-        draw.order = order++;
+    for (std::uint32_t begin = numbers.begin; begin < numbers.end;) {
+        const std::uint32_t size = std::min(kRun, numbers.end - begin);
+        random_run(plan_.seed, first_number + begin, std::span(run).first(size));
+        // Which of them fall into the share cannot be foretold: no branch.
+        std::uint32_t count = 0;
+        for (std::uint32_t i = 0; i < size; ++i) {
+            in_share[count] = i;
+            count += static_cast<std::uint32_t>(run[i].first - bits_.first <= width);
+        }
+        for (std::uint32_t i = 0; i < count; ++i) visit(begin + in_share[i], run[in_share[i]]);
+        begin += size;
     }
 }
 
 // Leaves the draws of each part together, in their order, not inverted: counted chunk by chunk,
-// then moved to where they belong.
+// then made once more where they belong, which takes less time than to keep them would.
 void Marginal::draw_bits(std::uint64_t first_number, std::uint32_t count) {
     const std::uint64_t expected = scaled(bits_.last - bits_.first, count);
     const auto width = static_cast<unsigned>(std::bit_width(expected + 1));
@@ -200,25 +183,36 @@ void Marginal::draw_bits(std::uint64_t first_number, std::uint32_t count) {
     const std::uint32_t size = std::max(kLeastChunk, count / kMostChunks + 1);
     const std::uint32_t chunks = (count - 1) / size + 1;
     chunk_ends_.assign(chunks * parts, 0);
-    drawn_.resize(std::max<std::size_t>(drawn_.size(), chunks));
-    const auto chunk_at = [&](std::uint32_t index) {
-        return Chunk{drawn_[index], std::span(chunk_ends_).subspan(index * parts, parts)};
-    };
-    workers_.for_columns(chunks, count, [&](std::uint32_t index) {
-        const std::uint32_t begin = index * size;
-        draw_chunk(first_number, begin, begin + std::min(size, count - begin), chunk_at(index));
-    });
     std::vector<std::uint32_t> orders(chunks);
-    std::uint32_t kept = 0;
-    for (std::uint32_t i = 0; i < chunks; ++i)
-        orders[i] = std::exchange(kept, kept + static_cast<std::uint32_t>(drawn_[i].size()));
+    const auto numbers_of = [&](std::uint32_t chunk) {
+        const std::uint32_t begin = chunk * size;
+        return Span{begin, begin + std::min(size, count - begin)};
+    };
+    const auto part_of = [&](const RandomBits& random) {
+        return (random.first - bits_.first) << bits_.shift >> 32 >> (32 - part_bits_);
+    };
+    workers_.for_columns(chunks, count, [&](std::uint32_t chunk) {
+        const std::span<std::uint32_t> counts =
+            std::span(chunk_ends_).subspan(chunk * parts, parts);
+        for_each_drawn(first_number, numbers_of(chunk),
+                       [&](std::uint32_t, const RandomBits& random) { ++counts[part_of(random)]; });
+        orders[chunk] = std::reduce(counts.begin(), counts.end());
+    });
     find_ends(chunks);
-    draws_.resize(kept);
-    numbers_.resize(kept < count ? kept : 0);
-    workers_.for_columns(chunks, kept, [&](std::uint32_t index) {
-        const Chunk chunk = chunk_at(index);
-        if (!numbers_.empty()) number(chunk.drawn, orders[index]);
-        for (const Draw& draw : chunk.drawn) draws_[chunk.ends[highest(draw, part_bits_)]++] = draw;
+    sum_before(orders);
+    draws_.resize(part_ends_.back());
+    numbers_.resize(part_ends_.back() < count ? part_ends_.back() : 0);
+    workers_.for_columns(chunks, count, [&](std::uint32_t chunk) {
+        const std::span<std::uint32_t> ends = std::span(chunk_ends_).subspan(chunk * parts, parts);
+        std::uint32_t order = orders[chunk];
+        for_each_drawn(first_number, numbers_of(chunk),
+                       [&](std::uint32_t number, const RandomBits& random) {
+                           Draw& draw = draws_[ends[part_of(random)]++];
+                           draw = drawn(random, first_number, number);
+                           if (numbers_.empty()) return;
+                           numbers_[order] = number;
+                           draw.order = order++;
+                       });
     });
 }
 

@@ -56,21 +56,11 @@ private:
         std::uint64_t last = 0;
         unsigned shift = 0;
     };
-    // Draws of some numbers that follow one another: what they are; and, for each part, how many
-    // are in it, then where in draws_ the next goes.
-    struct Chunk {
-        std::vector<Draw>& drawn;
-        std::span<std::uint32_t> ends;
-    };
-
     std::uint64_t weight_of(std::size_t place) const;
     void find_bits(Share share);
-    Draw drawn(RandomBits random, std::uint64_t first_number, std::uint32_t order) const;
-    void draw_chunk(std::uint64_t first_number, std::uint32_t begin, std::uint32_t end,
-                    Chunk chunk) const;
-    void draw_run(std::uint64_t first_number, std::uint32_t order, std::span<const RandomBits> run,
-                  Chunk chunk) const;
-    void number(std::span<Draw> draws, std::uint32_t order);
+    Draw drawn(const RandomBits& random, std::uint64_t first_number, std::uint32_t number) const;
+    template <typename Visit>
+    void for_each_drawn(std::uint64_t first_number, Span numbers, Visit visit) const;
     void draw_bits(std::uint64_t first_number, std::uint32_t count);
     void find_ends(std::size_t chunks);
     void invert_part(std::uint64_t first_number, std::span<Draw> part) const;
@@ -85,12 +75,12 @@ private:
     Share share_{};
     Bits bits_;
     // A draw's place and rank hold its random bits until it is inverted.
-    std::vector<std::vector<Draw>> drawn_;   // by chunk and number
-    std::vector<Draw> draws_;                // by part: by the highest bits
-    std::vector<std::uint32_t> numbers_;     // by order; none where all draws are in the share
-    unsigned part_bits_ = 0;                 // how many those are
-    std::vector<std::uint32_t> part_ends_;   // in draws_
-    std::vector<std::uint32_t> chunk_ends_;  // of each chunk
+    std::vector<Draw> draws_;               // by part: by the highest bits
+    std::vector<std::uint32_t> numbers_;    // by order; none where all draws are in the share
+    unsigned part_bits_ = 0;                // how many those are
+    std::vector<std::uint32_t> part_ends_;  // in draws_
+    // Of each chunk of numbers, for each part: how many draws, then where in draws_ the next goes.
+    std::vector<std::uint32_t> chunk_ends_;
 };
 
 }  // namespace lacuna
