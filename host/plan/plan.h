@@ -19,6 +19,12 @@ struct Sample {
     friend bool operator==(const Sample&, const Sample&) = default;
 };
 
+// One that others placed, with the radius that it has on the plan's ground.
+struct KeptSample {
+    Sample at;
+    std::uint32_t radius;
+};
+
 // A stretch of y on a line, [begin, end); mostly one where a sample may still be placed.
 struct Span {
     std::uint32_t begin;
@@ -73,7 +79,7 @@ struct Plan {
     // of the least radius under them, and `kept` holds samples that lie there already.
     std::shared_ptr<const Ground> ground;
     std::shared_ptr<const FirstPlaces> first_places;
-    std::vector<Sample> kept;
+    std::vector<KeptSample> kept;
     bool snap;
     bool uniform_x;
     std::uint64_t limit;       // stop after so many samples

@@ -81,10 +81,28 @@ Ground::Shape shape_of(const Request& request, double unit_x, double unit_y, std
             !request.keep.empty()};
 }
 
+// A point that is kept may lie where no sample may, beside the border of two pixels of which it
+// counts for either (check_kept_place): its radius is then the field's there, or on the nearest
+// place of the field that has one.
+std::uint32_t radius_of_kept(const Ground& ground, Sample at) {
+    std::uint32_t radius = ground.radius_at(at.x, at.y);
+    constexpr std::uint32_t kFarthest = 8;  // 2^-28 of the longer side, and all that was rounded
+    for (std::uint32_t far = 0; radius == 0 && far <= kFarthest; ++far) {
+        const auto around = [far](const PixelAxis& axis, std::uint32_t middle) {
+            const std::uint32_t end = axis.begin_of(axis.pixels());
+            return pixels_of(axis, middle - std::min(middle, far), std::min(middle + far + 1, end));
+        };
+        radius =
+            ground.radii().over(around(ground.columns(), at.x), around(ground.rows(), at.y)).least;
+    }
+    return radius;
+}
+
 // The largest whole numbers below the coordinates, or one above where no sample may lie there: the
 // pixel beside it is the point's.
-std::vector<Sample> kept_on(const Plan& plan, std::span<const Point> points) {
-    std::vector<Sample> kept;
+std::vector<KeptSample> kept_on(const Plan& plan, std::span<const Point> points) {
+    std::vector<KeptSample> kept;
+    kept.reserve(points.size());
     for (const Point& point : points) {
         const auto along = [](double at, double unit, std::uint32_t units) {
             return std::min(static_cast<std::uint32_t>(at / unit), units - 1);
@@ -96,7 +114,7 @@ std::vector<Sample> kept_on(const Plan& plan, std::span<const Point> points) {
         Sample found = low;
         for (const Sample place : {Sample{right, up}, Sample{low.x, up}, Sample{right, low.y}, low})
             if (plan.ground->radius_at(place.x, place.y) != 0) found = place;
-        kept.push_back(found);
+        kept.push_back({found, radius_of_kept(*plan.ground, found)});
     }
     return kept;
 }

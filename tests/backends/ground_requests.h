@@ -147,6 +147,11 @@ inline std::vector<GroundRequest> special_ground_requests() {
         with_keep(uniform("kept across the edge of a torus", 0.3, torus), {{0.999, 0.001}}),
         with_keep(with_mask(uniform("a mask and kept points", 0.06, box), chess_mask(4, 4)),
                   {{0.1, 0.9}, {0.6, 0.9}}),
+        // Within 2^-28 of the border of a pixel where samples may lie.
+        with_keep(with_mask(uniform("kept beside a mask", 0.06, box), chess_mask(4, 4)),
+                  {{0.25 + 0x1p-29, 0.9}, {0.6, 0.75 - 0x1.8p-29}}),
+        with_keep(ground_request("kept beside importance", {4, 1, {1, 0, 0.3, 0}}, 150, torus),
+                  {{0.25 + 0x1p-29, 0.2}, {0.75 + 0x1.8p-29, 0.6}}),
         with_keep(ground_request("kept in a field", ramp_field(8, 8), 200, torus),
                   {{0.1, 0.1}, {0.9, 0.9}, {0.5, 0.25}}),
     };

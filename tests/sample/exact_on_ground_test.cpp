@@ -2,6 +2,7 @@
 // outside: distances and room in double, the points that are kept, and refusals in one line.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
+#include <lacuna/verify.h>
 
 #include <algorithm>
 #include <cmath>
@@ -155,6 +156,34 @@ TEST(KeptPoints, ComeFirstAndToTheBitAndASetThatWasCutShortBecomesMaximal) {
     ASSERT_GT(whole.points.size(), cut.size());
     EXPECT_TRUE(std::equal(cut.begin(), cut.end(), whole.points.begin()));
     expect_that_promises_are_kept(made, whole);
+}
+
+// They count for the pixel beside them (check_keep.cpp), and have its radius.
+TEST(KeptPoints, ThatLieWithin2ToTheMinus28OfWhereSamplesMayKeepTheirDistance) {
+    const Mask left{2, 1, {1, 0}};
+    const Field field{2, 1, {1, 0}};
+    for (const bool has_field : {false, true}) {
+        GroundRequest made = tests::uniform("kept beside", 0.1, Boundary::box);
+        if (has_field) {
+            made.request.radius.reset();
+            made.request.scale = 0.1;
+            made.request.field = &field;
+        } else {
+            made.request.mask = &left;
+        }
+        std::vector<Point> beside;
+        for (const double y : {0.1, 0.3, 0.5, 0.7, 0.9}) beside.push_back({0.5 + 0x1.8p-29, y});
+        made = with_keep(made, beside);
+        const Result result = sample(made.request);
+        Claim claim;
+        claim.radius = claim.scale = 0.1;
+        claim.field = made.request.field;
+        claim.mask = made.request.mask;
+        claim.keep = beside;
+        const Proof proof = prove(result.points, claim);
+        EXPECT_GE(proof.least_distance, 0.1) << proof.first << " and " << proof.second;
+        EXPECT_TRUE(proof.maximal);
+    }
 }
 
 TEST(KeptPoints, CountForALimit) {

@@ -26,8 +26,7 @@ NearLists::NearLists(const Plan& plan)
       first_(*plan.first_places),
       lists_(first_.places.size()),
       marked_(lists_.size()) {
-    for (const Sample sample : plan.kept)
-        insert_below({sample.x, sample.y, plan.ground->radius_at(sample.x, sample.y), 0}, 0);
+    for (const auto& [at, radius] : plan.kept) insert_below({at.x, at.y, radius, 0}, 0);
 }
 
 std::uint32_t NearLists::node_around(const Sized& sample, std::uint32_t first_place) const {

@@ -53,14 +53,14 @@ void SampleLists::make_tree() {
 }
 
 void SampleLists::enlist_kept() {
-    const std::vector<Sample>& kept = round_.plan.kept;
+    const std::vector<KeptSample>& kept = round_.plan.kept;
     const auto count = static_cast<std::uint32_t>(kept.size());
     if (count == 0) return;
     std::vector<Candidate> candidates;
     std::vector<std::uint32_t> radii;
     for (std::uint32_t i = 0; i < count; ++i) {
-        candidates.push_back({kept[i].x, kept[i].y, NO_SAMPLE, i});
-        radii.push_back(round_.plan.ground->radius_at(kept[i].x, kept[i].y));
+        candidates.push_back({kept[i].at.x, kept[i].at.y, NO_SAMPLE, i});
+        radii.push_back(kept[i].radius);
     }
     const std::vector<std::uint32_t> fates(count, FATE_ADMITTED);
     Memory& m = round_.memory;

@@ -30,10 +30,10 @@ class SizedSamples {
 public:
     explicit SizedSamples(const Plan& plan) : plan_(&plan), classes_(32) {}
 
-    void add(Sample sample) {
-        const std::uint32_t radius = plan_->ground->radius_at(sample.x, sample.y);
+    void add(const Sized& sized) {
+        const auto& [sample, radius] = sized;
         const auto index = static_cast<unsigned>(std::bit_width(radius));
-        classes_[index][{sample.x >> index, sample.y >> index}].push_back({sample, radius});
+        classes_[index][{sample.x >> index, sample.y >> index}].push_back(sized);
     }
 
     // Every sample that could be closer than its own radius to the place, and others.
@@ -94,7 +94,7 @@ public:
           samples_(plan),
           recent_(plan),
           places_(plan.first_places->places) {
-        for (const Sample sample : plan.kept) add(sample);
+        for (const auto& [at, radius] : plan.kept) add(Sized{at, radius});
         measure_places();
     }
 
@@ -117,10 +117,7 @@ public:
         });
         return !covered;
     }
-    void add(Sample sample) override {
-        samples_.add(sample);
-        recent_.add(sample);
-    }
+    void add(Sample sample) override { add(Sized{sample, ground_.radius_at(sample.x, sample.y)}); }
 
     // On a ground places are rectangles from the start. They are cut by the samples of the round,
     // or cut up; then their parts are cut by all samples, but for those where no sample may go.
@@ -140,6 +137,11 @@ public:
     }
 
 private:
+    void add(const Sized& sized) {
+        samples_.add(sized);
+        recent_.add(sized);
+    }
+
     void measure_places() {
         lengths_.clear();
         widths_.clear();
