@@ -140,12 +140,11 @@ BareSpot search_tiles(const Limits& limits, const BareSpot& start, std::span<con
 }
 
 // As a user would compute it, without the roundings of images.
-void measure(const Ground& ground, std::span<const Disk> disks, BareSpot& spot) {
-    const double radius = *ground.radius_at(spot.at);
+void measure(const Domain& domain, std::span<const Disk> disks, BareSpot& spot) {
     spot.over = std::numeric_limits<double>::infinity();
     for (const Disk& disk : disks) {
-        const double distance = ground.domain().distance(spot.at, disk.at);
-        const double limit = std::min(radius, disk.radius);
+        const double distance = domain.distance(spot.at, disk.at);
+        const double limit = std::min(spot.radius, disk.radius);
         if (distance - limit >= spot.over) continue;
         spot.over = distance - limit;
         spot.distance = distance;
@@ -167,7 +166,7 @@ BareSpot emptiest_by_limit(const Ground& ground, std::span<const Disk> disks, do
             .push_back(tile);
     BareSpot barest = search_tiles(limits, {}, scouts, disks);
     barest = search_tiles(limits, barest, others, disks);
-    if (barest.over > -std::numeric_limits<double>::infinity()) measure(ground, disks, barest);
+    if (barest.over > -std::numeric_limits<double>::infinity()) measure(domain, disks, barest);
     return barest;
 }
 

@@ -21,6 +21,9 @@ struct Disk {
 // A spot is covered by a sample that is nearer than its limit: the smaller radius of the two.
 struct BareSpot {
     Point at{0, 0};
+    // Its own: that of the cell in which it was looked at. A spot in the middle of a cell that is a
+    // rounding wide may lie on its side, which is the next pixel's.
+    double radius = 0;
     // To the sample that leaves it the least over the limit, if there is any.
     double distance = std::numeric_limits<double>::infinity();
     double limit = 0;

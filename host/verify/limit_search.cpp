@@ -83,6 +83,7 @@ std::size_t LimitSearch::look_from(Point centre, const Under& under, std::size_t
     }
     if (radius && least > barest_.over) {
         barest_.at = centre;
+        barest_.radius = *radius;
         barest_.over = least;
     }
     return best;

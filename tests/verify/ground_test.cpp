@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -96,6 +97,23 @@ TEST(ABorder, HasNoPointAndNeedsNone) {
     EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
     claim.border = 0.6;
     EXPECT_TRUE(prove(std::vector<Point>{}, claim).covered);
+}
+
+// The search cuts the domain in lines that a border may put a rounding beside those of the mask,
+// and looks at what is between.
+TEST(TheBarestSpot, AtTheEdgeOfAMaskHasItsRadiusOnTheSideThatIsOpen) {
+    std::mt19937_64 random(5);
+    const Mask left_is_open{2, 1, {1, 0}};
+    for (int i = 0; i < 300; ++i) {
+        Claim claim = unit_claim(0.1);
+        claim.mask = &left_is_open;
+        claim.border = std::pow(10, -std::uniform_real_distribution<double>(1, 12)(random));
+        const Proof proof = prove(std::vector<Point>{{0.25, 0.5}}, claim);
+        EXPECT_FALSE(proof.covered);
+        EXPECT_EQ(proof.emptiest_limit, 0.1);
+        const double low = claim.border - 0.5;
+        EXPECT_NEAR(proof.emptiest_distance, std::hypot(0.25, low), 1e-6) << claim.border;
+    }
 }
 
 TEST(PointsToKeep, MustComeFirstUnmoved) {

@@ -9,14 +9,10 @@
 //   - With a field each place has its pixel's radius, scale / sqrt(importance), and two places are
 //     to be the smaller of theirs apart: that is the pair's limit, and it is how near a spot must
 //     have a point. Where the importance is 0 no point may lie, and no spot need be covered.
-//   - Where a mask is 0, outside of polygons and nearer to the domain's edges than the border no
-//     point may lie either, and no spot need be covered. The edges of polygons may be off by
-//     Claim::edge_tolerance: points may lie so far outside, and spots no farther inside need not be
-//     covered. A line that two rings share is an edge of both.
 //   - A mask, polygons and a border say where points may lie, as in Request; a spot where none may
-//     need not be covered. The edges of polygons may be off by what the claim tells: a point may
+//     need not be covered. The edges of polygons may be off by Claim::edge_tolerance: a point may
 //     lie so far outside, and a spot that is no farther inside than that, and 4e-12 of the longer
-//     side, need not be covered.
+//     side, need not be covered. A line that two rings share is an edge of both.
 //   - Samplers round the borders of pixels to the lines of a grid. So a point within 2^-28 of the
 //     longer side of a border may be on either pixel: the smaller radius holds for distances, the
 //     larger for what it covers, and it may lie there if it may on either. By as much it may lie
