@@ -1,7 +1,6 @@
 // Fields of every hostile kind, where samples may lie on them, and slow ways to look at both.
 #pragma once
 
-#include <gtest/gtest.h>
 #include <lacuna/domains.h>
 #include <lacuna/lacuna.h>
 #include <lacuna/verify.h>

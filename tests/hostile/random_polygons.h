@@ -1,0 +1,159 @@
+// Polygons of every hostile kind: with holes, slivers and needles, crossing themselves and each
+// other, narrower than a pixel of their mask, with edges on the middles and borders of its pixels.
+#pragma once
+
+#include <lacuna/domains.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "verify/domain.h"
+#include "verify/field_sets.h"
+
+namespace lacuna::tests {
+
+struct Rings {
+    std::string name;
+    std::vector<PolygonRing> rings;
+};
+
+inline PolygonRing rectangle(Point low, Point high) {
+    return {{low.x, low.y}, {high.x, low.y}, {high.x, high.y}, {low.x, high.y}};
+}
+
+// A star of five points that crosses itself, whose middle is a hole.
+inline PolygonRing pentagram(Point middle, double reach, double turn) {
+    PolygonRing ring;
+    for (int i = 0; i < 5; ++i) {
+        const double angle = turn + 2 * i * (2 * std::numbers::pi / 5);
+        ring.push_back({middle.x + reach * std::cos(angle), middle.y + reach * std::sin(angle)});
+    }
+    return ring;
+}
+
+// Teeth that become narrower, from wider than a pixel to far narrower than one.
+inline PolygonRing comb(const verify::Domain& domain, double edge) {
+    PolygonRing ring{{domain.width, 0}, {0, 0}};
+    double x = 0;
+    for (double tooth = 12 * edge; x + tooth < domain.width && tooth > edge / 1000; tooth *= 0.8) {
+        ring.push_back({x, domain.height * 0.95});
+        ring.push_back({x + tooth, domain.height * 0.95});
+        ring.push_back({x + tooth, domain.height * 0.05});
+        ring.push_back({x += 2 * tooth, domain.height * 0.05});
+    }
+    return ring;
+}
+
+// For a mask of whose pixels half a diagonal is `edge`.
+class RandomPolygons {
+public:
+    RandomPolygons(std::mt19937_64& random, const verify::Domain& domain, double edge)
+        : random_(random), domain_(domain), edge_(edge), longer_(domain.longer_side()) {}
+
+    Rings next() {
+        switch (below(10)) {
+            case 0:
+                return {", an island with a lake", verify::any_rings(random_, domain_)};
+            case 1:
+                return {", a pentagram",
+                        {pentagram({domain_.width / 2, domain_.height / 2}, shorter() * 0.49,
+                                   in(0, 7))}};
+            case 2:
+                return {", a comb", {comb(domain_, edge_)}};
+            case 3:
+                return {", boxes that overlap",
+                        some(2, 20, [&] { return box_of(place(), place()); })};
+            case 4:
+                return {", triangles and needles", some(1, 12, [&] { return needle(); })};
+            case 5:
+                return holes();
+            case 6:
+                return {", boxes on the mask's lattice",
+                        some(1, 6, [&] { return box_of(place_on_lattice(), place_on_lattice()); })};
+            case 7:
+                return nothings();
+            case 8:
+                return neighbours();
+            default:
+                return {", crumbs", some(1, 60, [&] { return crumb(); })};
+        }
+    }
+
+private:
+    std::uint32_t below(std::uint32_t end) { return static_cast<std::uint32_t>(random_() % end); }
+    double in(double low, double high) { return verify::any_in(random_, low, high); }
+    Point place() { return verify::any_place(random_, domain_); }
+    double shorter() const { return std::min(domain_.width, domain_.height); }
+    PolygonRing all() const { return rectangle({-longer_, -longer_}, {2 * longer_, 2 * longer_}); }
+
+    template <typename Make>
+    std::vector<PolygonRing> some(std::uint32_t least, std::uint32_t more, Make make) {
+        std::vector<PolygonRing> rings(least + below(more));
+        for (PolygonRing& ring : rings) ring = make();
+        return rings;
+    }
+
+    static PolygonRing box_of(Point a, Point b) {
+        return rectangle({std::min(a.x, b.x), std::min(a.y, b.y)},
+                         {std::max(a.x, b.x), std::max(a.y, b.y)});
+    }
+
+    // On the middle or the border of one of the mask's pixels.
+    Point place_on_lattice() {
+        const auto along = [&](double side) {
+            const double pixels = std::max(1.0, std::ceil(side / (edge_ * std::sqrt(2.0))));
+            return side * below(2 * static_cast<std::uint32_t>(pixels) + 1) / (2 * pixels);
+        };
+        const double x = along(domain_.width);
+        return {x, along(domain_.height)};
+    }
+
+    PolygonRing needle() {
+        const Point a = place(), b = place();
+        const double width = longer_ * (below(2) == 0 ? 1 : std::pow(10, in(-9, -1)));
+        return {a, b, {b.x + width, b.y + width / 3}};
+    }
+
+    // Hardly larger than a pixel.
+    PolygonRing crumb() {
+        const Point a = place();
+        const double size = edge_ * in(0.5, 6);
+        return rectangle(a, {a.x + size, a.y + size * in(0.1, 3)});
+    }
+
+    Rings holes() {
+        Rings made{", all but holes that reach out of the domain",
+                   some(1, 4, [&] { return pentagram(place(), shorter() * in(0.1, 2), 1); })};
+        made.rings.push_back(all());
+        return made;
+    }
+
+    // What is inside twice is outside; and rings around nothing.
+    Rings nothings() {
+        const PolygonRing box = box_of(place(), place());
+        const Point a = place(), b = place();
+        const Point between{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
+        return {", a ring twice and rings around nothing",
+                {all(), box, box, box, {a, b, a}, {a, b, between}, {a, a, a}}};
+    }
+
+    // With an edge or a corner in common.
+    Rings neighbours() {
+        const Point a = place();
+        return {", boxes that touch",
+                {rectangle({0, 0}, a), rectangle(a, {domain_.width, domain_.height}),
+                 rectangle({a.x, 0}, {domain_.width, a.y})}};
+    }
+
+    std::mt19937_64& random_;
+    const verify::Domain domain_;
+    double edge_;
+    double longer_;
+};
+
+}  // namespace lacuna::tests
