@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "large_pages.h"
 #include "plan/ground.h"
 
 namespace lacuna {
@@ -21,7 +22,15 @@ constexpr std::uint32_t kRadii = 2;
 
 class Halving {
 public:
-    explicit Halving(const Plan& plan) : ground_(*plan.ground), pieces_(plan.lines_per_radius) {}
+    explicit Halving(const Plan& plan) : ground_(*plan.ground), pieces_(plan.lines_per_radius) {
+        // About as many as there are places; memory that is not used is not touched.
+        const std::size_t places = plan.maximal_samples;
+        first_.places.reserve(places);
+        first_.even_radii.reserve(places);
+        first_.node_of.reserve(places);
+        first_.nodes.reserve(2 * places);
+        ask_for_large_pages(first_.nodes.data(), 2 * places);
+    }
 
     void cut(const Rectangle& place, std::size_t whole) {
         const Under under = ground_.under(place);

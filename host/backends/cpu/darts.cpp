@@ -78,7 +78,7 @@ public:
     ListBoard(GroundState& state, std::uint32_t index, std::size_t slabs)
         : state_(state), region_(slabs == 1 ? kWhole : index) {}
 
-    void fetch(const Candidate&) const {}
+    void fetch(const Candidate& later) const { state_.near.fetch(later.line); }
     bool may_settle(const Candidate& at) const {
         if (region_ == kWhole) return true;
         const Rectangle& own = state_.first.nodes[state_.first.regions[region_]].place;
@@ -112,7 +112,7 @@ private:
     }
 
     Sized sized(const Candidate& candidate) const {
-        return {candidate.x, candidate.y, radius_of(candidate), state_.round};
+        return {candidate.x, candidate.y, radius_of(candidate)};
     }
 
     GroundState& state_;

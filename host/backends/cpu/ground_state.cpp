@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -20,12 +19,14 @@ public:
     Remnants(const GroundState& state, std::vector<GroundState::Place>& left)
         : state_(state), left_(left) {}
 
-    // Of a part of a first place, cut by these.
-    void begin(std::uint32_t first, std::span<const Sized> near) {
+    // Of parts of a first place, until the next call.
+    void begin(std::uint32_t first) {
         first_ = first;
-        near_ = near;
         even_radius_ = state_.first.even_radii[first];
+        wraps_ = is_near_the_edge_of_a_torus();
     }
+    // Cut by these.
+    void cut_by(std::span<const Sized> near) { near_ = near; }
 
     void append_halves(const Rectangle& place) {
         const std::uint32_t cut = even_radius_ != 0 ? middle_of(place) : state_.ground.cut_x(place);
@@ -41,15 +42,78 @@ private:
         return even_radius_ != 0 ? even_radius_ : state_.ground.under(place).least;
     }
 
+    // Elsewhere no sample is nearer the other way around.
+    bool is_near_the_edge_of_a_torus() const {
+        const Plan& plan = state_.plan;
+        const Rectangle& place = state_.first.places[first_];
+        const std::uint32_t most = state_.first.nodes[state_.first.node_of[first_]].greatest;
+        return plan.period_x != 0 &&
+               (place.x < most || plan.width - (place.x + place.width) < most ||
+                place.begin < most || plan.height - place.end < most);
+    }
+
     // A chord covers the whole width of a place, and no more than any point of the place lets the
     // sample cover.
     void append(const Rectangle& place, std::uint32_t radius) {
         chords_.clear();
-        for (const Sized& sample : near_)
-            if (add(place, sample, std::min(radius, sample.radius))) return;
+        if (wraps_ ? is_covered_around(place, radius) : is_covered(place, radius)) return;
         leave_of({place.begin, place.end}, chords_, [&](std::uint32_t begin, std::uint32_t end) {
             left_.push_back({{place.x, place.width, begin, end}, first_});
         });
+    }
+
+    // What a sample takes is found in squared distances first, without a branch, for most leave a
+    // place alone; then whether one covers all of it; and only what is left takes square roots.
+    // True where all is covered; else the chords are found.
+    bool is_covered(const Rectangle& place, std::uint32_t radius) {
+        const std::uint32_t half = place.width / 2;
+        const std::uint32_t middle = place.x + half;
+        if (cutting_.size() < near_.size()) cutting_.resize(near_.size());
+        Cutting* end = cutting_.data();
+        for (const Sized& sample : near_) {
+            const std::uint64_t least = std::min(radius, sample.radius);
+            const std::uint32_t dx = portable::axis_distance(sample.x, middle, 0) + half;
+            const std::uint32_t below = place.begin - std::min(place.begin, sample.y);
+            const std::uint32_t above = std::max(sample.y, place.end - 1) - (place.end - 1);
+            *end = {least * least, dx, sample.y};
+            end += portable::squared_length(dx, below + above) < least * least;
+        }
+        const std::span<const Cutting> cutting(cutting_.data(), end);
+        for (const auto& [squared, dx, y] : cutting)
+            if (portable::squared_length(
+                    dx, portable::farthest_distance(y, place.begin, place.end)) < squared)
+                return true;
+        for (const auto& [squared, dx, y] : cutting) {
+            const std::uint32_t reach = portable::chord_reach(dx, squared);
+            add_chord({portable::window_begin(0, y, reach, state_.plan.height),
+                       portable::window_end(0, y, reach, state_.plan.height)});
+        }
+        return false;
+    }
+
+    // The same where samples may be nearer around the edges of a torus.
+    bool is_covered_around(const Rectangle& place, std::uint32_t radius) {
+        const Plan& plan = state_.plan;
+        const std::uint32_t half = place.width / 2;
+        for (const Sized& sample : near_) {
+            const std::uint64_t least = std::min(radius, sample.radius);
+            const std::uint32_t dx =
+                portable::axis_distance(sample.x, place.x + half, plan.period_x) + half;
+            const std::uint32_t reach = portable::chord_reach(dx, least * least);
+            for (std::uint32_t window = 0; reach != 0 && window < 3; ++window) {
+                const Span chord{portable::window_begin(window, sample.y, reach, plan.height),
+                                 portable::window_end(window, sample.y, reach, plan.height)};
+                if (chord.begin >= chord.end) continue;
+                if (chord.begin <= place.begin && chord.end >= place.end) return true;
+                add_chord(chord);
+            }
+        }
+        return false;
+    }
+
+    void add_chord(Span chord) {
+        chords_.push_back(chord);
+        sort_in_last(chords_.data(), chords_.size());
     }
 
     static std::uint32_t middle_of(const Rectangle& place) {
@@ -69,40 +133,19 @@ private:
         if (const std::uint32_t radius = least_under(place); radius != 0) append(place, radius);
     }
 
-    // Most samples near leave a place alone, which shows in squared distances: only what is left
-    // takes a square root. True where the sample covers all of the place.
-    bool add(const Rectangle& place, const Sized& sample, std::uint64_t radius) {
-        const Plan& plan = state_.plan;
-        const std::uint32_t half = place.width / 2;
-        const std::uint32_t dx =
-            portable::axis_distance(sample.x, place.x + half, plan.period_x) + half;
-        const std::uint64_t squared = radius * radius;
-        if (std::uint64_t{dx} * dx >= squared) return false;
-        if (plan.period_y == 0) {
-            if (portable::squared_length(
-                    dx, portable::nearest_distance(sample.y, place.begin, place.end)) >= squared)
-                return false;
-            if (portable::squared_length(
-                    dx, portable::farthest_distance(sample.y, place.begin, place.end)) < squared)
-                return true;
-        }
-        const std::uint32_t reach = portable::chord_reach(dx, squared);
-        for (std::uint32_t window = 0; window < (plan.period_y == 0 ? 1 : 3); ++window) {
-            const Span chord{portable::window_begin(window, sample.y, reach, plan.height),
-                             portable::window_end(window, sample.y, reach, plan.height)};
-            if (chord.begin >= chord.end) continue;
-            if (chord.begin <= place.begin && chord.end >= place.end) return true;
-            chords_.push_back(chord);
-            sort_in_last(chords_.data(), chords_.size());
-        }
-        return false;
-    }
+    struct Cutting {
+        std::uint64_t squared;  // radius
+        std::uint32_t dx;       // of the far edge
+        std::uint32_t y;
+    };
 
     const GroundState& state_;
     std::vector<GroundState::Place>& left_;
     std::uint32_t first_ = 0;
     std::span<const Sized> near_;
     std::uint32_t even_radius_ = 0;  // 0: it is not even
+    bool wraps_ = false;
+    std::vector<Cutting> cutting_;
     std::vector<Span> chords_;
 };
 
@@ -116,7 +159,6 @@ GroundState::GroundState(const Plan& the_plan)
       near(the_plan) {}
 
 void GroundState::settle_places() {
-    ++round;
     free_lengths.clear();
     place_widths.clear();
     for (std::uint32_t region = 0; region < columns; ++region) {
@@ -165,16 +207,23 @@ void refine(GroundState& state, std::uint32_t region, bool halve) {
     Remnants remnants(state, left);
     const std::span<const GroundState::Place> places = state.places[region];
     // Places that are not cut up are cut by what has not cut them yet.
-    const auto round = halve ? std::nullopt : std::optional(state.round);
-    for (const auto& [at, first] : places) {
-        const std::span<const Sized> near = state.near.of_part(first, at, round, scratch);
-        remnants.begin(first, near);
-        if (halve)
-            remnants.append_halves(at);
-        else if (near.empty())
-            left.push_back({at, first});
-        else
-            remnants.append(at);
+    const auto which = halve ? NearLists::Which::all : NearLists::Which::latest;
+    for (std::size_t i = 0, end; i < places.size(); i = end) {
+        const std::uint32_t first = places[i].first;
+        for (end = i + 1; end < places.size() && places[end].first == first;) ++end;
+        const std::span<const GroundState::Place> of_first = places.subspan(i, end - i);
+        if (!halve && !state.near.has_latest(first)) {
+            left.insert(left.end(), of_first.begin(), of_first.end());
+            continue;
+        }
+        const std::size_t before = left.size();
+        remnants.begin(first);
+        for (const auto& [at, same] : of_first) {
+            remnants.cut_by(state.near.of_part(first, at, which, scratch));
+            halve ? remnants.append_halves(at) : remnants.append(at);
+        }
+        state.near.settle(first);
+        if (left.size() == before) state.near.close(first);
     }
     state.places[region].assign(left.begin(), left.end());
 }

@@ -28,7 +28,6 @@ struct GroundState : State {
     const FirstPlaces& first;
     std::vector<std::vector<Place>> places;  // of each region, those of a first place together
     NearLists near;
-    std::uint32_t round = 0;  // whose samples have not cut the places yet
 
     void end_locate() { is_screened = true; }
     // From now on these are the places, and the round is over.

@@ -2,6 +2,7 @@
 #include "backends/cpu/near_lists.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "plan/ground.h"
@@ -24,28 +25,32 @@ bool is_reached(const Rectangle& place, std::uint32_t greatest, const Sized& sam
 NearLists::NearLists(const Plan& plan)
     : plan_(plan),
       first_(*plan.first_places),
-      lists_(first_.places.size()),
-      marked_(lists_.size()) {
-    for (const auto& [at, radius] : plan.kept) insert_below({at.x, at.y, radius, 0}, 0);
+      few_(first_.places.size()),
+      long_(first_.places.size()),
+      states_(first_.places.size()) {
+    for (const auto& [at, radius] : plan.kept)
+        for_each_reached({at.x, at.y, radius}, 0, [&](std::uint32_t place) {
+            push({at.x, at.y, radius}, place);
+        });
 }
 
-std::uint32_t NearLists::node_around(const Sized& sample, std::uint32_t first_place) const {
-    std::uint32_t node = first_.node_of[first_place];
-    // What sticks out of a torus lies at its other end.
+bool NearLists::sticks_out(const Sized& sample) const {
     const Rectangle& all = first_.nodes.front().place;
-    const bool wraps = plan_.period_x != 0;
-    const auto is_within = [&](std::uint32_t at, std::uint32_t begin, std::uint32_t end,
-                               std::uint32_t all_begin, std::uint32_t all_end) {
-        return (at - begin >= sample.radius || (!wraps && begin == all_begin)) &&
-               (end - at > sample.radius || (!wraps && end == all_end));
+    return plan_.period_x != 0 &&
+           (sample.x - all.x < sample.radius || all.x + all.width - sample.x <= sample.radius ||
+            sample.y - all.begin < sample.radius || all.end - sample.y <= sample.radius);
+}
+
+bool NearLists::is_within(const Sized& sample, std::uint32_t node) const {
+    const Rectangle& all = first_.nodes.front().place;
+    const Rectangle& place = first_.nodes[node].place;
+    const auto is_along = [&](std::uint32_t at, std::uint32_t begin, std::uint32_t end,
+                              std::uint32_t all_begin, std::uint32_t all_end) {
+        return (at - begin >= sample.radius || begin == all_begin) &&
+               (end - at > sample.radius || end == all_end);
     };
-    for (;; node = first_.nodes[node].whole) {
-        const Rectangle& place = first_.nodes[node].place;
-        if (node == 0 ||
-            (is_within(sample.x, place.x, place.x + place.width, all.x, all.x + all.width) &&
-             is_within(sample.y, place.begin, place.end, all.begin, all.end)))
-            return node;
-    }
+    return is_along(sample.x, place.x, place.x + place.width, all.x, all.x + all.width) &&
+           is_along(sample.y, place.begin, place.end, all.begin, all.end);
 }
 
 std::uint32_t NearLists::region_of(std::uint32_t first_place) const {
@@ -70,13 +75,71 @@ void NearLists::for_each_reached(const Sized& sample, std::uint32_t root, Visit 
     }
 }
 
-void NearLists::insert_below(const Sized& sample, std::uint32_t root) {
-    for_each_reached(sample, root, [&](std::uint32_t place) {
-        constexpr std::size_t kFirstRoom = 12;  // as many as most lists end with
-        List& list = lists_[place];
-        if (list.near.capacity() == 0 && !list.split) list.near.reserve(kFirstRoom);
-        add(list, first_.places[place], sample);
-    });
+// Up the tree, and on the way down what lies beside it. All lists that it goes into are asked for
+// before the first is written to.
+void NearLists::insert(const Sized& sample, std::uint32_t first_place) {
+    std::array<std::uint32_t, 32> reached;
+    std::size_t count = 0;
+    const auto push_all = [&] {
+        for (std::size_t i = 0; i < count; ++i) push(sample, reached[i]);
+        count = 0;
+    };
+    const auto note = [&](std::uint32_t place) {
+        if ((states_[place] & kClosed) != 0) return;
+        fetch_list(place);
+        reached[count++] = place;
+        if (count == reached.size()) push_all();
+    };
+    if (sticks_out(sample)) {
+        for_each_reached(sample, 0, note);
+        return push_all();
+    }
+    note(first_place);
+    for (std::uint32_t node = first_.node_of[first_place]; node != 0 && !is_within(sample, node);) {
+        const std::uint32_t part = node;
+        node = first_.nodes[node].whole;
+        for (std::uint32_t i = node + 1; i < first_.nodes[node].next; i = first_.nodes[i].next)
+            if (i != part) for_each_reached(sample, i, note);
+    }
+    push_all();
+}
+
+void NearLists::push(const Sized& sample, std::uint32_t first_place) {
+    states_[first_place] |= kLatest;
+    Few& few = few_[first_place];
+    if (few.count == kFew) return push_long(sample, first_place);
+    few.near[few.count++] = sample;
+}
+
+void NearLists::push_long(const Sized& sample, std::uint32_t first_place) {
+    Few& few = few_[first_place];
+    std::unique_ptr<List>& list = long_[first_place];
+    if (!few.is_long) {
+        list = std::make_unique<List>();
+        list->near.assign(few.near, few.near + few.count);
+        list->settled = few.settled;
+        few.is_long = true;
+    }
+    add(*list, first_.places[first_place], sample);
+}
+
+void NearLists::settle(std::uint32_t first_place) {
+    states_[first_place] &= static_cast<std::uint8_t>(~kLatest);
+    Few& few = few_[first_place];
+    few.settled = few.count;
+    if (few.is_long) settle(*long_[first_place]);
+}
+
+void NearLists::settle(List& list) {
+    list.settled = list.near.size();
+    if (list.split)
+        for (Half* const half : {&list.split->low, &list.split->high}) settle(half->list);
+}
+
+std::span<const Sized> NearLists::long_part(std::uint32_t first_place, Sample at) const {
+    const List* list = long_[first_place].get();
+    while (list->split) list = &list->split->part_at(at);
+    return list->near;
 }
 
 bool NearLists::reaches(const Sized& sample, const Rectangle& place, std::uint32_t greatest) const {
@@ -110,8 +173,11 @@ void NearLists::split(List& list, const Rectangle& place) {
     }
     for (Half* const half : {&parts->low, &parts->high}) {
         half->greatest = plan_.ground->under(half->place).greatest;
-        for (const Sized& sample : list.near)
-            if (reaches(sample, half->place, half->greatest)) half->list.near.push_back(sample);
+        for (std::size_t i = 0; i < list.near.size(); ++i)
+            if (reaches(list.near[i], half->place, half->greatest)) {
+                half->list.near.push_back(list.near[i]);
+                if (i < list.settled) ++half->list.settled;
+            }
         half->list.most = std::max(half->list.most, 2 * half->list.near.size());
     }
     if (4 * std::max(parts->low.list.near.size(), parts->high.list.near.size()) >
@@ -121,48 +187,41 @@ void NearLists::split(List& list, const Rectangle& place) {
     list.split = std::move(parts);
 }
 
-void NearLists::gather(const List& list, const Rectangle& part, std::optional<std::uint32_t> round,
+void NearLists::gather(const List& list, const Rectangle& part, Which which,
                        std::vector<Sized>& found) {
     if (!list.split) {
-        for (const Sized& sample : list.near)
-            if (!round || sample.round == *round) found.push_back(sample);
+        const std::size_t begin = which == Which::latest ? list.settled : 0;
+        found.insert(found.end(), list.near.begin() + static_cast<std::ptrdiff_t>(begin),
+                     list.near.end());
         return;
     }
     const Rectangle& high = list.split->high.place;
     if (part.x < high.x || part.begin < high.begin)
-        gather(list.split->low.list, part, round, found);
+        gather(list.split->low.list, part, which, found);
     if (part.x + part.width > high.x && part.end > high.begin)
-        gather(list.split->high.list, part, round, found);
+        gather(list.split->high.list, part, which, found);
 }
 
-std::span<const Sized> NearLists::of_part(std::uint32_t first_place, const Rectangle& part,
-                                          std::optional<std::uint32_t> round,
-                                          std::vector<Sized>& scratch) const {
-    const List& list = lists_[first_place];
-    if (!list.split) {
-        // The latest stand last.
-        const std::span<const Sized> near = list.near;
-        std::size_t begin = round ? near.size() : 0;
-        while (round && begin > 0 && near[begin - 1].round == *round) --begin;
-        return near.subspan(begin);
-    }
+std::span<const Sized> NearLists::of_long_part(std::uint32_t first_place, const Rectangle& part,
+                                               Which which, std::vector<Sized>& scratch) const {
     scratch.clear();
-    gather(list, part, round, scratch);
+    gather(*long_[first_place], part, which, scratch);
     return scratch;
 }
 
 void NearLists::mark(const Sized& candidate, std::uint32_t first_place, bool is_marked) {
-    for_each_reached(candidate, region_of(first_place),
-                     [&](std::uint32_t place) { marked_[place] = is_marked ? 1 : 0; });
+    for_each_reached(candidate, region_of(first_place), [&](std::uint32_t place) {
+        const unsigned others = states_[place] & ~unsigned{kMarked};
+        states_[place] = static_cast<std::uint8_t>(others | (is_marked ? kMarked : 0));
+    });
 }
 
 std::vector<Sample> NearLists::samples() const {
     std::vector<Sample> all;
     std::vector<Sized> found;
-    for (std::size_t place = 0; place < lists_.size(); ++place)
-        gather(lists_[place], first_.places[place], {}, found);
-    all.reserve(found.size());
-    for (const Sized& sized : found) all.push_back({sized.x, sized.y});
+    for (std::uint32_t place = 0; place < first_.places.size(); ++place)
+        for (const Sized& sized : of_part(place, first_.places[place], Which::all, found))
+            all.push_back({sized.x, sized.y});
     const auto rank = [](Sample sample) { return std::uint64_t{sample.x} << 32 | sample.y; };
     std::sort(all.begin(), all.end(), [&](Sample a, Sample b) { return rank(a) < rank(b); });
     all.erase(std::unique(all.begin(), all.end()), all.end());
