@@ -159,14 +159,18 @@ GroundState::GroundState(const Plan& the_plan)
       near(the_plan) {}
 
 void GroundState::settle_places() {
-    free_lengths.clear();
-    place_widths.clear();
-    for (std::uint32_t region = 0; region < columns; ++region) {
-        for (const Place& place : places[region]) {
-            free_lengths.push_back(place.at.end - place.at.begin);
-            place_widths.push_back(place.at.width);
-        }
-        place_begins[region + 1] = static_cast<std::uint32_t>(free_lengths.size());
+    for (std::uint32_t region = 0; region < columns; ++region)
+        place_begins[region + 1] =
+            place_begins[region] + static_cast<std::uint32_t>(places[region].size());
+    free_lengths.resize(place_begins.back());
+    place_widths.resize(place_begins.back());
+}
+
+void GroundState::settle_places(std::uint32_t region) {
+    std::size_t i = place_begins[region];
+    for (const Place& place : places[region]) {
+        free_lengths[i] = place.at.end - place.at.begin;
+        place_widths[i++] = place.at.width;
     }
 }
 

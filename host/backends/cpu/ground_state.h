@@ -30,8 +30,9 @@ struct GroundState : State {
     NearLists near;
 
     void end_locate() { is_screened = true; }
-    // From now on these are the places, and the round is over.
+    // From now on these are the places: then to be called for each region, in parallel.
     void settle_places();
+    void settle_places(std::uint32_t region);
     Snapshot snapshot() const;
     void restore(const Snapshot& snapshot);
 };

@@ -22,6 +22,8 @@ public:
         for_columns(state_.place_begins.back(),
                     [&](std::uint32_t region) { cpu::refine(state_, region, halve); });
         state_.settle_places();
+        for_columns(state_.place_begins.back(),
+                    [&](std::uint32_t region) { state_.settle_places(region); });
     }
 };
 
