@@ -49,6 +49,7 @@ public:
     }
 
     void fetch(const Candidate& later) const { grid_.fetch_near(later.x, later.y); }
+    void fetch_sooner(const Candidate&) const {}
     bool may_settle(const Candidate& candidate) const { return is_in(inner_, candidate.x); }
     bool is_covered(const Candidate& candidate) const {
         return grid_.is_covered(candidate.x, candidate.y);
@@ -79,6 +80,7 @@ public:
         : state_(state), region_(slabs == 1 ? kWhole : index) {}
 
     void fetch(const Candidate& later) const { state_.near.fetch(later.line); }
+    void fetch_sooner(const Candidate& later) const { state_.near.fetch_node(later.line); }
     bool may_settle(const Candidate& at) const {
         if (region_ == kWhole) return true;
         const Rectangle& own = state_.first.nodes[state_.first.regions[region_]].place;
@@ -203,6 +205,7 @@ void Darts::throw_in(DartState& state, std::uint32_t index) {
     for (std::size_t k = 0; k + 2 * kAhead < thrown.size(); ++k) {
         __builtin_prefetch(&state.candidates[thrown[k + 2 * kAhead]]);
         board.fetch(state.candidates[thrown[k + kAhead]]);
+        board.fetch_sooner(state.candidates[thrown[k + kAhead / 2]]);
         const std::uint32_t i = thrown[k];
         const Candidate& candidate = state.candidates[i];
         std::uint32_t& fate = state.fates[i];

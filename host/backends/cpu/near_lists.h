@@ -66,6 +66,12 @@ public:
         fetch_list(first_place);
         __builtin_prefetch(&first_.node_of[first_place]);
     }
+    void fetch_node(std::uint32_t first_place) const {
+        const FirstPlaces::Node* const node = &first_.nodes[first_.node_of[first_place]];
+        __builtin_prefetch(node - 2);
+        __builtin_prefetch(node);
+        __builtin_prefetch(node + 2);
+    }
     // Lists what lies in a first place for all of them that it reaches, but closed ones. In
     // parallel for different regions, if it reaches those of its region only.
     void insert(const Sized& sample, std::uint32_t first_place);
