@@ -79,7 +79,10 @@ public:
     ListBoard(GroundState& state, std::uint32_t index, std::size_t slabs)
         : state_(state), region_(slabs == 1 ? kWhole : index) {}
 
-    void fetch(const Candidate& later) const { state_.near.fetch(later.line); }
+    void fetch(const Candidate& later) const {
+        state_.near.fetch_list(later.line);
+        state_.near.fetch_way_to_node(later.line);
+    }
     void fetch_sooner(const Candidate& later) const { state_.near.fetch_node(later.line); }
     bool may_settle(const Candidate& at) const {
         if (region_ == kWhole) return true;

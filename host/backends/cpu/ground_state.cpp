@@ -14,16 +14,19 @@
 namespace lacuna::cpu {
 namespace {
 
+// Lists are asked for so many places ahead.
+constexpr std::size_t kPlacesAhead = 8;
+
 class Remnants {
 public:
-    Remnants(const GroundState& state, std::vector<GroundState::Place>& left)
-        : state_(state), left_(left) {}
+    Remnants(const GroundState& state, std::uint32_t region, std::vector<GroundState::Place>& left)
+        : state_(state), is_at_edge_(wraps(state.first.regions[region])), left_(left) {}
 
     // Of parts of a first place, until the next call.
     void begin(std::uint32_t first) {
         first_ = first;
         even_radius_ = state_.first.even_radii[first];
-        wraps_ = is_near_the_edge_of_a_torus();
+        wraps_ = is_at_edge_ && wraps(state_.first.node_of[first]);
     }
     // Cut by these.
     void cut_by(std::span<const Sized> near) { near_ = near; }
@@ -42,14 +45,13 @@ private:
         return even_radius_ != 0 ? even_radius_ : state_.ground.under(place).least;
     }
 
-    // Elsewhere no sample is nearer the other way around.
-    bool is_near_the_edge_of_a_torus() const {
+    // Whether a sample may be nearer to what lies in the node the other way around.
+    bool wraps(std::uint32_t node) const {
         const Plan& plan = state_.plan;
-        const Rectangle& place = state_.first.places[first_];
-        const std::uint32_t most = state_.first.nodes[state_.first.node_of[first_]].greatest;
-        return plan.period_x != 0 &&
-               (place.x < most || plan.width - (place.x + place.width) < most ||
-                place.begin < most || plan.height - place.end < most);
+        if (plan.period_x == 0) return false;
+        const auto& [place, most, next, first, whole] = state_.first.nodes[node];
+        return place.x < most || plan.width - (place.x + place.width) < most ||
+               place.begin < most || plan.height - place.end < most;
     }
 
     // A chord covers the whole width of a place, and no more than any point of the place lets the
@@ -140,6 +142,7 @@ private:
     };
 
     const GroundState& state_;
+    bool is_at_edge_;  // of a torus, the region is
     std::vector<GroundState::Place>& left_;
     std::uint32_t first_ = 0;
     std::span<const Sized> near_;
@@ -208,7 +211,7 @@ void refine(GroundState& state, std::uint32_t region, bool halve) {
     std::vector<GroundState::Place>& left = of_thread;  // looked up once, see subtract.cpp
     left.clear();
     std::vector<Sized> scratch;
-    Remnants remnants(state, left);
+    Remnants remnants(state, region, left);
     const std::span<const GroundState::Place> places = state.places[region];
     // Places that are not cut up are cut by what has not cut them yet.
     const auto which = halve ? NearLists::Which::all : NearLists::Which::latest;
@@ -216,6 +219,8 @@ void refine(GroundState& state, std::uint32_t region, bool halve) {
         const std::uint32_t first = places[i].first;
         for (end = i + 1; end < places.size() && places[end].first == first;) ++end;
         const std::span<const GroundState::Place> of_first = places.subspan(i, end - i);
+        const std::uint32_t later = places[std::min(i + kPlacesAhead, places.size() - 1)].first;
+        if (halve || state.near.has_latest(later)) state.near.fetch_list(later);
         if (!halve && !state.near.has_latest(first)) {
             left.insert(left.end(), of_first.begin(), of_first.end());
             continue;

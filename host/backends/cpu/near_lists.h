@@ -61,9 +61,12 @@ public:
             at, radius);
     }
 
-    // Asks the cache for a list, and for what insert begins with.
-    void fetch(std::uint32_t first_place) const {
-        fetch_list(first_place);
+    // Ask the cache for a list, and for what insert begins with: first for where it is.
+    void fetch_list(std::uint32_t first_place) const {
+        __builtin_prefetch(&few_[first_place]);
+        __builtin_prefetch(&few_[first_place].near[kFew - 1]);
+    }
+    void fetch_way_to_node(std::uint32_t first_place) const {
         __builtin_prefetch(&first_.node_of[first_place]);
     }
     void fetch_node(std::uint32_t first_place) const {
@@ -131,10 +134,6 @@ private:
                                                  plan_.period_y, limit * limit);
             }
         return is_closer;
-    }
-    void fetch_list(std::uint32_t first_place) const {
-        __builtin_prefetch(&few_[first_place]);
-        __builtin_prefetch(&few_[first_place].near[kFew - 1]);
     }
     std::span<const Sized> of_long_part(std::uint32_t first_place, const Rectangle& part,
                                         Which which, std::vector<Sized>& scratch) const;
