@@ -38,10 +38,10 @@ NearLists::NearLists(const Plan& plan)
       few_(first_.places.size()),
       long_(first_.places.size()),
       states_(first_.places.size()) {
-    for (const auto& [at, radius] : plan.kept)
-        for_each_reached({at.x, at.y, radius}, 0, [&](std::uint32_t place) {
-            push({at.x, at.y, radius}, place);
-        });
+    for (const KeptSample& kept : plan.kept) {
+        const Sized sample{kept.at.x, kept.at.y, kept.radius};
+        for_each_reached(sample, 0, [&](std::uint32_t place) { push(sample, place); });
+    }
 }
 
 bool NearLists::sticks_out(const Sized& sample) const {
