@@ -18,10 +18,6 @@ namespace {
 // OpenSSL is called for this many points at once: a call costs more than a point.
 constexpr std::size_t kPointsPerUpdate = 4096;
 
-struct ContextDeleter {
-    void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
-};
-
 void check(int openssl_result, const char* call) {
     if (openssl_result != 1) throw Error(std::string("SHA-256: ") + call + " of OpenSSL failed");
 }
@@ -29,7 +25,10 @@ void check(int openssl_result, const char* call) {
 }  // namespace
 
 struct Sha256OfPoints::State {
-    std::unique_ptr<EVP_MD_CTX, ContextDeleter> context{EVP_MD_CTX_new()};
+    struct Deleter {
+        void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
+    };
+    std::unique_ptr<EVP_MD_CTX, Deleter> context{EVP_MD_CTX_new()};
     std::string bytes;
 };
 
