@@ -24,6 +24,8 @@ constexpr unsigned kPartBits = 12;
 constexpr std::uint32_t kLeastChunk = std::uint32_t{1} << 12;
 constexpr std::uint32_t kMostChunks = 64;
 
+constexpr std::uint64_t kAllBits = ~std::uint64_t{0};
+
 // The bits of so many draws are made at a time.
 constexpr std::uint32_t kRun = 256;
 
@@ -164,7 +166,8 @@ void Marginal::for_each_drawn(std::uint64_t first_number, Span numbers, Visit vi
         random_run(plan_.seed, first_number + begin, std::span(run).first(size));
         // Which of them fall into the share cannot be foretold: no branch.
         std::uint32_t count = 0;
-        for (std::uint32_t i = 0; i < size; ++i) {
+        for (std::uint32_t i = 0; i < size && width == kAllBits; ++i) visit(begin + i, run[i]);
+        for (std::uint32_t i = 0; i < size && width != kAllBits; ++i) {
             in_share[count] = i;
             count += static_cast<std::uint32_t>(run[i].first - bits_.first <= width);
         }
@@ -194,6 +197,11 @@ void Marginal::draw_bits(std::uint64_t first_number, std::uint32_t count) {
     workers_.for_columns(chunks, count, [&](std::uint32_t chunk) {
         const std::span<std::uint32_t> counts =
             std::span(chunk_ends_).subspan(chunk * parts, parts);
+        if (parts == 1 && bits_.last - bits_.first == kAllBits) {
+            const Span numbers = numbers_of(chunk);
+            counts[0] = orders[chunk] = numbers.end - numbers.begin;
+            return;
+        }
         for_each_drawn(first_number, numbers_of(chunk),
                        [&](std::uint32_t, const RandomBits& random) { ++counts[part_of(random)]; });
         orders[chunk] = std::reduce(counts.begin(), counts.end());
