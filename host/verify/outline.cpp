@@ -201,7 +201,11 @@ Openness Outline::under(const Cell& cell, double clearance) const {
     if (depth <= 0) {
         const double x = std::min(clearance / 2, frame.half_width);
         const double y = std::min(clearance / 2, frame.half_height);
-        const Cell inner{cell.left + x, cell.right - x, cell.bottom + y, cell.top - y};
+        // What rounding leaves of a thin cell must not be less than nothing: no edge would meet
+        // that.
+        const Cell inner{
+            std::min(cell.left + x, frame.centre.x), std::max(cell.right - x, frame.centre.x),
+            std::min(cell.bottom + y, frame.centre.y), std::max(cell.top - y, frame.centre.y)};
         if (least_squared_distance(inner) > 0) return {false, true};
     }
     const double most = square(clearance);

@@ -48,6 +48,30 @@ TEST(AMasksRows, LieFromTheTopDown) {
     EXPECT_EQ(prove(std::vector<Point>{{0.5, 0.1}}, claim).forbidden, 0U);
 }
 
+// Thin domains under a tolerance twice as high, with a hole along their middle: its right end is
+// far from all edges and bare. Halving such cells rounds.
+TEST(Polygons, LeaveAThinDomainBareWhereItIsFarFromTheirEdges) {
+    std::mt19937_64 random(11);
+    for (int i = 0; i < 300; ++i) {
+        const double height = std::uniform_real_distribution<double>(0.04, 0.06)(random);
+        const std::vector<PolygonRing> rings{square(-9, 9),
+                                             {{1.01, 0.4 * height},
+                                              {2.94, 0.4 * height},
+                                              {2.94, 0.6 * height},
+                                              {1.01, 0.6 * height}}};
+        Claim claim = unit_claim(0.33);
+        claim.width = 3.16;
+        claim.height = height;
+        claim.inside = rings;
+        claim.edge_tolerance = 1.7 * height;
+        claim.border = std::uniform_real_distribution<double>(0.2, 0.25)(random) * height;
+        const std::vector<Point> points{{0.32, 0.7 * height}, {0.75, 0.26 * height}};
+        const Proof proof = prove(points, claim);
+        ASSERT_FALSE(proof.covered) << "height " << height << ", border " << claim.border;
+        ASSERT_GT(proof.emptiest_distance, 2.3);
+    }
+}
+
 TEST(Polygons, MayBeOffByTheirEdgesTolerance) {
     const std::vector<PolygonRing> rings{square(0.25, 0.75)};
     Claim claim = unit_claim(0.36);  // from the middle to a corner of the square is 0.354
