@@ -45,15 +45,16 @@ double memory_needed(const Request& request, double radius, double points) {
     constexpr double kBytesPerSpan = 8, kBytesPerPoint = 48;
     const double lines = std::ceil(lines_per_radius(request) * request.width / radius);
     const double spans = most_spans(request.height / radius);
-    const double needed = lines * spans * kBytesPerSpan + points * kBytesPerPoint;
-    if (!request.limit) return needed;
+    const double all = expected_count(request.width, request.height, request.boundary, radius);
+    if (!request.limit) return lines * spans * kBytesPerSpan + points * kBytesPerPoint;
     // Each sample parts a line's spans at most once more; exact has a grid of cells, whose diagonal
     // is a radius, whatever the limit.
     constexpr double kBytesPerCell = 8;
     const double fewer = std::min(spans, static_cast<double>(*request.limit) + 8);
     const double cells = 2 * (request.width / radius) * (request.height / radius);
     const double grid = request.mode == Mode::exact ? cells * kBytesPerCell : 0;
-    return std::min(needed, lines * fewer * kBytesPerSpan + grid + points * kBytesPerPoint);
+    return std::min(lines * spans * kBytesPerSpan + all * kBytesPerPoint,
+                    lines * fewer * kBytesPerSpan + grid + points * kBytesPerPoint);
 }
 
 void refuse_if_too_large(const Request& request, const std::string& option,

@@ -76,9 +76,9 @@ TEST(Requests, ThatDoNotFitAreRefusedWithWhatTheyNeed) {
     const Plan plan = tests::plan_of(0.001, 30, Boundary::torus);
     const std::uint64_t much = std::uint64_t{1} << 40;
     EXPECT_NO_THROW(refuse_if_too_large("Toy", plan, much, much));
-    // 30,000 lines with room for 508 spans of 8 bytes, and the draws.
+    // 30,000 lines with room for 338 spans of 8 bytes, and the draws.
     EXPECT_EQ(refusal(plan, 100'000'000, much),
-              "device Toy: the request needs 0.144 GB of memory, and it has 0.1 GB");
+              "device Toy: the request needs 0.103 GB of memory, and it has 0.1 GB");
     EXPECT_EQ(refusal(plan, much, 1'000'000),
               "device Toy: the request needs a buffer of 0.006 GB, and its largest has 0.001 GB");
 }

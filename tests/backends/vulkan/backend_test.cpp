@@ -52,7 +52,7 @@ protected:
 
 TEST_F(VulkanBackend, ServesSpansBeyondTheLargestBufferOfManyDevices) {
     Request request = torus(0.001, Mode::lines);
-    request.lines_per_radius = 40;
+    request.lines_per_radius = 52;
     request.limit = 200'000;
     const Plan plan = make_plan(request);
     constexpr std::uint64_t kSmallestRange = std::uint64_t{128} << 20;
