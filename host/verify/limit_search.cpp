@@ -67,8 +67,11 @@ void LimitSearch::visit(const Cell& cell, const Under& outer, std::size_t begin)
 
 std::size_t LimitSearch::look_from(Point centre, const Under& under, std::size_t begin) {
     // Where all places are alike there is no need to look at polygons for each.
-    const std::optional<double> radius =
+    std::optional<double> radius =
         under.is_plain() ? under.radii.least : limits_.ground.radius_at(centre);
+    // At the border of two pixels rounding may take the other one's: the disks at hand are those
+    // that matter to the cell's own radii.
+    if (radius) radius = std::clamp(*radius, under.radii.least, under.radii.most);
     const double reach = radius.value_or(under.radii.most);
     std::size_t best = begin;
     double least = kInfinity;

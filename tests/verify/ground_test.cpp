@@ -72,6 +72,41 @@ TEST(Polygons, LeaveAThinDomainBareWhereItIsFarFromTheirEdges) {
     }
 }
 
+// A set that a search for such cases found, less a point. Its barest spot is a corner of what the
+// polygon's tolerance leaves open, on the border of two pixels of unlike radii, where rounding
+// takes the right one's: by the left one's it is bare.
+TEST(TheBarestSpot, OnTheBorderOfTwoPixelsHasTheRadiusOfItsOwn) {
+    const Field field{
+        2,
+        4,
+        {0.028346520423628493, 0.44465125638244218, 0.5860780187163902, 0.46800308668215068,
+         0.082640200544060696, 0.012321018429127409, 0.80813086434415005, 0.092045216582603132}};
+    const std::vector<PolygonRing> rings{{{20.056026015478047, 0},
+                                          {0, 0},
+                                          {0, 24.662595494027226},
+                                          {18.169732270695686, 24.662595494027226},
+                                          {18.169732270695686, 1.2980313417909066},
+                                          {36.339464541391372, 1.2980313417909066}}};
+    Claim claim;
+    claim.width = 20.056026015478047;
+    claim.height = 25.960626835818132;
+    claim.field = &field;
+    claim.scale = 5.8205682657952513;
+    claim.inside = rings;
+    claim.edge_tolerance = 1.5141443558913072;
+    claim.border = 1.0028013007739024e-08;
+    const std::vector<Point> points{
+        {10.69488433251901, 13.05564567412701},    {1.915294664401761, 12.510053977451616},
+        {19.440596037321889, 1.7611170067574429},  {14.453382790772306, 23.086867671499796},
+        {2.3086457761438548, 0.98339832942953664}, {5.7180312622448435, 19.27044636829239},
+        {5.7313153224727236, 6.4892638016575983}};
+
+    const Proof proof = prove(points, claim);
+
+    EXPECT_FALSE(proof.covered);
+    EXPECT_NEAR(proof.emptiest_distance - proof.emptiest_limit, 0.0989, 1e-4);
+}
+
 TEST(Polygons, MayBeOffByTheirEdgesTolerance) {
     const std::vector<PolygonRing> rings{square(0.25, 0.75)};
     Claim claim = unit_claim(0.36);  // from the middle to a corner of the square is 0.354
