@@ -47,8 +47,11 @@ void NpySink::close() {
 void NpySink::open() {
     together(ranks_, [&] {
         if (ranks_.rank() != 0) return;
+        // Whatever signal comes now finds the file's name.
+        const SignalsWait wait;
         file_ = std::make_unique<files::NewFile>(path_);
         name_ = file_->name();
+        remove_on_signal(name_, true);
     });
     auto length = static_cast<int>(name_.size());
     MPI_Bcast(&length, 1, MPI_INT, 0, ranks_.communicator());

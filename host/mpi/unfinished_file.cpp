@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <climits>
+#include <cstdlib>
 #include <string_view>
 
 namespace lacuna::mpi {
@@ -17,10 +18,23 @@ namespace {
 std::array<char, PATH_MAX> unfinished{};
 std::atomic<bool> is_there = false;
 std::atomic<bool> is_speaker = false;
+std::atomic<bool> do_wait = false;
+std::atomic<int> waiting = 0;                           // the signal that came meanwhile
 static_assert(std::atomic<bool>::is_always_lock_free);  // else not for signal handlers
+static_assert(std::atomic<int>::is_always_lock_free);
+
+constexpr std::array kEndingSignals{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGABRT};
+
+void remove_unfinished() {
+    if (is_there) ::unlink(unfinished.data());
+}
 
 void remove_and_exit(int signal) {
-    if (is_there) ::unlink(unfinished.data());
+    if (do_wait) {
+        waiting = signal;
+        return;
+    }
+    remove_unfinished();
     constexpr std::string_view kMessage = "lacuna-mpi: interrupted, nothing was written\n";
     if (is_speaker) {
         // There is nothing left to do about a failure.
@@ -38,14 +52,27 @@ void remove_on_signal(const std::string& name, bool speaks) {
     std::copy_n(name.begin(), std::min(name.size(), unfinished.size() - 1), unfinished.begin());
     is_there = !name.empty() && name.size() < unfinished.size();
     is_speaker = speaks;
+    // MPI may hear of another rank's end before the signal comes, and then calls exit() or abort().
+    static const bool is_registered = std::atexit(remove_unfinished) == 0;
+    static_cast<void>(is_registered);
     struct sigaction action {};
     action.sa_handler = remove_and_exit;
     sigfillset(&action.sa_mask);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+    for (const int signal : kEndingSignals) {
         struct sigaction before {};
         sigaction(signal, nullptr, &before);
         if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
     }
+}
+
+// Blocked signals would not do: another thread, of MPI's or of oneTBB's, would take them.
+SignalsWait::SignalsWait() {
+    do_wait = true;
+}
+
+SignalsWait::~SignalsWait() {
+    do_wait = false;
+    if (const int signal = waiting; signal != 0) remove_and_exit(signal);
 }
 
 }  // namespace lacuna::mpi

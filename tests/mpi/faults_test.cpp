@@ -116,7 +116,7 @@ void end_a_rank_by(int signal) {
 
     EXPECT_NE(outcome.exit_code, 0);
     EXPECT_NE(outcome.exit_code, 124) << "ended by the time limit";
-    EXPECT_TRUE(folder.names().empty()) << folder.names().front();
+    EXPECT_TRUE(folder.names().empty()) << folder.names().front() << "\n" << outcome.err;
 }
 
 TEST(MpiFaults, AKilledRankEndsAllAndLeavesNothing) {
