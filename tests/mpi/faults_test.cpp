@@ -109,6 +109,8 @@ void end_a_rank_by(int signal) {
         found = ranks_writing_to(path);
     }
     ASSERT_EQ(found.size(), 3u);
+    // Until all of them know of it: see docs/mpi.md.
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
     EXPECT_EQ(folder.names().size(), 1u);  // the unfinished one
 
     ASSERT_EQ(kill(found[1], signal), 0);
