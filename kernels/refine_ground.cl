@@ -12,10 +12,21 @@ BINDINGS(StripArguments, CUT_ON_GROUND_BINDINGS)
 #include "bodies/cut_on_ground.h"
 ENTRY(cut_on_ground, serve_cut_on_ground, StripArguments, CUT_ON_GROUND_BINDINGS)
 
-BINDINGS(StripArguments, KEEP_ON_GROUND_BINDINGS)
+BINDINGS(StripArguments, CUT_SEVERAL_BINDINGS)
 #include "bodies/remnants.h"
+#include "bodies/cut_several.h"
+ENTRY(cut_several, serve_cut_several, StripArguments, CUT_SEVERAL_BINDINGS)
+
+BINDINGS(StripArguments, KEEP_ON_GROUND_BINDINGS)
+#include "bodies/kept_piece.h"
 #include "bodies/keep_on_ground.h"
 ENTRY(keep_on_ground, serve_keep_on_ground, StripArguments, KEEP_ON_GROUND_BINDINGS)
+
+BINDINGS(StripArguments, KEEP_SEVERAL_BINDINGS)
+#include "bodies/remnants.h"
+#include "bodies/kept_piece.h"
+#include "bodies/keep_several.h"
+ENTRY(keep_several, serve_keep_several, StripArguments, KEEP_SEVERAL_BINDINGS)
 
 BINDINGS(StripArguments, MEASURE_BINDINGS)
 #include "bodies/ground.h"

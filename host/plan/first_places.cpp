@@ -17,8 +17,11 @@ constexpr std::uint32_t kRegions = 96;
 constexpr std::uint32_t kFewPlaces = 128;
 
 // Places are at most so many of the least radius under them long, over the plan's lines_per_radius.
-// Shorter ones are cut, and samples listed, more often; of longer ones every look takes longer.
+// Of shorter ones more are cut, and of longer ones more is drawn that is covered already.
 constexpr std::uint32_t kRadii = 2;
+// And blocks so many. For shorter ones samples are listed more often; in lists of longer ones every
+// look takes longer.
+constexpr std::uint32_t kRadiiOfBlock = 4;
 
 class Halving {
 public:
@@ -26,8 +29,8 @@ public:
         // About as many as there are places; memory that is not used is not touched.
         const std::size_t places = plan.maximal_samples;
         first_.places.reserve(places);
-        first_.even_radii.reserve(places);
-        first_.node_of.reserve(places);
+        ask_for_large_pages(first_.places.data(), places);
+        first_.blocks.reserve(places);
         first_.nodes.reserve(2 * places);
         ask_for_large_pages(first_.nodes.data(), 2 * places);
     }
@@ -36,56 +39,79 @@ public:
         const Under under = ground_.under(place);
         if (under.least == 0) return;
         const std::size_t node = first_.nodes.size();
+        const std::uint32_t block = blocks();
         first_.nodes.push_back(
-            {place, under.greatest, 0, count(), static_cast<std::uint32_t>(whole)});
-        const std::uint32_t height = place.end - place.begin;
-        const std::uint64_t longer = std::max(place.width, height);
-        if (longer == 1 || longer * pieces_ <= kRadii * std::uint64_t{under.least}) {
-            first_.places.push_back(place);
-            first_.node_of.push_back(static_cast<std::uint32_t>(node));
-            first_.even_radii.push_back(under.is_even ? under.least : 0);
-        } else if (place.width >= height) {
-            cut_at_x(place, node, under.is_even ? place.x + place.width / 2 : ground_.cut_x(place));
+            {place, under.greatest, 0, block, static_cast<std::uint32_t>(whole)});
+        if (is_short(place, under, kRadiiOfBlock) || is_short(place, under, kRadii, pieces_)) {
+            const std::uint32_t first = places();
+            cut_block(place, under);
+            if (places() > first)
+                first_.blocks.push_back(
+                    {first, under.is_even ? under.least : 0, static_cast<std::uint32_t>(node)});
         } else {
-            cut_at_y(place, node, under.is_even ? 0 : ground_.cut_y(place));
+            cut_in_two(place, under, [&](const Rectangle& part) { cut(part, node); });
         }
         // Of a large rectangle it may show in its parts only that none of it is allowed.
-        if (first_.nodes[node].first == count()) first_.nodes.resize(node);
-        if (first_.nodes.size() > node)
+        if (block == blocks())
+            first_.nodes.resize(node);
+        else
             first_.nodes[node].next = static_cast<std::uint32_t>(first_.nodes.size());
     }
 
     FirstPlaces take() {
-        const std::uint32_t most = std::max(kFewPlaces, count() / kRegions);
+        const std::uint32_t most = std::max(kFewPlaces, places() / kRegions);
+        first_.blocks.push_back({places(), 0, 0});
         for (std::uint32_t i = 0; i < first_.nodes.size();) {
             const FirstPlaces::Node& node = first_.nodes[i];
-            const std::uint32_t end =
-                node.next < first_.nodes.size() ? first_.nodes[node.next].first : count();
-            if (end - node.first > most) {
+            const std::uint32_t first = first_.blocks[node.first].first;
+            const std::uint32_t end = first_.blocks[block_after(node)].first;
+            if (end - first > most && i + 1 < node.next) {
                 ++i;
                 continue;
             }
-            if (end > node.first) {
-                first_.regions.push_back(i);
-                first_.begins.push_back(node.first);
-            }
+            first_.regions.push_back(i);
+            first_.begins.push_back(first);
             i = node.next;
         }
-        first_.begins.push_back(count());
+        first_.begins.push_back(places());
         return std::move(first_);
     }
 
 private:
-    std::uint32_t count() const { return static_cast<std::uint32_t>(first_.places.size()); }
+    std::uint32_t places() const { return static_cast<std::uint32_t>(first_.places.size()); }
+    std::uint32_t blocks() const { return static_cast<std::uint32_t>(first_.blocks.size()); }
 
-    void cut_at_x(const Rectangle& place, std::size_t node, std::uint32_t x) {
-        cut({place.x, x - place.x, place.begin, place.end}, node);
-        cut({x, place.x + place.width - x, place.begin, place.end}, node);
+    static bool is_short(const Rectangle& place, const Under& under, std::uint64_t radii,
+                         std::uint64_t pieces = 1) {
+        const std::uint64_t longer = std::max(place.width, place.end - place.begin);
+        return longer == 1 || longer * pieces <= radii * under.least;
     }
-    void cut_at_y(const Rectangle& place, std::size_t node, std::uint32_t y) {
-        if (y == 0) y = place.begin + (place.end - place.begin) / 2;
-        cut({place.x, place.width, place.begin, y}, node);
-        cut({place.x, place.width, y, place.end}, node);
+
+    void cut_block(const Rectangle& place, const Under& under) {
+        if (under.least == 0) return;
+        if (is_short(place, under, kRadii, pieces_)) return first_.places.push_back(place);
+        cut_in_two(place, under,
+                   [&](const Rectangle& part) { cut_block(part, ground_.under(part)); });
+    }
+
+    template <typename Take>
+    void cut_in_two(const Rectangle& place, const Under& under, Take take) {
+        const std::uint32_t height = place.end - place.begin;
+        if (place.width >= height) {
+            const std::uint32_t x =
+                under.is_even ? place.x + place.width / 2 : ground_.cut_x(place);
+            take(Rectangle{place.x, x - place.x, place.begin, place.end});
+            take(Rectangle{x, place.x + place.width - x, place.begin, place.end});
+        } else {
+            std::uint32_t y = under.is_even ? 0 : ground_.cut_y(place);
+            if (y == 0) y = place.begin + height / 2;
+            take(Rectangle{place.x, place.width, place.begin, y});
+            take(Rectangle{place.x, place.width, y, place.end});
+        }
+    }
+
+    std::uint32_t block_after(const FirstPlaces::Node& node) const {
+        return node.next < first_.nodes.size() ? first_.nodes[node.next].first : blocks() - 1;
     }
 
     const Ground& ground_;

@@ -1,5 +1,6 @@
 // The places of a plan with a ground before the first sample: rectangles that hold all that is
-// allowed, not much longer than the least radius under them; and the tree of cuts that led there.
+// allowed, not much longer than the least radius under them; and the tree of cuts that led to
+// blocks of a few of them.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +17,21 @@ struct FirstPlaces {
         Rectangle place;
         std::uint32_t greatest;  // radius under it
         std::uint32_t next;      // the first node after it and its parts
-        std::uint32_t first;     // of the places in it
+        std::uint32_t first;     // of the blocks in it
         std::uint32_t whole;     // the node that it is a part of, or itself
+    };
+    // A few places, not much longer together than one: what samples are listed for.
+    struct Block {
+        std::uint32_t first;        // of its places
+        std::uint32_t even_radius;  // the one under all of it, or 0
+        std::uint32_t node;
     };
 
     std::vector<Rectangle> places;
-    std::vector<std::uint32_t> even_radii;  // of each: the one under all of it, or 0
-    std::vector<Node> nodes;                // those of places are those without parts
-    std::vector<std::uint32_t> node_of;     // of each place
+    std::vector<Block> blocks;  // and one past the last, where the places end
+    std::vector<Node> nodes;    // those without parts are those of blocks
+
+    std::uint32_t block_count() const { return static_cast<std::uint32_t>(blocks.size()) - 1; }
 
     // Nodes that do not overlap and hold all places, to share out the work by; and the first place
     // in each, then the number of places.

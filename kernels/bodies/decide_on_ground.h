@@ -1,5 +1,5 @@
 // Whether an earlier sample of its round conflicts with a candidate on a ground: all that could are
-// visitors of its first place (bodies/reach.h).
+// visitors of its block (bodies/reach.h).
 #include "portable/distance.h"
 
 // As in decide.h.

@@ -1,5 +1,5 @@
 // The body of locate on a ground: draws are place, rank, offset, order; a candidate's line is the
-// first place that it lies in. Comes after ground.h.
+// block that it lies in. Comes after ground.h.
 
 BODY void serve_locate_on_ground(MEMORY const DrawArguments a, const u32 item) {
     const u32 begin = a.first + item * a.chunk;

@@ -1,6 +1,6 @@
-// The body of reach: lists each candidate for all first places that it reaches, itself or as a
-// sample, so that all that could conflict with one in a first place is in the list of that place
-// (plan/first_places.h). Down the tree of first places, as the cpu's near_lists.cpp goes.
+// The body of reach: lists each candidate for all blocks that it reaches, itself or as a sample, so
+// that all that could conflict with one in a block is in the list of that block
+// (plan/first_places.h). Down the tree of blocks, as the cpu's near_lists.cpp goes.
 #include "portable/distance.h"
 
 // Whether a candidate is closer to a place than both its own radius and the greatest under it.
@@ -21,8 +21,8 @@ BODY bool is_within(const u32 at, const u32 radius, const u32x2 part, const u32x
     return (at - part.x >= radius || ends_at_begin) && (part.y - at > radius || ends_at_end);
 }
 
-// The smallest node that holds all first places that a candidate reaches: the first one, the root,
-// for one that lies in no first place.
+// The smallest node that holds all blocks that a candidate reaches: the first one, the root,
+// for one that lies in no block.
 BODY u32 node_around(MEMORY const DrawArguments a, const u32x4 candidate, const u32 radius) {
     if (candidate.z == NO_SAMPLE) return 0u;
     const u32x4 all = AT(node_places, 0u);

@@ -1,5 +1,5 @@
-// What samples leave of a place on a ground, for cut_on_ground and keep_on_ground (docs/design.md,
-// section 4, "exact with a field").
+// What samples leave of a place on a ground, for cut_on_ground, cut_several and
+// keep_several (docs/design.md, section 4, "exact with a field").
 #include "portable/bits.h"
 #include "portable/chord.h"
 #include "portable/distance.h"
@@ -8,7 +8,7 @@
 struct Strip {
     u32x4 at;
     u32 radius;  // the least under it
-    u32 list;    // of its first place
+    u32 list;    // of its block
 };
 LACUNA_TYPEDEF(Strip)
 
@@ -68,22 +68,28 @@ BODY Rest without_sample(const StripArguments a, const Strip strip, const Rest w
 }
 
 // By the samples of the list from number first_recent on: the latest stand first in it, and have
-// the greatest numbers. Most are too far away along one axis, which takes no square to tell. Of the
-// others roots are taken, 32 entries at a time and in a loop of their own, so that items in
-// lockstep take them together.
+// the greatest numbers. Most are too far away, and one in three strips is covered by one sample:
+// both show in squared distances. Of the others roots are taken, 32 entries at a time and in a loop
+// of their own, so that items in lockstep take them together.
 BODY Rest rest_of(MEMORY const StripArguments a, const Strip strip) {
     Rest rest = {strip.at.z, strip.at.w, false};
     u32 number = strip.list;
     while (is_in_list(a, number) && rest.low < rest.high) {
         u32 at = number;
         u32 touching = 0u;
+        bool is_covered = false;
         for (u32 bit = 1u; bit != 0u && is_in_list(a, number); bit = bit << 1u) {
             const u32x4 entry = AT(entries, number);
             number = entry.w;
-            const u32 dy = distance_to_stretch(entry.y, strip.at.z, strip.at.w, a.g.period_y);
-            const u32 farther = max(cut_distance(a.g, strip, entry), dy);
-            touching = touching | (farther < min(entry.z, strip.radius) ? bit : 0u);
+            const u64 limit = limit_of(strip, entry);
+            const u32 dx = cut_distance(a.g, strip, entry);
+            const u32 nearest = distance_to_stretch(entry.y, strip.at.z, strip.at.w, a.g.period_y);
+            const u32 farthest =
+                farthest_distance(to_i64(entry.y), to_i64(strip.at.z), to_i64(strip.at.w));
+            touching = touching | (squared_length(dx, nearest) < limit ? bit : 0u);
+            is_covered = is_covered || squared_length(dx, farthest) < limit;
         }
+        if (is_covered) rest.high = rest.low;
         u32 passed = 0u;
         for (; touching != 0u && rest.low < rest.high; touching = touching & (touching - 1u)) {
             for (const u32 next = lowest_bit(touching); passed < next; ++passed)

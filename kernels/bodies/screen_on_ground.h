@@ -1,5 +1,5 @@
 // The body of screen on a ground: settles the candidates that no sample may be, and those that
-// samples in the list of their first place cover: those of earlier rounds or, for the later parts
+// samples in the list of their block cover: those of earlier rounds or, for the later parts
 // of a round, those of earlier parts.
 #include "portable/distance.h"
 

@@ -43,7 +43,7 @@ struct DrawArguments {
     u32 most_reach;  // samples that reach farther are left for the next launch
     u32 is_listed;   // 1 where the candidates to serve are those of `todo`
     u32 first;       // of the draws to serve, which end at `count`
-    u32 room;        // of reach: for visitors of first places
+    u32 room;        // of reach: for visitors of blocks
 };
 LACUNA_TYPEDEF(DrawArguments)
 
@@ -169,11 +169,11 @@ LACUNA_END
     B(14, SHARED, u32, left_count) B(15, SHARED, u32, failure)
 
 // Mode exact on a ground. A place is x, width, begin, end; an entry of a list x, y, radius and the
-// number of the next one. For each first place lists[] has its first entry, and the radius under
-// all of it or 0; for each place origins[] has its first place, and the least radius under it or 0
-// where that is not known or no sample may go. node_links are the greatest radius, and the next
-// node, first place and whole of plan/first_places.h. A visitor of a first place is a candidate
-// that reaches it, and the number of the next visitor.
+// number of the next one. For each block lists[] has its first entry, and the radius under all of it
+// or 0; for each place origins[] has its block, and the least radius under it or 0 where that is not
+// known or no sample may go. node_links are the greatest radius, and the next node, first block and
+// whole of plan/first_places.h. A visitor of a block is a candidate that reaches it, and the number
+// of the next visitor. several[] are the strips of which several pieces may be left.
 #define LOCATE_ON_GROUND_BINDINGS(B) B(0, READ, u32, axes)                                   \
     B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits) B(3, READ, u32x4, places)    \
     B(4, READ, u32x2, origins) B(5, READ, u32x4, draws) B(6, WRITE, u32x4, candidates)        \
@@ -203,11 +203,23 @@ LACUNA_END
     B(9, SHARED, u32, failure)
 #define CUT_ON_GROUND_BINDINGS(B)                                                            \
     B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
-    B(3, READ, u32x2, lists) B(4, READ, u32x4, entries) B(5, BOTH, u32, counts)              \
-    B(6, BOTH, u32x2, pieces) B(7, SHARED, u32, failure)
+    B(3, READ, u32x2, lists) B(4, READ, u32x4, entries) B(5, WRITE, u32, counts)             \
+    B(6, WRITE, u32x2, pieces) B(7, WRITE, u32, several) B(8, SHARED, u32, several_count)    \
+    B(9, SHARED, u32, failure)
+#define CUT_SEVERAL_BINDINGS(B)                                                              \
+    B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
+    B(3, READ, u32x2, lists) B(4, READ, u32x4, entries) B(5, WRITE, u32, counts)             \
+    B(6, READ, u32, several) B(7, READ, u32, several_count) B(8, SHARED, u32, failure)
 #define KEEP_ON_GROUND_BINDINGS(B)                                                           \
-    CUT_ON_GROUND_BINDINGS(B) B(8, READ, u32, sums) B(9, WRITE, u32x4, new_places)           \
-    B(10, WRITE, u32x2, new_origins)
+    B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
+    B(3, READ, u32x2, lists) B(4, READ, u32x2, pieces) B(5, READ, u32, counts)               \
+    B(6, READ, u32, sums) B(7, WRITE, u32x4, new_places) B(8, WRITE, u32x2, new_origins)     \
+    B(9, SHARED, u32, failure)
+#define KEEP_SEVERAL_BINDINGS(B)                                                             \
+    B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
+    B(3, READ, u32x2, lists) B(4, READ, u32x4, entries) B(5, READ, u32, counts)              \
+    B(6, READ, u32, sums) B(7, WRITE, u32x4, new_places) B(8, WRITE, u32x2, new_origins)     \
+    B(9, READ, u32, several) B(10, READ, u32, several_count) B(11, SHARED, u32, failure)
 #define MEASURE_BINDINGS(B)                                                                  \
     B(0, READ, u32, axes) B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits)        \
     B(3, READ, u32, total) B(4, READ, u32x4, new_places) B(5, BOTH, u32x2, new_origins)      \
@@ -226,7 +238,7 @@ LACUNA_END
     B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, left_count) B(u32, axes)             \
     B(u32x2, radius_bounds) B(u32, mask_bits) B(u32x4, places) B(u32x2, origins)                   \
     B(u32x4, new_places) B(u32x2, new_origins) B(u32x2, pieces) B(u32x4, strips)                  \
-    B(u32x2, strip_origins)                                                                       \
+    B(u32x2, strip_origins) B(u32, several) B(u32, several_count)                                 \
     B(u32x4, node_places) B(u32x4, node_links) B(u32, node_of) B(u32, visitor_count)              \
     B(u32, visitor_heads) B(u32x2, visitors) B(u32x2, lists) B(u32x4, entries)                    \
     B(u32, entry_count)                                                                           \
@@ -262,7 +274,9 @@ LACUNA_END
     K(split, StripArguments, SPLIT_BINDINGS)                          \
     K(measure, StripArguments, MEASURE_BINDINGS)                      \
     K(cut_on_ground, StripArguments, CUT_ON_GROUND_BINDINGS)          \
+    K(cut_several, StripArguments, CUT_SEVERAL_BINDINGS)              \
     K(keep_on_ground, StripArguments, KEEP_ON_GROUND_BINDINGS)        \
+    K(keep_several, StripArguments, KEEP_SEVERAL_BINDINGS)            \
     LACUNA_RELAX_KERNELS(K)
 // clang-format on
 

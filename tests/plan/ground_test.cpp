@@ -109,4 +109,37 @@ TEST(FirstPlaces, HoldAllThatIsAllowedOnce) {
     }
 }
 
+TEST(FirstPlaces, LieInBlocksOfAFew) {
+    std::size_t places = 0;
+    std::size_t blocks = 0;
+    for (const tests::GroundRequest& made : tests::ground_requests()) {
+        SCOPED_TRACE(made.name);
+        const Plan plan = make_plan(made.request);
+        const FirstPlaces& first = *plan.first_places;
+        places += first.places.size();
+        blocks += first.block_count();
+        EXPECT_EQ(first.blocks.front().first, 0u);
+        EXPECT_EQ(first.blocks.back().first, first.places.size());
+        for (std::uint32_t i = 0; i < first.block_count(); ++i) {
+            const FirstPlaces::Block& block = first.blocks[i];
+            const FirstPlaces::Node& node = first.nodes[block.node];
+            const Rectangle& all = node.place;
+            EXPECT_EQ(node.first, i);
+            EXPECT_EQ(node.next, block.node + 1);
+            ASSERT_LT(block.first, first.blocks[i + 1].first);
+            const Under under = plan.ground->under(all);
+            EXPECT_EQ(block.even_radius, under.is_even ? under.least : 0u);
+            EXPECT_EQ(node.greatest, under.greatest);
+            for (std::uint32_t k = block.first; k < first.blocks[i + 1].first; ++k) {
+                const Rectangle& place = first.places[k];
+                EXPECT_TRUE(place.x >= all.x && place.x + place.width <= all.x + all.width &&
+                            place.begin >= all.begin && place.end <= all.end);
+            }
+            const std::uint64_t longer = std::max(all.width, all.end - all.begin);
+            EXPECT_TRUE(longer == 1 || longer <= 4 * std::uint64_t{under.least});
+        }
+    }
+    EXPECT_LT(2 * blocks, places);
+}
+
 }  // namespace

@@ -71,7 +71,7 @@ private:
     Span inner_;
 };
 
-// And the lists of first places. A slab is a region, and settles what reaches no other: no conflict
+// And the lists of blocks. A slab is a region, and settles what reaches no other: no conflict
 // is farther away than a candidate's own radius.
 class ListBoard {
 public:

@@ -10,6 +10,7 @@
 #include "portable/chord.h"
 #include "portable/distance.h"
 #include "portable/fate.h"
+#include "rounds/insertion_sort.h"
 
 namespace lacuna::cpu {
 namespace {
@@ -22,14 +23,14 @@ public:
     Remnants(const GroundState& state, std::uint32_t region, std::vector<GroundState::Place>& left)
         : state_(state), is_at_edge_(wraps(state.first.regions[region])), left_(left) {}
 
-    // Of parts of a first place, until the next call.
-    void begin(std::uint32_t first) {
-        first_ = first;
-        even_radius_ = state_.first.even_radii[first];
-        wraps_ = is_at_edge_ && wraps(state_.first.node_of[first]);
+    // Of parts of a block, until the next call.
+    void begin(std::uint32_t block) {
+        block_ = block;
+        even_radius_ = state_.first.blocks[block].even_radius;
+        wraps_ = is_at_edge_ && wraps(state_.first.blocks[block].node);
     }
     // Cut by these.
-    void cut_by(std::span<const Sized> near) { near_ = near; }
+    void cut_by(const SizedSpan& near) { near_ = near; }
 
     void append_halves(const Rectangle& place) {
         const std::uint32_t cut = even_radius_ != 0 ? middle_of(place) : state_.ground.cut_x(place);
@@ -57,47 +58,25 @@ private:
     // A chord covers the whole width of a place, and no more than any point of the place lets the
     // sample cover.
     void append(const Rectangle& place, std::uint32_t radius) {
-        chords_.clear();
-        if (wraps_ ? is_covered_around(place, radius) : is_covered(place, radius)) return;
-        leave_of({place.begin, place.end}, chords_, [&](std::uint32_t begin, std::uint32_t end) {
-            left_.push_back({{place.x, place.width, begin, end}, first_});
+        chords_.resize(std::max(chords_.size(), 3 * near_.count + kVectorPadding));
+        const std::size_t count =
+            wraps_ ? find_chords_around(place, radius)
+                   : vectors_.find_sized_chords(near_, place, radius, chords_.data());
+        if (count == Vectors::kAll) return;
+        const std::span<Span> chords = std::span(chords_).first(count);
+        insertion_sort(chords, [](Span a, Span b) { return a.begin < b.begin; });
+        leave_of({place.begin, place.end}, chords, [&](std::uint32_t begin, std::uint32_t end) {
+            left_.push_back({{place.x, place.width, begin, end}, block_});
         });
     }
 
-    // What a sample takes is found in squared distances first, without a branch, for most leave a
-    // place alone; then whether one covers all of it; and only what is left takes square roots.
-    // True where all is covered; else the chords are found.
-    bool is_covered(const Rectangle& place, std::uint32_t radius) {
-        const std::uint32_t half = place.width / 2;
-        const std::uint32_t middle = place.x + half;
-        if (cutting_.size() < near_.size()) cutting_.resize(near_.size());
-        Cutting* end = cutting_.data();
-        for (const Sized& sample : near_) {
-            const std::uint64_t least = std::min(radius, sample.radius);
-            const std::uint32_t dx = portable::axis_distance(sample.x, middle, 0) + half;
-            const std::uint32_t below = place.begin - std::min(place.begin, sample.y);
-            const std::uint32_t above = std::max(sample.y, place.end - 1) - (place.end - 1);
-            *end = {least * least, dx, sample.y};
-            end += portable::squared_length(dx, below + above) < least * least;
-        }
-        const std::span<const Cutting> cutting(cutting_.data(), end);
-        for (const auto& [squared, dx, y] : cutting)
-            if (portable::squared_length(
-                    dx, portable::farthest_distance(y, place.begin, place.end)) < squared)
-                return true;
-        for (const auto& [squared, dx, y] : cutting) {
-            const std::uint32_t reach = portable::chord_reach(dx, squared);
-            add_chord({portable::window_begin(0, y, reach, state_.plan.height),
-                       portable::window_end(0, y, reach, state_.plan.height)});
-        }
-        return false;
-    }
-
-    // The same where samples may be nearer around the edges of a torus.
-    bool is_covered_around(const Rectangle& place, std::uint32_t radius) {
+    // Where samples may be nearer around the edges of a torus.
+    std::size_t find_chords_around(const Rectangle& place, std::uint32_t radius) {
         const Plan& plan = state_.plan;
         const std::uint32_t half = place.width / 2;
-        for (const Sized& sample : near_) {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < near_.count; ++i) {
+            const Sized sample = near_[i];
             const std::uint64_t least = std::min(radius, sample.radius);
             const std::uint32_t dx =
                 portable::axis_distance(sample.x, place.x + half, plan.period_x) + half;
@@ -106,16 +85,11 @@ private:
                 const Span chord{portable::window_begin(window, sample.y, reach, plan.height),
                                  portable::window_end(window, sample.y, reach, plan.height)};
                 if (chord.begin >= chord.end) continue;
-                if (chord.begin <= place.begin && chord.end >= place.end) return true;
-                add_chord(chord);
+                if (chord.begin <= place.begin && chord.end >= place.end) return Vectors::kAll;
+                chords_[count++] = chord;
             }
         }
-        return false;
-    }
-
-    void add_chord(Span chord) {
-        chords_.push_back(chord);
-        sort_in_last(chords_.data(), chords_.size());
+        return count;
     }
 
     static std::uint32_t middle_of(const Rectangle& place) {
@@ -135,21 +109,15 @@ private:
         if (const std::uint32_t radius = least_under(place); radius != 0) append(place, radius);
     }
 
-    struct Cutting {
-        std::uint64_t squared;  // radius
-        std::uint32_t dx;       // of the far edge
-        std::uint32_t y;
-    };
-
     const GroundState& state_;
+    const Vectors& vectors_ = *all_vectors().front();
     bool is_at_edge_;  // of a torus, the region is
     std::vector<GroundState::Place>& left_;
-    std::uint32_t first_ = 0;
-    std::span<const Sized> near_;
+    std::uint32_t block_ = 0;
+    SizedSpan near_{};
     std::uint32_t even_radius_ = 0;  // 0: it is not even
     bool wraps_ = false;
-    std::vector<Cutting> cutting_;
-    std::vector<Span> chords_;
+    std::vector<Span> chords_;  // room for them
 };
 
 }  // namespace
@@ -191,14 +159,17 @@ void GroundState::restore(const Snapshot&) {
 }
 
 void set_free(GroundState& state, std::uint32_t region) {
-    for (std::uint32_t i = state.first.begins[region]; i < state.first.begins[region + 1]; ++i)
-        state.places[region].push_back({state.first.places[i], i});
+    std::uint32_t block = state.first.nodes[state.first.regions[region]].first;
+    for (std::uint32_t i = state.first.begins[region]; i < state.first.begins[region + 1]; ++i) {
+        if (i == state.first.blocks[block + 1].first) ++block;
+        state.places[region].push_back({state.first.places[i], block});
+    }
 }
 
 void locate(GroundState& state, std::span<const Draw> draws, std::uint32_t region) {
     for (std::uint32_t i = state.column_begins[region]; i < state.column_begins[region + 1]; ++i) {
-        const auto& [at, first] = state.places[region][draws[i].place - state.place_begins[region]];
-        state.candidates[i] = {at.x + draws[i].offset, at.begin + draws[i].rank, first,
+        const auto& [at, block] = state.places[region][draws[i].place - state.place_begins[region]];
+        state.candidates[i] = {at.x + draws[i].offset, at.begin + draws[i].rank, block,
                                draws[i].order};
         state.fates[i] = FATE_UNDECIDED;
     }
@@ -210,29 +181,29 @@ void refine(GroundState& state, std::uint32_t region, bool halve) {
     thread_local std::vector<GroundState::Place> of_thread;
     std::vector<GroundState::Place>& left = of_thread;  // looked up once, see subtract.cpp
     left.clear();
-    std::vector<Sized> scratch;
+    SizedList scratch;
     Remnants remnants(state, region, left);
     const std::span<const GroundState::Place> places = state.places[region];
     // Places that are not cut up are cut by what has not cut them yet.
     const auto which = halve ? NearLists::Which::all : NearLists::Which::latest;
     for (std::size_t i = 0, end; i < places.size(); i = end) {
-        const std::uint32_t first = places[i].first;
-        for (end = i + 1; end < places.size() && places[end].first == first;) ++end;
-        const std::span<const GroundState::Place> of_first = places.subspan(i, end - i);
-        const std::uint32_t later = places[std::min(i + kPlacesAhead, places.size() - 1)].first;
+        const std::uint32_t block = places[i].block;
+        for (end = i + 1; end < places.size() && places[end].block == block;) ++end;
+        const std::span<const GroundState::Place> of_block = places.subspan(i, end - i);
+        const std::uint32_t later = places[std::min(i + kPlacesAhead, places.size() - 1)].block;
         if (halve || state.near.has_latest(later)) state.near.fetch_list(later);
-        if (!halve && !state.near.has_latest(first)) {
-            left.insert(left.end(), of_first.begin(), of_first.end());
+        if (!halve && !state.near.has_latest(block)) {
+            left.insert(left.end(), of_block.begin(), of_block.end());
             continue;
         }
         const std::size_t before = left.size();
-        remnants.begin(first);
-        for (const auto& [at, same] : of_first) {
-            remnants.cut_by(state.near.of_part(first, at, which, scratch));
+        remnants.begin(block);
+        for (const auto& [at, same] : of_block) {
+            remnants.cut_by(state.near.of_part(block, at, which, scratch));
             halve ? remnants.append_halves(at) : remnants.append(at);
         }
-        state.near.settle(first);
-        if (left.size() == before) state.near.close(first);
+        state.near.settle(block);
+        if (left.size() == before) state.near.close(block);
     }
     state.places[region].assign(left.begin(), left.end());
 }

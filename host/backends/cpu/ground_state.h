@@ -1,5 +1,5 @@
 // What the cpu backend keeps in mode exact on a ground: rectangles, region by region, and for each
-// of the first places the samples that reach it.
+// block of first places the samples that reach it.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,19 @@
 namespace lacuna::cpu {
 
 // A region (plan/first_places.h) stands where other modes have a column. A candidate's line is the
-// first place that it lies in.
+// block that it lies in.
 struct GroundState : State {
     explicit GroundState(const Plan& plan);
 
-    // What is left of a first place.
+    // With the block that it is a part of.
     struct Place {
         Rectangle at;
-        std::uint32_t first;
+        std::uint32_t block;
     };
 
     const Ground& ground;
     const FirstPlaces& first;
-    std::vector<std::vector<Place>> places;  // of each region, those of a first place together
+    std::vector<std::vector<Place>> places;  // of each region, those of a block together
     NearLists near;
 
     void end_locate() { is_screened = true; }

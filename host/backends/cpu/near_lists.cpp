@@ -1,4 +1,4 @@
-// Down the tree of first places.
+// Down the tree of blocks.
 #include "backends/cpu/near_lists.h"
 
 #include <algorithm>
@@ -35,12 +35,13 @@ bool is_reached(const Rectangle& place, std::uint32_t greatest, const Sized& sam
 NearLists::NearLists(const Plan& plan)
     : plan_(plan),
       first_(*plan.first_places),
-      few_(first_.places.size()),
-      long_(first_.places.size()),
-      states_(first_.places.size()) {
+      vectors_(*all_vectors().front()),
+      few_(first_.block_count() + std::size_t{1}),  // vectors read past the last
+      long_(first_.block_count()),
+      states_(first_.block_count()) {
     for (const KeptSample& kept : plan.kept) {
         const Sized sample{kept.at.x, kept.at.y, kept.radius};
-        for_each_reached(sample, 0, [&](std::uint32_t place) { push(sample, place); });
+        for_each_reached(sample, 0, [&](std::uint32_t block) { push(sample, block); });
     }
 }
 
@@ -63,8 +64,9 @@ bool NearLists::is_within(const Sized& sample, std::uint32_t node) const {
            is_along(sample.y, place.begin, place.end, all.begin, all.end);
 }
 
-std::uint32_t NearLists::region_of(std::uint32_t first_place) const {
-    const auto above = std::upper_bound(first_.begins.begin(), first_.begins.end(), first_place);
+std::uint32_t NearLists::region_of(std::uint32_t block) const {
+    const auto above =
+        std::upper_bound(first_.begins.begin(), first_.begins.end(), first_.blocks[block].first);
     return first_.regions[static_cast<std::size_t>(above - first_.begins.begin()) - 1];
 }
 
@@ -86,25 +88,25 @@ void NearLists::for_each_reached(const Sized& sample, std::uint32_t root, Visit 
 
 // Up the tree, and on the way down what lies beside it. All lists that it goes into are asked for
 // before the first is written to.
-void NearLists::insert(const Sized& sample, std::uint32_t first_place) {
+void NearLists::insert(const Sized& sample, std::uint32_t block) {
     std::array<std::uint32_t, 32> reached;
     std::size_t count = 0;
     const auto push_all = [&] {
         for (std::size_t i = 0; i < count; ++i) push(sample, reached[i]);
         count = 0;
     };
-    const auto note = [&](std::uint32_t place) {
-        if ((states_[place] & kClosed) != 0) return;
-        fetch_list(place);
-        reached[count++] = place;
+    const auto note = [&](std::uint32_t near) {
+        if ((states_[near] & kClosed) != 0) return;
+        fetch_list(near);
+        reached[count++] = near;
         if (count == reached.size()) push_all();
     };
     if (sticks_out(sample)) {
         for_each_reached(sample, 0, note);
         return push_all();
     }
-    note(first_place);
-    for (std::uint32_t node = first_.node_of[first_place]; node != 0 && !is_within(sample, node);) {
+    note(block);
+    for (std::uint32_t node = first_.blocks[block].node; node != 0 && !is_within(sample, node);) {
         const std::uint32_t part = node;
         node = first_.nodes[node].whole;
         for (std::uint32_t i = node + 1; i < first_.nodes[node].next; i = first_.nodes[i].next)
@@ -113,30 +115,32 @@ void NearLists::insert(const Sized& sample, std::uint32_t first_place) {
     push_all();
 }
 
-void NearLists::push(const Sized& sample, std::uint32_t first_place) {
-    states_[first_place] |= kLatest;
-    Few& few = few_[first_place];
-    if (few.count == kFew) return push_long(sample, first_place);
-    few.near[few.count++] = sample;
+void NearLists::push(const Sized& sample, std::uint32_t block) {
+    states_[block] |= kLatest;
+    Few& few = few_[block];
+    if (few.count == kFew) return push_long(sample, block);
+    few.x[few.count] = sample.x;
+    few.y[few.count] = sample.y;
+    few.radius[few.count++] = sample.radius;
 }
 
-void NearLists::push_long(const Sized& sample, std::uint32_t first_place) {
-    Few& few = few_[first_place];
-    std::unique_ptr<List>& list = long_[first_place];
+void NearLists::push_long(const Sized& sample, std::uint32_t block) {
+    Few& few = few_[block];
+    std::unique_ptr<List>& list = long_[block];
     if (!few.is_long) {
         list = std::make_unique<List>();
-        list->near.assign(few.near, few.near + few.count);
+        list->near.append(few.span());
         list->settled = few.settled;
         few.is_long = true;
     }
-    add(*list, first_.places[first_place], sample);
+    add(*list, place_of(block), sample);
 }
 
-void NearLists::settle(std::uint32_t first_place) {
-    states_[first_place] &= static_cast<std::uint8_t>(~kLatest);
-    Few& few = few_[first_place];
+void NearLists::settle(std::uint32_t block) {
+    states_[block] &= static_cast<std::uint8_t>(~kLatest);
+    Few& few = few_[block];
     few.settled = few.count;
-    if (few.is_long) settle(*long_[first_place]);
+    if (few.is_long) settle(*long_[block]);
 }
 
 void NearLists::settle(List& list) {
@@ -145,10 +149,10 @@ void NearLists::settle(List& list) {
         for (Half* const half : {&list.split->low, &list.split->high}) settle(half->list);
 }
 
-std::span<const Sized> NearLists::long_part(std::uint32_t first_place, Sample at) const {
-    const List* list = long_[first_place].get();
+SizedSpan NearLists::long_part(std::uint32_t block, Sample at) const {
+    const List* list = long_[block].get();
     while (list->split) list = &list->split->part_at(at);
-    return list->near;
+    return list->near.span();
 }
 
 bool NearLists::reaches(const Sized& sample, const Rectangle& place, std::uint32_t greatest) const {
@@ -183,8 +187,8 @@ void NearLists::split(List& list, const Rectangle& place) {
     for (Half* const half : {&parts->low, &parts->high}) {
         half->greatest = plan_.ground->under(half->place).greatest;
         for (std::size_t i = 0; i < list.near.size(); ++i)
-            if (reaches(list.near[i], half->place, half->greatest)) {
-                half->list.near.push_back(list.near[i]);
+            if (reaches(list.near.span()[i], half->place, half->greatest)) {
+                half->list.near.push_back(list.near.span()[i]);
                 if (i < list.settled) ++half->list.settled;
             }
         half->list.most = std::max(half->list.most, 2 * half->list.near.size());
@@ -196,12 +200,9 @@ void NearLists::split(List& list, const Rectangle& place) {
     list.split = std::move(parts);
 }
 
-void NearLists::gather(const List& list, const Rectangle& part, Which which,
-                       std::vector<Sized>& found) {
+void NearLists::gather(const List& list, const Rectangle& part, Which which, SizedList& found) {
     if (!list.split) {
-        const std::size_t begin = which == Which::latest ? list.settled : 0;
-        found.insert(found.end(), list.near.begin() + static_cast<std::ptrdiff_t>(begin),
-                     list.near.end());
+        found.append(list.near.span().from(which == Which::latest ? list.settled : 0));
         return;
     }
     const Rectangle& high = list.split->high.place;
@@ -211,26 +212,27 @@ void NearLists::gather(const List& list, const Rectangle& part, Which which,
         gather(list.split->high.list, part, which, found);
 }
 
-std::span<const Sized> NearLists::of_long_part(std::uint32_t first_place, const Rectangle& part,
-                                               Which which, std::vector<Sized>& scratch) const {
+SizedSpan NearLists::of_long_part(std::uint32_t block, const Rectangle& part, Which which,
+                                  SizedList& scratch) const {
     scratch.clear();
-    gather(*long_[first_place], part, which, scratch);
-    return scratch;
+    gather(*long_[block], part, which, scratch);
+    return scratch.span();
 }
 
-void NearLists::mark(const Sized& candidate, std::uint32_t first_place, bool is_marked) {
-    for_each_reached(candidate, region_of(first_place), [&](std::uint32_t place) {
-        const unsigned others = states_[place] & ~unsigned{kMarked};
-        states_[place] = static_cast<std::uint8_t>(others | (is_marked ? kMarked : 0));
+void NearLists::mark(const Sized& candidate, std::uint32_t block, bool is_marked) {
+    for_each_reached(candidate, region_of(block), [&](std::uint32_t near) {
+        const unsigned others = states_[near] & ~unsigned{kMarked};
+        states_[near] = static_cast<std::uint8_t>(others | (is_marked ? kMarked : 0));
     });
 }
 
 std::vector<Sample> NearLists::samples() const {
     std::vector<Sample> all;
-    std::vector<Sized> found;
-    for (std::uint32_t place = 0; place < first_.places.size(); ++place)
-        for (const Sized& sized : of_part(place, first_.places[place], Which::all, found))
-            all.push_back({sized.x, sized.y});
+    SizedList found;
+    for (std::uint32_t block = 0; block < first_.block_count(); ++block) {
+        const SizedSpan near = of_part(block, place_of(block), Which::all, found);
+        for (std::size_t i = 0; i < near.count; ++i) all.push_back({near.x[i], near.y[i]});
+    }
     const auto rank = [](Sample sample) { return std::uint64_t{sample.x} << 32 | sample.y; };
     std::sort(all.begin(), all.end(), [&](Sample a, Sample b) { return rank(a) < rank(b); });
     all.erase(std::unique(all.begin(), all.end()), all.end());

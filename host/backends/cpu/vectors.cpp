@@ -1,6 +1,7 @@
-// Two inner loops in plain C++, and the choice of the fastest.
+// The inner loops in plain C++, and the choice of the fastest.
 #include "backends/cpu/vectors.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "backends/cpu/vectors_avx2.h"
@@ -29,7 +30,38 @@ void find_chords(std::span<const Seen> seen, std::uint64_t radius_squared, std::
     }
 }
 
-constexpr Vectors kPlain{"plain", is_any_closer, find_chords};
+bool is_any_sized_closer(const SizedSpan& samples, Sample place, std::uint32_t radius,
+                         Sample periods) {
+    bool is_closer = false;
+    for (std::size_t i = 0; i < samples.count; ++i) {
+        const std::uint64_t limit = std::min(samples.radius[i], radius);
+        is_closer |= portable::conflicts(samples.x[i], samples.y[i], place.x, place.y, periods.x,
+                                         periods.y, limit * limit);
+    }
+    return is_closer;
+}
+
+std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& place,
+                              std::uint32_t radius, Span* chords) {
+    const std::uint32_t half = place.width / 2;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < samples.count; ++i) {
+        const std::uint64_t limit = std::min(samples.radius[i], radius);
+        const std::uint32_t dx = portable::axis_distance(samples.x[i], place.x + half, 0) + half;
+        const std::uint32_t y = samples.y[i];
+        const auto is_within = [&](std::uint32_t dy) {
+            return portable::squared_length(dx, dy) < limit * limit;
+        };
+        if (is_within(portable::farthest_distance(y, place.begin, place.end))) return Vectors::kAll;
+        if (!is_within(portable::nearest_distance(y, place.begin, place.end))) continue;
+        const std::uint32_t reach = portable::chord_reach(dx, limit * limit);
+        chords[count++] = {y + 1 - std::min(y + 1, reach), y + reach};
+    }
+    return count;
+}
+
+constexpr Vectors kPlain{"plain", is_any_closer, find_chords, is_any_sized_closer,
+                         find_sized_chords};
 
 }  // namespace
 

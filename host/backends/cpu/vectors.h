@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <span>
 
+#include "backends/cpu/sized.h"
+#include "plan/pixels.h"
 #include "plan/plan.h"
 
 namespace lacuna::cpu {
@@ -30,13 +32,24 @@ struct Vectors {
     // The chord of each, cut to [0, height). All distances are below the radius.
     void (*find_chords)(std::span<const Seen> seen, std::uint64_t radius_squared,
                         std::uint32_t height, Span* chords);
+
+    // On a ground: whether a sample is closer to the place than both its own radius and this one.
+    // Axes wrap after their periods, if these are not 0.
+    bool (*is_any_sized_closer)(const SizedSpan& samples, Sample place, std::uint32_t radius,
+                                Sample periods);
+    // And what samples take from a place all along its width: their chords at its farther side,
+    // each as long as the smaller of its own radius and this one makes it, of those that touch the
+    // place. Returns how many; or kAll as soon as one covers all of it. Nothing wraps.
+    std::size_t (*find_sized_chords)(const SizedSpan& samples, const Rectangle& place,
+                                     std::uint32_t radius, Span* chords);
+    static constexpr std::size_t kAll = ~std::size_t{0};
 };
 
-// So many entries past the end of what find_chords reads and writes may be read and overwritten.
+// So many entries past the end of what is read may be read, and past what is written overwritten.
 inline constexpr std::size_t kVectorPadding = 8;
 
-// All that the processor has, the fastest first; the last are those in plain C++. But the others
-// are for radii below kLargestVectorRadius only.
+// All that the processor has, the fastest first; the last are those in plain C++. But except on
+// a ground the others are for radii below kLargestVectorRadius only.
 std::span<const Vectors* const> all_vectors();
 inline constexpr std::uint32_t kLargestVectorRadius = std::uint32_t{1} << 30;
 // The fastest that are for the radius.

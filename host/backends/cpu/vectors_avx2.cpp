@@ -7,6 +7,8 @@
 
 #if defined(__x86_64__)
 
+#include <array>
+
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3)
 #undef HWY_TARGET_INCLUDE
@@ -107,7 +109,147 @@ void find_chords(std::span<const Seen> seen, std::uint64_t radius_squared, std::
     }
 }
 
-constexpr Vectors kVectors{"AVX2", is_any_closer, find_chords};
+// Eight samples at a time, of which the lower and the upper words of pairs are squared apart.
+struct Squares {
+    SignedVector even;
+    SignedVector odd;
+};
+HWY_INLINE Squares squares_of(WordVector words) {
+    const WordVector upper = words_of(hn::ShiftRight<32>(hn::BitCast(kPairs, words)));
+    return {signed_of(low_squares(words)), signed_of(low_squares(upper))};
+}
+HWY_INLINE Squares sum_of(const Squares& a, const Squares& b) {
+    return {hn::Add(a.even, b.even), hn::Add(a.odd, b.odd)};
+}
+// Where a is less than b.
+HWY_INLINE hn::Mask<Words> less(const Squares& a, const Squares& b) {
+    const auto bits_of = [](auto mask) {
+        return hn::BitCast(kWords, hn::VecFromMask(kSigned, mask));
+    };
+    return hn::MaskFromVec(
+        hn::OddEven(bits_of(hn::Lt(a.odd, b.odd)), bits_of(hn::Lt(a.even, b.even))));
+}
+// The squares of the smaller of both radii, from entry i on.
+HWY_INLINE Squares limits_of(const SizedSpan& samples, std::size_t i, WordVector radius) {
+    return squares_of(hn::Min(hn::LoadU(kWords, samples.radius + i), radius));
+}
+HWY_INLINE WordVector distance(WordVector a, WordVector b) {
+    return hn::Sub(hn::Max(a, b), hn::Min(a, b));
+}
+
+// No place of a ground is so far away that it would be nearer the other way around.
+constexpr std::uint32_t kNoPeriod = std::uint32_t{1} << 31;
+
+bool is_any_sized_closer(const SizedSpan& samples, Sample place, std::uint32_t radius,
+                         Sample periods) {
+    const auto all = [](std::uint32_t word) { return hn::Set(kWords, word); };
+    const auto squared_distance = [&](const std::uint32_t* entries, std::uint32_t at,
+                                      std::uint32_t period) {
+        const WordVector straight = distance(hn::LoadU(kWords, entries), all(at));
+        return squares_of(
+            hn::Min(straight, hn::Sub(all(period != 0 ? period : kNoPeriod), straight)));
+    };
+    auto closer = hn::FirstN(kWords, 0);
+    for (std::size_t i = 0; i < samples.count; i += hn::Lanes(kWords)) {
+        const auto is_closer = less(sum_of(squared_distance(samples.x + i, place.x, periods.x),
+                                           squared_distance(samples.y + i, place.y, periods.y)),
+                                    limits_of(samples, i, all(radius)));
+        closer = hn::Or(closer, hn::And(hn::FirstN(kWords, samples.count - i), is_closer));
+    }
+    return !hn::AllFalse(kWords, closer);
+}
+
+// For each set of eight lanes, byte by byte: where the lanes of the set are.
+constexpr std::array<std::uint64_t, 256> lanes_of_sets() {
+    std::array<std::uint64_t, 256> lanes{};
+    for (std::uint64_t set = 0; set < 256; ++set)
+        for (unsigned lane = 0, count = 0; lane < 8; ++lane)
+            if ((set >> lane & 1) != 0) lanes[set] |= std::uint64_t{lane} << 8 * count++;
+    return lanes;
+}
+// Highway's own words for this copy their table with every use.
+constexpr std::array<std::uint64_t, 256> kLanesOfSets = lanes_of_sets();
+
+// Samples that touch a place, as find_chords sees them, with their limits.
+struct Touching {
+    static constexpr std::size_t kMost = 32;
+
+    std::size_t count = 0;
+    std::uint32_t distance[kMost + kVectorPadding];
+    std::uint32_t y[kMost + kVectorPadding];
+    std::uint32_t limit[kMost + kVectorPadding];
+
+    HWY_INLINE void append(hn::Mask<Words> mask, WordVector of_distance, WordVector of_y,
+                           WordVector of_limit) {
+        const hn::Rebind<std::uint8_t, Words> bytes;
+        std::uint8_t set = 0;
+        hn::StoreMaskBits(kWords, mask, &set);
+        const auto* const lanes = reinterpret_cast<const std::uint8_t*>(&kLanesOfSets[set]);
+        const auto order =
+            hn::IndicesFromVec(kWords, hn::PromoteTo(kWords, hn::LoadU(bytes, lanes)));
+        hn::StoreU(hn::TableLookupLanes(of_distance, order), kWords, distance + count);
+        hn::StoreU(hn::TableLookupLanes(of_y, order), kWords, y + count);
+        hn::StoreU(hn::TableLookupLanes(of_limit, order), kWords, limit + count);
+        count += static_cast<std::size_t>(__builtin_popcount(set));
+    }
+};
+
+// Of their chords.
+HWY_INLINE void write_chords(const Touching& touching, Span* chords) {
+    const hn::Rebind<std::uint32_t, Pairs> halves;
+    const auto load_as_pairs = [&](const std::uint32_t* words) {
+        return hn::PromoteTo(kPairs, hn::LoadU(halves, words));
+    };
+    const SignedVector one = hn::Set(kSigned, 1);
+    for (std::size_t i = 0; i < touching.count; i += hn::Lanes(kPairs)) {
+        const SignedVector limit = squares_of(signed_of(load_as_pairs(touching.limit + i)));
+        const SignedVector across = squares_of(signed_of(load_as_pairs(touching.distance + i)));
+        const SignedVector n = hn::Max(hn::Sub(hn::Sub(limit, across), one), hn::Zero(kSigned));
+        const WordVector reach = words_of(hn::Add(roots(n), hn::Set(kPairs, 1)));
+        const WordVector y = words_of(load_as_pairs(touching.y + i));
+        const WordVector above = words_of(hn::Add(hn::BitCast(kPairs, y), hn::Set(kPairs, 1)));
+        const PairVector begin = hn::BitCast(kPairs, hn::Sub(above, hn::Min(above, reach)));
+        const PairVector end = hn::BitCast(kPairs, hn::Add(y, reach));
+        hn::StoreU(hn::Or(begin, hn::ShiftLeft<32>(end)), kPairs,
+                   reinterpret_cast<std::uint64_t*>(chords + i));
+    }
+}
+
+std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& place,
+                              std::uint32_t radius, Span* chords) {
+    const auto all = [](std::uint32_t word) { return hn::Set(kWords, word); };
+    const std::uint32_t half = place.width / 2;
+    const WordVector begin = all(place.begin);
+    const WordVector last = all(place.end - 1);
+    std::size_t count = 0;
+    Touching touching;
+    for (std::size_t i = 0; i < samples.count; i += hn::Lanes(kWords)) {
+        const WordVector dx =
+            hn::Add(distance(hn::LoadU(kWords, samples.x + i), all(place.x + half)), all(half));
+        const WordVector y = hn::LoadU(kWords, samples.y + i);
+        const WordVector outside = hn::Sub(hn::Max(hn::Max(y, begin), last), hn::Min(y, begin));
+        const WordVector nearest = hn::Sub(outside, hn::Sub(last, begin));
+        const WordVector farthest = hn::Max(distance(y, begin), distance(y, last));
+        const WordVector limit = hn::Min(hn::LoadU(kWords, samples.radius + i), all(radius));
+        const Squares limits = squares_of(limit);
+        const Squares across = squares_of(dx);
+        const auto is_there = hn::FirstN(kWords, samples.count - i);
+        const auto covers = less(sum_of(across, squares_of(farthest)), limits);
+        if (!hn::AllFalse(kWords, hn::And(is_there, covers))) return Vectors::kAll;
+        const auto touches = less(sum_of(across, squares_of(nearest)), limits);
+        touching.append(hn::And(is_there, touches), dx, y, limit);
+        if (touching.count + hn::Lanes(kWords) > Touching::kMost ||
+            i + hn::Lanes(kWords) >= samples.count) {
+            write_chords(touching, chords + count);
+            count += touching.count;
+            touching.count = 0;
+        }
+    }
+    return count;
+}
+
+constexpr Vectors kVectors{"AVX2", is_any_closer, find_chords, is_any_sized_closer,
+                           find_sized_chords};
 
 #endif
 }  // namespace HWY_NAMESPACE

@@ -1,5 +1,5 @@
 // The places of mode exact on a ground: rectangles, which lists of the samples that reach their
-// first places cut (docs/design.md, section 4, "exact with a field").
+// blocks cut (docs/design.md, section 4, "exact with a field").
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -27,6 +27,10 @@ constexpr std::uint64_t kGroundKeepWork = 2;
 constexpr std::uint64_t kGroundSplitWork = 8;
 constexpr std::uint64_t kGroundMeasureWork = 2;
 
+// Items that share out the strips of which several pieces may be left, and about how many each has.
+constexpr std::uint32_t kMostItemsOfSeveral = 4096;
+constexpr std::uint64_t kSeveralPerItem = 4;
+
 // Pieces beyond the number of the places cut; there are seldom as many.
 constexpr std::uint32_t kSparePlaces = 1024;
 
@@ -39,8 +43,11 @@ public:
         make_tables();
         take_places(first_.places);
         std::vector<std::uint32_t> origins;
-        for (std::uint32_t i = 0; i < count_; ++i)
-            origins.insert(origins.end(), {i, round_.plan.ground->under(first_.places[i]).least});
+        for (std::uint32_t i = 0, block = 0; i < count_; ++i) {
+            if (i == first_.blocks[block + 1].first) ++block;
+            origins.insert(origins.end(),
+                           {block, round_.plan.ground->under(first_.places[i]).least});
+        }
         Memory& m = round_.memory;
         round_.put_in_room<Rectangle>(m.places, first_.places);
         round_.put_in_room<std::uint32_t>(m.origins, origins);
@@ -103,8 +110,12 @@ public:
             launch_over<kernels::split>(m, count_, kGroundSplitWork);
         }
         round_.make_room(m.pieces, 2 * std::uint64_t{strips()});
+        round_.make_room(m.several, strips());
+        round_.make_room(m.several_count, 1);
+        round_.queue.fill(m.several_count, 0, 1);
         make_room_to_scan(round_, strips());
         launch_over<kernels::cut_on_ground>(memory_of_strips(), strips(), kGroundCutWork);
+        launch_over_several<kernels::cut_several>();
         scan(round_, strips());
         keep();
     }
@@ -167,10 +178,10 @@ private:
     // Of the domain, within the radius of a place: on average, and at most.
     void find_shares() {
         double all = 0, sum = 0;
-        for (std::size_t i = 0; i < first_.places.size(); ++i) {
-            const Rectangle& place = first_.places[i];
+        for (std::uint32_t i = 0; i < first_.block_count(); ++i) {
+            const auto& [place, greatest, next, first, whole] = first_.nodes[first_.blocks[i].node];
             const double area = static_cast<double>(place.width) * (place.end - place.begin);
-            const double side = 2.0 * first_.nodes[first_.node_of[i]].greatest;
+            const double side = 2.0 * greatest;
             const double share =
                 std::min(side / round_.plan.width, 1.0) * std::min(side / round_.plan.height, 1.0);
             all += area;
@@ -193,20 +204,32 @@ private:
     // not halved by those of the round.
     template <typename Kernel>
     void launch_over(const Memory& memory, std::uint32_t count, std::uint64_t work) {
-        const portable::StripArguments arguments{0,
-                                                 round_.queue.chunk_of(count),
-                                                 round_.geometry,
-                                                 count,
-                                                 0,
-                                                 0,
-                                                 kPasses - 1,
-                                                 block_of_scan(strips()),
-                                                 new_room_,
-                                                 is_halving_ ? 0 : lists_.first_recent(),
-                                                 0,
-                                                 0};
+        const portable::StripArguments arguments = this->arguments(count);
         launch<Kernel>(round_.queue, memory, arguments, items_of(count, arguments.chunk),
                        work * arguments.chunk);
+    }
+    // Serves the strips of which several pieces may be left: seldom one in a hundred.
+    template <typename Kernel>
+    void launch_over_several() {
+        portable::StripArguments arguments = this->arguments(strips());
+        arguments.chunk = std::clamp(strips() / 256, 1u, kMostItemsOfSeveral);
+        launch<Kernel>(round_.queue, memory_of_strips(), arguments, arguments.chunk,
+                       kGroundCutWork * kSeveralPerItem);
+    }
+
+    portable::StripArguments arguments(std::uint32_t count) const {
+        return {0,
+                round_.queue.chunk_of(count),
+                round_.geometry,
+                count,
+                0,
+                0,
+                kPasses - 1,
+                block_of_scan(strips()),
+                new_room_,
+                is_halving_ ? 0 : lists_.first_recent(),
+                0,
+                0};
     }
 
     void keep() {
@@ -214,6 +237,7 @@ private:
         round_.make_room(m.new_places, 4 * std::uint64_t{new_room_});
         round_.make_room(m.new_origins, 2 * std::uint64_t{new_room_});
         launch_over<kernels::keep_on_ground>(memory_of_strips(), strips(), kGroundKeepWork);
+        launch_over_several<kernels::keep_several>();
         launch_over<kernels::measure>(m, new_room_, kGroundMeasureWork);
     }
 

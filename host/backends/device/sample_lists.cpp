@@ -17,7 +17,7 @@ constexpr std::uint64_t kEnlistWork = 1;
 
 // Entries for a sample to be expected; where more are needed, half as many again are made room for.
 constexpr std::uint64_t kEntriesPerSample = 8;
-// First places that a draw reaches, most of which are soon covered; where it is more, they are
+// Blocks that a draw reaches, most of which are soon covered; where it is more, they are
 // listed again.
 constexpr std::uint64_t kVisitsPerDraw = 8;
 
@@ -27,12 +27,13 @@ SampleLists::SampleLists(RoundMemory& round) : round_(round), first_(*round.plan
     make_tree();
     Memory& m = round_.memory;
     std::vector<std::uint32_t> lists;
-    for (const std::uint32_t even : first_.even_radii) lists.insert(lists.end(), {NO_SAMPLE, even});
+    for (std::uint32_t i = 0; i < blocks(); ++i)
+        lists.insert(lists.end(), {NO_SAMPLE, first_.blocks[i].even_radius});
     m.lists = round_.copy_of(lists);
     round_.make_room(m.entries, 4 * kEntriesPerSample * round_.plan.expected_samples);
     round_.make_room(m.entry_count, 1);
     round_.queue.fill(m.entry_count, 0, 1);
-    round_.make_room(m.visitor_heads, places());
+    round_.make_room(m.visitor_heads, blocks());
     round_.make_room(m.visitor_count, 1);
     round_.queue.wait();
 }
@@ -48,7 +49,9 @@ void SampleLists::make_tree() {
     round_.make_room(m.node_places, 4 * places.size());
     round_.put<Rectangle>(m.node_places, places);
     m.node_links = round_.copy_of(links);
-    m.node_of = round_.copy_of(first_.node_of);
+    std::vector<std::uint32_t> node_of;
+    for (std::uint32_t i = 0; i < blocks(); ++i) node_of.push_back(first_.blocks[i].node);
+    m.node_of = round_.copy_of(node_of);
     round_.queue.wait();
 }
 
@@ -85,7 +88,7 @@ void SampleLists::list_visitors() {
     do {
         room = std::max<std::uint64_t>(room, visitors.front());
         round_.make_room(m.visitors, 2 * room);
-        round_.queue.fill(m.visitor_heads, NO_SAMPLE, places());
+        round_.queue.fill(m.visitor_heads, NO_SAMPLE, blocks());
         round_.queue.fill(m.visitor_count, 0, 1);
         portable::DrawArguments arguments = round_.arguments();
         arguments.room = static_cast<std::uint32_t>(room);
@@ -112,7 +115,7 @@ void SampleLists::make_room_for_entries(std::uint64_t count) {
 void SampleLists::enlist() {
     if (!has_visitors_) return;
     portable::DrawArguments arguments = round_.arguments();
-    arguments.count = places();
+    arguments.count = blocks();
     arguments.chunk = round_.queue.chunk_of(arguments.count);
     launch<kernels::enlist>(round_.queue, round_.memory, arguments,
                             items_of(arguments.count, arguments.chunk),

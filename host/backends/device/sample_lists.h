@@ -1,4 +1,4 @@
-// The samples on a ground, listed on a device for each of the first places that they reach
+// The samples on a ground, listed on a device for each block of first places that they reach
 // (plan/first_places.h): kernels/bodies/reach.h finds those, enlist.h lists the samples.
 #pragma once
 
@@ -19,8 +19,8 @@ public:
 
     void begin_part() { has_visitors_ = false; }
     bool has_visitors() const { return has_visitors_; }
-    // Lists the part's candidates for the first places that they reach, and makes room for them in
-    // the lists of samples. Waits in between.
+    // Lists the part's candidates for the blocks that they reach, and makes room for them in the
+    // lists of samples. Waits in between.
     void list_visitors();
     // Queues this: those of them that were admitted are listed for good. A part without candidates
     // left has no visitors.
@@ -32,7 +32,7 @@ public:
     void end_round() { first_recent_ = entry_count_.front(); }
 
 private:
-    std::uint32_t places() const { return static_cast<std::uint32_t>(first_.places.size()); }
+    std::uint32_t blocks() const { return first_.block_count(); }
     void make_tree();
     void make_room_for_entries(std::uint64_t count);
 

@@ -95,6 +95,98 @@ TEST_P(OfVectors, ChordsAreThoseOfTheirDistances) {
     }
 }
 
+// Samples of all radii around a place, some of which are at about the distance that counts, and
+// nonsense past the end.
+SizedList samples_around(Sample place, std::uint32_t period, std::mt19937_64& random) {
+    const auto below = [&](std::uint64_t end) {
+        return static_cast<std::uint32_t>(random() % end);
+    };
+    SizedList samples;
+    for (std::uint32_t count = below(45); count > 0; --count) {
+        const std::uint32_t radius = 1 + below(std::uint64_t{1} << (4 + below(27)));
+        const std::uint32_t dx = below(std::uint64_t{radius} + 1);
+        const auto dy = static_cast<std::uint32_t>(
+            portable::isqrt(std::uint64_t{radius} * radius - std::uint64_t{dx} * dx));
+        const auto at = [&](std::uint32_t middle, std::uint32_t far) {
+            const std::uint64_t moved = below(2) == 0
+                                            ? std::uint64_t{middle} + far + below(3)
+                                            : std::uint64_t{middle} + period - far % period;
+            return static_cast<std::uint32_t>(moved % period);
+        };
+        samples.push_back({at(place.x, dx), at(place.y, dy), radius});
+    }
+    SizedList padded = samples;
+    for (std::size_t i = 0; i < kVectorPadding; ++i)
+        padded.push_back({place.x, place.y, ~std::uint32_t{0} - below(2)});
+    return padded;
+}
+
+TEST_P(OfVectors, ASampleIsCloserThanTheSmallerRadiusOrNot) {
+    int closer = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        const std::uint32_t length = below(2) == 0 ? 1u << 30 : 3 + below(1u << 30);
+        const std::uint32_t period = below(2) == 0 ? length : 0;
+        const Sample place{below(length), below(length)};
+        const SizedList padded = samples_around(place, length, random_);
+        const SizedSpan samples = padded.span().part(0, padded.size() - kVectorPadding);
+        const std::uint32_t radius = 1 + below(std::uint64_t{1} << (4 + below(27)));
+        bool expected = false;
+        for (std::size_t k = 0; k < samples.count; ++k) {
+            const std::uint64_t limit = std::min(samples.radius[k], radius);
+            expected |= portable::conflicts(samples.x[k], samples.y[k], place.x, place.y, period,
+                                            period, limit * limit);
+        }
+        ASSERT_EQ(GetParam()->is_any_sized_closer(samples, place, radius, {period, period}),
+                  expected);
+        closer += expected ? 1 : 0;
+    }
+    EXPECT_GT(closer, 10'000);
+    EXPECT_LT(closer, 90'000);
+}
+
+TEST_P(OfVectors, SamplesTakeTheirChordsFromAPlace) {
+    int covered = 0;
+    std::size_t found = 0;
+    constexpr std::uint32_t kLength = 1u << 30;
+    for (int i = 0; i < 100'000; ++i) {
+        const std::uint32_t most = std::uint32_t{2} << below(29);
+        Rectangle place{below(kLength - most), 1 + below(most), below(kLength - most), 0};
+        place.end = place.begin + 1 + below(most);
+        const Sample middle{place.x + place.width / 2, (place.begin + place.end) / 2};
+        const SizedList padded = samples_around(middle, kLength, random_);
+        const SizedSpan samples = padded.span().part(0, padded.size() - kVectorPadding);
+        const std::uint32_t radius = 1 + below(std::uint64_t{1} << (4 + below(27)));
+        std::vector<Span> expected;
+        bool is_covered = false;
+        for (std::size_t k = 0; k < samples.count; ++k) {
+            const std::uint64_t limit = std::min(samples.radius[k], radius);
+            const std::uint32_t half = place.width / 2;
+            const std::uint32_t reach = portable::chord_reach(
+                portable::axis_distance(samples.x[k], middle.x, 0) + half, limit * limit);
+            const Span chord{portable::window_begin(0, samples.y[k], reach, 2 * kLength),
+                             portable::window_end(0, samples.y[k], reach, 2 * kLength)};
+            is_covered |= reach != 0 && chord.begin <= place.begin && chord.end >= place.end;
+            if (reach != 0 && chord.begin < place.end && chord.end > place.begin)
+                expected.push_back(chord);
+        }
+        std::vector<Span> chords(samples.count + kVectorPadding);
+        const std::size_t count =
+            GetParam()->find_sized_chords(samples, place, radius, chords.data());
+        ASSERT_EQ(count == Vectors::kAll, is_covered);
+        covered += is_covered ? 1 : 0;
+        if (is_covered) continue;
+        ASSERT_EQ(count, expected.size());
+        for (std::size_t k = 0; k < count; ++k) {
+            ASSERT_EQ(chords[k].begin, expected[k].begin);
+            ASSERT_EQ(chords[k].end, expected[k].end);
+        }
+        found += count;
+    }
+    EXPECT_GT(covered, 1'000);
+    EXPECT_LT(covered, 90'000);
+    EXPECT_GT(found, 50'000u);
+}
+
 TEST(Vectors, InPlainWordsServeTheLargestRadii) {
     EXPECT_STREQ(vectors_for(kLargestVectorRadius).name, "plain");
     EXPECT_EQ(&vectors_for(1), all_vectors().front());

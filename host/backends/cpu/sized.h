@@ -1,0 +1,47 @@
+// Samples with their radii, an array for each coordinate: what vectors read.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace lacuna::cpu {
+
+struct Sized {
+    std::uint32_t x;
+    std::uint32_t y;
+    std::uint32_t radius;
+};
+
+// Entries past the end may be read, as many as kVectorPadding (vectors.h).
+struct SizedSpan {
+    const std::uint32_t* x;
+    const std::uint32_t* y;
+    const std::uint32_t* radius;
+    std::size_t count;
+
+    Sized operator[](std::size_t i) const { return {x[i], y[i], radius[i]}; }
+    SizedSpan from(std::size_t first) const { return part(first, count - first); }
+    SizedSpan part(std::size_t first, std::size_t entries) const {
+        return {x + first, y + first, radius + first, entries};
+    }
+};
+
+class SizedList {
+public:
+    std::size_t size() const { return count_; }
+    void clear() { count_ = 0; }
+    void push_back(const Sized& sample);
+    void append(const SizedSpan& samples);
+    SizedSpan span() const { return {x_.data(), y_.data(), radius_.data(), count_}; }
+
+private:
+    void make_room(std::size_t count);
+
+    std::size_t count_ = 0;
+    std::vector<std::uint32_t> x_;  // longer than count_
+    std::vector<std::uint32_t> y_;
+    std::vector<std::uint32_t> radius_;
+};
+
+}  // namespace lacuna::cpu
