@@ -87,7 +87,7 @@ public:
 
 private:
     void make_round() {
-        const Share share{ranks_.sum_below(marginal_.total()), sums_.total};
+        const CdfShare share{ranks_.sum_below(marginal_.total()), sums_.total};
         const auto size = static_cast<std::uint32_t>(policy_.size());
         backend_.locate(border_.settle(backend_, marginal_, invert(size, share)));
         backend_.admit();
@@ -114,7 +114,7 @@ private:
         policy_.note(sums_.survivors, sums_.admitted, sums_.places, round.place_width);
     }
 
-    std::span<const Draw> invert(std::uint32_t size, Share share) {
+    std::span<const Draw> invert(std::uint32_t size, CdfShare share) {
         const Timed timed(observer_, Verb::invert);
         return marginal_.invert(outcome_.draws, size, share);
     }

@@ -139,7 +139,7 @@ private:
     std::span<const std::uint32_t> lengths_;
     std::span<const std::uint32_t> widths_;
     Bits bits_;
-    Share share_;
+    CdfShare share_;
     std::size_t block_ = 0;
 };
 
@@ -271,7 +271,7 @@ std::span<const Draw> Marginal::invert(std::uint64_t first_number, std::uint32_t
 }
 
 std::span<const Draw> Marginal::invert(std::uint64_t first_number, std::uint32_t count,
-                                       Share share) {
+                                       CdfShare share) {
     find_bits(share);
     if (total() == 0) return {};
     draw_bits(first_number, count);
@@ -293,7 +293,7 @@ std::uint32_t Marginal::number_of(std::uint32_t order) const {
 
 // c = scaled(bits, total) lies in the share from the least bits that reach its begin to the last
 // that do not reach its end.
-void Marginal::find_bits(Share share) {
+void Marginal::find_bits(CdfShare share) {
     __extension__ using Wide = unsigned __int128;
     const auto least = [&](std::uint64_t c) {
         return ((Wide{c} << 64) + share.total - 1) / share.total;

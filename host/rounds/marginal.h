@@ -17,7 +17,7 @@ namespace lacuna {
 
 // Of several marginals that share one cdf, which places are this one's: their weights follow
 // `before` others, in `total`.
-struct Share {
+struct CdfShare {
     std::uint64_t before;
     std::uint64_t total;
 };
@@ -43,7 +43,7 @@ public:
     // one cdf and sorted by place and rank. Valid until the next call. total() must not be 0.
     std::span<const Draw> invert(std::uint64_t first_number, std::uint32_t count);
     // Of the same draws those that fall into the share, if any. Their orders are 0, 1, ...
-    std::span<const Draw> invert(std::uint64_t first_number, std::uint32_t count, Share share);
+    std::span<const Draw> invert(std::uint64_t first_number, std::uint32_t count, CdfShare share);
     // Which of the `count` draws the one of so high an order is.
     std::uint32_t number_of(std::uint32_t order) const;
 
@@ -57,7 +57,7 @@ private:
         unsigned shift = 0;
     };
     std::uint64_t weight_of(std::size_t place) const;
-    void find_bits(Share share);
+    void find_bits(CdfShare share);
     Draw drawn(const RandomBits& random, std::uint64_t first_number, std::uint32_t number) const;
     template <typename Visit>
     void for_each_drawn(std::uint64_t first_number, Span numbers, Visit visit) const;
@@ -72,7 +72,7 @@ private:
     std::uint32_t place_width_ = 0;
     std::span<const std::uint32_t> widths_;
     std::vector<std::uint64_t> sums_ = {0};  // sums_[block]: all blocks of places below it
-    Share share_{};
+    CdfShare share_{};
     Bits bits_;
     // A draw's place and rank hold its random bits until it is inverted.
     std::vector<Draw> draws_;               // by part: by the highest bits
