@@ -48,8 +48,8 @@ struct Vectors {
 // So many entries past the end of what is read may be read, and past what is written overwritten.
 inline constexpr std::size_t kVectorPadding = 8;
 
-// All that the processor has, the fastest first; the last are those in plain C++. But except on
-// a ground the others are for radii below kLargestVectorRadius only.
+// All that the processor has, the fastest first; the last are those in plain C++. Except on a
+// ground, the others are for radii below kLargestVectorRadius only.
 std::span<const Vectors* const> all_vectors();
 inline constexpr std::uint32_t kLargestVectorRadius = std::uint32_t{1} << 30;
 // The fastest that are for the radius.

@@ -27,9 +27,9 @@ constexpr std::uint64_t kGroundKeepWork = 2;
 constexpr std::uint64_t kGroundSplitWork = 8;
 constexpr std::uint64_t kGroundMeasureWork = 2;
 
-// Items that share out the strips of which several pieces may be left, and about how many each has.
-constexpr std::uint32_t kMostItemsOfSeveral = 4096;
-constexpr std::uint64_t kSeveralPerItem = 4;
+// Of so many strips, those of which several pieces may be left are for one item: seldom more than
+// one.
+constexpr std::uint32_t kStripsPerItem = 64;
 
 // Pieces beyond the number of the places cut; there are seldom as many.
 constexpr std::uint32_t kSparePlaces = 1024;
@@ -208,13 +208,13 @@ private:
         launch<Kernel>(round_.queue, memory, arguments, items_of(count, arguments.chunk),
                        work * arguments.chunk);
     }
-    // Serves the strips of which several pieces may be left: seldom one in a hundred.
+    // Serves the strips of which several pieces may be left.
     template <typename Kernel>
     void launch_over_several() {
         portable::StripArguments arguments = this->arguments(strips());
-        arguments.chunk = std::clamp(strips() / 256, 1u, kMostItemsOfSeveral);
+        arguments.chunk = std::max(strips() / kStripsPerItem, 1u);
         launch<Kernel>(round_.queue, memory_of_strips(), arguments, arguments.chunk,
-                       kGroundCutWork * kSeveralPerItem);
+                       kGroundCutWork);
     }
 
     portable::StripArguments arguments(std::uint32_t count) const {
