@@ -32,6 +32,14 @@ struct FirstPlaces {
     std::vector<Node> nodes;    // those without parts are those of blocks
 
     std::uint32_t block_count() const { return static_cast<std::uint32_t>(blocks.size()) - 1; }
+    // Calls visit(place, block), by number, for places from the first of `block` up to `end`.
+    template <typename Visit>
+    void for_each_place(std::uint32_t block, std::uint32_t end, Visit visit) const {
+        for (std::uint32_t place = blocks[block].first; place < end; ++place) {
+            if (place == blocks[block + 1].first) ++block;
+            visit(place, block);
+        }
+    }
 
     // Nodes that do not overlap and hold all places, to share out the work by; and the first place
     // in each, then the number of places.

@@ -159,11 +159,11 @@ void GroundState::restore(const Snapshot&) {
 }
 
 void set_free(GroundState& state, std::uint32_t region) {
-    std::uint32_t block = state.first.nodes[state.first.regions[region]].first;
-    for (std::uint32_t i = state.first.begins[region]; i < state.first.begins[region + 1]; ++i) {
-        if (i == state.first.blocks[block + 1].first) ++block;
-        state.places[region].push_back({state.first.places[i], block});
-    }
+    const FirstPlaces& first = state.first;
+    first.for_each_place(first.nodes[first.regions[region]].first, first.begins[region + 1],
+                         [&](std::uint32_t place, std::uint32_t block) {
+                             state.places[region].push_back({first.places[place], block});
+                         });
 }
 
 void locate(GroundState& state, std::span<const Draw> draws, std::uint32_t region) {

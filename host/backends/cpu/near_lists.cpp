@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "plan/ground.h"
+#include "portable/distance.h"
 
 namespace lacuna::cpu {
 namespace {

@@ -6,12 +6,9 @@
 // it reaches, whatever the range of radii.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "backends/cpu/sized.h"
@@ -20,7 +17,6 @@
 #include "plan/first_places.h"
 #include "plan/pixels.h"
 #include "plan/plan.h"
-#include "portable/distance.h"
 
 namespace lacuna::cpu {
 

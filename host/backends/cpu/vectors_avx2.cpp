@@ -136,6 +136,9 @@ HWY_INLINE hn::Mask<Words> less(const Squares& a, const Squares& b) {
 HWY_INLINE Squares limits_of(const SizedSpan& samples, std::size_t i, WordVector radius) {
     return squares_of(hn::Min(hn::LoadU(kWords, samples.radius + i), radius));
 }
+HWY_INLINE WordVector all(std::uint32_t word) {
+    return hn::Set(kWords, word);
+}
 HWY_INLINE WordVector distance(WordVector a, WordVector b) {
     return hn::Sub(hn::Max(a, b), hn::Min(a, b));
 }
@@ -145,7 +148,6 @@ constexpr std::uint32_t kNoPeriod = std::uint32_t{1} << 31;
 
 bool is_any_sized_closer(const SizedSpan& samples, Sample place, std::uint32_t radius,
                          Sample periods) {
-    const auto all = [](std::uint32_t word) { return hn::Set(kWords, word); };
     const auto squared_distance = [&](const std::uint32_t* entries, std::uint32_t at,
                                       std::uint32_t period) {
         const WordVector straight = distance(hn::LoadU(kWords, entries), all(at));
@@ -220,7 +222,6 @@ HWY_INLINE void write_chords(const Touching& touching, Span* chords) {
 
 std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& place,
                               std::uint32_t radius, Span* chords) {
-    const auto all = [](std::uint32_t word) { return hn::Set(kWords, word); };
     const std::uint32_t half = place.width / 2;
     const WordVector begin = all(place.begin);
     const WordVector last = all(place.end - 1);

@@ -43,11 +43,10 @@ public:
         make_tables();
         take_places(first_.places);
         std::vector<std::uint32_t> origins;
-        for (std::uint32_t i = 0, block = 0; i < count_; ++i) {
-            if (i == first_.blocks[block + 1].first) ++block;
+        first_.for_each_place(0, count_, [&](std::uint32_t place, std::uint32_t block) {
             origins.insert(origins.end(),
-                           {block, round_.plan.ground->under(first_.places[i]).least});
-        }
+                           {block, round_.plan.ground->under(first_.places[place]).least});
+        });
         Memory& m = round_.memory;
         round_.put_in_room<Rectangle>(m.places, first_.places);
         round_.put_in_room<std::uint32_t>(m.origins, origins);
