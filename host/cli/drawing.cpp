@@ -104,12 +104,14 @@ drawing::Style style_of(const DrawingOptions& options, double width, double heig
 }
 
 void write_set(Writing& writing, const DrawingOptions& options, const std::vector<Output>& outputs,
-               files::PointSet set, drawing::Style style, std::span<const double> diameters) {
-    std::vector<double> fixed;
+               files::PointSet set, drawing::Style style, const FindDiameters& find_diameters) {
+    std::vector<double> diameters;
     if (options.dot_size_mm)
-        fixed.assign(set.points.size(),
-                     *options.dot_size_mm / drawing::millimetres_per_unit(set, style));
-    style.diameters = options.dot_size_mm ? fixed : diameters;
+        diameters.assign(set.points.size(),
+                         *options.dot_size_mm / drawing::millimetres_per_unit(set, style));
+    else if (!options.given.empty() || has_picture(outputs))
+        diameters = find_diameters();
+    style.diameters = diameters;
     files::Dots dots;
     if (!options.given.empty()) {
         dots = drawing::dots_of(set, style);

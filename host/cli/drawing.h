@@ -3,8 +3,8 @@
 
 #include <lacuna/lacuna.h>
 
+#include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -38,9 +38,12 @@ void check_drawing(const DrawingOptions& options, const std::vector<Output>& out
 // would have more pixels than cairo can draw.
 drawing::Style style_of(const DrawingOptions& options, double width, double height);
 
-// Writes what was added to `writing`, and the set to every output. Dots that have no size of their
-// own by --dot-size have `diameters`, in the domain's units, or where there are none the set's.
+// Diameters of a set's dots in the domain's units; none where they are the set's.
+using FindDiameters = std::function<std::vector<double>()>;
+
+// Writes what was added to `writing`, and the set to every output. Diameters that --dot-size does
+// not tell are found if an output needs them.
 void write_set(Writing& writing, const DrawingOptions& options, const std::vector<Output>& outputs,
-               files::PointSet set, drawing::Style style, std::span<const double> diameters);
+               files::PointSet set, drawing::Style style, const FindDiameters& find_diameters);
 
 }  // namespace lacuna::cli

@@ -137,12 +137,12 @@ void run(const RelaxCommand& options) {
         writing.add(common.report, [&] {
             return relax_report(json_of(options, request), made, json_of(relaxation));
         });
-    std::vector<double> diameters;
-    if (field)
-        diameters = drawing::dot_diameters(set.points, *field, set.width, set.height,
-                                           drawing::Spread::even);
     write_set(writing, options.drawing, outputs, set,
-              style_of(options.drawing, request.width, request.height), diameters);
+              style_of(options.drawing, request.width, request.height), [&] {
+                  return field ? drawing::dot_diameters(set.points, *field, set.width, set.height,
+                                                        drawing::Spread::even)
+                               : std::vector<double>();
+              });
     sum_up(options, outputs, made, relaxation);
 }
 

@@ -108,9 +108,10 @@ void run(const CLI::App& command, const SampleCommand& all) {
     Writing writing(interruption);
     if (!options.report.empty())
         writing.add(options.report, [&] { return report_of(request, made, more); });
-    write_set(writing, all.drawing, outputs, set, style,
-              dots_of(request, set.points,
-                      all.relax != 0 ? drawing::Spread::even : drawing::Spread::random));
+    write_set(writing, all.drawing, outputs, set, style, [&] {
+        return dots_of(request, set.points,
+                       all.relax != 0 ? drawing::Spread::even : drawing::Spread::random);
+    });
     const std::size_t kept = request.keep.size();
     sum_up(options, outputs, made, "point",
            kept == 0 ? "" : ", " + std::to_string(kept) + " of them kept");

@@ -157,7 +157,7 @@ void sample_seeds(const CLI::App& command, const CommonOptions& options,
                 Writing writing(interruption);
                 write_set(writing, drawing, outputs_of_seed(outputs, seed),
                           {set.points, request.width, request.height, set.radius, &origin}, style,
-                          dots_of(request, set.points, drawing::Spread::random));
+                          [&] { return dots_of(request, set.points, drawing::Spread::random); });
                 add(made, std::move(set));
             },
             observers);

@@ -224,10 +224,11 @@ void run(const CLI::App& command, const StippleCommand& options) {
             return report_of(request, made,
                              report_of_the_rest(options, outputs, field, style, work));
         });
-    write_set(writing, options.drawing, outputs, set, style,
-              drawing::dot_diameters(
-                  set.points, field, set.width, set.height,
-                  options.relax != 0 ? drawing::Spread::even : drawing::Spread::random));
+    write_set(writing, options.drawing, outputs, set, style, [&] {
+        return drawing::dot_diameters(
+            set.points, field, set.width, set.height,
+            options.relax != 0 ? drawing::Spread::even : drawing::Spread::random);
+    });
     sum_up(common, outputs, made, "dot", note, path_text(options, outputs, set, style, work));
 }
 
