@@ -2,6 +2,7 @@
 #include "backends/cpu/vectors.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "backends/cpu/vectors_avx2.h"
@@ -60,8 +61,25 @@ std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& place,
     return count;
 }
 
-constexpr Vectors kPlain{"plain", is_any_closer, find_chords, is_any_sized_closer,
-                         find_sized_chords};
+std::uint32_t find_touching(const SizedSpan& samples, const Rectangle* places, std::uint32_t radius,
+                            std::uint8_t* touching) {
+    std::uint32_t covered = 0;
+    for (std::size_t k = 0; k < samples.count; ++k) {
+        std::uint32_t touched = 0;
+        for (std::size_t i = 0; i < Vectors::kPlaces; ++i) {
+            std::array<Span, 1 + kVectorPadding> chord;
+            const std::size_t count =
+                find_sized_chords(samples.part(k, 1), places[i], radius, chord.data());
+            touched |= std::uint32_t{count != 0} << i;
+            covered |= std::uint32_t{count == Vectors::kAll} << i;
+        }
+        touching[k] = static_cast<std::uint8_t>(touched);
+    }
+    return covered;
+}
+
+constexpr Vectors kPlain{"plain",           is_any_closer, find_chords, is_any_sized_closer,
+                         find_sized_chords, find_touching};
 
 }  // namespace
 

@@ -43,6 +43,11 @@ struct Vectors {
     std::size_t (*find_sized_chords)(const SizedSpan& samples, const Rectangle& place,
                                      std::uint32_t radius, Span* chords);
     static constexpr std::size_t kAll = ~std::size_t{0};
+    // And of eight places: bit i of touching[k] tells whether sample k touches place i, and of what
+    // is handed back whether one covers all of it.
+    std::uint32_t (*find_touching)(const SizedSpan& samples, const Rectangle* places,
+                                   std::uint32_t radius, std::uint8_t* touching);
+    static constexpr std::size_t kPlaces = 8;
 };
 
 // So many entries past the end of what is read may be read, and past what is written overwritten.

@@ -7,6 +7,7 @@
 
 #if defined(__x86_64__)
 
+#include <algorithm>
 #include <array>
 
 // Highway's checks in builds for debugging are in its shared library, too.
@@ -220,6 +221,15 @@ HWY_INLINE void write_chords(const Touching& touching, Span* chords) {
     }
 }
 
+// How far heights are outside [begin, last], and from its farther end.
+HWY_INLINE WordVector nearest_distance(WordVector y, WordVector begin, WordVector last) {
+    const WordVector outside = hn::Sub(hn::Max(hn::Max(y, begin), last), hn::Min(y, begin));
+    return hn::Sub(outside, hn::Sub(last, begin));
+}
+HWY_INLINE WordVector farthest_distance(WordVector y, WordVector begin, WordVector last) {
+    return hn::Max(distance(y, begin), distance(y, last));
+}
+
 std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& place,
                               std::uint32_t radius, Span* chords) {
     const std::uint32_t half = place.width / 2;
@@ -231,9 +241,8 @@ std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& place,
         const WordVector dx =
             hn::Add(distance(hn::LoadU(kWords, samples.x + i), all(place.x + half)), all(half));
         const WordVector y = hn::LoadU(kWords, samples.y + i);
-        const WordVector outside = hn::Sub(hn::Max(hn::Max(y, begin), last), hn::Min(y, begin));
-        const WordVector nearest = hn::Sub(outside, hn::Sub(last, begin));
-        const WordVector farthest = hn::Max(distance(y, begin), distance(y, last));
+        const WordVector nearest = nearest_distance(y, begin, last);
+        const WordVector farthest = farthest_distance(y, begin, last);
         const WordVector limit = hn::Min(hn::LoadU(kWords, samples.radius + i), all(radius));
         const Squares limits = squares_of(limit);
         const Squares across = squares_of(dx);
@@ -252,8 +261,61 @@ std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& place,
     return count;
 }
 
-constexpr Vectors kVectors{"AVX2", is_any_closer, find_chords, is_any_sized_closer,
-                           find_sized_chords};
+// Eight places, their words apart.
+struct Places {
+    WordVector x;
+    WordVector width;
+    WordVector begin;
+    WordVector end;
+};
+HWY_INLINE Places load_places(const Rectangle* places) {
+    static_assert(sizeof(Rectangle) == 16);
+    const hn::Half<Words> of_one;
+    const auto load_two = [&](std::size_t i) {
+        const auto load_one = [&](std::size_t place) {
+            return hn::LoadU(of_one, reinterpret_cast<const std::uint32_t*>(places + place));
+        };
+        return hn::Combine(kWords, load_one(i + 4), load_one(i));
+    };
+    const WordVector first = load_two(0), second = load_two(1);
+    const WordVector third = load_two(2), fourth = load_two(3);
+    const PairVector low = hn::BitCast(kPairs, hn::InterleaveLower(kWords, first, second));
+    const PairVector high = hn::BitCast(kPairs, hn::InterleaveLower(kWords, third, fourth));
+    const PairVector low_y = hn::BitCast(kPairs, hn::InterleaveUpper(kWords, first, second));
+    const PairVector high_y = hn::BitCast(kPairs, hn::InterleaveUpper(kWords, third, fourth));
+    return {words_of(hn::InterleaveLower(kPairs, low, high)),
+            words_of(hn::InterleaveUpper(kPairs, low, high)),
+            words_of(hn::InterleaveLower(kPairs, low_y, high_y)),
+            words_of(hn::InterleaveUpper(kPairs, low_y, high_y))};
+}
+
+std::uint32_t find_touching(const SizedSpan& samples, const Rectangle* places, std::uint32_t radius,
+                            std::uint8_t* touching) {
+    static_assert(Vectors::kPlaces == 8);
+    const auto [x, width, begin, end] = load_places(places);
+    const WordVector last = hn::Sub(end, all(1));
+    const WordVector half = hn::ShiftRight<1>(width);
+    const WordVector middle = hn::Add(x, half);
+    auto covered = hn::FirstN(kWords, 0);
+    for (std::size_t k = 0; k < samples.count; ++k) {
+        const WordVector y = all(samples.y[k]);
+        const std::uint64_t limit = std::min(samples.radius[k], radius);
+        const SignedVector limit_squared =
+            hn::Set(kSigned, static_cast<std::int64_t>(limit * limit));
+        const Squares limits{limit_squared, limit_squared};
+        const Squares across = squares_of(hn::Add(distance(all(samples.x[k]), middle), half));
+        const Squares near = squares_of(nearest_distance(y, begin, last));
+        const Squares far = squares_of(farthest_distance(y, begin, last));
+        hn::StoreMaskBits(kWords, less(sum_of(across, near), limits), touching + k);
+        covered = hn::Or(covered, less(sum_of(across, far), limits));
+    }
+    std::uint8_t bits = 0;
+    hn::StoreMaskBits(kWords, covered, &bits);
+    return bits;
+}
+
+constexpr Vectors kVectors{
+    "AVX2", is_any_closer, find_chords, is_any_sized_closer, find_sized_chords, find_touching};
 
 #endif
 }  // namespace HWY_NAMESPACE

@@ -187,6 +187,46 @@ TEST_P(OfVectors, SamplesTakeTheirChordsFromAPlace) {
     EXPECT_GT(found, 50'000u);
 }
 
+TEST_P(OfVectors, SamplesTouchAndCoverPlaces) {
+    constexpr std::uint32_t kLength = 1u << 30;
+    int touches = 0;
+    int covered = 0;
+    for (int i = 0; i < 50'000; ++i) {
+        const std::uint32_t most = std::uint32_t{2} << below(28);
+        const Sample corner{below(kLength - 2 * most), below(kLength - 2 * most)};
+        std::vector<Rectangle> places;
+        for (std::size_t place = 0; place < Vectors::kPlaces; ++place) {
+            const std::uint32_t begin = corner.y + below(most);
+            places.push_back(
+                {corner.x + below(most), 1 + below(most), begin, begin + 1 + below(most)});
+        }
+        const SizedList padded =
+            samples_around({corner.x + most, corner.y + most}, kLength, random_);
+        const SizedSpan samples = padded.span().part(0, padded.size() - kVectorPadding);
+        const std::uint32_t radius =
+            below(2) == 0 ? ~std::uint32_t{0} : 1 + below(std::uint64_t{1} << (4 + below(27)));
+        std::vector<std::uint8_t> touching(samples.count);
+        const std::uint32_t all =
+            GetParam()->find_touching(samples, places.data(), radius, touching.data());
+        std::vector<Span> chord(1 + kVectorPadding);
+        for (std::size_t place = 0; place < places.size(); ++place) {
+            bool is_covered = false;
+            for (std::size_t k = 0; k < samples.count; ++k) {
+                const std::size_t count = all_vectors().back()->find_sized_chords(
+                    samples.part(k, 1), places[place], radius, chord.data());
+                ASSERT_EQ((touching[k] >> place & 1) != 0, count != 0);
+                touches += count != 0 ? 1 : 0;
+                is_covered |= count == Vectors::kAll;
+            }
+            ASSERT_EQ((all >> place & 1) != 0, is_covered);
+            covered += is_covered ? 1 : 0;
+        }
+    }
+    EXPECT_GT(touches, 50'000);
+    EXPECT_GT(covered, 10'000);
+    EXPECT_LT(covered, 390'000);
+}
+
 TEST(Vectors, InPlainWordsServeTheLargestRadii) {
     EXPECT_STREQ(vectors_for(kLargestVectorRadius).name, "plain");
     EXPECT_EQ(&vectors_for(1), all_vectors().front());
