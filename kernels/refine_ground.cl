@@ -7,23 +7,28 @@ BINDINGS(StripArguments, SPLIT_BINDINGS)
 #include "bodies/split.h"
 ENTRY(split, serve_split, StripArguments, SPLIT_BINDINGS)
 
-BINDINGS(StripArguments, CUT_ON_GROUND_BINDINGS)
+BINDINGS(StripArguments, CUT_PLACES_BINDINGS)
 #include "bodies/remnants.h"
-#include "bodies/cut_on_ground.h"
-ENTRY(cut_on_ground, serve_cut_on_ground, StripArguments, CUT_ON_GROUND_BINDINGS)
+#include "bodies/cut_places.h"
+ENTRY(cut_places, serve_cut_places, StripArguments, CUT_PLACES_BINDINGS)
+ENTRY(cut_halves, serve_cut_halves, StripArguments, CUT_PLACES_BINDINGS)
 
 BINDINGS(StripArguments, CUT_SEVERAL_BINDINGS)
 #include "bodies/remnants.h"
+#include "bodies/several.h"
 #include "bodies/cut_several.h"
 ENTRY(cut_several, serve_cut_several, StripArguments, CUT_SEVERAL_BINDINGS)
 
-BINDINGS(StripArguments, KEEP_ON_GROUND_BINDINGS)
+BINDINGS(StripArguments, KEEP_PLACES_BINDINGS)
+#include "bodies/strip.h"
 #include "bodies/kept_piece.h"
-#include "bodies/keep_on_ground.h"
-ENTRY(keep_on_ground, serve_keep_on_ground, StripArguments, KEEP_ON_GROUND_BINDINGS)
+#include "bodies/keep_places.h"
+ENTRY(keep_places, serve_keep_places, StripArguments, KEEP_PLACES_BINDINGS)
+ENTRY(keep_halves, serve_keep_halves, StripArguments, KEEP_PLACES_BINDINGS)
 
 BINDINGS(StripArguments, KEEP_SEVERAL_BINDINGS)
 #include "bodies/remnants.h"
+#include "bodies/several.h"
 #include "bodies/kept_piece.h"
 #include "bodies/keep_several.h"
 ENTRY(keep_several, serve_keep_several, StripArguments, KEEP_SEVERAL_BINDINGS)

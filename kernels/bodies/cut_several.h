@@ -1,19 +1,24 @@
-// The body of cut_several: how many pieces are left of each strip that chords cut inside. Comes
-// after remnants.h. Item i serves number i of them, i + chunk and so on. Does nothing while
+// The body of cut_several: how many pieces are left of each place that cut_places left to it.
+// Comes after several.h. Item i serves number i of them, i + chunk and so on. Does nothing while
 // admission is unsettled.
 
 BODY void serve_cut_several(MEMORY const StripArguments a, const u32 item) {
     if (AT(undecided, a.last_pass) != 0u || item >= a.chunk) return;
     const u32 end = AT(several_count, 0);
-    for (u32 k = item; k < end; k += a.chunk) {
-        const u32 number = AT(several, k);
-        const Strip strip = strip_of(ON number);
-        const Rest rest = rest_of(ON a, strip);
+    for (u32 i = item; i < end; i += a.chunk) {
+        const u32 number = AT(several, i);
+        const u32x4 place = AT(places, number);
+        const u32 radius = AT(origins, number).y;
+        const u32 list = list_of(ON number);
         u32 count = 0u;
-        u32x2 piece = U32X2(rest.low, rest.low);
-        while (piece.y < rest.high) {
-            piece = next_piece(ON a, strip, rest, piece.y);
-            if (piece.x < piece.y) ++count;
+        for (u32 k = 0u; k < strips_of_place(a.is_halved != 0u); ++k) {
+            const Strip strip = strip_of(ON a.is_halved != 0u, number, place, radius, k);
+            const Rest rest = rest_of(ON a, strip, list);
+            u32x2 piece = U32X2(rest.low, rest.low);
+            while (piece.y < rest.high) {
+                piece = next_piece(ON a, strip, list, rest, piece.y);
+                if (piece.x < piece.y) ++count;
+            }
         }
         AT(counts, number) = count;
     }

@@ -11,7 +11,7 @@ BODY void serve_enlist(MEMORY const DrawArguments a, const u32 item) {
             count += AT(fates, AT(visitors, i).x) == FATE_ADMITTED ? 1u : 0u;
         if (count == 0u) continue;
         u32 number = ATOMIC_ADD(entry_count, 0, count);
-        u32 next = AT(lists, block).x;
+        u32 next = AT(lists, block);
         for (u32 i = head; i != NO_SAMPLE; i = AT(visitors, i).y) {
             const u32 candidate = AT(visitors, i).x;
             if (AT(fates, candidate) != FATE_ADMITTED) continue;
@@ -20,7 +20,7 @@ BODY void serve_enlist(MEMORY const DrawArguments a, const u32 item) {
             next = number;
             ++number;
         }
-        AT(lists, block).x = next;
+        AT(lists, block) = next;
     }
     CHECK_TURNS(a.g.height, FAILED_ADMIT);
 }

@@ -61,15 +61,17 @@ BODY u32x2 radii_over(MEMORY const u32x4 pixels) {
     return all;
 }
 
+// Of value `number` of the mask's pyramid.
+BODY u32 allowed_of(MEMORY const u32 number) {
+    return AT(mask_bits, number / ALLOWED_PER_WORD) >> number % ALLOWED_PER_WORD * 2u & 3u;
+}
+
 BODY u32 allowed_over(MEMORY const u32x4 pixels) {
     const Level level = level_over(ON COLUMNS_OF_MASK, pixels);
     u32 seen = 0u;  // a bit for each value
     for (u32 i = pixels.x >> level.shift; i <= pixels.y >> level.shift; ++i) {
-        for (u32 j = pixels.z >> level.shift; j <= pixels.w >> level.shift; ++j) {
-            const u32 number = level.first + i * level.rows + j;
-            const u32 word = AT(mask_bits, number / ALLOWED_PER_WORD);
-            seen = seen | 1u << (word >> number % ALLOWED_PER_WORD * 2u & 3u);
-        }
+        for (u32 j = pixels.z >> level.shift; j <= pixels.w >> level.shift; ++j)
+            seen = seen | 1u << allowed_of(ON level.first + i * level.rows + j);
     }
     if (seen == 1u << ALLOWED_NONE) return ALLOWED_NONE;
     return seen == 1u << ALLOWED_ALL ? ALLOWED_ALL : ALLOWED_SOME;
@@ -84,9 +86,22 @@ BODY Under under(MEMORY const u32x4 place) {
     return found;
 }
 
+// The least radius, with IS_EVEN where there is no other; 0 where no sample may go.
+BODY u32 radius_under(const Under all) {
+    const bool is_even = all.least != 0u && !all.is_mixed && all.allowed == ALLOWED_ALL;
+    return is_even ? all.least | IS_EVEN : all.least;
+}
+
 // 0 where no sample may go.
 BODY u32 radius_at(MEMORY const u32 x, const u32 y) {
-    return under(ON U32X4(x, 1u, y, y + 1u)).least;
+    const u32 row = pixel_of(ON ROWS_OF_FIELD, y);
+    const u32 rows = axis_word(ON ROWS_OF_FIELD, AXIS_PIXELS);
+    const u32 radius = AT(radius_bounds, pixel_of(ON COLUMNS_OF_FIELD, x) * rows + row).x;
+    const u32 mask_rows = axis_word(ON ROWS_OF_MASK, AXIS_PIXELS);
+    if (mask_rows == 0u) return radius;
+    const u32 mask_row = pixel_of(ON ROWS_OF_MASK, y);
+    const u32 allowed = allowed_of(ON pixel_of(ON COLUMNS_OF_MASK, x) * mask_rows + mask_row);
+    return allowed == ALLOWED_NONE ? 0u : radius;
 }
 
 // Of the pixels that [begin, end) touches but for the first, where the one in the middle begins; 0

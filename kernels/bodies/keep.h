@@ -17,7 +17,7 @@ BODY void serve_keep(MEMORY const StripArguments a, const u32 item) {
     const u32 end_strip = min((item + 1u) * a.chunk, a.boxes << a.is_halved);
     for (u32 index = item * a.chunk; index < end_strip; ++index) {
         const u32 end = AT(piece_end, index);
-        u32 place = AT(counts, index) + AT(sums, index / a.block);
+        u32 place = AT(counts, index) + AT(sums, index >> a.block_bits);
         if (end != 0u && end != NO_SAMPLE) {
             const u32 x = AT(box_x, index >> a.is_halved) + (index & a.is_halved) * a.width;
             keep_piece(ON a, x, U32X2(AT(piece_begin, index), end), place);

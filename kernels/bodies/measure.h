@@ -1,11 +1,14 @@
-// The body of measure: the least radius under each of the new places where it is not known yet.
-// Comes after ground.h. Does nothing while admission is unsettled: then there are no new places.
+// The body of measure: the least radius under each of the uneven new places where it is not known
+// yet. Comes after ground.h. Item i serves number i of them, i + chunk and so on. Does nothing
+// while admission is unsettled: then there are no new places.
 
 BODY void serve_measure(MEMORY const StripArguments a, const u32 item) {
-    if (AT(undecided, a.last_pass) != 0u) return;
-    const u32 end = min((item + 1u) * a.chunk, min(AT(total, 0), a.room));
-    for (u32 number = item * a.chunk; number < end; ++number)
+    if (AT(undecided, a.last_pass) != 0u || item >= a.chunk) return;
+    const u32 end = AT(uneven_count, 0);
+    for (u32 i = item; i < end; i += a.chunk) {
+        const u32 number = AT(new_uneven, i);
         if (AT(new_origins, number).y == 0u)
-            AT(new_origins, number).y = under(ON AT(new_places, number)).least;
+            AT(new_origins, number).y = radius_under(under(ON AT(new_places, number)));
+    }
     CHECK_TURNS(a.g.height, FAILED_REFINE);
 }

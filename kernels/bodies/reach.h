@@ -65,11 +65,14 @@ BODY void list_reached(MEMORY const DrawArguments a, const u32 i) {
     }
 }
 
-// What is covered or was rejected reaches nothing.
+// What is covered or was rejected reaches nothing: of a round in one part the survivors are served
+// alone, so that no items in lockstep wait for others.
 BODY void serve_reach(MEMORY const DrawArguments a, const u32 item) {
+    const bool is_listed = a.is_listed != 0u;
     const u32 begin = a.first + item * a.chunk;
-    const u32 end = min(begin + a.chunk, a.count);
-    for (u32 i = begin; i < end; ++i) {
+    const u32 end = min(begin + a.chunk, is_listed ? AT(survivor_count, 0) : a.count);
+    for (u32 k = begin; k < end; ++k) {
+        const u32 i = is_listed ? AT(survivors, k) : k;
         const u32 fate = AT(fates, i);
         if (fate == FATE_UNDECIDED || fate == FATE_ADMITTED) list_reached(ON a, i);
     }

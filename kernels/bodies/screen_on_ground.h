@@ -1,11 +1,11 @@
 // The body of screen on a ground: settles the candidates that no sample may be, and those that
 // samples in the list of their block cover: those of earlier rounds or, for the later parts
-// of a round, those of earlier parts.
+// of a round, those of earlier parts. The others are listed in survivors[], if that is asked for.
 #include "portable/distance.h"
 
 BODY bool is_covered(MEMORY const DrawArguments a, const u32x4 candidate, const u32 radius) {
     if (radius == 0u) return true;
-    for (u32 number = AT(lists, candidate.z).x; number != NO_SAMPLE;) {
+    for (u32 number = AT(lists, candidate.z); number != NO_SAMPLE;) {
         const u32x4 entry = AT(entries, number);
         u64 limit = min(entry.z, radius);
         limit = limit * limit;
@@ -24,9 +24,12 @@ BODY void serve_screen_on_ground(MEMORY const DrawArguments a, const u32 item) {
     for (u32 i = begin; i < end; ++i) {
         if (AT(fates, i) != FATE_UNDECIDED) continue;
         const u32x4 candidate = AT(candidates, i);
-        if (!is_covered(ON a, candidate, AT(candidate_radii, i))) continue;
-        AT(fates, i) = a.pass;
-        AT(samples, candidate.w) = U32X2(NO_SAMPLE, a.pass);
+        if (is_covered(ON a, candidate, AT(candidate_radii, i))) {
+            AT(fates, i) = a.pass;
+            AT(samples, candidate.w) = U32X2(NO_SAMPLE, a.pass);
+        } else if (a.is_listed != 0u) {
+            AT(survivors, ATOMIC_ADD(survivor_count, 0, 1u)) = i;
+        }
     }
     CHECK_TURNS(a.g.height, FAILED_ADMIT);
 }

@@ -9,7 +9,7 @@ BODY void serve_unfold(MEMORY const SlabArguments a, const u32 item) {
     const u32 side = a.g.grid_side;
     const u32 slot = (line - a.slab_begin) * a.g.capacity;
     const u32 count = AT(span_counts, line);
-    u32 next = a.is_counting != 0u ? 0u : AT(counts, line) + AT(sums, line / a.block);
+    u32 next = a.is_counting != 0u ? 0u : AT(counts, line) + AT(sums, line >> a.block_bits);
     for (u32 i = 0u; i < count; ++i) {
         const u32x2 span = AT(spans, slot + i);
         if (a.is_counting != 0u) {

@@ -27,6 +27,10 @@
 // none.
 #define HAS_ZEROS 0x80000000u
 
+// The least radius under a place shares a word with this bit, which tells that all of the place is
+// allowed and has that radius.
+#define IS_EVEN 0x80000000u
+
 LACUNA_BEGIN
 
 // Values are at most 2^30, the scale at most 2^34.

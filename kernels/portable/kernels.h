@@ -41,7 +41,8 @@ struct DrawArguments {
     u32 metric;      // see metric.h
     u32 slices;      // of subtract_in_cells: an item serves every slices-th line near its samples
     u32 most_reach;  // samples that reach farther are left for the next launch
-    u32 is_listed;   // 1 where the candidates to serve are those of `todo`
+    u32 is_listed;   // 1 where the candidates to serve are those of `todo` or `survivors`, which
+                     // screen fills
     u32 first;       // of the draws to serve, which end at `count`
     u32 room;        // of reach: for visitors of blocks
 };
@@ -69,7 +70,7 @@ struct SlabArguments {
     u32 first_draw;  // of locate: the draws of these lines are [first_draw, end_draw)
     u32 end_draw;
     u32 last_pass;    // of subtract
-    u32 block;        // of unfold: the counts of so many lines have a sum of their own
+    u32 block_bits;   // of unfold: the counts of 2^block_bits lines have a sum of their own
     u32 is_counting;  // of unfold: 1 where boxes are only counted
 };
 LACUNA_TYPEDEF(SlabArguments)
@@ -84,7 +85,7 @@ struct StripArguments {
     u32 is_halved;
     u32 width;
     u32 last_pass;
-    u32 block;         // the counts of so many strips have a sum of their own
+    u32 block_bits;    // the counts of 2^block_bits strips or places have a sum of their own
     u32 room;          // of the new boxes
     u32 first_recent;  // on a ground: places are cut by the samples in their lists from this on
     u32 own_begin;     // boxes at other x than the own_width from there on belong to the halo
@@ -169,24 +170,26 @@ LACUNA_END
     B(14, SHARED, u32, left_count) B(15, SHARED, u32, failure)
 
 // Mode exact on a ground. A place is x, width, begin, end; an entry of a list x, y, radius and the
-// number of the next one. For each block lists[] has its first entry, and the radius under all of it
-// or 0; for each place origins[] has its block, and the least radius under it or 0 where that is not
-// known or no sample may go. node_links are the greatest radius, and the next node, first block and
-// whole of plan/first_places.h. A visitor of a block is a candidate that reaches it, and the number
-// of the next visitor. several[] are the strips of which several pieces may be left.
+// number of the next one. For each block lists[] has its first entry; for each place origins[] has
+// its block, and the least radius under it, with IS_EVEN where there is no other
+// (portable/ground.h), or 0 where that is not known. node_links are the greatest radius, and the
+// next node, first block and whole of plan/first_places.h. A visitor of a block is a candidate that
+// reaches it, and the number of the next visitor. several[] are the places of which a strip may
+// leave several pieces, uneven[] and new_uneven[] those without IS_EVEN.
 #define LOCATE_ON_GROUND_BINDINGS(B) B(0, READ, u32, axes)                                   \
     B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits) B(3, READ, u32x4, places)    \
     B(4, READ, u32x2, origins) B(5, READ, u32x4, draws) B(6, WRITE, u32x4, candidates)        \
     B(7, WRITE, u32, candidate_radii) B(8, WRITE, u32, fates) B(9, SHARED, u32, failure)
 #define SCREEN_ON_GROUND_BINDINGS(B)                                                         \
-    B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32x2, lists)  \
+    B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32, lists)  \
     B(3, READ, u32x4, entries) B(4, BOTH, u32, fates) B(5, WRITE, u32x2, samples)            \
-    B(6, SHARED, u32, failure)
+    B(6, WRITE, u32, survivors) B(7, SHARED, u32, survivor_count) B(8, SHARED, u32, failure)
 #define REACH_BINDINGS(B)                                                                    \
     B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32, fates)    \
     B(3, READ, u32x4, node_places) B(4, READ, u32x4, node_links) B(5, READ, u32, node_of)    \
     B(6, SHARED, u32, visitor_count) B(7, SHARED, u32, visitor_heads)                        \
-    B(8, WRITE, u32x2, visitors) B(9, SHARED, u32, failure)
+    B(8, WRITE, u32x2, visitors) B(9, READ, u32, survivors) B(10, READ, u32, survivor_count) \
+    B(11, SHARED, u32, failure)
 #define ADMIT_ON_GROUND_BINDINGS(B)                                                          \
     B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, SHARED, u32, fates)  \
     B(3, READ, u32, visitor_heads) B(4, READ, u32x2, visitors) B(5, SHARED, u32, undecided)  \
@@ -195,35 +198,38 @@ LACUNA_END
     B(0, READ, u32, undecided) B(1, READ, u32x4, candidates)                                 \
     B(2, READ, u32, candidate_radii) B(3, READ, u32, fates) B(4, READ, u32, visitor_heads)   \
     B(5, READ, u32x2, visitors) B(6, SHARED, u32, entry_count) B(7, WRITE, u32x4, entries)   \
-    B(8, BOTH, u32x2, lists) B(9, SHARED, u32, failure)
+    B(8, BOTH, u32, lists) B(9, SHARED, u32, failure)
 #define SPLIT_BINDINGS(B)                                                                    \
     B(0, READ, u32, undecided) B(1, READ, u32, axes) B(2, READ, u32x2, radius_bounds)        \
-    B(3, READ, u32, mask_bits) B(4, READ, u32x4, places) B(5, READ, u32x2, origins)          \
-    B(6, READ, u32x2, lists) B(7, WRITE, u32x4, strips) B(8, WRITE, u32x2, strip_origins)    \
-    B(9, SHARED, u32, failure)
-#define CUT_ON_GROUND_BINDINGS(B)                                                            \
+    B(3, READ, u32, mask_bits) B(4, READ, u32x4, places) B(5, READ, u32, uneven)             \
+    B(6, WRITE, u32x4, strips) B(7, WRITE, u32, strip_radii) B(8, SHARED, u32, failure)
+#define CUT_PLACES_BINDINGS(B)                                                            \
     B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
-    B(3, READ, u32x2, lists) B(4, READ, u32x4, entries) B(5, WRITE, u32, counts)             \
-    B(6, WRITE, u32x2, pieces) B(7, WRITE, u32, several) B(8, SHARED, u32, several_count)    \
-    B(9, SHARED, u32, failure)
+    B(3, READ, u32x4, strips) B(4, READ, u32, strip_radii) B(5, READ, u32, lists)          \
+    B(6, READ, u32x4, entries) B(7, WRITE, u32, counts) B(8, WRITE, u32x2, pieces)           \
+    B(9, WRITE, u32, several) B(10, SHARED, u32, several_count) B(11, SHARED, u32, failure)
 #define CUT_SEVERAL_BINDINGS(B)                                                              \
     B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
-    B(3, READ, u32x2, lists) B(4, READ, u32x4, entries) B(5, WRITE, u32, counts)             \
-    B(6, READ, u32, several) B(7, READ, u32, several_count) B(8, SHARED, u32, failure)
-#define KEEP_ON_GROUND_BINDINGS(B)                                                           \
+    B(3, READ, u32x4, strips) B(4, READ, u32, strip_radii) B(5, READ, u32, lists)          \
+    B(6, READ, u32x4, entries) B(7, WRITE, u32, counts) B(8, READ, u32, several)             \
+    B(9, READ, u32, several_count) B(10, SHARED, u32, failure)
+#define KEEP_PLACES_BINDINGS(B)                                                           \
     B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
-    B(3, READ, u32x2, lists) B(4, READ, u32x2, pieces) B(5, READ, u32, counts)               \
-    B(6, READ, u32, sums) B(7, WRITE, u32x4, new_places) B(8, WRITE, u32x2, new_origins)     \
-    B(9, SHARED, u32, failure)
+    B(3, READ, u32x4, strips) B(4, READ, u32, strip_radii) B(5, READ, u32x2, pieces)         \
+    B(6, READ, u32, counts) B(7, READ, u32, sums) B(8, WRITE, u32x4, new_places)             \
+    B(9, WRITE, u32x2, new_origins) B(10, WRITE, u32, new_uneven)                            \
+    B(11, SHARED, u32, uneven_count) B(12, SHARED, u32, failure)
 #define KEEP_SEVERAL_BINDINGS(B)                                                             \
     B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
-    B(3, READ, u32x2, lists) B(4, READ, u32x4, entries) B(5, READ, u32, counts)              \
-    B(6, READ, u32, sums) B(7, WRITE, u32x4, new_places) B(8, WRITE, u32x2, new_origins)     \
-    B(9, READ, u32, several) B(10, READ, u32, several_count) B(11, SHARED, u32, failure)
+    B(3, READ, u32x4, strips) B(4, READ, u32, strip_radii) B(5, READ, u32, lists)          \
+    B(6, READ, u32x4, entries) B(7, READ, u32, counts) B(8, READ, u32, sums)                 \
+    B(9, WRITE, u32x4, new_places) B(10, WRITE, u32x2, new_origins)                          \
+    B(11, WRITE, u32, new_uneven) B(12, SHARED, u32, uneven_count) B(13, READ, u32, several) \
+    B(14, READ, u32, several_count) B(15, SHARED, u32, failure)
 #define MEASURE_BINDINGS(B)                                                                  \
     B(0, READ, u32, axes) B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits)        \
-    B(3, READ, u32, total) B(4, READ, u32x4, new_places) B(5, BOTH, u32x2, new_origins)      \
-    B(6, READ, u32, undecided) B(7, SHARED, u32, failure)
+    B(3, READ, u32, new_uneven) B(4, READ, u32, uneven_count) B(5, READ, u32x4, new_places)  \
+    B(6, BOTH, u32x2, new_origins) B(7, READ, u32, undecided) B(8, SHARED, u32, failure)
 
 // All buffers, of which a kernel has those that its bindings name.
 #define LACUNA_BUFFERS(B)                                                                         \
@@ -238,10 +244,11 @@ LACUNA_END
     B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, left_count) B(u32, axes)             \
     B(u32x2, radius_bounds) B(u32, mask_bits) B(u32x4, places) B(u32x2, origins)                   \
     B(u32x4, new_places) B(u32x2, new_origins) B(u32x2, pieces) B(u32x4, strips)                  \
-    B(u32x2, strip_origins) B(u32, several) B(u32, several_count)                                 \
+    B(u32, strip_radii) B(u32, several) B(u32, several_count) B(u32, uneven)                      \
+    B(u32, new_uneven) B(u32, uneven_count)                                                       \
     B(u32x4, node_places) B(u32x4, node_links) B(u32, node_of) B(u32, visitor_count)              \
-    B(u32, visitor_heads) B(u32x2, visitors) B(u32x2, lists) B(u32x4, entries)                    \
-    B(u32, entry_count)                                                                           \
+    B(u32, visitor_heads) B(u32x2, visitors) B(u32, lists) B(u32x4, entries)                    \
+    B(u32, entry_count) B(u32, survivors) B(u32, survivor_count)                                  \
     LACUNA_RELAX_BUFFERS(B)
 
 // All kernels: name, arguments, bindings.
@@ -273,9 +280,11 @@ LACUNA_END
     K(enlist, DrawArguments, ENLIST_BINDINGS)                         \
     K(split, StripArguments, SPLIT_BINDINGS)                          \
     K(measure, StripArguments, MEASURE_BINDINGS)                      \
-    K(cut_on_ground, StripArguments, CUT_ON_GROUND_BINDINGS)          \
+    K(cut_places, StripArguments, CUT_PLACES_BINDINGS)             \
+    K(cut_halves, StripArguments, CUT_PLACES_BINDINGS)             \
     K(cut_several, StripArguments, CUT_SEVERAL_BINDINGS)              \
-    K(keep_on_ground, StripArguments, KEEP_ON_GROUND_BINDINGS)        \
+    K(keep_places, StripArguments, KEEP_PLACES_BINDINGS)           \
+    K(keep_halves, StripArguments, KEEP_PLACES_BINDINGS)           \
     K(keep_several, StripArguments, KEEP_SEVERAL_BINDINGS)            \
     LACUNA_RELAX_KERNELS(K)
 // clang-format on

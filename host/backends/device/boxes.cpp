@@ -72,7 +72,7 @@ void Boxes::insert() {
 
 void Boxes::unfold(const Memory& memory, portable::SlabArguments arguments, const Slab& slab,
                    bool is_counting) {
-    arguments.block = block_of_scan(round_.plan.lines);
+    arguments.block_bits = block_bits_of_scan(round_.plan.lines);
     arguments.is_counting = is_counting ? 1 : 0;
     launch<kernels::unfold>(round_.queue, memory, arguments, slab.lines(),
                             round_.geometry.capacity / (is_counting ? 8 : 4));
@@ -102,7 +102,7 @@ portable::StripArguments Boxes::strip_arguments(std::uint32_t served) const {
             is_halved(),
             new_width_,
             kPasses - 1,
-            block_of_scan(strips()),
+            block_bits_of_scan(strips()),
             new_room_,
             0,
             own.begin,

@@ -15,6 +15,7 @@
 #include "plan/first_places.h"
 #include "plan/ground.h"
 #include "portable/fate.h"
+#include "portable/ground.h"
 
 namespace lacuna::device {
 namespace {
@@ -22,14 +23,16 @@ namespace {
 // See Queue::launch.
 constexpr std::uint64_t kGroundLocateWork = 2;
 constexpr std::uint64_t kGroundScreenWork = 4;
-constexpr std::uint64_t kGroundCutWork = 12;
+constexpr std::uint64_t kGroundCutWork = 16;
+constexpr std::uint64_t kGroundSeveralWork = 16;
 constexpr std::uint64_t kGroundKeepWork = 2;
 constexpr std::uint64_t kGroundSplitWork = 8;
 constexpr std::uint64_t kGroundMeasureWork = 2;
 
-// Of so many strips, those of which several pieces may be left are for one item: seldom more than
-// one.
-constexpr std::uint32_t kStripsPerItem = 64;
+// Of so many places those of which several pieces may be left, or those that lie on unlike pixels,
+// are for one item: seldom more than a few.
+constexpr std::uint32_t kPlacesPerSeveral = 16;
+constexpr std::uint32_t kPlacesPerUneven = 8;
 
 // Pieces beyond the number of the places cut; there are seldom as many.
 constexpr std::uint32_t kSparePlaces = 1024;
@@ -42,14 +45,7 @@ public:
         : Places(round), first_(*round.plan.first_places), lists_(round) {
         make_tables();
         take_places(first_.places);
-        std::vector<std::uint32_t> origins;
-        first_.for_each_place(0, count_, [&](std::uint32_t place, std::uint32_t block) {
-            origins.insert(origins.end(),
-                           {block, round_.plan.ground->under(first_.places[place]).least});
-        });
-        Memory& m = round_.memory;
-        round_.put_in_room<Rectangle>(m.places, first_.places);
-        round_.put_in_room<std::uint32_t>(m.origins, origins);
+        put_first_places();
         find_shares();
         lists_.enlist_kept();
     }
@@ -77,6 +73,7 @@ public:
         portable::DrawArguments arguments = round_.arguments(FATE_COVERED);
         arguments.first = 0;
         arguments.count = round_.draw_count;
+        arguments.is_listed = lists_.begin_survivors() ? 1 : 0;
         round_.launch_over_draws<kernels::screen_on_ground>(arguments, kGroundScreenWork);
     }
     void screen_again(std::uint32_t end) override {
@@ -103,28 +100,27 @@ public:
         is_halving_ = halve;
         new_room_ = count_ + (halve ? count_ / 2 : 0) + kSparePlaces;
         Memory& m = round_.memory;
-        if (halve) {
-            round_.make_room(m.strips, 4 * std::uint64_t{strips()});
-            round_.make_room(m.strip_origins, 2 * std::uint64_t{strips()});
-            launch_over<kernels::split>(m, count_, kGroundSplitWork);
-        }
+        round_.make_room(m.strips, halve ? 4 * std::uint64_t{strips()} : 0);
+        round_.make_room(m.strip_radii, halve ? strips() : 0);
+        if (halve) launch_over<kernels::split>(uneven_, kGroundSplitWork);
         round_.make_room(m.pieces, 2 * std::uint64_t{strips()});
-        round_.make_room(m.several, strips());
-        round_.make_room(m.several_count, 1);
+        round_.make_room(m.several, count_);
         round_.queue.fill(m.several_count, 0, 1);
-        make_room_to_scan(round_, strips());
-        launch_over<kernels::cut_on_ground>(memory_of_strips(), strips(), kGroundCutWork);
-        launch_over_several<kernels::cut_several>();
-        scan(round_, strips());
+        make_room_to_scan(round_, count_);
+        if (halve)
+            launch_over<kernels::cut_halves>(count_, kGroundCutWork);
+        else
+            launch_over<kernels::cut_places>(count_, kGroundCutWork);
+        launch_over_list<kernels::cut_several>(count_ / kPlacesPerSeveral, kGroundSeveralWork);
+        scan(round_, count_);
         keep();
     }
 
     void start_download() override {
         lists_.start_download();
         if (!is_refining_) return;
-        new_places_.resize(new_room_);
         round_.get<std::uint32_t>(round_.memory.total, total_);
-        round_.get<Rectangle>(round_.memory.new_places, new_places_);
+        round_.get<std::uint32_t>(round_.memory.uneven_count, uneven_of_new_);
     }
 
     bool queue_rest() override {
@@ -140,7 +136,12 @@ public:
         Memory& m = round_.memory;
         std::swap(m.places, m.new_places);
         std::swap(m.origins, m.new_origins);
-        take_places(std::span(new_places_).first(total_.front()));
+        std::swap(m.uneven, m.new_uneven);
+        new_places_.resize(total_.front());
+        round_.get<Rectangle>(m.places, new_places_);
+        round_.queue.wait();
+        take_places(new_places_);
+        uneven_ = uneven_of_new_.front();
         lists_.end_round();
     }
 
@@ -161,6 +162,23 @@ private:
         m.radius_bounds = round_.copy_of(tables.radius_bounds);
         m.mask_bits = round_.copy_of(tables.mask_bits);
         round_.queue.wait();
+    }
+
+    void put_first_places() {
+        std::vector<std::uint32_t> origins;
+        std::vector<std::uint32_t> uneven;
+        first_.for_each_place(0, count_, [&](std::uint32_t place, std::uint32_t block) {
+            const Under under = round_.plan.ground->under(first_.places[place]);
+            origins.insert(origins.end(), {block, under.least | (under.is_even ? IS_EVEN : 0)});
+            if (!under.is_even) uneven.push_back(place);
+        });
+        uneven_ = static_cast<std::uint32_t>(uneven.size());
+        Memory& m = round_.memory;
+        round_.put_in_room<Rectangle>(m.places, first_.places);
+        round_.put_in_room<std::uint32_t>(m.origins, origins);
+        round_.put_in_room<std::uint32_t>(m.uneven, uneven);
+        round_.make_room(m.several_count, 1);
+        round_.make_room(m.uneven_count, 1);
     }
 
     void take_places(std::span<const Rectangle> places) {
@@ -190,30 +208,20 @@ private:
         mean_share_ = sum / all;
     }
 
-    // What is cut: the places, or the strips that split made of them.
-    Memory memory_of_strips() const {
-        Memory memory = round_.memory;
-        if (!is_halving_) return memory;
-        memory.places = memory.strips;
-        memory.origins = memory.strip_origins;
-        return memory;
-    }
-
-    // Serves so many places or strips. Halves are cut by all samples in their lists, and what is
-    // not halved by those of the round.
+    // Serves so many places, or uneven ones. Halves are cut by all samples in their lists, and what
+    // is not halved by those of the round.
     template <typename Kernel>
-    void launch_over(const Memory& memory, std::uint32_t count, std::uint64_t work) {
+    void launch_over(std::uint32_t count, std::uint64_t work) {
         const portable::StripArguments arguments = this->arguments(count);
-        launch<Kernel>(round_.queue, memory, arguments, items_of(count, arguments.chunk),
+        launch<Kernel>(round_.queue, round_.memory, arguments, items_of(count, arguments.chunk),
                        work * arguments.chunk);
     }
-    // Serves the strips of which several pieces may be left.
+    // Serves a list whose length the device knows, with so many items.
     template <typename Kernel>
-    void launch_over_several() {
-        portable::StripArguments arguments = this->arguments(strips());
-        arguments.chunk = std::max(strips() / kStripsPerItem, 1u);
-        launch<Kernel>(round_.queue, memory_of_strips(), arguments, arguments.chunk,
-                       kGroundCutWork);
+    void launch_over_list(std::uint32_t items, std::uint64_t work) {
+        portable::StripArguments arguments = this->arguments(count_);
+        arguments.chunk = std::max(items, 1u);
+        launch<Kernel>(round_.queue, round_.memory, arguments, arguments.chunk, work);
     }
 
     portable::StripArguments arguments(std::uint32_t count) const {
@@ -221,10 +229,10 @@ private:
                 round_.queue.chunk_of(count),
                 round_.geometry,
                 count,
-                0,
+                is_halving_ ? 1u : 0u,
                 0,
                 kPasses - 1,
-                block_of_scan(strips()),
+                block_bits_of_scan(count_),
                 new_room_,
                 is_halving_ ? 0 : lists_.first_recent(),
                 0,
@@ -235,15 +243,21 @@ private:
         Memory& m = round_.memory;
         round_.make_room(m.new_places, 4 * std::uint64_t{new_room_});
         round_.make_room(m.new_origins, 2 * std::uint64_t{new_room_});
-        launch_over<kernels::keep_on_ground>(memory_of_strips(), strips(), kGroundKeepWork);
-        launch_over_several<kernels::keep_several>();
-        launch_over<kernels::measure>(m, new_room_, kGroundMeasureWork);
+        round_.make_room(m.new_uneven, new_room_);
+        round_.queue.fill(m.uneven_count, 0, 1);
+        if (is_halving_)
+            launch_over<kernels::keep_halves>(count_, kGroundKeepWork);
+        else
+            launch_over<kernels::keep_places>(count_, kGroundKeepWork);
+        launch_over_list<kernels::keep_several>(count_ / kPlacesPerSeveral, kGroundSeveralWork);
+        launch_over_list<kernels::measure>(new_room_ / kPlacesPerUneven, kGroundMeasureWork);
     }
 
     const FirstPlaces& first_;
     SampleLists lists_;
     std::array<std::uint32_t, 2> begins_{};  // all places are one column: nothing is sorted
     std::uint32_t count_ = 0;                // of places
+    std::uint32_t uneven_ = 0;               // of those that lie on unlike pixels, perhaps
     std::vector<std::uint32_t> lengths_;
     std::vector<std::uint32_t> widths_;
     double mean_share_ = 0;
@@ -254,6 +268,7 @@ private:
     bool is_halving_ = false;
     std::uint32_t new_room_ = 0;
     std::array<std::uint32_t, 1> total_{};
+    std::array<std::uint32_t, 1> uneven_of_new_{};
     std::vector<Rectangle> new_places_;
 };
 

@@ -26,15 +26,15 @@ constexpr std::uint64_t kVisitsPerDraw = 8;
 SampleLists::SampleLists(RoundMemory& round) : round_(round), first_(*round.plan.first_places) {
     make_tree();
     Memory& m = round_.memory;
-    std::vector<std::uint32_t> lists;
-    for (std::uint32_t i = 0; i < blocks(); ++i)
-        lists.insert(lists.end(), {NO_SAMPLE, first_.blocks[i].even_radius});
-    m.lists = round_.copy_of(lists);
+    round_.make_room(m.lists, blocks());
+    round_.queue.fill(m.lists, NO_SAMPLE, blocks());
     round_.make_room(m.entries, 4 * kEntriesPerSample * round_.plan.expected_samples);
     round_.make_room(m.entry_count, 1);
     round_.queue.fill(m.entry_count, 0, 1);
     round_.make_room(m.visitor_heads, blocks());
     round_.make_room(m.visitor_count, 1);
+    round_.make_room(m.survivors, 1);
+    round_.make_room(m.survivor_count, 1);
     round_.queue.wait();
 }
 
@@ -81,6 +81,13 @@ void SampleLists::enlist_kept() {
     round_.throw_if_failed();
 }
 
+bool SampleLists::begin_survivors() {
+    if (round_.parts() != 1) return false;
+    round_.make_room(round_.memory.survivors, round_.draw_count);
+    round_.queue.fill(round_.memory.survivor_count, 0, 1);
+    return true;
+}
+
 void SampleLists::list_visitors() {
     Memory& m = round_.memory;
     std::array<std::uint32_t, 1> visitors{};
@@ -92,6 +99,7 @@ void SampleLists::list_visitors() {
         round_.queue.fill(m.visitor_count, 0, 1);
         portable::DrawArguments arguments = round_.arguments();
         arguments.room = static_cast<std::uint32_t>(room);
+        arguments.is_listed = round_.parts() == 1 ? 1 : 0;
         round_.launch_over_draws<kernels::reach>(arguments, kReachWork);
         round_.get<std::uint32_t>(m.visitor_count, visitors);
         round_.queue.wait();

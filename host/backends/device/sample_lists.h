@@ -18,6 +18,8 @@ public:
     void enlist_kept();
 
     void begin_part() { has_visitors_ = false; }
+    // Of a round in one part, screen is to list the survivors: those that reach blocks.
+    bool begin_survivors();
     bool has_visitors() const { return has_visitors_; }
     // Lists the part's candidates for the blocks that they reach, and makes room for them in the
     // lists of samples. Waits in between.

@@ -2,6 +2,7 @@
 #include "backends/device/scan.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "backends/device/kernels.h"
@@ -14,9 +15,9 @@ constexpr std::uint64_t kScanWork = 1;  // of eight values, see Queue::launch
 
 }  // namespace
 
-std::uint32_t block_of_scan(std::uint64_t count) {
-    return std::max(kSmallestBlock,
-                    static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count))));
+std::uint32_t block_bits_of_scan(std::uint64_t count) {
+    const auto root = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count)));
+    return static_cast<std::uint32_t>(std::bit_width(std::max(kSmallestBlock, root) - 1));
 }
 
 void make_room_to_scan(RoundMemory& round, std::uint64_t count) {
@@ -26,7 +27,7 @@ void make_room_to_scan(RoundMemory& round, std::uint64_t count) {
 }
 
 void scan(RoundMemory& round, std::uint32_t count) {
-    const std::uint32_t block = block_of_scan(count);
+    const std::uint32_t block = std::uint32_t{1} << block_bits_of_scan(count);
     const auto blocks = static_cast<std::uint32_t>(items_of(count, block));
     round.queue.fill(round.memory.total, 0, 1);
     launch<kernels::scan>(round.queue, round.memory, {0, count, block}, blocks,

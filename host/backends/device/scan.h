@@ -13,7 +13,8 @@ void make_room_to_scan(RoundMemory& round, std::uint64_t count);
 // Queues this: each of so many `counts` becomes the sum of those before it in its block, `sums` of
 // each block the sum of all blocks before it, and `total` that of all.
 void scan(RoundMemory& round, std::uint32_t count);
-// As many values as there are blocks: two short sums in place of a long one.
-std::uint32_t block_of_scan(std::uint64_t count);
+// A block has 2^block_bits_of_scan() counts: about as many as there are blocks, two short sums in
+// place of a long one. Lavapipe takes each item's division one by one, but shifts eight at a time.
+std::uint32_t block_bits_of_scan(std::uint64_t count);
 
 }  // namespace lacuna::device

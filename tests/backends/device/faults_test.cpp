@@ -141,6 +141,7 @@ Plan ground_plan(Boundary boundary, double part) {
     request.mask = &mask;
     request.keep = keep;
     request.round_size = 128;
+    request.lines_per_radius = 2;  // places are long, and many samples reach some of them
     Plan plan = make_plan(request);
     plan.limit = static_cast<std::uint64_t>(static_cast<double>(plan.expected_samples) * part);
     return plan;
@@ -159,11 +160,12 @@ TEST_P(Faults, OnAGroundAreNoticed) {
          {"bodies/reach.h", "if (candidate.z == NO_SAMPLE) return 0u;", "return AT(node_of, 0u);"},
          {"bodies/decide_on_ground.h", "other.w >= candidate.w", "other.w <= candidate.w"},
          {"bodies/decide_on_ground.h", "min(radius, AT(candidate_radii, visitor.x))", "radius"},
-         {"bodies/enlist.h", "AT(lists, block).x = next;", ""},
-         {"bodies/remnants.h", "min(entry.z, strip.radius);", "entry.z;"},
+         {"bodies/enlist.h", "AT(lists, block) = next;", ""},
+         {"bodies/remnants.h", "min(sample_radius, radius_of(strip));", "sample_radius;"},
          {"bodies/remnants.h", "g.period_x) + middle", "g.period_x)"},
          {"bodies/remnants.h", "window < windows", "window < 1u"},
-         {"bodies/remnants.h", "passed < next", "passed + 1u < next"},
+         {"bodies/cut_places.h", "all.second = others.last;", "all.second = others.second;"},
+         {"bodies/cut_places.h", "touch = touches.second;", "touch = touches.third;"},
          {"portable/distance.h", "period - last + at :", "period - begin + at :"}});
 }
 
@@ -172,14 +174,17 @@ TEST_P(Faults, InHalvedPlacesOnAGroundAreNoticed) {
     expect_noticed(
         ground_plan(Boundary::box, 2),
         {{"bodies/split.h", "if (up != 0u) {", "if (false) {"},
-         {"bodies/split.h", "part.y = cut - place.x;", "part.y = place.y;"},
+         {"bodies/split.h", "left.y = cut - place.x;", "left.y = place.y;"},
+         {"bodies/strip.h", "half_place.x = place.x + left;", "half_place.x = place.x;"},
          {"bodies/measure.h", ".y == 0u)", ".y == 1u)"},
-         {"bodies/remnants.h", "squared_length(dx, farthest) < limit;", "true;"},
-         {"bodies/cut_on_ground.h", "U32X2(rest.low,", "U32X2(rest.high - 1u,"},
+         {"bodies/cut_places.h", "squared_length(touch.dx, farthest) < least;", "true;"},
+         {"bodies/cut_places.h", "touches.count > 3u", "touches.count > 9u"},
+         {"bodies/cut_places.h", "rest.has_inside ||", ""},
+         {"bodies/cut_places.h", "U32X2(rest.low,", "U32X2(rest.high - 1u,"},
          {"bodies/cut_several.h", "++count;", "count = 1u;"},
-         {"bodies/keep_several.h", "number, piece, to)",
-          "number, U32X2(piece.x, piece.x + 1u), to)"},
-         {"bodies/kept_piece.h", "is_whole ? origin.y", "is_whole ? 1u"},
+         {"bodies/keep_several.h", "origin.x, piece, to)",
+          "origin.x, U32X2(piece.x, piece.x + 1u), to)"},
+         {"bodies/kept_piece.h", "is_whole ? strip.radius", "is_whole ? 1u"},
          {"bodies/ground.h", "AT(mask_bits, number / ALLOWED_PER_WORD)", "AT(mask_bits, 0u)"},
          {"bodies/ground.h", "i <= pixels.y >> level.shift", "i == pixels.x >> level.shift"},
          {"portable/ground.h", "less_a < less_b", "less_a > less_b"}});
