@@ -14,6 +14,21 @@ void CL_CALLBACK add_to_log(const char* message, const void*, std::size_t, void*
 
 }  // namespace
 
+void Turns::take(const void* queue) {
+    std::unique_lock lock(mutex_);
+    is_free_.wait(lock, [&] { return owner_ == nullptr || owner_ == queue; });
+    owner_ = queue;
+}
+
+void Turns::give_back(const void* queue) noexcept {
+    {
+        const std::lock_guard lock(mutex_);
+        if (owner_ != queue) return;
+        owner_ = nullptr;
+    }
+    is_free_.notify_one();
+}
+
 Device::Device(const Found& found) : entry_(found.entry), device_(found.device) {
     guard([&] { context_ = cl::Context(device_, nullptr, add_to_log, static_cast<void*>(&log_)); });
 }

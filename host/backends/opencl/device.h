@@ -1,6 +1,7 @@
 // A device in use, and the kernels compiled for it: kept for the process, for all backends.
 #pragma once
 
+#include <condition_variable>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -14,6 +15,23 @@
 
 namespace lacuna::opencl {
 
+// Which of several queues may have kernels under way. PoCL (3.1 and others) has a binary of a
+// kernel for small grids and one for large ones. When a kernel is done it counts the use of the
+// first that it finds as over, which is another one where queues use both: an assertion then ends
+// the process.
+class Turns {
+public:
+    // Waits until no other queue has the turn.
+    void take(const void* queue);
+    // If it has it.
+    void give_back(const void* queue) noexcept;
+
+private:
+    std::mutex mutex_;
+    std::condition_variable is_free_;
+    const void* owner_ = nullptr;
+};
+
 class Device {
 public:
     explicit Device(const Found& found);
@@ -21,6 +39,7 @@ public:
     const DeviceEntry& entry() const { return entry_; }
     const cl::Device& device() const { return device_; }
     const cl::Context& context() const { return context_; }
+    Turns& turns() { return turns_; }
 
     // Compiles the source, or finds it compiled. Throws DeviceError with the build log.
     cl::Program compiled(std::string_view source);
@@ -36,6 +55,7 @@ private:
     Log log_;  // before the context, whose driver writes to it
     cl::Device device_;
     cl::Context context_;
+    Turns turns_;
     std::mutex mutex_;
     std::map<std::string, cl::Program, std::less<>> programs_;
 };

@@ -37,6 +37,9 @@ public:
             chunks_ = processor ? units * kProcessorChunks : 0;
         });
     }
+    ~Queue() override { give_turn_back(); }
+    Queue(const Queue&) = delete;
+    Queue& operator=(const Queue&) = delete;
 
     const DeviceEntry& device() const override { return device_->entry(); }
 
@@ -78,6 +81,7 @@ public:
             queue_.finish();
         } catch (const cl::Error&) {  // of the run, and told by it
         }
+        give_turn_back();
     }
 
 protected:
@@ -88,6 +92,10 @@ protected:
 
     void enqueue(const KernelShape& shape, std::span<const std::byte> arguments,
                  std::span<const Buffer> buffers, std::uint32_t groups) override {
+        if (device_->entry().kind == "cpu" && !has_turn_) {
+            device_->turns().take(this);
+            has_turn_ = true;
+        }
         guard([&] {
             cl::Kernel& kernel = kernels_[shape.name];
             if (kernel() == nullptr) kernel = made(shape.name);
@@ -110,6 +118,7 @@ protected:
 
     void finish() override {
         guard([&] { queue_.finish(); });
+        give_turn_back();
         filling_.clear();
         before_pause_ = cl::Event();
     }
@@ -129,6 +138,11 @@ private:
         return cl::Kernel(device_->compiled(source), std::string(name).c_str());
     }
 
+    void give_turn_back() noexcept {
+        if (has_turn_) device_->turns().give_back(this);
+        has_turn_ = false;
+    }
+
     template <typename Work>
     std::invoke_result_t<Work> guard(Work work) const {
         return device_->guard(work);
@@ -138,6 +152,7 @@ private:
     std::vector<std::string> tried_;
     std::vector<std::string_view> sources_;  // of the kernels so far, those tried first
     cl::CommandQueue queue_;
+    bool has_turn_ = false;
     std::uint32_t group_size_ = 1;
     std::uint32_t chunks_ = 0;  // 0: as many as there are units of work
     std::map<std::string_view, cl::Kernel> kernels_;
