@@ -8,11 +8,11 @@ BODY void serve_cut_several(MEMORY const StripArguments a, const u32 item) {
     for (u32 i = item; i < end; i += a.chunk) {
         const u32 number = AT(several, i);
         const u32x4 place = AT(places, number);
-        const u32 radius = AT(origins, number).y;
-        const u32 list = list_of(ON number);
+        const u32x2 origin = AT(origins, number);
+        const u32 list = AT(lists, origin.x);
         u32 count = 0u;
         for (u32 k = 0u; k < strips_of_place(a.is_halved != 0u); ++k) {
-            const Strip strip = strip_of(ON a.is_halved != 0u, number, place, radius, k);
+            const Strip strip = strip_of(ON a.is_halved != 0u, number, place, origin.y, k);
             const Rest rest = rest_of(ON a, strip, list);
             u32x2 piece = U32X2(rest.low, rest.low);
             while (piece.y < rest.high) {

@@ -9,7 +9,7 @@ BODY void serve_keep_several(MEMORY const StripArguments a, const u32 item) {
         const u32 number = AT(several, i);
         const u32x4 place = AT(places, number);
         const u32x2 origin = AT(origins, number);
-        const u32 list = list_of(ON number);
+        const u32 list = AT(lists, origin.x);
         u32 to = place_of_first(ON a, number);
         for (u32 k = 0u; k < strips_of_place(a.is_halved != 0u); ++k) {
             const Strip strip = strip_of(ON a.is_halved != 0u, number, place, origin.y, k);

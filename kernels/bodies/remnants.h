@@ -1,7 +1,6 @@
 // What samples leave of a strip of a place on a ground, for cut_places, cut_several and
 // keep_several (docs/design.md, section 4, "exact with a field").
 #include "bodies/strip.h"
-#include "portable/bits.h"
 #include "portable/chord.h"
 #include "portable/distance.h"
 

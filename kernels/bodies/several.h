@@ -1,10 +1,6 @@
 // All that the samples listed for a place leave of a strip of it, piece by piece, for cut_several
 // and keep_several. Comes after remnants.h.
 
-BODY u32 list_of(MEMORY const u32 place) {
-    return AT(lists, AT(origins, place).x);
-}
-
 BODY Rest rest_of(MEMORY const StripArguments a, const Strip strip, const u32 list) {
     Rest rest = {strip.at.z, strip.at.w, false};
     u32 number = list;

@@ -76,7 +76,7 @@ struct SlabArguments {
 LACUNA_TYPEDEF(SlabArguments)
 
 // Of kernels that cut boxes into strips, `width` wide: each box is one, or two where is_halved
-// is 1. On a ground boxes are places of any width, or strips that split made of them.
+// is 1. On a ground boxes are places of any width, see bodies/strip.h.
 struct StripArguments {
     u32 first_item;
     u32 chunk;

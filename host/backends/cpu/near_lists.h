@@ -34,7 +34,7 @@ public:
         return few.span().from(which == Which::latest ? few.settled : 0);
     }
 
-    // Those that were listed since the block was settled, if its list is not cut up for its parts.
+    // Whether those that of_part tells may differ from part to part of the block.
     bool is_long(std::uint32_t block) const { return few_[block].is_long != 0; }
     // Whether any was listed since the block was settled, or ever; and settles it.
     bool has_latest(std::uint32_t block) const { return (states_[block] & kLatest) != 0; }

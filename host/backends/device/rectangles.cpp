@@ -73,7 +73,8 @@ public:
         portable::DrawArguments arguments = round_.arguments(FATE_COVERED);
         arguments.first = 0;
         arguments.count = round_.draw_count;
-        arguments.is_listed = lists_.begin_survivors() ? 1 : 0;
+        arguments.is_listed = lists_.has_survivors() ? 1 : 0;
+        lists_.begin_survivors();
         round_.launch_over_draws<kernels::screen_on_ground>(arguments, kGroundScreenWork);
     }
     void screen_again(std::uint32_t end) override {

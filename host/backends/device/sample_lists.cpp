@@ -81,11 +81,10 @@ void SampleLists::enlist_kept() {
     round_.throw_if_failed();
 }
 
-bool SampleLists::begin_survivors() {
-    if (round_.parts() != 1) return false;
+void SampleLists::begin_survivors() {
+    if (!has_survivors()) return;
     round_.make_room(round_.memory.survivors, round_.draw_count);
     round_.queue.fill(round_.memory.survivor_count, 0, 1);
-    return true;
 }
 
 void SampleLists::list_visitors() {
@@ -99,7 +98,7 @@ void SampleLists::list_visitors() {
         round_.queue.fill(m.visitor_count, 0, 1);
         portable::DrawArguments arguments = round_.arguments();
         arguments.room = static_cast<std::uint32_t>(room);
-        arguments.is_listed = round_.parts() == 1 ? 1 : 0;
+        arguments.is_listed = has_survivors() ? 1 : 0;
         round_.launch_over_draws<kernels::reach>(arguments, kReachWork);
         round_.get<std::uint32_t>(m.visitor_count, visitors);
         round_.queue.wait();

@@ -18,8 +18,9 @@ public:
     void enlist_kept();
 
     void begin_part() { has_visitors_ = false; }
-    // Of a round in one part, screen is to list the survivors: those that reach blocks.
-    bool begin_survivors();
+    // Of a round in one part, screen lists the survivors, and those alone reach blocks.
+    bool has_survivors() const { return round_.parts() == 1; }
+    void begin_survivors();
     bool has_visitors() const { return has_visitors_; }
     // Lists the part's candidates for the blocks that they reach, and makes room for them in the
     // lists of samples. Waits in between.

@@ -14,17 +14,16 @@ void CL_CALLBACK add_to_log(const char* message, const void*, std::size_t, void*
 
 }  // namespace
 
-void Turns::take(const void* queue) {
+void Turns::take() {
     std::unique_lock lock(mutex_);
-    is_free_.wait(lock, [&] { return owner_ == nullptr || owner_ == queue; });
-    owner_ = queue;
+    is_free_.wait(lock, [&] { return !is_taken_; });
+    is_taken_ = true;
 }
 
-void Turns::give_back(const void* queue) noexcept {
+void Turns::give_back() noexcept {
     {
         const std::lock_guard lock(mutex_);
-        if (owner_ != queue) return;
-        owner_ = nullptr;
+        is_taken_ = false;
     }
     is_free_.notify_one();
 }

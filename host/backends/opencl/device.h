@@ -21,15 +21,14 @@ namespace lacuna::opencl {
 // the process.
 class Turns {
 public:
-    // Waits until no other queue has the turn.
-    void take(const void* queue);
-    // If it has it.
-    void give_back(const void* queue) noexcept;
+    // Waits until no queue has the turn.
+    void take();
+    void give_back() noexcept;
 
 private:
     std::mutex mutex_;
     std::condition_variable is_free_;
-    const void* owner_ = nullptr;
+    bool is_taken_ = false;
 };
 
 class Device {

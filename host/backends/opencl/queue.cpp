@@ -93,7 +93,7 @@ protected:
     void enqueue(const KernelShape& shape, std::span<const std::byte> arguments,
                  std::span<const Buffer> buffers, std::uint32_t groups) override {
         if (device_->entry().kind == "cpu" && !has_turn_) {
-            device_->turns().take(this);
+            device_->turns().take();
             has_turn_ = true;
         }
         guard([&] {
@@ -139,7 +139,7 @@ private:
     }
 
     void give_turn_back() noexcept {
-        if (has_turn_) device_->turns().give_back(this);
+        if (has_turn_) device_->turns().give_back();
         has_turn_ = false;
     }
 
