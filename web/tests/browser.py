@@ -119,9 +119,10 @@ class Browser:
         for old in self.folder.iterdir():
             old.unlink()
         self.run("document.getElementById(arguments[0]).click()", button)
+        # The browser first makes an empty file of that name, to put the finished one in its place.
         finished = lambda: [file for file in self.folder.iterdir()
                             if file.suffix not in (".crdownload", ".tmp")
-                            and not file.name.startswith(".")]
+                            and not file.name.startswith(".") and file.stat().st_size > 0]
         file = self.until(finished, f"a file saved by {button}")[0]
         return file.name, file.read_bytes()
 
