@@ -9,12 +9,22 @@ ENTRY(split, serve_split, StripArguments, SPLIT_BINDINGS)
 
 BINDINGS(StripArguments, CUT_PLACES_BINDINGS)
 #include "bodies/remnants.h"
+#include "bodies/touches.h"
 #include "bodies/cut_places.h"
 ENTRY(cut_places, serve_cut_places, StripArguments, CUT_PLACES_BINDINGS)
+#include "bodies/cut_halves.h"
 ENTRY(cut_halves, serve_cut_halves, StripArguments, CUT_PLACES_BINDINGS)
+
+BINDINGS(StripArguments, CUT_UNEVEN_BINDINGS)
+#include "bodies/remnants.h"
+#include "bodies/touches.h"
+#include "bodies/uneven_strip.h"
+#include "bodies/cut_uneven.h"
+ENTRY(cut_uneven, serve_cut_uneven, StripArguments, CUT_UNEVEN_BINDINGS)
 
 BINDINGS(StripArguments, CUT_SEVERAL_BINDINGS)
 #include "bodies/remnants.h"
+#include "bodies/uneven_strip.h"
 #include "bodies/several.h"
 #include "bodies/cut_several.h"
 ENTRY(cut_several, serve_cut_several, StripArguments, CUT_SEVERAL_BINDINGS)
@@ -24,10 +34,19 @@ BINDINGS(StripArguments, KEEP_PLACES_BINDINGS)
 #include "bodies/kept_piece.h"
 #include "bodies/keep_places.h"
 ENTRY(keep_places, serve_keep_places, StripArguments, KEEP_PLACES_BINDINGS)
+#include "bodies/keep_halves.h"
 ENTRY(keep_halves, serve_keep_halves, StripArguments, KEEP_PLACES_BINDINGS)
+
+BINDINGS(StripArguments, KEEP_UNEVEN_BINDINGS)
+#include "bodies/strip.h"
+#include "bodies/kept_piece.h"
+#include "bodies/uneven_strip.h"
+#include "bodies/keep_uneven.h"
+ENTRY(keep_uneven, serve_keep_uneven, StripArguments, KEEP_UNEVEN_BINDINGS)
 
 BINDINGS(StripArguments, KEEP_SEVERAL_BINDINGS)
 #include "bodies/remnants.h"
+#include "bodies/uneven_strip.h"
 #include "bodies/several.h"
 #include "bodies/kept_piece.h"
 #include "bodies/keep_several.h"

@@ -11,8 +11,9 @@ BODY void serve_keep_several(MEMORY const StripArguments a, const u32 item) {
         const u32x2 origin = AT(origins, number);
         const u32 list = AT(lists, origin.x);
         u32 to = place_of_first(ON a, number);
-        for (u32 k = 0u; k < strips_of_place(a.is_halved != 0u); ++k) {
-            const Strip strip = strip_of(ON a.is_halved != 0u, number, place, origin.y, k);
+        const bool is_halved = a.is_halved != 0u;
+        for (u32 k = 0u; k < strips_of_place(is_halved, origin.y); ++k) {
+            const Strip strip = strip_of(ON is_halved, number, place, origin.y, k);
             const Rest rest = rest_of(ON a, strip, list);
             u32x2 piece = U32X2(rest.low, rest.low);
             while (piece.y < rest.high) {

@@ -1,5 +1,18 @@
 // All that the samples listed for a place leave of a strip of it, piece by piece, for cut_several
-// and keep_several. Comes after remnants.h.
+// and keep_several. Comes after remnants.h and uneven_strip.h.
+
+BODY u32 strips_of_place(const bool is_halved, const u32 radius) {
+    if (!is_halved) return 1u;
+    return is_even(radius) ? 2u : 4u;
+}
+
+BODY Strip strip_of(MEMORY const bool is_halved, const u32 number, const u32x4 place,
+                    const u32 radius, const u32 k) {
+    if (!is_halved) return whole_strip(place, radius);
+    if (!is_even(radius)) return uneven_strip(ON number, k);
+    if (k == 0u) return left_half(place, radius);
+    return right_half(place, radius);
+}
 
 BODY Rest rest_of(MEMORY const StripArguments a, const Strip strip, const u32 list) {
     Rest rest = {strip.at.z, strip.at.w, false};

@@ -1,7 +1,7 @@
-// The strips of a place on a ground: itself or, where places are halved, four, the parts of its
-// left half below and above a border of pixels, and then those of its right half. Most places lie
-// on pixels that are all alike: they have halves alone, and those need no table. Of others split
-// fills one.
+// The strips of a place on a ground: itself or, where places are halved, its left and its right
+// half. Most places lie on pixels that are all alike. Of each of the others there are four, which
+// split finds: the parts of its left half below and above a border of pixels, and then those of its
+// right half.
 #include "portable/ground.h"
 
 struct Strip {
@@ -9,10 +9,6 @@ struct Strip {
     u32 radius;  // the least under it, perhaps with IS_EVEN
 };
 LACUNA_TYPEDEF(Strip)
-
-BODY u32 strips_of_place(const bool is_halved) {
-    return is_halved ? 4u : 1u;
-}
 
 BODY u32 radius_of(const Strip strip) {
     return strip.radius & ~IS_EVEN;
@@ -22,28 +18,27 @@ BODY bool is_empty(const Strip strip) {
     return strip.at.z == strip.at.w;
 }
 
-BODY Strip strip_at(const u32x4 at, const u32 radius, const bool is_there) {
-    Strip strip = {at, is_there ? radius : 0u};
-    if (!is_there) strip.at.w = at.z;
+BODY bool is_even(const u32 radius) {
+    return (radius & IS_EVEN) != 0u;
+}
+
+BODY Strip whole_strip(const u32x4 place, const u32 radius) {
+    const Strip strip = {place, radius};
     return strip;
 }
 
-// Strip k of a place with this radius under it.
-BODY Strip strip_of(MEMORY const bool is_halved, const u32 number, const u32x4 place,
-                    const u32 radius, const u32 k) {
-    if (!is_halved) return strip_at(place, radius, k == 0u);
-    const u32 left = place.y / 2u;
-    u32x4 half_place = place;
-    if (k >= 2u) {
-        half_place.x = place.x + left;
-        half_place.y = place.y - left;
-    } else if (left != 0u) {
-        half_place.y = left;
-    }
-    Strip strip = strip_at(half_place, radius, k == 0u || (k == 2u && left != 0u));
-    if ((radius & IS_EVEN) == 0u) {
-        strip.at = AT(strips, number * 4u + k);
-        strip.radius = AT(strip_radii, number * 4u + k);
-    }
+// All of a place one unit wide.
+BODY Strip left_half(const u32x4 place, const u32 radius) {
+    Strip strip = {place, radius};
+    strip.at.y = max(place.y / 2u, 1u);
+    return strip;
+}
+
+BODY Strip right_half(const u32x4 place, const u32 radius) {
+    const u32 left = max(place.y / 2u, 1u);
+    Strip strip = {place, radius};
+    strip.at.x = place.x + left;
+    strip.at.y = place.y - left;
+    if (place.y == left) strip.at.w = place.z;
     return strip;
 }

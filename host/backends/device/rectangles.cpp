@@ -101,18 +101,15 @@ public:
         is_halving_ = halve;
         new_room_ = count_ + (halve ? count_ / 2 : 0) + kSparePlaces;
         Memory& m = round_.memory;
-        round_.make_room(m.strips, halve ? 4 * std::uint64_t{strips()} : 0);
-        round_.make_room(m.strip_radii, halve ? strips() : 0);
-        if (halve) launch_over<kernels::split>(uneven_, kGroundSplitWork);
-        round_.make_room(m.pieces, 2 * std::uint64_t{strips()});
+        const std::uint64_t strips = halve && uneven_ != 0 ? 4 * std::uint64_t{count_} : 0;
+        round_.make_room(m.strips, 4 * strips);
+        round_.make_room(m.strip_radii, strips);
+        round_.make_room(m.right_pieces, strips);
+        round_.make_room(m.pieces, 4 * std::uint64_t{count_});
         round_.make_room(m.several, count_);
         round_.queue.fill(m.several_count, 0, 1);
         make_room_to_scan(round_, count_);
-        if (halve)
-            launch_over<kernels::cut_halves>(count_, kGroundCutWork);
-        else
-            launch_over<kernels::cut_places>(count_, kGroundCutWork);
-        launch_over_list<kernels::cut_several>(count_ / kPlacesPerSeveral, kGroundSeveralWork);
+        cut();
         scan(round_, count_);
         keep();
     }
@@ -154,8 +151,6 @@ public:
     void restore(const Snapshot&) override { throw std::logic_error("no test restores a ground"); }
 
 private:
-    std::uint32_t strips() const { return is_halving_ ? 4 * count_ : count_; }
-
     void make_tables() {
         const GroundTables tables = tables_of(*round_.plan.ground);
         Memory& m = round_.memory;
@@ -240,16 +235,29 @@ private:
                 0};
     }
 
+    void cut() {
+        if (is_halving_) {
+            launch_over<kernels::cut_halves>(count_, kGroundCutWork);
+            launch_over<kernels::split>(uneven_, kGroundSplitWork);
+            launch_over<kernels::cut_uneven>(uneven_, kGroundCutWork);
+        } else {
+            launch_over<kernels::cut_places>(count_, kGroundCutWork);
+        }
+        launch_over_list<kernels::cut_several>(count_ / kPlacesPerSeveral, kGroundSeveralWork);
+    }
+
     void keep() {
         Memory& m = round_.memory;
         round_.make_room(m.new_places, 4 * std::uint64_t{new_room_});
         round_.make_room(m.new_origins, 2 * std::uint64_t{new_room_});
         round_.make_room(m.new_uneven, new_room_);
         round_.queue.fill(m.uneven_count, 0, 1);
-        if (is_halving_)
+        if (is_halving_) {
             launch_over<kernels::keep_halves>(count_, kGroundKeepWork);
-        else
+            launch_over<kernels::keep_uneven>(uneven_, kGroundKeepWork);
+        } else {
             launch_over<kernels::keep_places>(count_, kGroundKeepWork);
+        }
         launch_over_list<kernels::keep_several>(count_ / kPlacesPerSeveral, kGroundSeveralWork);
         launch_over_list<kernels::measure>(new_room_ / kPlacesPerUneven, kGroundMeasureWork);
     }

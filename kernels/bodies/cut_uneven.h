@@ -1,0 +1,29 @@
+// The body of cut_uneven: cuts the strips of places on unlike pixels by the samples listed for
+// them. Comes after touches.h and uneven_strip.h. Does nothing while admission is unsettled.
+
+BODY void serve_cut_uneven(MEMORY const StripArguments a, const u32 item) {
+    if (AT(undecided, a.last_pass) != 0u) return;
+    const u32 end = min((item + 1u) * a.chunk, a.boxes);
+    for (u32 i = item * a.chunk; i < end; ++i) {
+        const u32 number = AT(uneven, i);
+        const Strip left_low = uneven_strip(ON number, 0u);
+        const Strip left_high = uneven_strip(ON number, 1u);
+        const Strip right_low = uneven_strip(ON number, 2u);
+        const Strip right_high = uneven_strip(ON number, 3u);
+        const BothTouches touches =
+            touches_of(ON a, pair_of(left_low, left_high), true, pair_of(right_low, right_high),
+                       AT(origins, number).x);
+        const Cut first = cut_strip(a, left_low, touches.left);
+        const Cut second = cut_strip(a, left_high, touches.left);
+        const Cut third = cut_strip(a, right_low, touches.right);
+        const Cut fourth = cut_strip(a, right_high, touches.right);
+        const bool may_be_several = first.may_be_several || second.may_be_several ||
+                                    third.may_be_several || fourth.may_be_several;
+        AT(counts, number) = first.count + second.count + third.count + fourth.count;
+        put_pieces(ON number, first.piece, second.piece, may_be_several);
+        AT(right_pieces, number) =
+            may_be_several ? U32X4(0u, 0u, 0u, 0u)
+                           : U32X4(third.piece.x, third.piece.y, fourth.piece.x, fourth.piece.y);
+    }
+    CHECK_TURNS(a.g.height, FAILED_REFINE);
+}
