@@ -34,7 +34,7 @@ constexpr std::uint64_t kGroundMeasureWork = 2;
 constexpr std::uint32_t kPlacesPerSeveral = 16;
 constexpr std::uint32_t kPlacesPerUneven = 8;
 
-// Pieces beyond the number of the places cut; there are seldom as many.
+// Pieces beyond what is expected; there are seldom as many.
 constexpr std::uint32_t kSparePlaces = 1024;
 
 static_assert(sizeof(Rectangle) == 4 * kWord);
@@ -99,7 +99,7 @@ public:
         take_out();
         is_refining_ = true;
         is_halving_ = halve;
-        new_room_ = count_ + (halve ? count_ / 2 : 0) + kSparePlaces;
+        new_room_ = expected_places();
         Memory& m = round_.memory;
         const std::uint64_t strips = halve && uneven_ != 0 ? 4 * std::uint64_t{count_} : 0;
         round_.make_room(m.strips, 4 * strips);
@@ -202,6 +202,13 @@ private:
             widest_share_ = std::max(widest_share_, share);
         }
         mean_share_ = sum / all;
+    }
+
+    // Seldom more: the samples of a round cut few places in two. Of halves more than a quarter are
+    // covered, but where places lie on unlike pixels.
+    std::uint32_t expected_places() const {
+        const std::uint32_t cut = is_halving_ ? count_ / 4 * 3 + uneven_ : count_ / 32;
+        return count_ + cut + kSparePlaces;
     }
 
     // Serves so many places, or uneven ones. Halves are cut by all samples in their lists, and what
