@@ -61,7 +61,9 @@ public:
     void mark(const Candidate& candidate) {
         if (is_in(own_, candidate.x)) grid_.mark({candidate.x, candidate.y});
     }
-    void unmark(const Candidate& candidate) { grid_.unmark({candidate.x, candidate.y}); }
+    void unmark_all(std::span<const Candidate> candidates, std::span<const std::uint32_t> put_off) {
+        for (const std::uint32_t i : put_off) grid_.unmark({candidates[i].x, candidates[i].y});
+    }
 
 private:
     static constexpr std::uint32_t kBeyond = ~std::uint32_t{0};
@@ -102,11 +104,9 @@ public:
     void insert(const Candidate& candidate) {
         state_.near.insert(sized(candidate), candidate.line);
     }
-    void mark(const Candidate& candidate) {
-        state_.near.mark(sized(candidate), candidate.line, true);
-    }
-    void unmark(const Candidate& candidate) {
-        state_.near.mark(sized(candidate), candidate.line, false);
+    void mark(const Candidate& candidate) { state_.near.mark(sized(candidate), region_); }
+    void unmark_all(std::span<const Candidate>, std::span<const std::uint32_t>) {
+        state_.near.unmark_all();
     }
 
 private:
@@ -236,14 +236,19 @@ void Darts::finish(DartState& state, const std::function<void()>& poll) {
         return precedes(state.candidates[a], state.candidates[b]);
     });
     auto board = board_of(state);
+    const auto later = [&](std::size_t k) {
+        return state.candidates[all[std::min(k, all.size() - 1)]];
+    };
     for (std::size_t k = 0; k < all.size(); ++k) {
         if (k % kPollEvery == 0) poll();
+        board.fetch(later(k + kAhead));
+        board.fetch_sooner(later(k + kAhead / 2));
         const std::uint32_t i = all[k];
         const bool is_covered = board.is_covered(state.candidates[i]);
         state.fates[i] = is_covered ? FATE_REJECTED : FATE_ADMITTED;
         if (!is_covered) board.insert(state.candidates[i]);
     }
-    for (const std::uint32_t i : all) board.unmark(state.candidates[i]);
+    board.unmark_all(state.candidates, all);
 }
 
 template void Darts::throw_in(SpanState&, std::uint32_t);

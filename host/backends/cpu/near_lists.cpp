@@ -39,7 +39,8 @@ NearLists::NearLists(const Plan& plan)
       vectors_(*all_vectors().front()),
       few_(first_.block_count() + std::size_t{1}),  // vectors read past the last
       long_(first_.block_count()),
-      states_(first_.block_count()) {
+      states_(first_.block_count()),
+      marked_(first_.regions.size()) {
     for (const KeptSample& kept : plan.kept) {
         const Sized sample{kept.at.x, kept.at.y, kept.radius};
         for_each_reached(sample, 0, [&](std::uint32_t block) { push(sample, block); });
@@ -63,12 +64,6 @@ bool NearLists::is_within(const Sized& sample, std::uint32_t node) const {
     };
     return is_along(sample.x, place.x, place.x + place.width, all.x, all.x + all.width) &&
            is_along(sample.y, place.begin, place.end, all.begin, all.end);
-}
-
-std::uint32_t NearLists::region_of(std::uint32_t block) const {
-    const auto above =
-        std::upper_bound(first_.begins.begin(), first_.begins.end(), first_.blocks[block].first);
-    return first_.regions[static_cast<std::size_t>(above - first_.begins.begin()) - 1];
 }
 
 template <typename Visit>
@@ -220,11 +215,20 @@ SizedSpan NearLists::of_long_part(std::uint32_t block, const Rectangle& part, Wh
     return scratch.span();
 }
 
-void NearLists::mark(const Sized& candidate, std::uint32_t block, bool is_marked) {
-    for_each_reached(candidate, region_of(block), [&](std::uint32_t near) {
-        const unsigned others = states_[near] & ~unsigned{kMarked};
-        states_[near] = static_cast<std::uint8_t>(others | (is_marked ? kMarked : 0));
+void NearLists::mark(const Sized& candidate, std::uint32_t region) {
+    for_each_reached(candidate, first_.regions[region], [&](std::uint32_t near) {
+        if (is_marked(near)) return;
+        states_[near] |= kMarked;
+        marked_[region].push_back(near);
     });
+}
+
+void NearLists::unmark_all() {
+    for (std::vector<std::uint32_t>& of_region : marked_) {
+        for (const std::uint32_t block : of_region)
+            states_[block] &= static_cast<std::uint8_t>(~kMarked);
+        of_region.clear();
+    }
 }
 
 std::vector<Sample> NearLists::samples() const {

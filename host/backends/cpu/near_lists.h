@@ -70,9 +70,11 @@ public:
     // Lists what lies in a block for all blocks that it reaches, but closed ones. In parallel for
     // different regions, if it reaches those of its region only.
     void insert(const Sized& sample, std::uint32_t block);
-    // Marks the blocks of its own region that it reaches, or takes their marks away. Blocks are
+    // Marks the blocks of a region that it reaches: in parallel for different regions. Blocks are
     // marked as a whole: in a round that crowds, thousands would leave a mark in one.
-    void mark(const Sized& candidate, std::uint32_t block, bool is_marked);
+    void mark(const Sized& candidate, std::uint32_t region);
+    // Takes all marks away.
+    void unmark_all();
     bool is_marked(std::uint32_t block) const { return (states_[block] & kMarked) != 0; }
 
     // By x, then y.
@@ -133,7 +135,6 @@ private:
     // of.
     bool is_within(const Sized& sample, std::uint32_t node) const;
     bool sticks_out(const Sized& sample) const;
-    std::uint32_t region_of(std::uint32_t block) const;
     template <typename Visit>
     void for_each_reached(const Sized& sample, std::uint32_t root, Visit visit) const;
 
@@ -143,6 +144,7 @@ private:
     ZeroedArray<Few> few_;
     std::vector<std::unique_ptr<List>> long_;
     std::vector<std::uint8_t> states_;
+    std::vector<std::vector<std::uint32_t>> marked_;  // blocks, by region
 };
 
 }  // namespace lacuna::cpu
