@@ -53,7 +53,10 @@ FirstFree::FirstFree(const Plan& plan) {
         lengths = first_free_lengths(plan);
         return;
     }
-    for (const Rectangle& place : plan.first_places->places) {
+    const std::vector<Rectangle>& places = plan.first_places->places;
+    lengths.reserve(places.size());
+    widths.reserve(places.size());
+    for (const Rectangle& place : places) {
         lengths.push_back(place.end - place.begin);
         widths.push_back(place.width);
     }

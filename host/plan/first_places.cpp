@@ -21,7 +21,7 @@ constexpr std::uint32_t kFewPlaces = 128;
 constexpr std::uint32_t kRadii = 2;
 // And blocks so many. For shorter ones samples are listed more often; in lists of longer ones every
 // look takes longer.
-constexpr std::uint32_t kRadiiOfBlock = 4;
+constexpr std::uint32_t kRadiiOfBlock = 6;
 
 class Halving {
 public:

@@ -81,8 +81,8 @@ public:
     std::vector<Sample> samples() const;
 
 private:
-    // As many as nearly all lists end with: four lines of the cache.
-    static constexpr std::size_t kFew = 20;
+    // As many as seven of eight lists end with: seven lines of the cache.
+    static constexpr std::size_t kFew = 36;
     struct alignas(64) Few {
         std::uint32_t x[kFew];
         std::uint32_t y[kFew];
@@ -93,7 +93,7 @@ private:
 
         SizedSpan span() const { return {x, y, radius, count}; }
     };
-    static_assert(sizeof(Few) == 256);
+    static_assert(sizeof(Few) == 448);
     static constexpr std::uint8_t kMarked = 1, kLatest = 2, kClosed = 4;
 
     // A block beside one of far smaller radii may have thousands near it: a list of more than
