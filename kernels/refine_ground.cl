@@ -12,8 +12,12 @@ BINDINGS(StripArguments, CUT_PLACES_BINDINGS)
 #include "bodies/touches.h"
 #include "bodies/cut_places.h"
 ENTRY(cut_places, serve_cut_places, StripArguments, CUT_PLACES_BINDINGS)
+
+BINDINGS(StripArguments, CUT_HALVES_BINDINGS)
+#include "bodies/remnants.h"
+#include "bodies/touches.h"
 #include "bodies/cut_halves.h"
-ENTRY(cut_halves, serve_cut_halves, StripArguments, CUT_PLACES_BINDINGS)
+ENTRY(cut_halves, serve_cut_halves, StripArguments, CUT_HALVES_BINDINGS)
 
 BINDINGS(StripArguments, CUT_UNEVEN_BINDINGS)
 #include "bodies/remnants.h"
@@ -34,8 +38,12 @@ BINDINGS(StripArguments, KEEP_PLACES_BINDINGS)
 #include "bodies/kept_piece.h"
 #include "bodies/keep_places.h"
 ENTRY(keep_places, serve_keep_places, StripArguments, KEEP_PLACES_BINDINGS)
+
+BINDINGS(StripArguments, KEEP_HALVES_BINDINGS)
+#include "bodies/strip.h"
+#include "bodies/kept_piece.h"
 #include "bodies/keep_halves.h"
-ENTRY(keep_halves, serve_keep_halves, StripArguments, KEEP_PLACES_BINDINGS)
+ENTRY(keep_halves, serve_keep_halves, StripArguments, KEEP_HALVES_BINDINGS)
 
 BINDINGS(StripArguments, KEEP_UNEVEN_BINDINGS)
 #include "bodies/strip.h"

@@ -20,11 +20,11 @@ ENTRY(cut_places, serve_cut_places, StripArguments, CUT_PLACES_BINDINGS)
 #endif
 
 #ifdef ENTRY_cut_halves
-BINDINGS(StripArguments, CUT_PLACES_BINDINGS)
+BINDINGS(StripArguments, CUT_HALVES_BINDINGS)
 #include "bodies/remnants.h"
 #include "bodies/touches.h"
 #include "bodies/cut_halves.h"
-ENTRY(cut_halves, serve_cut_halves, StripArguments, CUT_PLACES_BINDINGS)
+ENTRY(cut_halves, serve_cut_halves, StripArguments, CUT_HALVES_BINDINGS)
 #endif
 
 #ifdef ENTRY_cut_uneven
@@ -54,11 +54,11 @@ ENTRY(keep_places, serve_keep_places, StripArguments, KEEP_PLACES_BINDINGS)
 #endif
 
 #ifdef ENTRY_keep_halves
-BINDINGS(StripArguments, KEEP_PLACES_BINDINGS)
+BINDINGS(StripArguments, KEEP_HALVES_BINDINGS)
 #include "bodies/strip.h"
 #include "bodies/kept_piece.h"
 #include "bodies/keep_halves.h"
-ENTRY(keep_halves, serve_keep_halves, StripArguments, KEEP_PLACES_BINDINGS)
+ENTRY(keep_halves, serve_keep_halves, StripArguments, KEEP_HALVES_BINDINGS)
 #endif
 
 #ifdef ENTRY_keep_uneven

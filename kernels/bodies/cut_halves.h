@@ -2,6 +2,10 @@
 // unlike pixels are left to cut_uneven. Comes after touches.h. Does nothing while admission is
 // unsettled.
 
+BODY u32 flag_of(const u32x2 inside) {
+    return inside.y != 0u ? IS_CUT_INSIDE : 0u;
+}
+
 BODY void serve_cut_halves(MEMORY const StripArguments a, const u32 item) {
     if (AT(undecided, a.last_pass) != 0u) return;
     const u32 end = min((item + 1u) * a.chunk, a.boxes);
@@ -16,8 +20,13 @@ BODY void serve_cut_halves(MEMORY const StripArguments a, const u32 item) {
         const Cut of_left = cut_strip(a, left, touches.left);
         const Cut of_right = cut_strip(a, right, touches.right);
         AT(counts, number) = of_left.count + of_right.count;
-        put_pieces(ON number, of_left.piece, of_right.piece,
+        put_pieces(ON number,
+                   U32X4(of_left.piece.x, of_left.piece.y | flag_of(of_left.inside),
+                         of_right.piece.x, of_right.piece.y | flag_of(of_right.inside)),
                    of_left.may_be_several || of_right.may_be_several);
+        if (of_left.inside.y + of_right.inside.y != 0u)
+            AT(more_pieces, number) =
+                U32X4(of_left.inside.x, of_left.inside.y, of_right.inside.x, of_right.inside.y);
     }
     CHECK_TURNS(a.g.height, FAILED_REFINE);
 }

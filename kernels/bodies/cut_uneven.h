@@ -1,6 +1,10 @@
 // The body of cut_uneven: cuts the strips of places on unlike pixels by the samples listed for
 // them. Comes after touches.h and uneven_strip.h. Does nothing while admission is unsettled.
 
+BODY bool may_be_two(const Cut cut) {
+    return cut.may_be_several || cut.count > 1u;
+}
+
 BODY void serve_cut_uneven(MEMORY const StripArguments a, const u32 item) {
     if (AT(undecided, a.last_pass) != 0u) return;
     const u32 end = min((item + 1u) * a.chunk, a.boxes);
@@ -17,11 +21,12 @@ BODY void serve_cut_uneven(MEMORY const StripArguments a, const u32 item) {
         const Cut second = cut_strip(a, left_high, touches.left);
         const Cut third = cut_strip(a, right_low, touches.right);
         const Cut fourth = cut_strip(a, right_high, touches.right);
-        const bool may_be_several = first.may_be_several || second.may_be_several ||
-                                    third.may_be_several || fourth.may_be_several;
+        const bool may_be_several =
+            may_be_two(first) || may_be_two(second) || may_be_two(third) || may_be_two(fourth);
         AT(counts, number) = first.count + second.count + third.count + fourth.count;
-        put_pieces(ON number, first.piece, second.piece, may_be_several);
-        AT(right_pieces, number) =
+        put_pieces(ON number, U32X4(first.piece.x, first.piece.y, second.piece.x, second.piece.y),
+                   may_be_several);
+        AT(more_pieces, number) =
             may_be_several ? U32X4(0u, 0u, 0u, 0u)
                            : U32X4(third.piece.x, third.piece.y, fourth.piece.x, fourth.piece.y);
     }

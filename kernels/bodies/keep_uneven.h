@@ -16,7 +16,7 @@ BODY void serve_keep_uneven(MEMORY const StripArguments a, const u32 item) {
         const u32 number = AT(uneven, i);
         const u32 block = AT(origins, number).x;
         const u32x4 left = AT(pieces, number);
-        const u32x4 right = AT(right_pieces, number);
+        const u32x4 right = AT(more_pieces, number);
         u32 to = place_of_first(ON a, number);
         to = keep_uneven_piece(ON a, number, 0u, block, U32X2(left.x, left.y), to);
         to = keep_uneven_piece(ON a, number, 1u, block, U32X2(left.z, left.w), to);

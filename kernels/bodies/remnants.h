@@ -21,9 +21,15 @@ BODY bool is_in_list(const StripArguments a, const u32 number) {
 struct Rest {
     u32 low;
     u32 high;
-    bool has_inside;
+    u32 insides;   // how many chords lay inside when they were cut
+    u32x2 inside;  // the last of them
 };
 LACUNA_TYPEDEF(Rest)
+
+BODY Rest all_of(const Strip strip) {
+    const Rest rest = {strip.at.z, strip.at.w, 0u, U32X2(0u, 0u)};
+    return rest;
+}
 
 BODY Rest without_chord(const Rest whole, const u32 begin, const u32 end) {
     Rest rest = whole;
@@ -32,8 +38,10 @@ BODY Rest without_chord(const Rest whole, const u32 begin, const u32 end) {
         rest.low = min(end, rest.high);
     else if (end >= rest.high)
         rest.high = begin;
-    else
-        rest.has_inside = true;
+    else {
+        ++rest.insides;
+        rest.inside = U32X2(begin, end);
+    }
     return rest;
 }
 

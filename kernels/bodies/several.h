@@ -15,7 +15,7 @@ BODY Strip strip_of(MEMORY const bool is_halved, const u32 number, const u32x4 p
 }
 
 BODY Rest rest_of(MEMORY const StripArguments a, const Strip strip, const u32 list) {
-    Rest rest = {strip.at.z, strip.at.w, false};
+    Rest rest = all_of(strip);
     u32 number = list;
     while (is_in_list(a, number) && rest.low < rest.high) {
         const u32x4 entry = AT(entries, number);
@@ -35,7 +35,7 @@ BODY u32x2 next_piece(MEMORY const StripArguments a, const Strip strip, const u3
         // Chords that cover `begin` move it up; else the lowest one above it ends the piece.
         u32 end = rest.high;
         bool has_moved = false;
-        u32 number = rest.has_inside ? list : NO_SAMPLE;
+        u32 number = rest.insides != 0u ? list : NO_SAMPLE;
         while (is_in_list(a, number)) {
             const u32x4 entry = AT(entries, number);
             number = entry.w;

@@ -10,6 +10,9 @@ struct Strip {
 };
 LACUNA_TYPEDEF(Strip)
 
+// In the end of what cut_halves leaves of a half: a part inside is missing.
+#define IS_CUT_INSIDE 0x80000000u
+
 BODY u32 radius_of(const Strip strip) {
     return strip.radius & ~IS_EVEN;
 }

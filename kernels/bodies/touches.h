@@ -89,34 +89,42 @@ BODY BothTouches touches_of(MEMORY const StripArguments a, const Pair left, cons
     return both;
 }
 
-// The rest of a strip: [low, high), or 0 and 0 where nothing is left. Seldom more than three
-// samples take something from a strip, or one cuts it inside: then it may be several pieces.
+// What is left of a strip: [x, y) but for [x, y) of what is inside; each is 0 and 0 where it is
+// nothing. Seldom more than three samples take something from a strip, or two of them cut it
+// inside: then there may be more pieces than that.
 struct Cut {
     u32x2 piece;
+    u32x2 inside;
     u32 count;
     bool may_be_several;
 };
 LACUNA_TYPEDEF(Cut)
 
 BODY Cut cut_strip(const StripArguments a, const Strip strip, const Touches touches) {
-    Rest rest = {strip.at.z, touches.is_covered ? strip.at.z : strip.at.w, false};
+    Rest rest = all_of(strip);
+    if (touches.is_covered) rest.high = rest.low;
     Touch touch = touches.last;
     for (u32 i = 0u; i < touches.count && i < 3u; ++i) {
         rest = without_sample(a, strip, rest, touch.dx, touch.y, touch.radius);
         touch = touches.third;
         if (i == 0u) touch = touches.second;
     }
+    const bool may_be_several = rest.insides > 1u || touches.count > 3u;
+    // Later samples may have cut up to a chord that lay inside.
+    if (rest.insides != 0u) {
+        rest.insides = 0u;
+        rest = without_chord(rest, rest.inside.x, rest.inside.y);
+    }
     const bool is_left = rest.low < rest.high;
-    const Cut cut = {is_left ? U32X2(rest.low, rest.high) : U32X2(0u, 0u), is_left ? 1u : 0u,
-                     is_left && (rest.has_inside || touches.count > 3u)};
+    const bool has_inside = is_left && rest.insides != 0u;
+    const Cut cut = {is_left ? U32X2(rest.low, rest.high) : U32X2(0u, 0u),
+                     has_inside ? rest.inside : U32X2(0u, 0u),
+                     (is_left ? 1u : 0u) + (has_inside ? 1u : 0u), is_left && may_be_several};
     return cut;
 }
 
-// What is left of a place's strips, or of those of its left half. A place of which there may be
-// several pieces is left to cut_several, and keeps none here.
-BODY void put_pieces(MEMORY const u32 number, const u32x2 first, const u32x2 second,
-                     const bool may_be_several) {
+// A place of which there may be more pieces than that is left to cut_several, and keeps none here.
+BODY void put_pieces(MEMORY const u32 number, const u32x4 left, const bool may_be_several) {
     if (may_be_several) AT(several, ATOMIC_ADD(several_count, 0, 1u)) = number;
-    AT(pieces, number) =
-        may_be_several ? U32X4(0u, 0u, 0u, 0u) : U32X4(first.x, first.y, second.x, second.y);
+    AT(pieces, number) = may_be_several ? U32X4(0u, 0u, 0u, 0u) : left;
 }

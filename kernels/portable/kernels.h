@@ -174,10 +174,12 @@ LACUNA_END
 // its block, and the least radius under it, with IS_EVEN where there is no other
 // (portable/ground.h), or 0 where that is not known. node_links are the greatest radius, and the
 // next node, first block and whole of plan/first_places.h. A visitor of a block is a candidate that
-// reaches it, and the number of the next visitor. pieces[] are the begins and ends of what is left
-// of a place or of its halves or, where it lies on unlike pixels, of the strips of its left half;
-// right_pieces[] then are those of its right half. several[] are the places of which a strip may
-// leave several pieces, uneven[] and new_uneven[] those without IS_EVEN.
+// reaches it, and the number of the next visitor. pieces[] are begin and end of what is left of a
+// place and, if something inside of that is missing, of what is; or of what is left of each half,
+// and more_pieces[] of what is missing inside; or, where a place lies on unlike pixels, of what is
+// left of the strips of its left half, and more_pieces[] of its right half. several[] are the
+// places of which there may be more pieces than that, uneven[] and new_uneven[] those without
+// IS_EVEN.
 #define LOCATE_ON_GROUND_BINDINGS(B) B(0, READ, u32, axes)                                   \
     B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits) B(3, READ, u32x4, places)    \
     B(4, READ, u32x2, origins) B(5, READ, u32x4, draws) B(6, WRITE, u32x4, candidates)        \
@@ -210,11 +212,12 @@ LACUNA_END
     B(3, READ, u32, lists) B(4, READ, u32x4, entries) B(5, WRITE, u32, counts)               \
     B(6, WRITE, u32x4, pieces) B(7, WRITE, u32, several) B(8, SHARED, u32, several_count)    \
     B(9, SHARED, u32, failure)
+#define CUT_HALVES_BINDINGS(B) CUT_PLACES_BINDINGS(B) B(10, WRITE, u32x4, more_pieces)
 #define CUT_UNEVEN_BINDINGS(B)                                                               \
     B(0, READ, u32, undecided) B(1, READ, u32, uneven) B(2, READ, u32x2, origins)            \
     B(3, READ, u32x4, strips) B(4, READ, u32, strip_radii) B(5, READ, u32, lists)            \
     B(6, READ, u32x4, entries) B(7, WRITE, u32, counts) B(8, WRITE, u32x4, pieces)           \
-    B(9, WRITE, u32x4, right_pieces) B(10, WRITE, u32, several)                              \
+    B(9, WRITE, u32x4, more_pieces) B(10, WRITE, u32, several)                              \
     B(11, SHARED, u32, several_count) B(12, SHARED, u32, failure)
 #define CUT_SEVERAL_BINDINGS(B)                                                              \
     B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
@@ -226,10 +229,11 @@ LACUNA_END
     B(3, READ, u32x4, pieces) B(4, READ, u32, counts) B(5, READ, u32, sums)                  \
     B(6, WRITE, u32x4, new_places) B(7, WRITE, u32x2, new_origins)                           \
     B(8, WRITE, u32, new_uneven) B(9, SHARED, u32, uneven_count) B(10, SHARED, u32, failure)
+#define KEEP_HALVES_BINDINGS(B) KEEP_PLACES_BINDINGS(B) B(11, READ, u32x4, more_pieces)
 #define KEEP_UNEVEN_BINDINGS(B)                                                              \
     B(0, READ, u32, undecided) B(1, READ, u32, uneven) B(2, READ, u32x2, origins)            \
     B(3, READ, u32x4, strips) B(4, READ, u32, strip_radii) B(5, READ, u32x4, pieces)         \
-    B(6, READ, u32x4, right_pieces) B(7, READ, u32, counts) B(8, READ, u32, sums)            \
+    B(6, READ, u32x4, more_pieces) B(7, READ, u32, counts) B(8, READ, u32, sums)            \
     B(9, WRITE, u32x4, new_places) B(10, WRITE, u32x2, new_origins)                          \
     B(11, WRITE, u32, new_uneven) B(12, SHARED, u32, uneven_count) B(13, SHARED, u32, failure)
 #define KEEP_SEVERAL_BINDINGS(B)                                                             \
@@ -256,7 +260,7 @@ LACUNA_END
     B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii) B(u32, pixel_reaches)                   \
     B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, left_count) B(u32, axes)             \
     B(u32x2, radius_bounds) B(u32, mask_bits) B(u32x4, places) B(u32x2, origins)                   \
-    B(u32x4, new_places) B(u32x2, new_origins) B(u32x4, pieces) B(u32x4, right_pieces)            \
+    B(u32x4, new_places) B(u32x2, new_origins) B(u32x4, pieces) B(u32x4, more_pieces)            \
     B(u32x4, strips)                                                                               \
     B(u32, strip_radii) B(u32, several) B(u32, several_count) B(u32, uneven)                      \
     B(u32, new_uneven) B(u32, uneven_count)                                                       \
@@ -295,11 +299,11 @@ LACUNA_END
     K(split, StripArguments, SPLIT_BINDINGS)                          \
     K(measure, StripArguments, MEASURE_BINDINGS)                      \
     K(cut_places, StripArguments, CUT_PLACES_BINDINGS)                \
-    K(cut_halves, StripArguments, CUT_PLACES_BINDINGS)                \
+    K(cut_halves, StripArguments, CUT_HALVES_BINDINGS)                \
     K(cut_uneven, StripArguments, CUT_UNEVEN_BINDINGS)                \
     K(cut_several, StripArguments, CUT_SEVERAL_BINDINGS)              \
     K(keep_places, StripArguments, KEEP_PLACES_BINDINGS)              \
-    K(keep_halves, StripArguments, KEEP_PLACES_BINDINGS)              \
+    K(keep_halves, StripArguments, KEEP_HALVES_BINDINGS)              \
     K(keep_uneven, StripArguments, KEEP_UNEVEN_BINDINGS)              \
     K(keep_several, StripArguments, KEEP_SEVERAL_BINDINGS)            \
     LACUNA_RELAX_KERNELS(K)

@@ -104,8 +104,8 @@ public:
         const std::uint64_t strips = halve && uneven_ != 0 ? 4 * std::uint64_t{count_} : 0;
         round_.make_room(m.strips, 4 * strips);
         round_.make_room(m.strip_radii, strips);
-        round_.make_room(m.right_pieces, strips);
         round_.make_room(m.pieces, 4 * std::uint64_t{count_});
+        round_.make_room(m.more_pieces, halve ? 4 * std::uint64_t{count_} : 0);
         round_.make_room(m.several, count_);
         round_.queue.fill(m.several_count, 0, 1);
         make_room_to_scan(round_, count_);

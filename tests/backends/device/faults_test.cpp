@@ -164,6 +164,7 @@ TEST_P(Faults, OnAGroundAreNoticed) {
          {"bodies/remnants.h", "min(sample_radius, radius_of(strip));", "sample_radius;"},
          {"bodies/remnants.h", "g.period_x) + middle", "g.period_x)"},
          {"bodies/remnants.h", "window < windows", "window < 1u"},
+         {"bodies/keep_places.h", "U32X2(cut.w, cut.y)", "U32X2(cut.z, cut.y)"},
          {"bodies/touches.h", "all.second = others.last;", "all.second = others.second;"},
          {"bodies/touches.h", "touch = touches.second;", "touch = touches.third;"},
          {"portable/distance.h", "period - last + at :", "period - begin + at :"}});
@@ -179,11 +180,11 @@ TEST_P(Faults, InHalvedPlacesOnAGroundAreNoticed) {
          {"bodies/measure.h", ".y == 0u)", ".y == 1u)"},
          {"bodies/touches.h", "squared_length(touch.dx, farthest) < least;", "true;"},
          {"bodies/touches.h", "touches.count > 3u", "touches.count > 9u"},
-         {"bodies/touches.h", "rest.has_inside ||", ""},
+         {"bodies/touches.h", "rest = without_chord(rest, rest.inside.x, rest.inside.y);", ""},
          {"bodies/touches.h", "U32X2(rest.low,", "U32X2(rest.high - 1u,"},
          {"bodies/cut_halves.h", "of_left.count + of_right.count", "of_left.count"},
          {"bodies/cut_uneven.h", "first.count +", ""},
-         {"bodies/keep_halves.h", "both.y == 0u ? first : first + 1u", "first + 1u"},
+         {"bodies/keep_halves.h", "++to;", ""},
          {"bodies/keep_uneven.h", "0u, block", "2u, block"},
          {"bodies/cut_several.h", "++count;", "count = 1u;"},
          {"bodies/keep_several.h", "origin.x, piece, to)",
@@ -192,6 +193,19 @@ TEST_P(Faults, InHalvedPlacesOnAGroundAreNoticed) {
          {"bodies/ground.h", "AT(mask_bits, number / ALLOWED_PER_WORD)", "AT(mask_bits, 0u)"},
          {"bodies/ground.h", "i <= pixels.y >> level.shift", "i == pixels.x >> level.shift"},
          {"portable/ground.h", "less_a < less_b", "less_a > less_b"}});
+}
+
+// Of places on one large pixel, more are cut inside before all that is near them is there.
+TEST_P(Faults, InPiecesOfPlacesOnAGroundAreNoticed) {
+    const Field field = tests::noise_field(2, 2, 3);
+    Request request;
+    request.field = &field;
+    request.scale = 0.005;
+    Plan plan = make_plan(request);
+    plan.limit = 2 * plan.expected_samples;
+    expect_noticed(plan,
+                   {{"bodies/touches.h", "rest.insides > 1u ||", ""},
+                    {"bodies/keep_halves.h", "U32X2(inside.y, end)", "U32X2(inside.x, end)"}});
 }
 
 // Rounds of so many draws in so few columns are admitted in parts.
