@@ -8,15 +8,8 @@ BODY void serve_keep_places(MEMORY const StripArguments a, const u32 item) {
         const u32x4 cut = AT(pieces, number);
         if (cut.y == 0u) continue;
         const u32x2 origin = AT(origins, number);
-        const Strip strip = whole_strip(AT(places, number), origin.y);
-        u32 to = place_of_first(ON a, number);
-        u32x2 piece = U32X2(cut.x, cut.w != 0u ? cut.z : cut.y);
-        while (true) {
-            keep_piece(ON a, strip, origin.x, piece, to);
-            if (piece.y == cut.y) break;
-            piece = U32X2(cut.w, cut.y);
-            ++to;
-        }
+        keep_rest(ON a, whole_strip(AT(places, number), origin.y), origin.x, U32X2(cut.x, cut.y),
+                  U32X2(cut.z, cut.w), place_of_first(ON a, number));
     }
     CHECK_TURNS(a.g.height, FAILED_REFINE);
 }

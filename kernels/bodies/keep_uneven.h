@@ -1,14 +1,6 @@
 // The body of keep_uneven: writes what cut_uneven left to the new places. Comes after kept_piece.h
 // and uneven_strip.h. Does nothing while admission is unsettled.
 
-// The number of the piece after this one.
-BODY u32 keep_uneven_piece(MEMORY const StripArguments a, const u32 number, const u32 k,
-                           const u32 block, const u32x2 piece, const u32 to) {
-    if (piece.y == 0u) return to;
-    keep_piece(ON a, uneven_strip(ON number, k), block, piece, to);
-    return to + 1u;
-}
-
 BODY void serve_keep_uneven(MEMORY const StripArguments a, const u32 item) {
     if (AT(undecided, a.last_pass) != 0u) return;
     const u32 end = min((item + 1u) * a.chunk, a.boxes);
@@ -17,11 +9,15 @@ BODY void serve_keep_uneven(MEMORY const StripArguments a, const u32 item) {
         const u32 block = AT(origins, number).x;
         const u32x4 left = AT(pieces, number);
         const u32x4 right = AT(more_pieces, number);
+        const u32x2 nothing = U32X2(0u, 0u);
         u32 to = place_of_first(ON a, number);
-        to = keep_uneven_piece(ON a, number, 0u, block, U32X2(left.x, left.y), to);
-        to = keep_uneven_piece(ON a, number, 1u, block, U32X2(left.z, left.w), to);
-        to = keep_uneven_piece(ON a, number, 2u, block, U32X2(right.x, right.y), to);
-        keep_uneven_piece(ON a, number, 3u, block, U32X2(right.z, right.w), to);
+        to =
+            keep_rest(ON a, uneven_strip(ON number, 0u), block, U32X2(left.x, left.y), nothing, to);
+        to =
+            keep_rest(ON a, uneven_strip(ON number, 1u), block, U32X2(left.z, left.w), nothing, to);
+        to = keep_rest(ON a, uneven_strip(ON number, 2u), block, U32X2(right.x, right.y), nothing,
+                       to);
+        keep_rest(ON a, uneven_strip(ON number, 3u), block, U32X2(right.z, right.w), nothing, to);
     }
     CHECK_TURNS(a.g.height, FAILED_REFINE);
 }

@@ -1,5 +1,5 @@
-// What samples leave of a strip of a place on a ground, for cut_places, cut_several and
-// keep_several (docs/design.md, section 4, "exact with a field").
+// What samples leave of a strip of a place on a ground, for cut_places, cut_halves, cut_uneven,
+// cut_several and keep_several (docs/design.md, section 4, "exact with a field").
 #include "bodies/strip.h"
 #include "portable/chord.h"
 #include "portable/distance.h"

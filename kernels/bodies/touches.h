@@ -123,7 +123,8 @@ BODY Cut cut_strip(const StripArguments a, const Strip strip, const Touches touc
     return cut;
 }
 
-// A place of which there may be more pieces than that is left to cut_several, and keeps none here.
+// What is left of a place's strips: nothing here where there may be more pieces than Cuts can tell,
+// for then the place is left to cut_several.
 BODY void put_pieces(MEMORY const u32 number, const u32x4 left, const bool may_be_several) {
     if (may_be_several) AT(several, ATOMIC_ADD(several_count, 0, 1u)) = number;
     AT(pieces, number) = may_be_several ? U32X4(0u, 0u, 0u, 0u) : left;

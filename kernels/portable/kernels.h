@@ -217,7 +217,7 @@ LACUNA_END
     B(0, READ, u32, undecided) B(1, READ, u32, uneven) B(2, READ, u32x2, origins)            \
     B(3, READ, u32x4, strips) B(4, READ, u32, strip_radii) B(5, READ, u32, lists)            \
     B(6, READ, u32x4, entries) B(7, WRITE, u32, counts) B(8, WRITE, u32x4, pieces)           \
-    B(9, WRITE, u32x4, more_pieces) B(10, WRITE, u32, several)                              \
+    B(9, WRITE, u32x4, more_pieces) B(10, WRITE, u32, several)                               \
     B(11, SHARED, u32, several_count) B(12, SHARED, u32, failure)
 #define CUT_SEVERAL_BINDINGS(B)                                                              \
     B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
@@ -233,7 +233,7 @@ LACUNA_END
 #define KEEP_UNEVEN_BINDINGS(B)                                                              \
     B(0, READ, u32, undecided) B(1, READ, u32, uneven) B(2, READ, u32x2, origins)            \
     B(3, READ, u32x4, strips) B(4, READ, u32, strip_radii) B(5, READ, u32x4, pieces)         \
-    B(6, READ, u32x4, more_pieces) B(7, READ, u32, counts) B(8, READ, u32, sums)            \
+    B(6, READ, u32x4, more_pieces) B(7, READ, u32, counts) B(8, READ, u32, sums)             \
     B(9, WRITE, u32x4, new_places) B(10, WRITE, u32x2, new_origins)                          \
     B(11, WRITE, u32, new_uneven) B(12, SHARED, u32, uneven_count) B(13, SHARED, u32, failure)
 #define KEEP_SEVERAL_BINDINGS(B)                                                             \

@@ -164,7 +164,7 @@ TEST_P(Faults, OnAGroundAreNoticed) {
          {"bodies/remnants.h", "min(sample_radius, radius_of(strip));", "sample_radius;"},
          {"bodies/remnants.h", "g.period_x) + middle", "g.period_x)"},
          {"bodies/remnants.h", "window < windows", "window < 1u"},
-         {"bodies/keep_places.h", "U32X2(cut.w, cut.y)", "U32X2(cut.z, cut.y)"},
+         {"bodies/kept_piece.h", "U32X2(inside.y, left.y)", "U32X2(inside.x, left.y)"},
          {"bodies/touches.h", "all.second = others.last;", "all.second = others.second;"},
          {"bodies/touches.h", "touch = touches.second;", "touch = touches.third;"},
          {"portable/distance.h", "period - last + at :", "period - begin + at :"}});
@@ -184,8 +184,8 @@ TEST_P(Faults, InHalvedPlacesOnAGroundAreNoticed) {
          {"bodies/touches.h", "U32X2(rest.low,", "U32X2(rest.high - 1u,"},
          {"bodies/cut_halves.h", "of_left.count + of_right.count", "of_left.count"},
          {"bodies/cut_uneven.h", "first.count +", ""},
-         {"bodies/keep_halves.h", "++to;", ""},
-         {"bodies/keep_uneven.h", "0u, block", "2u, block"},
+         {"bodies/keep_halves.h", "left_half(place, origin.y)", "right_half(place, origin.y)"},
+         {"bodies/keep_uneven.h", "ON number, 0u", "ON number, 2u"},
          {"bodies/cut_several.h", "++count;", "count = 1u;"},
          {"bodies/keep_several.h", "origin.x, piece, to)",
           "origin.x, U32X2(piece.x, piece.x + 1u), to)"},
@@ -205,7 +205,7 @@ TEST_P(Faults, InPiecesOfPlacesOnAGroundAreNoticed) {
     plan.limit = 2 * plan.expected_samples;
     expect_noticed(plan,
                    {{"bodies/touches.h", "rest.insides > 1u ||", ""},
-                    {"bodies/keep_halves.h", "U32X2(inside.y, end)", "U32X2(inside.x, end)"}});
+                    {"bodies/kept_piece.h", "U32X2(inside.y, left.y)", "U32X2(inside.x, left.y)"}});
 }
 
 // Rounds of so many draws in so few columns are admitted in parts.
