@@ -20,7 +20,7 @@ BODY void serve_cut_halves(MEMORY const StripArguments a, const u32 item) {
         const Cut of_left = cut_strip(a, left, touches.left);
         const Cut of_right = cut_strip(a, right, touches.right);
         AT(counts, number) = of_left.count + of_right.count;
-        put_pieces(ON number,
+        put_pieces(ON number, 0u,
                    U32X4(of_left.piece.x, of_left.piece.y | flag_of(of_left.inside),
                          of_right.piece.x, of_right.piece.y | flag_of(of_right.inside)),
                    of_left.may_be_several || of_right.may_be_several);

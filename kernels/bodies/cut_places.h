@@ -10,7 +10,7 @@ BODY void serve_cut_places(MEMORY const StripArguments a, const u32 item) {
         const Pair all = pair_of_one(strip);
         const Cut cut = cut_strip(a, strip, touches_of(ON a, all, false, all, origin.x).left);
         AT(counts, number) = cut.count;
-        put_pieces(ON number, U32X4(cut.piece.x, cut.piece.y, cut.inside.x, cut.inside.y),
+        put_pieces(ON number, 0u, U32X4(cut.piece.x, cut.piece.y, cut.inside.x, cut.inside.y),
                    cut.may_be_several);
     }
     CHECK_TURNS(a.g.height, FAILED_REFINE);

@@ -11,13 +11,10 @@ BODY void serve_keep_uneven(MEMORY const StripArguments a, const u32 item) {
         const u32x4 right = AT(more_pieces, number);
         const u32x2 nothing = U32X2(0u, 0u);
         u32 to = place_of_first(ON a, number);
-        to =
-            keep_rest(ON a, uneven_strip(ON number, 0u), block, U32X2(left.x, left.y), nothing, to);
-        to =
-            keep_rest(ON a, uneven_strip(ON number, 1u), block, U32X2(left.z, left.w), nothing, to);
-        to = keep_rest(ON a, uneven_strip(ON number, 2u), block, U32X2(right.x, right.y), nothing,
-                       to);
-        keep_rest(ON a, uneven_strip(ON number, 3u), block, U32X2(right.z, right.w), nothing, to);
+        to = keep_rest(ON a, uneven_strip(ON i, 0u), block, U32X2(left.x, left.y), nothing, to);
+        to = keep_rest(ON a, uneven_strip(ON i, 1u), block, U32X2(left.z, left.w), nothing, to);
+        to = keep_rest(ON a, uneven_strip(ON i, 2u), block, U32X2(right.x, right.y), nothing, to);
+        keep_rest(ON a, uneven_strip(ON i, 3u), block, U32X2(right.z, right.w), nothing, to);
     }
     CHECK_TURNS(a.g.height, FAILED_REFINE);
 }

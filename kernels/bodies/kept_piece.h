@@ -16,7 +16,9 @@ BODY void keep_piece(MEMORY const StripArguments a, const Strip strip, const u32
     const bool is_known = is_whole || is_even(strip.radius);
     AT(new_places, to) = U32X4(strip.at.x, strip.at.y, piece.x, piece.y);
     AT(new_origins, to) = U32X2(block, is_known ? strip.radius : 0u);
-    if (!is_even(strip.radius)) AT(new_uneven, ATOMIC_ADD(uneven_count, 0, 1u)) = to;
+    AT(widths, to) = strip.at.y;
+    AT(free_lengths, to) = piece.y - piece.x;
+    if (!is_even(strip.radius)) AT(new_uneven, ATOMIC_ADD(list_counts, OF_NEW_UNEVEN, 1u)) = to;
 }
 
 // Keeps what is left of a strip (see Cut in touches.h), one piece or two, from number `first` on.

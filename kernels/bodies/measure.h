@@ -4,7 +4,7 @@
 
 BODY void serve_measure(MEMORY const StripArguments a, const u32 item) {
     if (AT(undecided, a.last_pass) != 0u || item >= a.chunk) return;
-    const u32 end = AT(uneven_count, 0);
+    const u32 end = AT(list_counts, OF_NEW_UNEVEN);
     for (u32 i = item; i < end; i += a.chunk) {
         const u32 number = AT(new_uneven, i);
         if (AT(new_origins, number).y == 0u)

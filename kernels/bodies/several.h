@@ -6,10 +6,11 @@ BODY u32 strips_of_place(const bool is_halved, const u32 radius) {
     return is_even(radius) ? 2u : 4u;
 }
 
-BODY Strip strip_of(MEMORY const bool is_halved, const u32 number, const u32x4 place,
+// `uneven` is where in uneven[] the place is, if it lies on unlike pixels.
+BODY Strip strip_of(MEMORY const bool is_halved, const u32 uneven, const u32x4 place,
                     const u32 radius, const u32 k) {
     if (!is_halved) return whole_strip(place, radius);
-    if (!is_even(radius)) return uneven_strip(ON number, k);
+    if (!is_even(radius)) return uneven_strip(ON uneven, k);
     if (k == 0u) return left_half(place, radius);
     return right_half(place, radius);
 }

@@ -27,17 +27,16 @@ BODY void serve_split(MEMORY const StripArguments a, const u32 item) {
     if (AT(undecided, a.last_pass) != 0u) return;
     const u32 end = min((item + 1u) * a.chunk, a.boxes);
     for (u32 i = item * a.chunk; i < end; ++i) {
-        const u32 number = AT(uneven, i);
-        const u32x4 place = AT(places, number);
+        const u32x4 place = AT(places, AT(uneven, i));
         const u32 cut = cut_x(ON place, under(ON place));
         u32x4 left = place;
         if (cut != 0u) left.y = cut - place.x;
-        put_half(ON number * 4u, left);
+        put_half(ON i * 4u, left);
         if (cut != 0u) {
-            put_half(ON number * 4u + 2u, U32X4(cut, place.x + place.y - cut, place.z, place.w));
+            put_half(ON i * 4u + 2u, U32X4(cut, place.x + place.y - cut, place.z, place.w));
         } else {
-            put_strip(ON number * 4u + 2u, place, 0u);
-            put_strip(ON number * 4u + 3u, place, 0u);
+            put_strip(ON i * 4u + 2u, place, 0u);
+            put_strip(ON i * 4u + 3u, place, 0u);
         }
     }
     CHECK_TURNS(a.g.height, FAILED_REFINE);

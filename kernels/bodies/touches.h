@@ -124,8 +124,10 @@ BODY Cut cut_strip(const StripArguments a, const Strip strip, const Touches touc
 }
 
 // What is left of a place's strips: nothing here where there may be more pieces than Cuts can tell,
-// for then the place is left to cut_several.
-BODY void put_pieces(MEMORY const u32 number, const u32x4 left, const bool may_be_several) {
-    if (may_be_several) AT(several, ATOMIC_ADD(several_count, 0, 1u)) = number;
+// for then the place is left to cut_several, which finds its strips as those of number `uneven`.
+BODY void put_pieces(MEMORY const u32 number, const u32 uneven, const u32x4 left,
+                     const bool may_be_several) {
+    if (may_be_several)
+        AT(several, ATOMIC_ADD(list_counts, OF_SEVERAL, 1u)) = U32X2(number, uneven);
     AT(pieces, number) = may_be_several ? U32X4(0u, 0u, 0u, 0u) : left;
 }

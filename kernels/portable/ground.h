@@ -27,6 +27,10 @@
 // none.
 #define HAS_ZEROS 0x80000000u
 
+// The words of list_counts[]: how long new_uneven[] and several[] are.
+#define OF_NEW_UNEVEN 0u
+#define OF_SEVERAL 1u
+
 // The least radius under a place shares a word with this bit, which tells that all of the place is
 // allowed and has that radius.
 #define IS_EVEN 0x80000000u

@@ -177,9 +177,10 @@ LACUNA_END
 // reaches it, and the number of the next visitor. pieces[] are begin and end of what is left of a
 // place and, if something inside of that is missing, of what is; or of what is left of each half,
 // and more_pieces[] of what is missing inside; or, where a place lies on unlike pixels, of what is
-// left of the strips of its left half, and more_pieces[] of its right half. several[] are the
-// places of which there may be more pieces than that, uneven[] and new_uneven[] those without
-// IS_EVEN.
+// left of the strips of its left half, and more_pieces[] of its right half. uneven[]
+// and new_uneven[] are the places without IS_EVEN; strips[] and strip_radii[] have four entries for
+// each of uneven[]. several[] are the places of which there may be more pieces than that, and where
+// in uneven[] each is, if it is there.
 #define LOCATE_ON_GROUND_BINDINGS(B) B(0, READ, u32, axes)                                   \
     B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits) B(3, READ, u32x4, places)    \
     B(4, READ, u32x2, origins) B(5, READ, u32x4, draws) B(6, WRITE, u32x4, candidates)        \
@@ -210,42 +211,44 @@ LACUNA_END
 #define CUT_PLACES_BINDINGS(B)                                                               \
     B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
     B(3, READ, u32, lists) B(4, READ, u32x4, entries) B(5, WRITE, u32, counts)               \
-    B(6, WRITE, u32x4, pieces) B(7, WRITE, u32, several) B(8, SHARED, u32, several_count)    \
+    B(6, WRITE, u32x4, pieces) B(7, WRITE, u32x2, several) B(8, SHARED, u32, list_counts)    \
     B(9, SHARED, u32, failure)
 #define CUT_HALVES_BINDINGS(B) CUT_PLACES_BINDINGS(B) B(10, WRITE, u32x4, more_pieces)
 #define CUT_UNEVEN_BINDINGS(B)                                                               \
     B(0, READ, u32, undecided) B(1, READ, u32, uneven) B(2, READ, u32x2, origins)            \
     B(3, READ, u32x4, strips) B(4, READ, u32, strip_radii) B(5, READ, u32, lists)            \
     B(6, READ, u32x4, entries) B(7, WRITE, u32, counts) B(8, WRITE, u32x4, pieces)           \
-    B(9, WRITE, u32x4, more_pieces) B(10, WRITE, u32, several)                               \
-    B(11, SHARED, u32, several_count) B(12, SHARED, u32, failure)
+    B(9, WRITE, u32x4, more_pieces) B(10, WRITE, u32x2, several)                             \
+    B(11, SHARED, u32, list_counts) B(12, SHARED, u32, failure)
 #define CUT_SEVERAL_BINDINGS(B)                                                              \
-    B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
-    B(3, READ, u32x4, strips) B(4, READ, u32, strip_radii) B(5, READ, u32, lists)          \
-    B(6, READ, u32x4, entries) B(7, WRITE, u32, counts) B(8, READ, u32, several)             \
-    B(9, READ, u32, several_count) B(10, SHARED, u32, failure)
+    B(0, READ, u32x4, places) B(1, READ, u32x2, origins) B(2, READ, u32x4, strips)           \
+    B(3, READ, u32, strip_radii) B(4, READ, u32, lists) B(5, READ, u32x4, entries)           \
+    B(6, WRITE, u32, counts) B(7, READ, u32x2, several) B(8, READ, u32, list_counts)         \
+    B(9, SHARED, u32, failure)
 #define KEEP_PLACES_BINDINGS(B)                                                              \
     B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
     B(3, READ, u32x4, pieces) B(4, READ, u32, counts) B(5, READ, u32, sums)                  \
-    B(6, WRITE, u32x4, new_places) B(7, WRITE, u32x2, new_origins)                           \
-    B(8, WRITE, u32, new_uneven) B(9, SHARED, u32, uneven_count) B(10, SHARED, u32, failure)
-#define KEEP_HALVES_BINDINGS(B) KEEP_PLACES_BINDINGS(B) B(11, READ, u32x4, more_pieces)
+    B(6, WRITE, u32x4, new_places) B(7, WRITE, u32x2, new_origins) B(8, WRITE, u32, widths)  \
+    B(9, WRITE, u32, free_lengths) B(10, WRITE, u32, new_uneven)                             \
+    B(11, SHARED, u32, list_counts) B(12, SHARED, u32, failure)
+#define KEEP_HALVES_BINDINGS(B) KEEP_PLACES_BINDINGS(B) B(13, READ, u32x4, more_pieces)
 #define KEEP_UNEVEN_BINDINGS(B)                                                              \
     B(0, READ, u32, undecided) B(1, READ, u32, uneven) B(2, READ, u32x2, origins)            \
     B(3, READ, u32x4, strips) B(4, READ, u32, strip_radii) B(5, READ, u32x4, pieces)         \
     B(6, READ, u32x4, more_pieces) B(7, READ, u32, counts) B(8, READ, u32, sums)             \
-    B(9, WRITE, u32x4, new_places) B(10, WRITE, u32x2, new_origins)                          \
-    B(11, WRITE, u32, new_uneven) B(12, SHARED, u32, uneven_count) B(13, SHARED, u32, failure)
+    B(9, WRITE, u32x4, new_places) B(10, WRITE, u32x2, new_origins) B(11, WRITE, u32, widths) \
+    B(12, WRITE, u32, free_lengths) B(13, WRITE, u32, new_uneven)                            \
+    B(14, SHARED, u32, list_counts) B(15, SHARED, u32, failure)
 #define KEEP_SEVERAL_BINDINGS(B)                                                             \
-    B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
-    B(3, READ, u32x4, strips) B(4, READ, u32, strip_radii) B(5, READ, u32, lists)          \
-    B(6, READ, u32x4, entries) B(7, READ, u32, counts) B(8, READ, u32, sums)                 \
-    B(9, WRITE, u32x4, new_places) B(10, WRITE, u32x2, new_origins)                          \
-    B(11, WRITE, u32, new_uneven) B(12, SHARED, u32, uneven_count) B(13, READ, u32, several) \
-    B(14, READ, u32, several_count) B(15, SHARED, u32, failure)
+    B(0, READ, u32x4, places) B(1, READ, u32x2, origins) B(2, READ, u32x4, strips)           \
+    B(3, READ, u32, strip_radii) B(4, READ, u32, lists) B(5, READ, u32x4, entries)           \
+    B(6, READ, u32, counts) B(7, READ, u32, sums) B(8, WRITE, u32x4, new_places)             \
+    B(9, WRITE, u32x2, new_origins) B(10, WRITE, u32, widths) B(11, WRITE, u32, free_lengths) \
+    B(12, WRITE, u32, new_uneven) B(13, READ, u32x2, several)                                \
+    B(14, SHARED, u32, list_counts) B(15, SHARED, u32, failure)
 #define MEASURE_BINDINGS(B)                                                                  \
     B(0, READ, u32, axes) B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits)        \
-    B(3, READ, u32, new_uneven) B(4, READ, u32, uneven_count) B(5, READ, u32x4, new_places)  \
+    B(3, READ, u32, new_uneven) B(4, READ, u32, list_counts) B(5, READ, u32x4, new_places)   \
     B(6, BOTH, u32x2, new_origins) B(7, READ, u32, undecided) B(8, SHARED, u32, failure)
 
 // All buffers, of which a kernel has those that its bindings name.
@@ -259,13 +262,12 @@ LACUNA_END
     B(u32, place_begins) B(u32, bits) B(u32, widest) B(u32, widest_rows) B(u32, column_of)        \
     B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii) B(u32, pixel_reaches)                   \
     B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, left_count) B(u32, axes)             \
-    B(u32x2, radius_bounds) B(u32, mask_bits) B(u32x4, places) B(u32x2, origins)                   \
-    B(u32x4, new_places) B(u32x2, new_origins) B(u32x4, pieces) B(u32x4, more_pieces)            \
-    B(u32x4, strips)                                                                               \
-    B(u32, strip_radii) B(u32, several) B(u32, several_count) B(u32, uneven)                      \
-    B(u32, new_uneven) B(u32, uneven_count)                                                       \
-    B(u32x4, node_places) B(u32x4, node_links) B(u32, node_of) B(u32, visitor_count)              \
-    B(u32, visitor_heads) B(u32x2, visitors) B(u32, lists) B(u32x4, entries)                    \
+    B(u32x2, radius_bounds) B(u32, mask_bits) B(u32x4, places) B(u32x2, origins)                  \
+    B(u32x4, new_places) B(u32x2, new_origins) B(u32, widths) B(u32x4, pieces)                    \
+    B(u32x4, more_pieces) B(u32x4, strips) B(u32, strip_radii) B(u32x2, several)                  \
+    B(u32, uneven) B(u32, new_uneven) B(u32, list_counts) B(u32x4, node_places)                   \
+    B(u32x4, node_links) B(u32, node_of) B(u32, visitor_count) B(u32, visitor_heads)              \
+    B(u32x2, visitors) B(u32, lists) B(u32x4, entries)                                            \
     B(u32, entry_count) B(u32, survivors) B(u32, survivor_count)                                  \
     LACUNA_RELAX_BUFFERS(B)
 

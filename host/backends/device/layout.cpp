@@ -158,10 +158,11 @@ Needs needs_of_cells(const Plan& plan, std::uint64_t round) {
 }
 
 // On a ground. Of draws, located, candidates; buckets, fates, radii, counts; samples; and the first
-// places that each reaches. Of a sample: its entries, places and what they become.
+// places that each reaches. Of a place: it and its origin, before and after a round; its pieces;
+// widths, lengths and counts; and where it is in lists.
 constexpr std::uint64_t kGroundBytesPerDraw = 48 + 16 + 8 + 10 * 8;
-constexpr std::uint64_t kGroundBytesPerSample = 8 * 16 + 2 * (20 + 20 + 20);
-constexpr std::uint64_t kLargestPerSample = 128;
+constexpr std::uint64_t kGroundBytesPerPlace = 2 * (16 + 8) + 2 * 16 + 3 * 4 + 4 * 4;
+constexpr std::uint64_t kBytesPerEntry = 16;
 
 Needs needs_of_ground(const Plan& plan, std::uint64_t round) {
     const Ground& ground = *plan.ground;
@@ -170,9 +171,12 @@ Needs needs_of_ground(const Plan& plan, std::uint64_t round) {
         std::uint64_t{ground.columns().pixels()} * ground.rows().pixels() * 8 * 4 / 3;
     const std::uint64_t mask =
         ground.mask() == nullptr ? 0 : std::uint64_t{ground.mask()->values().size()} / 3;
-    return {radii + mask + plan.expected_samples * kGroundBytesPerSample +
+    const std::uint64_t entries = plan.expected_samples * kEntriesPerSample * kBytesPerEntry;
+    const auto places =
+        static_cast<std::uint64_t>(kPlacesPerSample * static_cast<double>(plan.expected_samples));
+    return {radii + mask + entries + places * kGroundBytesPerPlace +
                 plan.first_places->nodes.size() * 48 + round * kGroundBytesPerDraw,
-            std::max({radii, plan.expected_samples * kLargestPerSample, round * 10 * 8})};
+            std::max({radii, entries, places * 16, round * 10 * 8})};
 }
 
 Needs needs_of(const Plan& plan, std::uint64_t round) {

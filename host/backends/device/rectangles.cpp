@@ -37,6 +37,8 @@ constexpr std::uint32_t kPlacesPerUneven = 8;
 // Pieces beyond what is expected; there are seldom as many.
 constexpr std::uint32_t kSparePlaces = 1024;
 
+constexpr std::uint32_t kLists = 2;  // new_uneven and several, see portable/ground.h
+
 static_assert(sizeof(Rectangle) == 4 * kWord);
 
 class Rectangles : public Places {
@@ -44,7 +46,7 @@ public:
     explicit Rectangles(RoundMemory& round)
         : Places(round), first_(*round.plan.first_places), lists_(round) {
         make_tables();
-        take_places(first_.places);
+        take_first_places();
         put_first_places();
         find_shares();
         lists_.enlist_kept();
@@ -101,13 +103,14 @@ public:
         is_halving_ = halve;
         new_room_ = expected_places();
         Memory& m = round_.memory;
-        const std::uint64_t strips = halve && uneven_ != 0 ? 4 * std::uint64_t{count_} : 0;
+        const std::uint64_t strips = halve ? 4 * std::uint64_t{uneven_} : 0;
         round_.make_room(m.strips, 4 * strips);
         round_.make_room(m.strip_radii, strips);
-        round_.make_room(m.pieces, 4 * std::uint64_t{count_});
-        round_.make_room(m.more_pieces, halve ? 4 * std::uint64_t{count_} : 0);
-        round_.make_room(m.several, count_);
-        round_.queue.fill(m.several_count, 0, 1);
+        make_room_for_places(m.pieces, 4, count_);
+        make_room_for_places(m.more_pieces, 4, halve ? count_ : 0);
+        make_room_for_places(m.several, 2, count_);
+        round_.queue.fill(m.list_counts, 0, kLists);
+        make_room_for_places(m.counts, 1, count_);
         make_room_to_scan(round_, count_);
         cut();
         scan(round_, count_);
@@ -118,12 +121,14 @@ public:
         lists_.start_download();
         if (!is_refining_) return;
         round_.get<std::uint32_t>(round_.memory.total, total_);
-        round_.get<std::uint32_t>(round_.memory.uneven_count, uneven_of_new_);
+        round_.get<std::uint32_t>(round_.memory.list_counts, list_counts_);
     }
 
     bool queue_rest() override {
         if (!is_refining_ || total_.front() <= new_room_) return false;
         new_room_ = total_.front();
+        list_counts_[OF_NEW_UNEVEN] = 0;
+        round_.put<std::uint32_t>(round_.memory.list_counts, list_counts_);
         keep();
         return true;
     }
@@ -135,11 +140,11 @@ public:
         std::swap(m.places, m.new_places);
         std::swap(m.origins, m.new_origins);
         std::swap(m.uneven, m.new_uneven);
-        new_places_.resize(total_.front());
-        round_.get<Rectangle>(m.places, new_places_);
+        take_count(total_.front());
+        round_.get<std::uint32_t>(m.widths, widths_);
+        round_.get<std::uint32_t>(m.free_lengths, lengths_);
         round_.queue.wait();
-        take_places(new_places_);
-        uneven_ = uneven_of_new_.front();
+        uneven_ = list_counts_[OF_NEW_UNEVEN];
         lists_.end_round();
     }
 
@@ -160,6 +165,14 @@ private:
         round_.queue.wait();
     }
 
+    void take_first_places() {
+        take_count(static_cast<std::uint32_t>(first_.places.size()));
+        for (std::uint32_t i = 0; i < count_; ++i) {
+            widths_[i] = first_.places[i].width;
+            lengths_[i] = first_.places[i].end - first_.places[i].begin;
+        }
+    }
+
     void put_first_places() {
         std::vector<std::uint32_t> origins;
         std::vector<std::uint32_t> uneven;
@@ -173,19 +186,14 @@ private:
         round_.put_in_room<Rectangle>(m.places, first_.places);
         round_.put_in_room<std::uint32_t>(m.origins, origins);
         round_.put_in_room<std::uint32_t>(m.uneven, uneven);
-        round_.make_room(m.several_count, 1);
-        round_.make_room(m.uneven_count, 1);
+        round_.make_room(m.list_counts, kLists);
     }
 
-    void take_places(std::span<const Rectangle> places) {
-        count_ = static_cast<std::uint32_t>(places.size());
+    void take_count(std::uint32_t places) {
+        count_ = places;
         begins_ = {0, count_};
-        lengths_.clear();
-        widths_.clear();
-        for (const Rectangle& place : places) {
-            lengths_.push_back(place.end - place.begin);
-            widths_.push_back(place.width);
-        }
+        widths_.resize(count_);
+        lengths_.resize(count_);
     }
 
     // Of the domain, within the radius of a place: on average, and at most.
@@ -202,6 +210,14 @@ private:
             widest_share_ = std::max(widest_share_, share);
         }
         mean_share_ = sum / all;
+    }
+
+    // At once for as many places as there will be, most likely: their number grows for some rounds,
+    // and memory made anew is cleared page by page.
+    void make_room_for_places(Buffer& buffer, std::uint64_t words, std::uint64_t places) const {
+        const auto most = static_cast<std::uint64_t>(
+            kPlacesPerSample * static_cast<double>(round_.plan.expected_samples));
+        round_.make_room(buffer, words * (places == 0 ? 0 : std::max(places, most)));
     }
 
     // Seldom more: the samples of a round cut few places in two. Of halves more than a quarter are
@@ -255,10 +271,11 @@ private:
 
     void keep() {
         Memory& m = round_.memory;
-        round_.make_room(m.new_places, 4 * std::uint64_t{new_room_});
-        round_.make_room(m.new_origins, 2 * std::uint64_t{new_room_});
-        round_.make_room(m.new_uneven, new_room_);
-        round_.queue.fill(m.uneven_count, 0, 1);
+        make_room_for_places(m.new_places, 4, new_room_);
+        make_room_for_places(m.new_origins, 2, new_room_);
+        make_room_for_places(m.widths, 1, new_room_);
+        make_room_for_places(m.free_lengths, 1, new_room_);
+        make_room_for_places(m.new_uneven, 1, new_room_);
         if (is_halving_) {
             launch_over<kernels::keep_halves>(count_, kGroundKeepWork);
             launch_over<kernels::keep_uneven>(uneven_, kGroundKeepWork);
@@ -284,8 +301,7 @@ private:
     bool is_halving_ = false;
     std::uint32_t new_room_ = 0;
     std::array<std::uint32_t, 1> total_{};
-    std::array<std::uint32_t, 1> uneven_of_new_{};
-    std::vector<Rectangle> new_places_;
+    std::array<std::uint32_t, kLists> list_counts_{};
 };
 
 }  // namespace

@@ -36,8 +36,12 @@ RoundMemory::RoundMemory(const Plan& the_plan, Queue& the_queue)
 
 void RoundMemory::make_room(Buffer& buffer, std::uint64_t words) const {
     if (buffer.words() >= words && buffer.words() != 0) return;
+    const std::uint64_t bytes = std::max(words, kLeastWords) * kWord;
+    const DeviceEntry& device = queue.device();
+    refuse_if_too_large(device.name, Needs{0, bytes}, device.memory_bytes,
+                        device.largest_buffer_bytes);
     buffer = {};  // first let go of what was there
-    buffer = queue.make(std::max(words, kLeastWords) * kWord);
+    buffer = queue.make(bytes);
 }
 
 Buffer RoundMemory::copy_of(std::span<const std::uint32_t> words) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "backends/device/layout.h"
 #include "plan/ground.h"
 #include "portable/fate.h"
 
@@ -15,8 +16,6 @@ namespace {
 constexpr std::uint64_t kReachWork = 12;
 constexpr std::uint64_t kEnlistWork = 1;
 
-// Entries for a sample to be expected; where more are needed, half as many again are made room for.
-constexpr std::uint64_t kEntriesPerSample = 8;
 // Blocks that a draw reaches, most of which are soon covered; where it is more, they are
 // listed again.
 constexpr std::uint64_t kVisitsPerDraw = 8;
@@ -107,14 +106,15 @@ void SampleLists::list_visitors() {
     has_visitors_ = true;
 }
 
-// Keeps what is there.
+// Keeps what is there. Half as many again, if the device allows so many.
 void SampleLists::make_room_for_entries(std::uint64_t count) {
     Buffer& entries = round_.memory.entries;
     if (4 * count <= entries.words()) return;
     std::vector<std::uint32_t> words(4 * std::size_t{entry_count_.front()});
     round_.get<std::uint32_t>(entries, words);
     round_.queue.wait();
-    round_.make_room(entries, 4 * (count + count / 2));
+    const std::uint64_t most = round_.queue.device().largest_buffer_bytes / (4 * kWord);
+    round_.make_room(entries, 4 * std::max(count, std::min(count + count / 2, most)));
     round_.put<std::uint32_t>(entries, words);
     round_.queue.wait();
 }
