@@ -176,10 +176,11 @@ private:
     void put_first_places() {
         std::vector<std::uint32_t> origins;
         std::vector<std::uint32_t> uneven;
+        origins.reserve(2 * std::size_t{count_});
         first_.for_each_place(0, count_, [&](std::uint32_t place, std::uint32_t block) {
-            const Under under = round_.plan.ground->under(first_.places[place]);
-            origins.insert(origins.end(), {block, under.least | (under.is_even ? IS_EVEN : 0)});
-            if (!under.is_even) uneven.push_back(place);
+            const std::uint32_t radius = first_radius(place, block);
+            origins.insert(origins.end(), {block, radius});
+            if ((radius & IS_EVEN) == 0) uneven.push_back(place);
         });
         uneven_ = static_cast<std::uint32_t>(uneven.size());
         Memory& m = round_.memory;
@@ -187,6 +188,14 @@ private:
         round_.put_in_room<std::uint32_t>(m.origins, origins);
         round_.put_in_room<std::uint32_t>(m.uneven, uneven);
         round_.make_room(m.list_counts, kLists);
+    }
+
+    // The least one under a first place, as devices have it, see portable/kernels.h.
+    std::uint32_t first_radius(std::uint32_t place, std::uint32_t block) const {
+        const std::uint32_t even_radius = first_.blocks[block].even_radius;
+        if (even_radius != 0) return even_radius | IS_EVEN;
+        const Under under = round_.plan.ground->under(first_.places[place]);
+        return under.least | (under.is_even ? IS_EVEN : 0);
     }
 
     void take_count(std::uint32_t places) {

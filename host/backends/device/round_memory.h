@@ -84,10 +84,9 @@ struct RoundMemory {
     template <typename T>
     void put_in_room(Buffer& buffer, std::span<const T> from) {
         make_room(buffer, from.size_bytes() / kWord);
-        std::vector<std::byte> all(buffer.bytes());
-        const std::span<const std::byte> bytes = std::as_bytes(from);
-        std::copy(bytes.begin(), bytes.end(), all.begin());
-        queue.upload(buffer, all, 0);
+        const std::vector<std::byte> rest(buffer.bytes() - from.size_bytes());
+        put(buffer, from);
+        queue.upload(buffer, rest, from.size_bytes());
         queue.wait();
     }
     // A buffer with these words.
