@@ -95,5 +95,22 @@ TEST(Requests, OfModeCellsThatDoNotFitAreRefusedToo) {
               "device Toy: the request needs 0.0296 GB of memory, and it has 0.02 GB");
 }
 
+TEST(Requests, OnAGroundThatDoNotFitAreRefusedToo) {
+    // 696,500 samples, of 16 bytes for each of three entries; and the places, and what becomes of
+    // them.
+    const Field field = tests::constant_field(1, 1);
+    Request request;
+    request.field = &field;
+    request.scale = 0.001;
+    request.boundary = Boundary::torus;
+    const Plan plan = make_plan(request);
+    const std::uint64_t much = std::uint64_t{1} << 40;
+    EXPECT_NO_THROW(refuse_if_too_large("Toy", plan, much, 34'000'000));
+    EXPECT_EQ(refusal(plan, much, 33'000'000),
+              "device Toy: the request needs a buffer of 0.0334 GB, and its largest has 0.033 GB");
+    EXPECT_EQ(refusal(plan, 200'000'000, much),
+              "device Toy: the request needs 0.263 GB of memory, and it has 0.2 GB");
+}
+
 }  // namespace
 }  // namespace lacuna::device
