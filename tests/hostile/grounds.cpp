@@ -1,26 +1,30 @@
 // hostile_grounds: random requests of mode exact on grounds, whose sets the proof of
 // lacuna/verify.h accepts, and refutes with a point less.
 //
-//     hostile_grounds [--sets N] [--seconds S] [--seed N] [--skip K]
+//     hostile_grounds [--sets N] [--seconds S] [--seed N] [--skip K] [--backend B]
 //
-// makes N sets (800), or as many as S seconds allow, and tells the seed, which is another one each
-// time unless it is given; --skip goes to set K of the seed. Ends with 1 at the first that is not
-// as it is to be, and names the request.
+// makes N sets (800), or as many as S seconds allow, on backend B (cpu) and tells the seed, which
+// is another one each time unless it is given; --skip goes to set K of the seed. Ends with 1 at the
+// first that is not as it is to be, and names the request.
 #include <lacuna/domains.h>
 #include <lacuna/lacuna.h>
 #include <lacuna/verify.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <random>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "hostile/options.h"
 #include "hostile/random_ground.h"
 
 namespace {
@@ -29,25 +33,9 @@ using namespace lacuna;
 using tests::HostileGround;
 using verify::FieldCase;
 
-struct Options {
-    std::uint64_t sets = 800;
-    double seconds = 1e9;
-    std::uint64_t seed = std::random_device()();
-    std::uint64_t skip = 0;
-};
-
-Options read_options(int argc, char** argv) {
-    Options options;
-    for (int i = 1; i + 1 < argc; i += 2) {
-        const std::string_view name = argv[i];
-        if (name == "--sets") options.sets = std::stoull(argv[i + 1]);
-        if (name == "--seconds") options.seconds = std::stod(argv[i + 1]);
-        if (name == "--seconds") options.sets = ~std::uint64_t{0};
-        if (name == "--seed") options.seed = std::stoull(argv[i + 1]);
-        if (name == "--skip") options.skip = std::stoull(argv[i + 1]);
-    }
-    return options;
-}
+constexpr std::array<std::string_view, 5> kOptions{"--sets", "--seconds", "--seed", "--skip",
+                                                   "--backend"};
+constexpr std::uint64_t kSets = 800;
 
 struct Counts {
     std::uint64_t points = 0;
@@ -200,9 +188,10 @@ void check(const HostileGround& made, const std::vector<Point>& points, Counts& 
     }
 }
 
-void check_ground(std::uint64_t seed, std::uint64_t number, Counts& counts) {
-    tests::RandomGround ground(seed, number);
+void check_ground(const tests::HostileOptions& options, std::uint64_t number, Counts& counts) {
+    tests::RandomGround ground(options.seed, number);
     HostileGround made = ground.make();
+    made.options.backend = options.backend;
     try {
         Result result = sample(made.request());
         demand(result.maximal, "a set is not maximal");
@@ -214,30 +203,12 @@ void check_ground(std::uint64_t seed, std::uint64_t number, Counts& counts) {
         check(made, result.points, counts, ground.random());
     } catch (const std::exception& error) {
         throw std::runtime_error(std::string(error.what()) + "\n  at --seed " +
-                                 std::to_string(seed) + " --skip " + std::to_string(number) + ": " +
-                                 tests::describe(made));
+                                 std::to_string(options.seed) + " --skip " +
+                                 std::to_string(number) + ": " + tests::describe(made));
     }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    const Options options = read_options(argc, argv);
-    std::cout << "hostile_grounds: seed " << options.seed << std::endl;
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
-    Counts counts;
-    std::uint64_t made = 0;
-    for (; made < options.sets &&
-           std::chrono::duration<double>(Clock::now() - start).count() < options.seconds;
-         ++made) {
-        try {
-            check_ground(options.seed, options.skip + made, counts);
-        } catch (const std::exception& error) {
-            std::cerr << "hostile_grounds: " << error.what() << std::endl;
-            return EXIT_FAILURE;
-        }
-    }
+void tell(std::uint64_t made, const Counts& counts) {
     std::cout << "hostile_grounds: " << made << " grounds, " << counts.points
               << " points; with mask " << counts.with_mask << ", polygons " << counts.with_polygons
               << ", border " << counts.with_border << ", kept points " << counts.with_kept << "\n"
@@ -245,4 +216,45 @@ int main(int argc, char** argv) {
               << "; by polygons refuted " << counts.refuted_by_polygons << ", as good "
               << counts.spared_by_polygons << "; none to lose " << counts.empty << "\n  failures 0"
               << std::endl;
+}
+
+// Throws what is wrong with the first set that is not as it is to be.
+void run(const tests::HostileOptions& options) {
+    std::cout << "hostile_grounds: seed " << options.seed << ", backend " << options.backend
+              << std::endl;
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    const double seconds = options.seconds.value_or(std::numeric_limits<double>::infinity());
+    const std::uint64_t sets =
+        options.sets.value_or(options.seconds ? std::numeric_limits<std::uint64_t>::max() : kSets);
+    Counts counts;
+    std::uint64_t made = 0;
+    for (; made < sets && std::chrono::duration<double>(Clock::now() - start).count() < seconds;
+         ++made)
+        check_ground(options, options.skip + made, counts);
+    tell(made, counts);
+}
+
+// Whether no device of a backend for devices can be used.
+bool has_no_device(const std::string& backend) {
+    const std::vector<Device> all = devices();
+    return (backend == "opencl" || backend == "vulkan") &&
+           std::none_of(all.begin(), all.end(), [&](const Device& device) {
+               return device.backend == backend && device.unusable.empty();
+           });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const tests::HostileOptions options = tests::read_hostile_options(argc, argv, kOptions);
+        if (has_no_device(options.backend))
+            std::cout << "SKIPPED: " << options.backend << " has no device" << std::endl;
+        else
+            run(options);
+    } catch (const std::exception& error) {
+        std::cerr << "hostile_grounds: " << error.what() << std::endl;
+        return EXIT_FAILURE;
+    }
 }

@@ -6,38 +6,26 @@
 // --skip goes to request K of the seed. Ends with 1 at the first difference, and names the request.
 #include <lacuna/lacuna.h>
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <random>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "hostile/options.h"
 #include "hostile/random_request.h"
 
 namespace {
 
 using namespace lacuna;
 
-struct Options {
-    double seconds = 20;
-    std::uint64_t seed = std::random_device()();
-    std::uint64_t skip = 0;
-};
-
-Options read_options(int argc, char** argv) {
-    Options options;
-    for (int i = 1; i + 1 < argc; i += 2) {
-        const std::string_view name = argv[i];
-        if (name == "--seconds") options.seconds = std::stod(argv[i + 1]);
-        if (name == "--seed") options.seed = std::stoull(argv[i + 1]);
-        if (name == "--skip") options.skip = std::stoull(argv[i + 1]);
-    }
-    return options;
-}
+constexpr std::array<std::string_view, 3> kOptions{"--seconds", "--seed", "--skip"};
+constexpr double kSeconds = 20;
 
 // The backends that are there, the reference first.
 std::vector<std::string> backends() {
@@ -102,10 +90,8 @@ bool passes(const tests::HostileRequest& made, const std::vector<std::string>& n
     return true;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    const Options options = read_options(argc, argv);
+// Ends with what the program is to return.
+int run(const tests::HostileOptions& options) {
     const std::vector<std::string> names = backends();
     std::cout << "hostile: seed " << options.seed << ", backends";
     for (const std::string& name : names) std::cout << " " << name;
@@ -113,6 +99,7 @@ int main(int argc, char** argv) {
 
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
+    const double seconds = options.seconds.value_or(kSeconds);
     tests::RandomRequests requests(options.seed);
     std::uint64_t number = 0;
     for (; number < options.skip; ++number) requests.next();
@@ -124,6 +111,18 @@ int main(int argc, char** argv) {
             return EXIT_FAILURE;
         }
         ++number;
-    } while (std::chrono::duration<double>(Clock::now() - start).count() < options.seconds);
+    } while (std::chrono::duration<double>(Clock::now() - start).count() < seconds);
     std::cout << "hostile: " << number - options.skip << " requests, failures 0" << std::endl;
+    return EXIT_SUCCESS;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(tests::read_hostile_options(argc, argv, kOptions));
+    } catch (const std::invalid_argument& error) {
+        std::cerr << "hostile: " << error.what() << std::endl;
+        return EXIT_FAILURE;
+    }
 }

@@ -93,7 +93,6 @@ public:
         if (one_in(2)) choose_kept(made);
         made.options.seed = random_();
         made.options.threads = 1 + below(2);
-        made.options.backend = "cpu";
         if (one_in(4)) made.options.lines_per_radius = 1 + below(5);
         if (one_in(4)) made.options.round_size = std::vector<std::uint64_t>{1, 7, 5000}[below(3)];
         return made;
