@@ -131,7 +131,6 @@ void sample_many(const Request& request, std::span<const std::uint64_t> seeds, c
                  Observer& observer) {
     OfAll all(observer, seeds.size());
     // The threads are checked by sample() itself, which would come too late here.
-    constexpr std::uint32_t kMostThreads = 1024;
     const bool can_share = request.threads != 1 && request.threads <= kMostThreads;
     (can_share && is_small(request) ? in_batches : one_by_one)(request, seeds, take, all);
 }

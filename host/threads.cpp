@@ -69,7 +69,6 @@ void make_sure_of_threads() {
 }
 
 void allow_more_threads_than_cores() {
-    constexpr std::size_t kMostThreads = 1024;  // of one run: plan/check_request.cpp refuses more
     // Once a process: of several such controls oneTBB takes the least.
     static const tbb::global_control* const kept =
         std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,

@@ -1,7 +1,6 @@
 // Threads of the host that share out columns, or whatever comes in numbers (oneTBB).
 #pragma once
 
-#include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -31,7 +30,7 @@ public:
     explicit Workers(std::uint32_t threads)
         : threads_(threads != 0 ? static_cast<int>(threads) : tbb::info::default_concurrency()),
           arena_(threads_) {
-        allow_many();
+        allow_more_threads_than_cores();
     }
 
     std::string name() const {
@@ -84,18 +83,6 @@ private:
     // The calling thread asks may_go_on_ at one column in kColumnsPerPoll. A column of the largest
     // sets takes some milliseconds, and asking takes a tenth of a microsecond.
     static constexpr std::uint32_t kColumnsPerPoll = 4;
-    static constexpr std::size_t kMostThreads =
-        1024;  // of one run: plan/check_request.cpp refuses more
-
-    // More threads than cores, if that is what a run asks for. Once a process: of several such
-    // controls oneTBB takes the least, and prints a warning when another run asks for more.
-    static void allow_many() {
-        static const tbb::global_control* const kept =
-            std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                  kMostThreads)
-                .release();
-        static_cast<void>(kept);
-    }
 
     template <typename Work>
     void serve(std::uint32_t column, std::thread::id caller, Work& work) {

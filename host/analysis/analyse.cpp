@@ -199,7 +199,6 @@ Analysis analysed(std::span<const std::vector<Point>> sets, const Domain& domain
 
 void check_effort(const Effort& effort) {
     range_for({1, 1, true}, 1, effort.max_frequency);
-    constexpr std::uint32_t kMostThreads = 1024;  // as of a Request
     if (effort.threads > kMostThreads)
         throw BadRequest("threads", fmt::format("{}", effort.threads),
                          fmt::format("must be at most {}", kMostThreads));

@@ -5,15 +5,15 @@
 
 #include <array>
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
+
+#include "cli/json.h"
 
 namespace lacuna::cli {
 namespace {
 
 using analysis::Analysis;
-using Json = nlohmann::ordered_json;
 
 constexpr std::array kFrequencies{0.5, 0.7, 0.9, 1.0, 1.1, 1.3, 1.5, 2.0};
 
@@ -122,11 +122,6 @@ void add_order(Rows& rows, const Analysis& a) {
     } else {
         rows.none("bond order psi_6", "too few points");
     }
-}
-
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json(nullptr);
 }
 
 Json json_of_distances(const Analysis& a) {

@@ -8,12 +8,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/comparison.h"
 #include "cli/driver.h"
+#include "cli/json.h"
 #include "files/point_files.h"
 
 namespace lacuna::cli {
@@ -27,8 +27,6 @@ Examples:
   lacuna devices --json                                   the same for programs
   lacuna sample --radius 0.01 --backend opencl --device 0 the first of opencl's
 )";
-
-using Json = nlohmann::ordered_json;
 
 // A device with its number among those of its backend. One that cannot be used says why.
 struct Row {

@@ -4,18 +4,11 @@
 #include <sys/resource.h>
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
-#include <optional>
 
 #include "files/point_files.h"
 
 namespace lacuna::cli {
 namespace {
-
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
 
 Json json_of(const Request& request, const Result& result) {
     Json json = what_decides(request, result);

@@ -4,15 +4,13 @@
 #include <lacuna/lacuna.h>
 
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "cli/common_options.h"
+#include "cli/json.h"
 #include "pictures/importance.h"
 
 namespace lacuna::cli {
-
-using Json = nlohmann::ordered_json;
 
 // All of the request that decides which points are made.
 Json what_decides(const Request& request, const Result& result);

@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "cli/json.h"
 #include "cli/options.h"
 #include "verify/verify.h"
 
 namespace lacuna::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 bool is_torus(const Claim& claim) {
     return claim.boundary == Boundary::torus;

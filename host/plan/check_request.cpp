@@ -7,13 +7,13 @@
 #include <string>
 
 #include "plan/plan.h"
+#include "threads.h"
 
 namespace lacuna {
 namespace {
 
 constexpr double kLargestAspect = 1000.0;
 constexpr std::uint32_t kMostLinesPerRadius = 1000;
-constexpr std::uint32_t kMostThreads = 1024;  // far more take more memory than they save time
 constexpr std::uint64_t kMostRoundSize = std::uint64_t{1} << 31;  // draws have numbers of 32 bits
 
 // A program may cast any number to an enum.
