@@ -1,6 +1,6 @@
 // The body of cut_several: how many pieces are left of each place that the others left to it.
-// Comes after several.h. Item i serves number i of them, i + chunk and so on. While
-// admission is unsettled there are none.
+// Comes after several.h. Item i serves number i of them, i + chunk and so on. While admission is
+// unsettled there are none.
 
 BODY void serve_cut_several(MEMORY const StripArguments a, const u32 item) {
     if (item >= a.chunk) return;
