@@ -177,10 +177,11 @@ LACUNA_END
 // reaches it, and the number of the next visitor. pieces[] are begin and end of what is left of a
 // place and, if something inside of that is missing, of what is; or of what is left of each half,
 // and more_pieces[] of what is missing inside; or, where a place lies on unlike pixels, of what is
-// left of the strips of its left half, and more_pieces[] of its right half. uneven[]
-// and new_uneven[] are the places without IS_EVEN; strips[] and strip_radii[] have four entries for
+// left of the strips of its left half, and more_pieces[] of its right half. uneven[] and
+// new_uneven[] are the places without IS_EVEN; strips[] and strip_radii[] have four entries for
 // each of uneven[]. several[] are the places of which there may be more pieces than that, and where
-// in uneven[] each is, if it is there.
+// in uneven[] each is, if it is there. widths[] and free_lengths[] are those of the new places, for
+// the host.
 #define LOCATE_ON_GROUND_BINDINGS(B) B(0, READ, u32, axes)                                   \
     B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits) B(3, READ, u32x4, places)    \
     B(4, READ, u32x2, origins) B(5, READ, u32x4, draws) B(6, WRITE, u32x4, candidates)        \
