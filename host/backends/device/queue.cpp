@@ -7,10 +7,12 @@
 namespace lacuna::device {
 namespace {
 
-// Some 26 ms of a thread, and 13 of two: a desktop's driver gives up on a launch after two seconds.
-constexpr std::uint64_t kWorkPerSlice = std::uint64_t{1} << 18;
+// Work is told too high rather than too low: slices of half this took 1 to 16 ms on average, and 28
+// at most, on two threads. Between short ones a thread waits for the other. A desktop's driver
+// gives up on a launch after two seconds.
+constexpr std::uint64_t kWorkPerSlice = std::uint64_t{1} << 19;
 // Between pauses: with two slices on their way, a run is cancelled in a fraction of 0.2 s.
-constexpr std::uint64_t kWorkPerPause = std::uint64_t{1} << 19;
+constexpr std::uint64_t kWorkPerPause = std::uint64_t{1} << 20;
 
 }  // namespace
 

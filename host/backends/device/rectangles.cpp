@@ -22,10 +22,10 @@ namespace {
 
 // See Queue::launch.
 constexpr std::uint64_t kGroundLocateWork = 2;
-constexpr std::uint64_t kGroundScreenWork = 4;
-constexpr std::uint64_t kGroundCutWork = 16;
+constexpr std::uint64_t kGroundScreenWork = 2;
+constexpr std::uint64_t kGroundCutWork = 4;
 constexpr std::uint64_t kGroundSeveralWork = 16;
-constexpr std::uint64_t kGroundKeepWork = 2;
+constexpr std::uint64_t kGroundKeepWork = 1;
 constexpr std::uint64_t kGroundSplitWork = 8;
 constexpr std::uint64_t kGroundMeasureWork = 2;
 

@@ -13,7 +13,7 @@ namespace lacuna::device {
 namespace {
 
 // See Queue::launch.
-constexpr std::uint64_t kReachWork = 12;
+constexpr std::uint64_t kReachWork = 4;
 constexpr std::uint64_t kEnlistWork = 1;
 
 // Blocks that a draw reaches, most of which are soon covered; where it is more, they are
