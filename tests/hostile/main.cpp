@@ -12,7 +12,6 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -121,7 +120,7 @@ int run(const tests::HostileOptions& options) {
 int main(int argc, char** argv) {
     try {
         return run(tests::read_hostile_options(argc, argv, kOptions));
-    } catch (const std::invalid_argument& error) {
+    } catch (const std::exception& error) {
         std::cerr << "hostile: " << error.what() << std::endl;
         return EXIT_FAILURE;
     }

@@ -33,10 +33,14 @@ inline HostileOptions read_hostile_options(int argc, char** argv,
         }
         if (i + 1 == argc) throw std::invalid_argument(name + ": needs a value");
         const std::string value = argv[i + 1];
-        if (name == "--seconds") options.seconds = std::stod(value);
-        if (name == "--sets") options.sets = std::stoull(value);
-        if (name == "--seed") options.seed = std::stoull(value);
-        if (name == "--skip") options.skip = std::stoull(value);
+        try {
+            if (name == "--seconds") options.seconds = std::stod(value);
+            if (name == "--sets") options.sets = std::stoull(value);
+            if (name == "--seed") options.seed = std::stoull(value);
+            if (name == "--skip") options.skip = std::stoull(value);
+        } catch (const std::logic_error&) {
+            throw std::invalid_argument(name + " " + value + ": must be a number");
+        }
         if (name == "--backend") options.backend = value;
     }
     return options;

@@ -163,6 +163,8 @@ Needs needs_of_cells(const Plan& plan, std::uint64_t round) {
 constexpr std::uint64_t kGroundBytesPerDraw = 48 + 16 + 8 + 10 * 8;
 constexpr std::uint64_t kGroundBytesPerPlace = 2 * (16 + 8) + 2 * 16 + 3 * 4 + 4 * 4;
 constexpr std::uint64_t kBytesPerEntry = 16;
+constexpr double kPlacesPerSample = 2.5;
+constexpr std::uint64_t kEntriesPerSample = 3;
 
 Needs needs_of_ground(const Plan& plan, std::uint64_t round) {
     const Ground& ground = *plan.ground;
@@ -171,9 +173,8 @@ Needs needs_of_ground(const Plan& plan, std::uint64_t round) {
         std::uint64_t{ground.columns().pixels()} * ground.rows().pixels() * 8 * 4 / 3;
     const std::uint64_t mask =
         ground.mask() == nullptr ? 0 : std::uint64_t{ground.mask()->values().size()} / 3;
-    const std::uint64_t entries = plan.expected_samples * kEntriesPerSample * kBytesPerEntry;
-    const auto places =
-        static_cast<std::uint64_t>(kPlacesPerSample * static_cast<double>(plan.expected_samples));
+    const std::uint64_t entries = room_for_entries(plan) * kBytesPerEntry;
+    const std::uint64_t places = room_for_places(plan);
     return {radii + mask + entries + places * kGroundBytesPerPlace +
                 plan.first_places->nodes.size() * 48 + round * kGroundBytesPerDraw,
             std::max({radii, entries, places * 16, round * 10 * 8})};
@@ -185,6 +186,15 @@ Needs needs_of(const Plan& plan, std::uint64_t round) {
 }
 
 }  // namespace
+
+std::uint64_t room_for_places(const Plan& plan) {
+    return static_cast<std::uint64_t>(kPlacesPerSample *
+                                      static_cast<double>(plan.expected_samples));
+}
+
+std::uint64_t room_for_entries(const Plan& plan) {
+    return kEntriesPerSample * plan.expected_samples;
+}
 
 void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint64_t memory_bytes,
                          std::uint64_t largest_buffer_bytes) {

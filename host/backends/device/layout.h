@@ -61,10 +61,11 @@ std::vector<Span> pack(const Slab& slab, const Snapshot& snapshot);
 void unpack(const Slab& slab, std::span<const Span> slots,
             std::span<const std::uint32_t> span_counts, Snapshot& snapshot);
 
-// On a ground, of a sample of the maximal set: room for places, of which 2.2 to 2.5 have been seen
-// in sets of a million and more, and for entries of lists, of which 2.1 to 2.7 have.
-inline constexpr double kPlacesPerSample = 2.5;
-inline constexpr std::uint64_t kEntriesPerSample = 3;
+// On a ground: for how many places there is to be room, and for how many entries of lists. Of a
+// sample of the maximal set 2.2 to 2.5 places have been seen, in sets of a million and more, and 2.1
+// to 2.7 entries.
+std::uint64_t room_for_places(const Plan& plan);
+std::uint64_t room_for_entries(const Plan& plan);
 
 // What the plan needs of a device that has so much memory and allows buffers so large: throws
 // Unavailable, naming the device, when it is not there.

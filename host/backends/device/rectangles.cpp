@@ -127,8 +127,8 @@ public:
     bool queue_rest() override {
         if (!is_refining_ || total_.front() <= new_room_) return false;
         new_room_ = total_.front();
-        list_counts_[OF_NEW_UNEVEN] = 0;
-        round_.put<std::uint32_t>(round_.memory.list_counts, list_counts_);
+        static_assert(OF_NEW_UNEVEN == 0);  // the word that is filled
+        round_.queue.fill(round_.memory.list_counts, 0, 1);
         keep();
         return true;
     }
@@ -224,9 +224,8 @@ private:
     // At once for as many places as there will be, most likely: their number grows for some rounds,
     // and memory made anew is cleared page by page.
     void make_room_for_places(Buffer& buffer, std::uint64_t words, std::uint64_t places) const {
-        const auto most = static_cast<std::uint64_t>(
-            kPlacesPerSample * static_cast<double>(round_.plan.expected_samples));
-        round_.make_room(buffer, words * (places == 0 ? 0 : std::max(places, most)));
+        const std::uint64_t most = std::max(places, room_for_places(round_.plan));
+        round_.make_room(buffer, places == 0 ? 0 : words * most);
     }
 
     // Seldom more: the samples of a round cut few places in two. Of halves more than a quarter are

@@ -27,7 +27,7 @@ SampleLists::SampleLists(RoundMemory& round) : round_(round), first_(*round.plan
     Memory& m = round_.memory;
     round_.make_room(m.lists, blocks());
     round_.queue.fill(m.lists, NO_SAMPLE, blocks());
-    round_.make_room(m.entries, 4 * kEntriesPerSample * round_.plan.expected_samples);
+    round_.make_room(m.entries, 4 * room_for_entries(round_.plan));
     round_.make_room(m.entry_count, 1);
     round_.queue.fill(m.entry_count, 0, 1);
     round_.make_room(m.visitor_heads, blocks());

@@ -5,6 +5,7 @@
 
 #include "backends/cells_scenes.h"
 #include "backends/device/cells_layout.h"
+#include "backends/ground_requests.h"
 
 namespace lacuna::device {
 namespace {
@@ -98,12 +99,9 @@ TEST(Requests, OfModeCellsThatDoNotFitAreRefusedToo) {
 TEST(Requests, OnAGroundThatDoNotFitAreRefusedToo) {
     // 696,500 samples, of 16 bytes for each of three entries; and the places, and what becomes of
     // them.
-    const Field field = tests::constant_field(1, 1);
-    Request request;
-    request.field = &field;
-    request.scale = 0.001;
-    request.boundary = Boundary::torus;
-    const Plan plan = make_plan(request);
+    const tests::GroundRequest made =
+        tests::ground_request("one pixel", tests::constant_field(1, 1), 696'500, Boundary::torus);
+    const Plan plan = make_plan(made.request);
     const std::uint64_t much = std::uint64_t{1} << 40;
     EXPECT_NO_THROW(refuse_if_too_large("Toy", plan, much, 34'000'000));
     EXPECT_EQ(refusal(plan, much, 33'000'000),
