@@ -62,8 +62,8 @@ void unpack(const Slab& slab, std::span<const Span> slots,
             std::span<const std::uint32_t> span_counts, Snapshot& snapshot);
 
 // On a ground: for how many places there is to be room, and for how many entries of lists. Of a
-// sample of the maximal set 2.2 to 2.5 places have been seen, in sets of a million and more, and 2.1
-// to 2.7 entries.
+// sample of the maximal set 2.2 to 2.5 places have been seen, in sets of a million and more,
+// and 2.1 to 2.7 entries.
 std::uint64_t room_for_places(const Plan& plan);
 std::uint64_t room_for_entries(const Plan& plan);
 
