@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <limits>
 
+#include "portable/ground.h"
+
 namespace lacuna {
 namespace {
-
-constexpr std::uint32_t kMostRadius = (std::uint32_t{1} << 31) - 1;
 
 // Of the pixels first + 1 to last, the begin of the one in the middle; 0 where there is none.
 std::uint32_t middle_border(const PixelAxis& axis, std::uint32_t begin, std::uint32_t end) {
@@ -29,11 +29,17 @@ PixelAxis::PixelAxis(std::uint32_t length, std::uint32_t pixels) : pixels_(pixel
     begins_.push_back(length);
 }
 
+std::uint32_t Ground::Radii::greatest() const {
+    return greatest_and_zeros & ~HAS_ZEROS;
+}
+
+bool Ground::Radii::are_mixed() const {
+    return portable::are_radii_mixed(least, greatest_and_zeros);
+}
+
 Ground::Radii Ground::merge_radii(Radii a, Radii b) {
-    // One less than nothing is the most.
-    return {std::min(a.least - 1, b.least - 1) + 1,
-            std::max<std::uint32_t>(a.greatest, b.greatest) & kMostRadius,
-            a.has_zeros || b.has_zeros};
+    return {portable::least_of_radii(a.least, b.least),
+            portable::greatest_of_radii(a.greatest_and_zeros, b.greatest_and_zeros)};
 }
 
 std::vector<Ground::Radii> Ground::radii_of(const Field* field, double scale, const Shape& shape,
@@ -44,10 +50,10 @@ std::vector<Ground::Radii> Ground::radii_of(const Field* field, double scale, co
     const double most = std::ceil(std::hypot(shape.width, shape.height));
     const std::uint32_t more = shape.has_kept ? 3 : 1;
     const auto radius_of = [&](double importance) -> Radii {
-        if (importance <= 0) return {0, 0, true};
+        if (importance <= 0) return {0, HAS_ZEROS};
         const double units = std::min(scale / std::sqrt(importance) / shape.unit, most);
         const std::uint32_t radius = static_cast<std::uint32_t>(units + 1.0 / 1024) + more;
-        return {radius, radius & kMostRadius, false};
+        return {radius, radius};
     };
     if (field == nullptr) return {radius_of(1)};
     std::vector<Radii> radii(field->importance.size());
@@ -105,7 +111,7 @@ Under Ground::under(const Rectangle& place) const {
                                                      pixels_of(*mask_rows_, place.begin, place.end))
                                        : kAll;
     if (allowed == kNone) return {0, 0, true};
-    return {radii.least, radii.greatest, !radii.are_mixed() && allowed == kAll};
+    return {radii.least, radii.greatest(), !radii.are_mixed() && allowed == kAll};
 }
 
 bool Ground::is_mask_mixed(const Rectangle& place) const {

@@ -32,12 +32,13 @@ struct Under {
 
 class Ground {
 public:
-    // Of the radii that are not 0; all is 0 where there are none.
+    // Of the radii that are not 0; all is 0 where there are none. The words are those that kernels
+    // read (portable/ground.h).
     struct Radii {
         std::uint32_t least;
-        std::uint32_t greatest : 31;
-        bool has_zeros : 1;
-        bool are_mixed() const { return least != greatest || (has_zeros && least != 0); }
+        std::uint32_t greatest_and_zeros;  // whether there are any
+        std::uint32_t greatest() const;
+        bool are_mixed() const;
     };
     static Radii merge_radii(Radii a, Radii b);
     using RadiusPyramid = Pyramid<Radii, merge_radii>;

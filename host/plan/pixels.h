@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "polling.h"
@@ -68,11 +69,10 @@ public:
     }
 
     const std::vector<Value>& values() const { return levels_.front().values; }
-    // Of all levels, one after another.
+    // Calls visit(std::span<const Value>) of each level, from the pixels' own on.
     template <typename Visit>
-    void for_each_value(Visit visit) const {
-        for (const Level& level : levels_)
-            for (const Value& value : level.values) visit(value);
+    void for_each_level(Visit visit) const {
+        for (const Level& level : levels_) visit(std::span<const Value>(level.values));
     }
     Value at(std::uint32_t column, std::uint32_t row) const {
         return levels_.front().at(column, row);

@@ -2,6 +2,7 @@
 #include "backends/device/ground_tables.h"
 
 #include <cstddef>
+#include <span>
 
 #include "portable/ground.h"
 
@@ -28,18 +29,16 @@ GroundTables tables_of(const Ground& ground) {
     tables.axes.resize(4 * std::size_t{AXIS_WORDS}, 0);
     append_axis(ground.columns(), COLUMNS_OF_FIELD, tables.axes);
     append_axis(ground.rows(), ROWS_OF_FIELD, tables.axes);
-    ground.radii().for_each_value([&](const Ground::Radii& radii) {
-        tables.radius_bounds.push_back(radii.least);
-        tables.radius_bounds.push_back(radii.greatest | (radii.has_zeros ? HAS_ZEROS : 0));
-    });
     std::uint32_t number = 0;
     tables.mask_bits = {0};
     if (ground.mask() == nullptr) return tables;
     append_axis(*ground.mask_columns(), COLUMNS_OF_MASK, tables.axes);
     append_axis(*ground.mask_rows(), ROWS_OF_MASK, tables.axes);
-    ground.mask()->for_each_value([&](std::uint32_t allowed) {
-        if (number / ALLOWED_PER_WORD == tables.mask_bits.size()) tables.mask_bits.push_back(0);
-        tables.mask_bits.back() |= allowed << number++ % ALLOWED_PER_WORD * 2;
+    ground.mask()->for_each_level([&](std::span<const std::uint8_t> level) {
+        for (const std::uint32_t allowed : level) {
+            if (number / ALLOWED_PER_WORD == tables.mask_bits.size()) tables.mask_bits.push_back(0);
+            tables.mask_bits.back() |= allowed << number++ % ALLOWED_PER_WORD * 2;
+        }
     });
     return tables;
 }

@@ -1,4 +1,5 @@
-// A ground in words, as kernels read it (portable/ground.h).
+// A ground in words, as kernels read it (portable/ground.h), but for its radii, which are so
+// already.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +11,7 @@ namespace lacuna::device {
 
 struct GroundTables {
     std::vector<std::uint32_t> axes;
-    std::vector<std::uint32_t> radius_bounds;  // two of each value: the least, and the greatest
-    std::vector<std::uint32_t> mask_bits;      // at least one word
+    std::vector<std::uint32_t> mask_bits;  // at least one word
 };
 
 GroundTables tables_of(const Ground& ground);

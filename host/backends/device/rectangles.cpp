@@ -160,9 +160,24 @@ private:
         const GroundTables tables = tables_of(*round_.plan.ground);
         Memory& m = round_.memory;
         m.axes = round_.copy_of(tables.axes);
-        m.radius_bounds = round_.copy_of(tables.radius_bounds);
         m.mask_bits = round_.copy_of(tables.mask_bits);
+        put_radii();
         round_.queue.wait();
+    }
+
+    void put_radii() {
+        using Radii = Ground::Radii;
+        static_assert(sizeof(Radii) == 2 * kWord);
+        const Ground::RadiusPyramid& radii = round_.plan.ground->radii();
+        Buffer& to = round_.memory.radius_bounds;
+        std::uint64_t count = 0;
+        radii.for_each_level([&](std::span<const Radii> level) { count += level.size(); });
+        round_.make_room(to, 2 * count);
+        std::uint64_t first = 0;
+        radii.for_each_level([&](std::span<const Radii> level) {
+            round_.put(to, level, 2 * first);
+            first += level.size();
+        });
     }
 
     void take_first_places() {
