@@ -11,6 +11,37 @@ struct Under {
 };
 LACUNA_TYPEDEF(Under)
 
+// One side of a grid of pixels, see portable/ground.h.
+struct Axis {
+    u32 pixels;
+    u32 shift;
+    u32 scale_low;
+    u32 scale_high;
+    u32 begins;
+};
+LACUNA_TYPEDEF(Axis)
+
+struct Grid {
+    Axis columns;
+    Axis rows;
+};
+LACUNA_TYPEDEF(Grid)
+
+// Those of the field and of the mask. A kernel reads them once: each word read costs on lavapipe as
+// much as some steps of arithmetic.
+struct Grids {
+    Grid field;
+    Grid mask;
+};
+LACUNA_TYPEDEF(Grids)
+
+// The pixels that a rectangle touches.
+struct Touched {
+    u32x4 field;
+    u32x4 mask;
+};
+LACUNA_TYPEDEF(Touched)
+
 // Values that stand column by column.
 struct Level {
     u32 shift;  // a value is of 2^shift x 2^shift pixels
@@ -19,25 +50,69 @@ struct Level {
 };
 LACUNA_TYPEDEF(Level)
 
-BODY u32 axis_word(MEMORY const u32 axis, const u32 word) {
-    return AT(axes, axis * AXIS_WORDS + word);
+BODY Axis axis_of(MEMORY const u32 number) {
+    const u32 first = number * AXIS_WORDS;
+    const Axis axis = {AT(axes, first + AXIS_PIXELS), AT(axes, first + AXIS_SHIFT),
+                       AT(axes, first + AXIS_SCALE), AT(axes, first + AXIS_SCALE + 1u),
+                       AT(axes, first + AXIS_BEGINS)};
+    return axis;
 }
 
-BODY u32 pixel_of(MEMORY const u32 axis, const u32 at) {
-    return pixel_at(at, axis_word(ON axis, AXIS_SCALE), axis_word(ON axis, AXIS_SCALE + 1u),
-                    axis_word(ON axis, AXIS_SHIFT));
+// Of the axis of columns and the one of rows after it.
+BODY Grid grid_of(MEMORY const u32 columns) {
+    const Grid grid = {axis_of(ON columns), axis_of(ON columns + 1u)};
+    return grid;
 }
 
-// The pixels that a rectangle touches, of the axis of columns and the one of rows after it.
-BODY u32x4 pixels_under(MEMORY const u32 columns, const u32x4 place) {
-    return U32X4(pixel_of(ON columns, place.x), pixel_of(ON columns, place.x + place.y - 1u),
-                 pixel_of(ON columns + 1u, place.z), pixel_of(ON columns + 1u, place.w - 1u));
+BODY bool has_mask(const Grids grids) {
+    return grids.mask.columns.pixels != 0u;
+}
+
+BODY u32 pixel_of(const Axis axis, const u32 at) {
+    return pixel_at(at, axis.scale_low, axis.scale_high, axis.shift);
+}
+
+BODY u32x4 pixels_under(const Grid grid, const u32x4 place) {
+    return U32X4(pixel_of(grid.columns, place.x), pixel_of(grid.columns, place.x + place.y - 1u),
+                 pixel_of(grid.rows, place.z), pixel_of(grid.rows, place.w - 1u));
+}
+
+BODY Touched touched_by(const Grids grids, const u32x4 place) {
+    Touched touched = {pixels_under(grids.field, place), U32X4(0u, 0u, 0u, 0u)};
+    if (has_mask(grids)) touched.mask = pixels_under(grids.mask, place);
+    return touched;
+}
+
+// What is left of them where the rectangle is cut: at `x` along x, at `y` along y.
+BODY Touched touched_left(const Grids grids, const Touched all, const u32 x) {
+    Touched touched = all;
+    touched.field.y = pixel_of(grids.field.columns, x - 1u);
+    touched.mask.y = pixel_of(grids.mask.columns, x - 1u);
+    return touched;
+}
+BODY Touched touched_right(const Grids grids, const Touched all, const u32 x) {
+    Touched touched = all;
+    touched.field.x = pixel_of(grids.field.columns, x);
+    touched.mask.x = pixel_of(grids.mask.columns, x);
+    return touched;
+}
+BODY Touched touched_below(const Grids grids, const Touched all, const u32 y) {
+    Touched touched = all;
+    touched.field.w = pixel_of(grids.field.rows, y - 1u);
+    touched.mask.w = pixel_of(grids.mask.rows, y - 1u);
+    return touched;
+}
+BODY Touched touched_above(const Grids grids, const Touched all, const u32 y) {
+    Touched touched = all;
+    touched.field.z = pixel_of(grids.field.rows, y);
+    touched.mask.z = pixel_of(grids.mask.rows, y);
+    return touched;
 }
 
 // The lowest level of a pyramid of which a rectangle of pixels touches at most 4 x 4 values.
-BODY Level level_over(MEMORY const u32 axis, const u32x4 pixels) {
-    Level level = {0u, 0u, axis_word(ON axis + 1u, AXIS_PIXELS)};
-    u32 columns = axis_word(ON axis, AXIS_PIXELS);
+BODY Level level_over(const Grid grid, const u32x4 pixels) {
+    Level level = {0u, 0u, grid.rows.pixels};
+    u32 columns = grid.columns.pixels;
     while ((pixels.y >> level.shift) - (pixels.x >> level.shift) >= 4u ||
            (pixels.w >> level.shift) - (pixels.z >> level.shift) >= 4u) {
         level.first += columns * level.rows;
@@ -49,8 +124,8 @@ BODY Level level_over(MEMORY const u32 axis, const u32x4 pixels) {
 }
 
 // The least and the greatest, see portable/ground.h.
-BODY u32x2 radii_over(MEMORY const u32x4 pixels) {
-    const Level level = level_over(ON COLUMNS_OF_FIELD, pixels);
+BODY u32x2 radii_over(MEMORY const Grid field, const u32x4 pixels) {
+    const Level level = level_over(field, pixels);
     u32x2 all = U32X2(0u, 0u);
     for (u32 i = pixels.x >> level.shift; i <= pixels.y >> level.shift; ++i) {
         for (u32 j = pixels.z >> level.shift; j <= pixels.w >> level.shift; ++j) {
@@ -66,8 +141,8 @@ BODY u32 allowed_of(MEMORY const u32 number) {
     return AT(mask_bits, number / ALLOWED_PER_WORD) >> number % ALLOWED_PER_WORD * 2u & 3u;
 }
 
-BODY u32 allowed_over(MEMORY const u32x4 pixels) {
-    const Level level = level_over(ON COLUMNS_OF_MASK, pixels);
+BODY u32 allowed_over(MEMORY const Grid mask, const u32x4 pixels) {
+    const Level level = level_over(mask, pixels);
     u32 seen = 0u;  // a bit for each value
     for (u32 i = pixels.x >> level.shift; i <= pixels.y >> level.shift; ++i) {
         for (u32 j = pixels.z >> level.shift; j <= pixels.w >> level.shift; ++j)
@@ -77,11 +152,10 @@ BODY u32 allowed_over(MEMORY const u32x4 pixels) {
     return seen == 1u << ALLOWED_ALL ? ALLOWED_ALL : ALLOWED_SOME;
 }
 
-BODY Under under(MEMORY const u32x4 place) {
-    const u32x2 radii = radii_over(ON pixels_under(ON COLUMNS_OF_FIELD, place));
+BODY Under under(MEMORY const Grids grids, const Touched touched) {
+    const u32x2 radii = radii_over(ON grids.field, touched.field);
     Under found = {radii.x, are_radii_mixed(radii.x, radii.y), ALLOWED_ALL};
-    if (axis_word(ON COLUMNS_OF_MASK, AXIS_PIXELS) != 0u)
-        found.allowed = allowed_over(ON pixels_under(ON COLUMNS_OF_MASK, place));
+    if (has_mask(grids)) found.allowed = allowed_over(ON grids.mask, touched.mask);
     if (found.allowed == ALLOWED_NONE) found.least = 0u;
     return found;
 }
@@ -93,39 +167,40 @@ BODY u32 radius_under(const Under all) {
 }
 
 // 0 where no sample may go.
-BODY u32 radius_at(MEMORY const u32 x, const u32 y) {
-    const u32 row = pixel_of(ON ROWS_OF_FIELD, y);
-    const u32 rows = axis_word(ON ROWS_OF_FIELD, AXIS_PIXELS);
-    const u32 radius = AT(radius_bounds, pixel_of(ON COLUMNS_OF_FIELD, x) * rows + row).x;
-    const u32 mask_rows = axis_word(ON ROWS_OF_MASK, AXIS_PIXELS);
-    if (mask_rows == 0u) return radius;
-    const u32 mask_row = pixel_of(ON ROWS_OF_MASK, y);
-    const u32 allowed = allowed_of(ON pixel_of(ON COLUMNS_OF_MASK, x) * mask_rows + mask_row);
+BODY u32 radius_at(MEMORY const Grids grids, const u32 x, const u32 y) {
+    const Grid field = grids.field;
+    const u32 pixel = pixel_of(field.columns, x) * field.rows.pixels + pixel_of(field.rows, y);
+    const u32 radius = AT(radius_bounds, pixel).x;
+    if (!has_mask(grids)) return radius;
+    const Grid mask = grids.mask;
+    const u32 allowed =
+        allowed_of(ON pixel_of(mask.columns, x) * mask.rows.pixels + pixel_of(mask.rows, y));
     return allowed == ALLOWED_NONE ? 0u : radius;
 }
 
-// Of the pixels that [begin, end) touches but for the first, where the one in the middle begins; 0
-// where there is none.
-BODY u32 middle_border(MEMORY const u32 axis, const u32 begin, const u32 end) {
-    const u32 first = pixel_of(ON axis, begin);
-    const u32 last = pixel_of(ON axis, end - 1u);
+// Of pixels first to last but the first, where the one in the middle begins; 0 where there is none.
+BODY u32 middle_border(MEMORY const Axis axis, const u32 first, const u32 last) {
     if (first == last) return 0u;
-    return AT(axes, axis_word(ON axis, AXIS_BEGINS) + first + (last - first + 1u) / 2u);
+    return AT(axes, axis.begins + first + (last - first + 1u) / 2u);
 }
 
 // Where to cut a place with this under it in two: along a border of pixels near its middle where it
 // lies on unlike ones, or else, along x, in its middle. 0 where it is not to be cut.
-BODY u32 cut_x(MEMORY const u32x4 place, const Under all) {
-    const u32 end = place.x + place.y;
+BODY u32 cut_x(MEMORY const Grids grids, const u32x4 place, const Touched touched,
+               const Under all) {
     u32 cut = 0u;
-    if (all.allowed == ALLOWED_SOME) cut = middle_border(ON COLUMNS_OF_MASK, place.x, end);
-    if (cut == 0u && all.is_mixed) cut = middle_border(ON COLUMNS_OF_FIELD, place.x, end);
+    if (all.allowed == ALLOWED_SOME)
+        cut = middle_border(ON grids.mask.columns, touched.mask.x, touched.mask.y);
+    if (cut == 0u && all.is_mixed)
+        cut = middle_border(ON grids.field.columns, touched.field.x, touched.field.y);
     return cut == 0u && place.y > 1u ? place.x + place.y / 2u : cut;
 }
 
-BODY u32 cut_y(MEMORY const u32x4 place, const Under all) {
+BODY u32 cut_y(MEMORY const Grids grids, const Touched touched, const Under all) {
     u32 cut = 0u;
-    if (all.allowed == ALLOWED_SOME) cut = middle_border(ON ROWS_OF_MASK, place.z, place.w);
-    if (cut == 0u && all.is_mixed) cut = middle_border(ON ROWS_OF_FIELD, place.z, place.w);
+    if (all.allowed == ALLOWED_SOME)
+        cut = middle_border(ON grids.mask.rows, touched.mask.z, touched.mask.w);
+    if (cut == 0u && all.is_mixed)
+        cut = middle_border(ON grids.field.rows, touched.field.z, touched.field.w);
     return cut;
 }

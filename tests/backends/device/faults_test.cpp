@@ -151,7 +151,7 @@ TEST_P(Faults, OnAGroundAreNoticed) {
     expect_noticed(
         ground_plan(Boundary::torus, 0.8),
         {{"bodies/locate_on_ground.h", "place.z + draw.y;", "place.z;"},
-         {"bodies/locate_on_ground.h", "= radius_at(ON x, y);", "= radius_at(ON x, place.z);"},
+         {"bodies/locate_on_ground.h", "(ON grids, x, y);", "(ON grids, x, place.z);"},
          {"bodies/screen_on_ground.h", "if (radius == 0u) return true;", ""},
          {"bodies/screen_on_ground.h", "min(entry.z, radius)", "entry.z"},
          {"bodies/reach.h", "if (node != links.y)", "if (node == links.y)"},
@@ -194,6 +194,9 @@ TEST_P(Faults, InHalvedPlacesOnAGroundAreNoticed) {
          {"bodies/kept_piece.h", "= strip.at.y;", "= strip.at.y - 1u;"},
          {"bodies/kept_piece.h", "piece.y - piece.x;", "piece.y - strip.at.z;"},
          {"bodies/ground.h", "AT(mask_bits, number / ALLOWED_PER_WORD)", "AT(mask_bits, 0u)"},
+         {"bodies/ground.h", "touched.field.x = pixel_of(grids.field.columns, x);", ""},
+         {"bodies/ground.h", "touched.field.z = pixel_of(grids.field.rows, y);",
+          "touched.field.w = touched.field.z;"},
          {"bodies/ground.h", "i <= pixels.y >> level.shift", "i == pixels.x >> level.shift"},
          {"portable/ground.h", "less_a < less_b", "less_a > less_b"}});
 }
