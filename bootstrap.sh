@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a bare Debian 12 or Ubuntu 24.04 to a built, tested and running Lacuna; see ./bootstrap.sh help.
+# From a bare Debian 12, Debian 13 or Ubuntu 24.04 to a built, tested and running Lacuna; see ./bootstrap.sh help.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -19,10 +19,13 @@ packages=(
 # and MPI, which the command lacuna-mpi is for.
 more_packages=(
     libgtest-dev libbenchmark-dev librapidcheck-dev
-    pocl-opencl-icd clinfo oclgrind mesa-vulkan-drivers vulkan-validationlayers
+    pocl-opencl-icd clinfo mesa-vulkan-drivers vulkan-validationlayers
     clang-format clang-tidy valgrind help2man zsh fish
     libopenmpi-dev openmpi-bin
 )
+# Packages that not every one of these systems has. Without one, the tests that need it are skipped.
+optional_packages=()
+more_optional_packages=(oclgrind)
 # What the page in web/ is made of, and what its tests need besides.
 web_packages=(
     emscripten cmake ninja-build
@@ -57,33 +60,47 @@ bad_usage() {
     exit 2
 }
 
-missing_packages() {
+# missing_of PACKAGE...: those that are not installed, one a line.
+missing_of() {
     local installed package
     # dpkg-query fails when it knows none of some name: that package is then simply not listed.
-    installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null) || true
-    for package in "${packages[@]}"; do
+    installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null) || true
+    for package in "$@"; do
         grep -qxF "installed $package" <<<"$installed" || echo "$package"
     done
 }
 
+# as_root COMMAND...: for what is not installed, `missing` of whoever calls.
+as_root() {
+    if ((EUID == 0)); then
+        "$@" </dev/null
+    else
+        command -v sudo >/dev/null ||
+            die "no sudo here: as root, run 'apt-get install ${missing[*]}', then try again"
+        sudo "$@" </dev/null
+    fi
+}
+
 install_packages() {
-    local missing as_root=()
+    local missing optional package
     if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
         die "no apt-get here: install what these Debian packages hold, then use 'cmake --preset release': ${packages[*]}"
     fi
-    mapfile -t missing < <(missing_packages)
-    ((${#missing[@]})) || return 0
-
-    if ((EUID != 0)); then
-        command -v sudo >/dev/null ||
-            die "no sudo here: as root, run 'apt-get install ${missing[*]}', then try again"
-        as_root=(sudo)
-    fi
-    as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get)
-    echo "bootstrap: installing ${missing[*]}"
-    "${as_root[@]}" update -q </dev/null ||
+    mapfile -t missing < <(missing_of "${packages[@]}")
+    mapfile -t optional < <(missing_of "${optional_packages[@]}")
+    ((${#missing[@]} == 0)) || as_root apt-get update -q ||
         die "apt-get update failed: no package lists, so these cannot be installed: ${missing[*]}"
-    "${as_root[@]}" install -q -y --no-install-recommends "${missing[@]}" </dev/null ||
+    for package in "${optional[@]}"; do
+        if [[ -n $(apt-cache show --no-all-versions "$package" 2>/dev/null) ]]; then
+            missing+=("$package")
+        else
+            echo "bootstrap: this system has no package $package: the tests that need it are skipped"
+        fi
+    done
+    ((${#missing[@]})) || return 0
+    echo "bootstrap: installing ${missing[*]}"
+    as_root env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -q -y --no-install-recommends "${missing[@]}" ||
         die "apt-get install failed; it was asked for: ${missing[*]}"
 }
 
@@ -93,11 +110,12 @@ cached() {
 }
 
 # configure TESTS: makes build/ ready, with the tests and benchmarks where TESTS is ON. A build/ that
-# has them keeps them; one without them gets them, and nothing that is built is built again.
+# has them keeps them; one without them gets them. What is built stays, whichever command came first:
+# a build/ keeps the way in which it compiles.
 configure() {
     local options=("-DLACUNA_TESTS=$1" "-DLACUNA_BENCHMARKS=$1") source tests
-    # Several files compile at once in half the time, and whoever changes a file waits longer: so for
-    # those who only want the command.
+    # A unity build compiles in half the time, but a change of one file then takes longer: so it is
+    # for those who begin with the command alone.
     [[ $1 == ON ]] || options+=(-DCMAKE_UNITY_BUILD=ON)
     source=$(cached CMAKE_HOME_DIRECTORY)
     [[ -z $source || $source == "$root" ]] ||
@@ -121,6 +139,7 @@ build_targets() {
 
 build() {
     packages+=("${more_packages[@]}")
+    optional_packages+=("${more_optional_packages[@]}")
     install_packages
     configure ON
     build_targets

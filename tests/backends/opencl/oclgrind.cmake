@@ -2,8 +2,8 @@
 # memory, no access out of bounds. It tells by its log alone. SCRATCH is a folder to write to.
 find_program(OCLGRIND oclgrind)
 if(NOT OCLGRIND)
-    if("$ENV{LACUNA_REQUIRE}" MATCHES "opencl")
-        message(FATAL_ERROR "LACUNA_REQUIRE has opencl, but oclgrind is not installed")
+    if("$ENV{LACUNA_REQUIRE}" MATCHES "oclgrind")
+        message(FATAL_ERROR "LACUNA_REQUIRE has oclgrind, but oclgrind is not installed")
     endif()
     message("SKIPPED: oclgrind is not installed")
     return()
