@@ -88,10 +88,10 @@ if(LACUNA_COMMAND)
     if(man_pages)
         install(FILES ${man_pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command)
     endif()
-    install(FILES ${PROJECT_SOURCE_DIR}/host/cli/completion.bash RENAME lacuna
+    install(FILES ${PROJECT_SOURCE_DIR}/host/cli/terminal/completion.bash RENAME lacuna
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT command)
-    install(FILES ${PROJECT_SOURCE_DIR}/host/cli/completion.zsh RENAME _lacuna
+    install(FILES ${PROJECT_SOURCE_DIR}/host/cli/terminal/completion.zsh RENAME _lacuna
         DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT command)
-    install(FILES ${PROJECT_SOURCE_DIR}/host/cli/completion.fish RENAME lacuna.fish
+    install(FILES ${PROJECT_SOURCE_DIR}/host/cli/terminal/completion.fish RENAME lacuna.fish
         DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT command)
 endif()

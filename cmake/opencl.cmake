@@ -31,7 +31,7 @@ function(lacuna_add_opencl)
     # It means OpenCL's own names, which stand for others in the files beside it.
     set_source_files_properties(${PROJECT_SOURCE_DIR}/host/backends/opencl/entry_points.cpp
         PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-    # What is compiled together: for lines and exact, for exact on a ground, for mode cells, and for
+    # What is compiled together: for lines and exact, for exact with a radius field, for mode cells, and for
     # relax. A program each
     # would take a driver longer.
     set(kernels ${PROJECT_SOURCE_DIR}/kernels)
@@ -39,10 +39,10 @@ function(lacuna_add_opencl)
     string(APPEND spans "|${kernels}/subtract.cl|${kernels}/refine.cl|${kernels}/scan.cl")
     set(cells "${kernels}/locate_cells.cl|${kernels}/sort_columns.cl|${kernels}/admit_cells.cl")
     string(APPEND cells "|${kernels}/subtract_cells.cl")
-    set(ground "${kernels}/locate_ground.cl|${kernels}/admit_ground.cl")
-    string(APPEND ground "|${kernels}/refine_ground.cl|${kernels}/scan.cl")
-    set(relax "${kernels}/own_relax.cl|${kernels}/settle_relax.cl")
-    lacuna_embed_kernels(lacuna kernel_sources ${spans} ${cells} ${ground} ${relax})
+    set(radius_field "${kernels}/locate_field.cl|${kernels}/admit_field.cl")
+    string(APPEND radius_field "|${kernels}/refine_field.cl|${kernels}/scan.cl")
+    set(relax "${kernels}/assign_relax.cl|${kernels}/move_relax.cl")
+    lacuna_embed_kernels(lacuna kernel_sources ${spans} ${cells} ${radius_field} ${relax})
     target_include_directories(lacuna SYSTEM PRIVATE
         ${OPENCL_INCLUDE_DIR} ${OPENCL_HPP_INCLUDE_DIR})
     target_compile_definitions(lacuna PRIVATE LACUNA_OPENCL)

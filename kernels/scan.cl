@@ -1,6 +1,6 @@
 // scan: prefix sums of counts, which tell where what was counted goes.
-#include "bodies/prelude.h"
+#include "bodies/common/prelude.h"
 
 BINDINGS(ScanArguments, SCAN_BINDINGS)
-#include "bodies/scan.h"
+#include "bodies/common/scan.h"
 ENTRY(scan, serve_scan, ScanArguments, SCAN_BINDINGS)

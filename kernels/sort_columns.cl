@@ -1,6 +1,6 @@
 // sort_columns: the order of y within each column of candidates, in every mode.
-#include "bodies/prelude.h"
+#include "bodies/common/prelude.h"
 
 BINDINGS(ColumnArguments, SORT_COLUMNS_BINDINGS)
-#include "bodies/sort_columns.h"
+#include "bodies/common/sort_columns.h"
 ENTRY(sort_columns, serve_sort_columns, ColumnArguments, SORT_COLUMNS_BINDINGS)

@@ -1,17 +1,17 @@
 // locate: a draw becomes a candidate.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "bodies/prelude.h"
+#include "bodies/common/prelude.h"
 
 #ifdef ENTRY_locate
 BINDINGS(SlabArguments, LOCATE_BINDINGS)
-#include "bodies/free_spans.h"
-#include "bodies/locate.h"
+#include "bodies/lines/free_spans.h"
+#include "bodies/common/locate.h"
 ENTRY(locate, serve_locate, SlabArguments, LOCATE_BINDINGS)
 #endif
 
 #ifdef ENTRY_locate_in_boxes
 BINDINGS(DrawArguments, LOCATE_IN_BOXES_BINDINGS)
-#include "bodies/locate_in_boxes.h"
+#include "bodies/exact/locate_in_boxes.h"
 ENTRY(locate_in_boxes, serve_locate_in_boxes, DrawArguments, LOCATE_IN_BOXES_BINDINGS)
 #endif

@@ -10,7 +10,7 @@
 
 #include "analysis/neighbours.h"
 #include "analysis/pairs.h"
-#include "threads.h"
+#include "base/threads.h"
 #include "verify/verify.h"
 
 namespace lacuna::analysis {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/domain.h"
-#include "polling.h"
+#include "base/polling.h"
 
 namespace lacuna::analysis {
 

@@ -26,7 +26,7 @@
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
-#include "polling.h"
+#include "base/polling.h"
 
 namespace lacuna::analysis {
 namespace {

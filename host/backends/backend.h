@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/workers.h"
 #include "plan/plan.h"
-#include "workers.h"
 
 namespace lacuna {
 
@@ -33,7 +33,7 @@ struct Box {
     friend bool operator==(const Box&, const Box&) = default;
 };
 
-// A draw with its y. On a ground its line is 0.
+// A draw with its y. With a radius field its line is 0.
 struct Candidate {
     std::uint32_t x;
     std::uint32_t y;
@@ -47,12 +47,12 @@ struct Snapshot {
     std::uint32_t capacity = 0;            // spans a line has room for before the backend grows
     std::vector<std::vector<Span>> spans;  // of each line: sorted, disjoint, none empty
     std::vector<Candidate> candidates;     // column by column, by y, then order, within a column
-    std::vector<std::uint32_t> fates;      // of each candidate, see portable/fate.h
+    std::vector<std::uint32_t> statuses;   // of each candidate, see portable/status.h
     // In exact only.
     std::vector<Sample> grid;     // the sample of each grid cell, NO_SAMPLE where there is none
     std::uint32_t box_width = 0;  // 0: lines are drawn from, not boxes
     std::vector<Box> boxes;       // line by line
-    // In exact on a ground, instead: region by region, see plan/first_places.h.
+    // In exact with a radius field, instead: region by region, see plan/first_boxes.h.
     std::vector<Rectangle> rectangles;
     std::vector<Sample> samples;  // of earlier rounds, by x, then y
     // In cells only: a bit for each lattice point, set while it is free. Line by line, each in an
@@ -63,15 +63,15 @@ struct Snapshot {
 
 // What a round hands back. Valid until the backend's next call.
 struct Round {
-    std::span<const Sample> samples;              // admitted, in the order of their draws
-    std::uint64_t survivors;                      // draws free of the samples of earlier rounds
-    std::span<const std::uint32_t> free_lengths;  // of every place, after the round
-    std::uint32_t place_width;                    // of every place, unless
-    std::span<const std::uint32_t> place_widths = {};  // tells that of each
-    // Where the plan tells orders: that of each sample's draw. In lines and exact without a ground:
-    // the first place of each column, then the number of places.
+    std::span<const Sample> samples;                 // admitted, in the order of their draws
+    std::uint64_t survivors;                         // draws free of the samples of earlier rounds
+    std::span<const std::uint32_t> free_lengths;     // of every place, after the round
+    std::uint32_t bin_width;                         // of every place, unless
+    std::span<const std::uint32_t> bin_widths = {};  // tells that of each
+    // Where the plan tells orders: that of each sample's draw. In lines and exact without a radius
+    // field: the first box of each column, then the number of places.
     std::span<const std::uint32_t> orders = {};
-    std::span<const std::uint32_t> place_begins = {};
+    std::span<const std::uint32_t> bin_begins = {};
 };
 
 // Serves one plan. A backend may queue the verbs and do them at finish_round. Whatever the order

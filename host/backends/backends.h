@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "generate.h"
 #include "plan/plan.h"
+#include "sampling/generate.h"
 
 namespace lacuna {
 

@@ -37,11 +37,11 @@ std::vector<std::uint32_t> first_lines(const Plan& plan, std::uint32_t columns) 
     return lines;
 }
 
-void find_column_begins(std::span<const std::uint32_t> place_begins, std::span<const Draw> draws,
+void find_column_begins(std::span<const std::uint32_t> bin_begins, std::span<const Draw> draws,
                         std::vector<std::uint32_t>& begins) {
-    const auto columns = static_cast<std::uint32_t>(place_begins.size() - 1);
+    const auto columns = static_cast<std::uint32_t>(bin_begins.size() - 1);
     find_begins(columns, draws, begins, [&](const Draw& draw, std::uint32_t column) {
-        return draw.place < place_begins[column];
+        return draw.place < bin_begins[column];
     });
 }
 

@@ -18,8 +18,8 @@ std::uint32_t count_columns(const Plan& plan);
 std::vector<std::uint32_t> first_lines(const Plan& plan, std::uint32_t columns);
 
 // begins[column] .. begins[column + 1] are the draws of the column, whose places are
-// place_begins[column] .. place_begins[column + 1]. The draws are sorted by place.
-void find_column_begins(std::span<const std::uint32_t> place_begins, std::span<const Draw> draws,
+// bin_begins[column] .. bin_begins[column + 1]. The draws are sorted by place.
+void find_column_begins(std::span<const std::uint32_t> bin_begins, std::span<const Draw> draws,
                         std::vector<std::uint32_t>& begins);
 // The same for candidates, which come column by column.
 void find_column_begins(const Plan& plan, std::uint32_t columns,

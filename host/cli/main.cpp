@@ -1,7 +1,7 @@
 // The command lacuna.
 #include <lacuna/lacuna.h>
 
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 
 int main(int argc, char** argv) {
     return lacuna::cli::run_commands(

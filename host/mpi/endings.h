@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/run_program.h"
+#include "cli/terminal/run_program.h"
 
 namespace lacuna::mpi {
 

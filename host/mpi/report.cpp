@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/report.h"
+#include "cli/reports/report.h"
 
 namespace lacuna::mpi {
 namespace {

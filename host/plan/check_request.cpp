@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "base/threads.h"
 #include "plan/plan.h"
-#include "threads.h"
 
 namespace lacuna {
 namespace {
@@ -30,7 +30,7 @@ void check_enums(const Request& request) {
 }
 
 void check_round_size(const Request& request) {
-    constexpr double kBytesPerDraw = 96;  // draws, candidates, fates, and room to sort them
+    constexpr double kBytesPerDraw = 96;  // draws, candidates, statuses, and room to sort them
     const std::string value = std::to_string(request.round_size);
     if (request.uniform_x && request.round_size > 1)
         throw BadRequest("round-size", value,

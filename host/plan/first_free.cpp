@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "plan/first_places.h"
+#include "plan/first_boxes.h"
 #include "portable/bits.h"
 
 namespace lacuna {
@@ -49,11 +49,11 @@ std::vector<std::uint32_t> first_free_lengths(const Plan& plan) {
 }
 
 FirstFree::FirstFree(const Plan& plan) {
-    if (!plan.ground) {
+    if (!plan.radius_field) {
         lengths = first_free_lengths(plan);
         return;
     }
-    const std::vector<Rectangle>& places = plan.first_places->places;
+    const std::vector<Rectangle>& places = plan.first_boxes->places;
     lengths.reserve(places.size());
     widths.reserve(places.size());
     for (const Rectangle& place : places) {

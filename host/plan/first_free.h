@@ -16,7 +16,7 @@ std::vector<Span> first_spans(const Plan& plan, std::uint32_t line);
 // The total length of every line's.
 std::vector<std::uint32_t> first_free_lengths(const Plan& plan);
 
-// The free length of every place and, on a ground, its width.
+// The free length of every place and, with a radius field, its width.
 struct FirstFree {
     explicit FirstFree(const Plan& plan);
 

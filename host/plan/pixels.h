@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "polling.h"
+#include "base/polling.h"
 
 namespace lacuna {
 

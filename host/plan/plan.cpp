@@ -11,8 +11,8 @@
 #include <limits>
 #include <sstream>
 
-#include "plan/ground.h"
 #include "plan/kept.h"
+#include "plan/radius_field.h"
 #include "portable/isqrt.h"
 
 namespace lacuna {
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kLongerSideUnits = 2147483648.0;   // 2^31
 constexpr std::uint32_t kExactLinesPerRadius = 6;   // the fastest: docs/speed.md
-constexpr std::uint32_t kPlacesPerRadius = 1;       // on a ground
+constexpr std::uint32_t kPlacesPerRadius = 1;       // with a radius field
 constexpr std::uint32_t kPaperLinesPerRadius = 30;  // section 5.1
 
 // Of maximal sets in a box: N r^2 over the area, and the width of the edge's effect in radii.
@@ -104,7 +104,7 @@ std::uint32_t lines_per_radius(const Request& request) {
     if (request.lines_per_radius) return *request.lines_per_radius;
     switch (request.mode) {
         case Mode::exact:
-            return needs_ground(request) ? kPlacesPerRadius : kExactLinesPerRadius;
+            return needs_radius_field(request) ? kPlacesPerRadius : kExactLinesPerRadius;
         case Mode::lines:
             return kPaperLinesPerRadius;
         default:
@@ -156,7 +156,7 @@ double radius_for_count(const Request& request, int attempt) {
     return radius;
 }
 
-bool needs_ground(const Request& request) {
+bool needs_radius_field(const Request& request) {
     return request.mode == Mode::exact && (request.field != nullptr || request.mask != nullptr ||
                                            request.border > 0 || !request.keep.empty());
 }
@@ -164,9 +164,9 @@ bool needs_ground(const Request& request) {
 Plan make_plan(const Request& request) {
     check_request(request);
     if (request.mode == Mode::cells) return make_cells_plan(request, sums_of(*request.field));
-    if (needs_ground(request)) {
+    if (needs_radius_field(request)) {
         check_kept_distances(request);
-        return make_ground_plan(request);
+        return make_radius_field_plan(request);
     }
     check_radius(request);
     const double radius = *request.radius;

@@ -19,7 +19,7 @@ struct Sample {
     friend bool operator==(const Sample&, const Sample&) = default;
 };
 
-// One that others placed, with the radius that it has on the plan's ground.
+// One that others placed, with the radius that it has on the plan's radius_field.
 struct KeptSample {
     Sample at;
     std::uint32_t radius;
@@ -37,8 +37,8 @@ struct Span {
 inline constexpr double kTorusDensity = 0.69656;
 inline constexpr double kCountDeviation = 0.244;
 
-class Ground;
-struct FirstPlaces;
+class RadiusField;
+struct FirstBoxes;
 
 // Lines at either end of a plan that belong to a neighbour: see ranks/strip.h.
 struct Halo {
@@ -59,7 +59,7 @@ struct Plan {
     std::uint32_t period_y;
 
     std::uint32_t lines;        // L = ceil(m * W / r)
-    Halo halo;                  // of them: never cut; in exact without a ground only
+    Halo halo;                  // of them: never cut; in exact without a radius field only
     std::uint32_t strip_width;  // even; a power of two in exact; lines * strip_width == width
     std::uint32_t radius;       // rounded up: so many units are never less than the user's radius
     std::uint64_t radius_squared;
@@ -75,10 +75,10 @@ struct Plan {
     std::shared_ptr<const RadiusMap> radii;  // in cells only: the radius of every place
     Metric metric;                           // in cells only: of two radii
     // In exact where not all places are alike: their radii, and where samples may go. Then there
-    // are no lines, `radius` is the least, the first places are no longer than 2 / lines_per_radius
+    // are no lines, `radius` is the least, the first boxes are no longer than 2 / lines_per_radius
     // of the least radius under them, and `kept` holds samples that lie there already.
-    std::shared_ptr<const Ground> ground;
-    std::shared_ptr<const FirstPlaces> first_places;
+    std::shared_ptr<const RadiusField> radius_field;
+    std::shared_ptr<const FirstBoxes> first_boxes;
     std::vector<KeptSample> kept;
     bool snap;
     bool uniform_x;
@@ -128,14 +128,15 @@ FieldSums sums_of(const Field& field, const Poll& poll = nobody_asks);
 // make_plan for mode cells and a request that was checked (plan_cells.cpp).
 Plan make_cells_plan(const Request& request, const FieldSums& sums, const Poll& poll = nobody_asks);
 
-// make_plan for mode exact on a ground and a request that was checked, also for the distances of
-// kept points if they are to keep any (plan_ground.cpp).
-Plan make_ground_plan(const Request& request, const Poll& poll = nobody_asks);
+// make_plan for mode exact with a radius field and a request that was checked, also for the
+// distances of kept points if they are to keep any (plan_radius_field.cpp).
+Plan make_radius_field_plan(const Request& request, const Poll& poll = nobody_asks);
 // Whether that is the request's plan.
-bool needs_ground(const Request& request);
+bool needs_radius_field(const Request& request);
 // The scale, or without a field the radius, at which the formula of docs/design.md, section 5,
 // expects so many samples in a maximal set of such a request.
-double ground_scale_for_count(const Request& request, double count, const Poll& poll = nobody_asks);
+double radius_field_scale_for_count(const Request& request, double count,
+                                    const Poll& poll = nobody_asks);
 
 // Checks all that does not depend on the radius. Throws BadRequest.
 void check_request(const Request& request);

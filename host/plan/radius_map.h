@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "polling.h"
+#include "base/polling.h"
 
 namespace lacuna {
 

@@ -1,4 +1,4 @@
-// Candidates and their fates, exchanged across the borders of a strip.
+// Candidates and their statuses, exchanged across the borders of a strip.
 #include "ranks/border.h"
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "backends/columns.h"
-#include "portable/fate.h"
+#include "portable/status.h"
 
 namespace lacuna {
 
@@ -15,7 +15,7 @@ Border::Border(const Strip& strip, Ranks& ranks, std::uint32_t depth)
       ranks_(ranks),
       own_(strip.plan.own_x()),
       first_lines_(first_lines(strip.plan, count_columns(strip.plan))),
-      place_begins_(first_lines_),
+      bin_begins_(first_lines_),
       rivals_(strip.plan) {
     const Plan& plan = strip.plan;
     const auto columns = static_cast<std::uint32_t>(first_lines_.size() - 1);
@@ -60,7 +60,7 @@ Draw Border::draw_of(const Rival& guest) const {
     const std::uint32_t offset = guest.x % plan.strip_width;
     if (!are_boxes_) return {line, guest.y, offset, 0};
     const bool is_low = line < plan.halo.low;
-    const std::size_t first = is_low ? 0 : place_begins_.back() - high_places();
+    const std::size_t first = is_low ? 0 : bin_begins_.back() - high_places();
     const std::uint32_t of_halo = is_low ? line : line - plan.own_lines().end;
     const std::size_t place =
         first + std::size_t{of_halo} * plan.grid_rows + guest.y / plan.grid_side;
@@ -73,7 +73,7 @@ void Border::note(const Round& round, bool are_boxes) {
     for (const Sample sample : round.samples.subspan(guests_))
         tally_.samples +=
             static_cast<std::uint64_t>(is_near_low(sample.x) || is_near_high(sample.x));
-    place_begins_.assign(round.place_begins.begin(), round.place_begins.end());
+    bin_begins_.assign(round.bin_begins.begin(), round.bin_begins.end());
     are_boxes_ = are_boxes;
 }
 
@@ -100,13 +100,13 @@ void Border::take(Backend& backend, const Marginal& marginal, IsCovered is_cover
     for (const Candidate& candidate : backend.located())
         if (!is_covered(candidate))
             rivals_.add(
-                {candidate.x, candidate.y, near_numbers_[candidate.order], true, FATE_UNDECIDED});
+                {candidate.x, candidate.y, near_numbers_[candidate.order], true, STATUS_UNDECIDED});
 }
 
 void Border::look(Backend& backend, const Marginal& marginal, std::span<const Draw> own) {
     const std::size_t columns = first_lines_.size() - 1;
     const auto first_from = [&](std::size_t column) {
-        const std::size_t place = std::max<std::size_t>(place_begins_[column], low_places());
+        const std::size_t place = std::max<std::size_t>(bin_begins_[column], low_places());
         return std::partition_point(own.begin(), own.end(), [&](const Draw& draw) {
             return draw.place + low_places() < place;
         });
@@ -157,7 +157,7 @@ void Border::add_received(std::vector<std::uint32_t>& indices, std::span<const s
     indices.clear();
     for (const Sent& sent : all) {
         const std::uint32_t x = is_low ? own_.begin - sent.distance : own_.end + sent.distance;
-        indices.push_back(rivals_.add({x, sent.y, sent.number, false, FATE_UNDECIDED}));
+        indices.push_back(rivals_.add({x, sent.y, sent.number, false, STATUS_UNDECIDED}));
     }
 }
 
@@ -183,21 +183,22 @@ void Border::list_sent() {
     list(high_sent_, [&](std::uint32_t x) { return is_near_high(x); });
 }
 
-// Each pass tells the fates of what was sent and not yet decided, in the order in which it was
+// Each pass tells the statuses of what was sent and not yet decided, in the order in which it was
 // sent; both sides then leave what is decided out.
-void Border::exchange_fates() {
-    const auto fates_of = [&](std::vector<std::uint32_t>& sent) {
-        std::vector<std::byte> fates;
-        fates.reserve(sent.size());
-        for (const std::uint32_t index : sent) fates.push_back(std::byte(rivals_[index].fate));
-        std::erase_if(sent, [&](std::uint32_t i) { return rivals_[i].fate != FATE_UNDECIDED; });
-        return fates;
+void Border::exchange_statuses() {
+    const auto statuses_of = [&](std::vector<std::uint32_t>& sent) {
+        std::vector<std::byte> statuses;
+        statuses.reserve(sent.size());
+        for (const std::uint32_t index : sent) statuses.push_back(std::byte(rivals_[index].status));
+        std::erase_if(sent, [&](std::uint32_t i) { return rivals_[i].status != STATUS_UNDECIDED; });
+        return statuses;
     };
-    const auto set_fates = [&](std::vector<std::uint32_t>& received,
-                               std::span<const std::byte> fates) {
+    const auto set_statuses = [&](std::vector<std::uint32_t>& received,
+                                  std::span<const std::byte> statuses) {
         for (std::size_t i = 0; i < received.size(); ++i)
-            rivals_[received[i]].fate = std::to_integer<std::uint32_t>(fates[i]);
-        std::erase_if(received, [&](std::uint32_t i) { return rivals_[i].fate != FATE_UNDECIDED; });
+            rivals_[received[i]].status = std::to_integer<std::uint32_t>(statuses[i]);
+        std::erase_if(received,
+                      [&](std::uint32_t i) { return rivals_[i].status != STATUS_UNDECIDED; });
     };
     for (std::uint64_t before = ~std::uint64_t{0};;) {
         std::uint64_t left = low_received_.size() + high_received_.size();
@@ -207,11 +208,11 @@ void Border::exchange_fates() {
         before = left;
         rivals_.decide();
         Sides told;
-        told.low = fates_of(low_sent_);
-        told.high = fates_of(high_sent_);
+        told.low = statuses_of(low_sent_);
+        told.high = statuses_of(high_sent_);
         const Sides heard = exchange(told);
-        set_fates(low_received_, heard.low);
-        set_fates(high_received_, heard.high);
+        set_statuses(low_received_, heard.low);
+        set_statuses(high_received_, heard.high);
     }
 }
 
@@ -231,7 +232,7 @@ std::span<const Draw> Border::settle(Backend& backend, const Marginal& marginal,
     }
     const std::vector<std::uint32_t> low = low_received_;
     const std::vector<std::uint32_t> high = high_received_;
-    exchange_fates();
+    exchange_statuses();
     make_draws(low, high, own);
     tally_.messages += messages_;
     tally_.most_messages = std::max(tally_.most_messages, messages_);
@@ -245,7 +246,7 @@ void Border::make_draws(std::span<const std::uint32_t> low, std::span<const std:
     const auto add_guests = [&](std::span<const std::uint32_t> received) {
         const auto first = static_cast<std::ptrdiff_t>(draws_.size());
         for (const std::uint32_t index : received)
-            if (rivals_[index].fate == FATE_ADMITTED) draws_.push_back(draw_of(rivals_[index]));
+            if (rivals_[index].status == STATUS_ADMITTED) draws_.push_back(draw_of(rivals_[index]));
         std::sort(draws_.begin() + first, draws_.end(), [](const Draw& a, const Draw& b) {
             return a.place != b.place ? a.place < b.place : a.rank < b.rank;
         });

@@ -18,14 +18,14 @@ namespace lacuna {
 
 // Each round, before its draws are located for good, those near the borders are located alone. Of
 // their candidates that no earlier sample covers, the ones within a radius of a border go to the
-// neighbour there. A candidate's fate depends on the earlier ones within its radius, on this side
+// neighbour there. A candidate's status depends on the earlier ones within its radius, on this side
 // or on the other: each rank decides what it can, tells the other, and so on, pass by pass, until
-// all fates are known. The neighbours' samples then join the round as draws in the halo, guests,
+// all statuses are known. The neighbours' samples then join the round as draws in the halo, guests,
 // ahead of the rank's own, so that the backend rejects what they cover: that is not admitted in any
 // case, for no two samples conflict.
 class Border {
 public:
-    // Looks so many columns (backends/columns.h) of the plan into the strip: what decides a fate
+    // Looks so many columns (backends/columns.h) of the plan into the strip: what decides a status
     // lies one or two columns away. Where it does not, the strip is looked at as a whole, which
     // takes time and memory, in that round alone.
     static constexpr std::uint32_t kDepth = 9;
@@ -82,7 +82,7 @@ private:
     void add_received(std::vector<std::uint32_t>& indices, std::span<const std::byte> bytes,
                       bool is_low);
     Sides exchange(const Sides& sides);
-    void exchange_fates();
+    void exchange_statuses();
     void list_sent();
     void make_draws(std::span<const std::uint32_t> low, std::span<const std::uint32_t> high,
                     std::span<const Draw> own);
@@ -91,7 +91,7 @@ private:
     Ranks& ranks_;
     Span own_;                                // x
     std::vector<std::uint32_t> first_lines_;  // of each column
-    std::vector<std::uint32_t> place_begins_;
+    std::vector<std::uint32_t> bin_begins_;
     bool are_boxes_ = false;
     // So many columns at either end are looked at; low_depth_ is all of them where that is most.
     std::uint32_t low_depth_, high_depth_;

@@ -8,7 +8,7 @@
 
 #include "plan/first_free.h"
 #include "rounds/round_policy.h"
-#include "rounds/timed_verbs.h"
+#include "sampling/timed_verbs.h"
 
 namespace lacuna {
 namespace {
@@ -100,7 +100,7 @@ private:
 
         own_.find(round, border_.guests(), marginal_);
         sink_.take(own_.samples(), own_.numbers(), size);
-        rebuild(border_.own_lengths(round.free_lengths), round.place_width);
+        rebuild(border_.own_lengths(round.free_lengths), round.bin_width);
         sums_.survivors = round.survivors - border_.guests();
         sums_.admitted = own_.samples().size();
         look_out();
@@ -111,7 +111,7 @@ private:
         outcome_.samples += sums_.admitted;
         outcome_.draws += size;
         outcome_.rounds++;
-        policy_.note(sums_.survivors, sums_.admitted, sums_.places, round.place_width);
+        policy_.note(sums_.survivors, sums_.admitted, sums_.places, round.bin_width);
     }
 
     std::span<const Draw> invert(std::uint32_t size, CdfShare share) {

@@ -1,11 +1,11 @@
-// Fates that follow from one another.
+// Statuses that follow from one another.
 #include "ranks/rivals.h"
 
 #include <algorithm>
 #include <numeric>
 
 #include "portable/distance.h"
-#include "portable/fate.h"
+#include "portable/status.h"
 
 namespace lacuna {
 
@@ -99,17 +99,17 @@ std::span<const std::uint32_t> Rivals::earlier_of(std::size_t found) const {
 void Rivals::decide() {
     for (const std::uint32_t found : by_number_) {
         Rival& rival = all_[found_[found].index];
-        if (rival.fate != FATE_UNDECIDED) continue;
+        if (rival.status != STATUS_UNDECIDED) continue;
         bool waits = false;
         bool is_rejected = false;
         for (const std::uint32_t earlier : earlier_of(found)) {
-            waits |= all_[earlier].fate == FATE_UNDECIDED;
-            is_rejected |= all_[earlier].fate == FATE_ADMITTED;
+            waits |= all_[earlier].status == STATUS_UNDECIDED;
+            is_rejected |= all_[earlier].status == STATUS_ADMITTED;
         }
         if (is_rejected)
-            rival.fate = FATE_REJECTED;
+            rival.status = STATUS_REJECTED;
         else if (!waits)
-            rival.fate = FATE_ADMITTED;
+            rival.status = STATUS_ADMITTED;
     }
 }
 

@@ -1,4 +1,5 @@
-// Candidates of one round that may decide each other's fates, on both sides of a strip's borders.
+// Candidates of one round that may decide each other's statuses, on both sides of a strip's
+// borders.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +17,8 @@ struct Rival {
     std::uint32_t x;
     std::uint32_t y;
     std::uint32_t number;  // of its draw in the round: lower numbers take precedence
-    bool is_own;           // or a neighbour's, who tells its fate
-    std::uint32_t fate;    // portable/fate.h: undecided, admitted or rejected
+    bool is_own;           // or a neighbour's, who tells its status
+    std::uint32_t status;  // portable/status.h: undecided, admitted or rejected
 };
 
 class Rivals {
@@ -30,11 +31,11 @@ public:
     const Rival& operator[](std::uint32_t index) const { return all_[index]; }
     std::size_t size() const { return all_.size(); }
 
-    // Finds what the fates of these depend on, and so on: earlier own candidates within a radius,
-    // up to those of the neighbours. False where that reaches into the stretch of x from which no
-    // own candidates were added.
+    // Finds what the statuses of these depend on, and so on: earlier own candidates within a
+    // radius, up to those of the neighbours. False where that reaches into the stretch of x from
+    // which no own candidates were added.
     bool find(std::span<const std::uint32_t> wanted, Span unseen);
-    // Decides all own ones found whose fates follow from those decided so far.
+    // Decides all own ones found whose statuses follow from those decided so far.
     void decide();
 
 private:

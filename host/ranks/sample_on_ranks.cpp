@@ -26,7 +26,7 @@ void check_request_on_ranks(const Request& request) {
     check_request(request);
     if (request.mode != Mode::exact)
         throw BadRequest("mode", std::string(name_of(request.mode)), "must be exact on ranks");
-    if (needs_ground(request))
+    if (needs_radius_field(request))
         throw BadRequest("field", "given",
                          "fields, masks, borders and kept points are not for ranks");
 }

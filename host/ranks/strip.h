@@ -21,7 +21,8 @@ struct Strip {
     Sample in_domain(Sample sample) const;
 };
 
-// So many ranks can share a plan: each strip is at least two radii wide. Mode exact, no ground.
+// So many ranks can share a plan: each strip is at least two radii wide. Mode exact, no
+// radius_field.
 std::uint32_t most_ranks(const Plan& plan);
 
 // Lines are shared out evenly, to within one. ranks is at most most_ranks.

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "polling.h"
+#include "base/polling.h"
 #include "relax/lattice.h"
 
 namespace lacuna::relaxing {

@@ -7,20 +7,20 @@
 #include <span>
 #include <vector>
 
-#include "polling.h"
+#include "base/polling.h"
 #include "portable/power.h"
 
 namespace lacuna::relaxing {
 
-// A sample that is being relaxed. Places and lifts: see portable/power.h.
+// A sample that is being relaxed. Places and weights: see portable/power.h.
 struct Site {
     std::uint32_t x;
     std::uint32_t y;
-    std::uint64_t lift;
+    std::uint64_t weight;
     friend bool operator==(const Site&, const Site&) = default;
 };
 
-// What a sample owns: gathered from the lattice points of importance that are its own.
+// What a sample owns: accumulated from the lattice points of importance that are its own.
 struct Share {
     std::uint64_t points;
     std::uint64_t mass;

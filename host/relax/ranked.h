@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "polling.h"
+#include "base/polling.h"
 
 namespace lacuna::relaxing {
 

@@ -25,34 +25,34 @@ public:
 
     std::string device() const override { return "1 thread"; }
 
-    void own() override {
+    void assign() override {
         for (std::uint32_t row = 0; row < numbers_.rows; ++row)
             for (std::uint32_t column = 0; column < numbers_.columns; ++column)
                 if (lattice_.mass_at(column, row) != 0)
                     owners_[index_of(column, row)] = owner_of(column, row);
     }
 
-    void gather() override {
+    void accumulate() override {
         std::fill(shares_.begin(), shares_.end(), Share{});
         for (std::uint32_t row = 0; row < numbers_.rows; ++row)
             for (std::uint32_t column = 0; column < numbers_.columns; ++column) add(column, row);
     }
 
-    void settle() override {
+    void move() override {
         std::uint64_t least = kFarther;
         for (std::size_t i = 0; i < sites_.size(); ++i) {
             const Share& share = shares_[i];
-            sites_[i].lift = portable::moved_lift(numbers_, sites_[i].lift, share.mass,
-                                                  static_cast<std::uint32_t>(share.points));
-            least = std::min(least, sites_[i].lift);
+            sites_[i].weight = portable::moved_weight(numbers_, sites_[i].weight, share.mass,
+                                                      static_cast<std::uint32_t>(share.points));
+            least = std::min(least, sites_[i].weight);
             sites_[i] = moved_to_centre(numbers_, sites_[i], share);
         }
         for (Site& site : sites_)
-            site.lift = portable::settled_lift(site.lift, least, numbers_.farthest);
+            site.weight = portable::weight_above_least(site.weight, least, numbers_.farthest);
     }
 
     void rest() override {
-        settle();
+        move();
         for (std::uint32_t i = 0; i < sites_.size(); ++i)
             if (lattice_.mass_under(sites_[i]) == 0) go_to_importance(i);
     }
@@ -73,7 +73,7 @@ private:
     std::uint64_t power_of(std::uint32_t column, std::uint32_t row, const Site& site) const {
         return portable::power_of(portable::lattice_place(column, numbers_.step_x),
                                   portable::lattice_place(row, numbers_.step_y), site.x, site.y,
-                                  site.lift, numbers_.period_x, numbers_.period_y);
+                                  site.weight, numbers_.period_x, numbers_.period_y);
     }
 
     std::uint32_t owner_of(std::uint32_t column, std::uint32_t row) {

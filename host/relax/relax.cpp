@@ -1,4 +1,4 @@
-// lacuna::relax: own, gather, settle, as often as asked for (docs/design.md, section 9).
+// lacuna::relax: assign, accumulate, move, as often as asked for (docs/design.md, section 9).
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -55,28 +55,28 @@ public:
 
     void iterate() {
         look();
-        observer_.begin(Verb::settle);
+        observer_.begin(Verb::move);
         if (done_ + 1 == iterations_)
             backend_.rest();
         else
-            backend_.settle();
-        observer_.end(Verb::settle);
+            backend_.move();
+        observer_.end(Verb::move);
         ++done_;
         if (!keep_going()) throw Cancelled();
     }
 
     void look() {
-        observer_.begin(Verb::own);
-        backend_.own();
-        observer_.end(Verb::own);
-        observer_.begin(Verb::gather);
-        backend_.gather();
-        observer_.end(Verb::gather);
+        observer_.begin(Verb::assign);
+        backend_.assign();
+        observer_.end(Verb::assign);
+        observer_.begin(Verb::accumulate);
+        backend_.accumulate();
+        observer_.end(Verb::accumulate);
     }
 
-    double variation_without_lifts() {
+    double variation_without_weights() {
         std::vector<Site> plain = backend_.sites();
-        for (Site& site : plain) site.lift = 0;
+        for (Site& site : plain) site.weight = 0;
         backend_.restore(plain);
         look();
         return variation(backend_.shares());
@@ -96,7 +96,7 @@ private:
 };
 
 // All iterations; returns where the sites end. Looks of which nothing but numbers comes are done
-// after that, from the same lifts and without them.
+// after that, from the same weights and without them.
 std::vector<Site> iterate(Iterations& run, RelaxBackend& backend, const RelaxOptions& options,
                           Relaxed& relaxed) {
     Evenness evenness{};
@@ -109,7 +109,7 @@ std::vector<Site> iterate(Iterations& run, RelaxBackend& backend, const RelaxOpt
         run.look();
         evenness.after = variation(backend.shares());
         if (options.iterations == 0) evenness.before = evenness.after;
-        evenness.after_voronoi = run.variation_without_lifts();
+        evenness.after_voronoi = run.variation_without_weights();
         relaxed.evenness = evenness;
     }
     return sites;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "polling.h"
+#include "base/polling.h"
 #include "relax/lattice.h"
 
 namespace lacuna::relaxing {

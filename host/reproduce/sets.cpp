@@ -8,9 +8,9 @@
 #include <limits>
 #include <numeric>
 
+#include "base/threads.h"
 #include "baseline/dart_throwing.h"
 #include "plan/plan.h"
-#include "threads.h"
 
 namespace lacuna::reproduce {
 namespace {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "rounds/insertion_sort.h"
+#include "base/insertion_sort.h"
 #include "rounds/random_run.h"
 
 namespace lacuna {
@@ -55,11 +55,11 @@ std::uint64_t Marginal::weight_of(std::size_t place) const {
     return widths_.empty() ? lengths_[place] : std::uint64_t{widths_[place]} * lengths_[place];
 }
 
-void Marginal::rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t place_width,
-                       std::span<const std::uint32_t> place_widths) {
+void Marginal::rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t bin_width,
+                       std::span<const std::uint32_t> bin_widths) {
     lengths_ = free_lengths;
-    place_width_ = place_width;
-    widths_ = place_widths;
+    bin_width_ = bin_width;
+    widths_ = bin_widths;
     const std::size_t blocks = (lengths_.size() + kBlock - 1) / kBlock;
     sums_.resize(blocks + 1);
     std::uint64_t sum = 0;
@@ -149,7 +149,7 @@ Draw Marginal::drawn(const RandomBits& random, std::uint64_t first_number,
     const std::uint64_t for_offset =
         plan_.uniform_x ? random_bits(plan_.seed, first_number + number, 1).first : random.second;
     const std::uint64_t offset =
-        plan_.snap ? plan_.strip_width / 2 : scaled(for_offset, place_width_);
+        plan_.snap ? plan_.strip_width / 2 : scaled(for_offset, bin_width_);
     const std::uint64_t bits = (random.first - bits_.first) << bits_.shift;
     return {static_cast<std::uint32_t>(bits >> 32), static_cast<std::uint32_t>(bits),
             static_cast<std::uint32_t>(offset), number};

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "backends/backend.h"
+#include "base/workers.h"
 #include "plan/plan.h"
 #include "rounds/random.h"
-#include "workers.h"
 
 namespace lacuna {
 
@@ -29,11 +29,11 @@ public:
     Marginal(const Plan& plan, Workers& workers, std::function<void()> poll)
         : plan_(plan), workers_(workers), poll_(std::move(poll)) {}
 
-    // New running sums, from the free length of every place, all of one width, unless place_widths
+    // New running sums, from the free length of every place, all of one width, unless bin_widths
     // tells that of each. The lengths and widths are read again by invert: they must stay until
     // then.
-    void rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t place_width,
-                 std::span<const std::uint32_t> place_widths = {});
+    void rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t bin_width,
+                 std::span<const std::uint32_t> bin_widths = {});
 
     // Total weight of the places: their free length, or their area where widths differ, or, with
     // uniform-x, how many have any.
@@ -69,7 +69,7 @@ private:
     Workers& workers_;
     std::function<void()> poll_;
     std::span<const std::uint32_t> lengths_;
-    std::uint32_t place_width_ = 0;
+    std::uint32_t bin_width_ = 0;
     std::span<const std::uint32_t> widths_;
     std::vector<std::uint64_t> sums_ = {0};  // sums_[block]: all blocks of places below it
     CdfShare share_{};

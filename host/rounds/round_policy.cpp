@@ -25,7 +25,7 @@ std::uint64_t largest_round_size(const Plan& plan) {
 
 std::uint64_t first_round_size(const Plan& plan) {
     if (plan.round_size != 0) return plan.round_size;
-    if (plan.is_cells() || plan.ground)
+    if (plan.is_cells() || plan.radius_field)
         return std::clamp(plan.maximal_samples / 6, kSmallestRound, largest_round_size(plan));
     const std::uint64_t area = std::uint64_t{plan.width} * plan.height;
     return std::clamp(area / plan.radius_squared / 8, kSmallestRound, largest_round_size(plan));
@@ -46,11 +46,11 @@ void RoundPolicy::judge_places(std::uint64_t survivors, std::uint32_t width) {
 }
 
 void RoundPolicy::note(std::uint64_t survivors, std::uint64_t admitted, std::uint64_t places,
-                       std::uint32_t place_width) {
+                       std::uint32_t bin_width) {
     const bool are_boxes = refines_;
-    // On a ground places are cut along y too.
+    // With a radius field places are cut along y too.
     constexpr std::uint32_t kAnyWidth = 2;
-    if (plan_.is_exact()) judge_places(survivors, plan_.ground ? kAnyWidth : place_width);
+    if (plan_.is_exact()) judge_places(survivors, plan_.radius_field ? kAnyWidth : bin_width);
     if (plan_.round_size != 0) return;
 
     const std::uint64_t lost = survivors - admitted;

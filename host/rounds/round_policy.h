@@ -27,9 +27,9 @@ std::uint64_t largest_round_size(const Plan& plan);
 
 class RoundPolicy {
 public:
-    // A ground begins with boxes.
+    // A radius field begins with boxes.
     explicit RoundPolicy(const Plan& plan)
-        : plan_(plan), size_(first_round_size(plan)), refines_(plan.ground != nullptr) {}
+        : plan_(plan), size_(first_round_size(plan)), refines_(plan.radius_field != nullptr) {}
 
     // Draws of the next round.
     std::uint64_t size() const { return size_; }
@@ -41,7 +41,7 @@ public:
     // What became of a round of size() draws: how many were free of earlier rounds' samples, how
     // many of those were admitted, and how many places there are after it, and how wide.
     void note(std::uint64_t survivors, std::uint64_t admitted, std::uint64_t places,
-              std::uint32_t place_width);
+              std::uint32_t bin_width);
 
 private:
     void judge_places(std::uint64_t survivors, std::uint32_t width);

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "threads.h"
+#include "base/threads.h"
 #include "verify/closest_by_limit.h"
 #include "verify/emptiest_by_limit.h"
 #include "verify/ground.h"

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-#include "threads.h"
+#include "base/threads.h"
 
 namespace lacuna::verify {
 namespace {

@@ -6,11 +6,11 @@
 #define FAILED_LOCATE 1u
 #define FAILED_SORT_COLUMNS 2u
 #define FAILED_ADMIT 4u
-#define FAILED_GATHER 8u
+#define FAILED_COLLECT 8u
 #define FAILED_SUBTRACT 16u
 #define FAILED_REFINE 32u
-#define FAILED_CHORDS 64u  // more chords near a box than there is room for
-#define FAILED_OWN 128u    // of relax
+#define FAILED_CHORDS 64u   // more chords near a box than there is room for
+#define FAILED_ASSIGN 128u  // of relax
 
 LACUNA_BEGIN
 

@@ -76,7 +76,7 @@ struct SlabArguments {
 LACUNA_TYPEDEF(SlabArguments)
 
 // Of kernels that cut boxes into strips, `width` wide: each box is one, or two where is_halved
-// is 1. On a ground boxes are places of any width, see bodies/strip.h.
+// is 1. With a radius field boxes are places of any width, see bodies/exact/strip.h.
 struct StripArguments {
     u32 first_item;
     u32 chunk;
@@ -87,7 +87,8 @@ struct StripArguments {
     u32 last_pass;
     u32 block_bits;    // the counts of 2^block_bits strips or places have a sum of their own
     u32 room;          // of the new boxes
-    u32 first_recent;  // on a ground: places are cut by the samples in their lists from this on
+    u32 first_recent;  // with a radius field: places are cut by the samples in their lists from
+                       // this on
     u32 own_begin;     // boxes at other x than the own_width from there on belong to the halo
     u32 own_width;
 };
@@ -112,32 +113,32 @@ LACUNA_END
     B(1, READ, u32x4, draws) B(2, WRITE, u32x4, located) B(3, SHARED, u32, failure)
 #define SORT_COLUMNS_BINDINGS(B)                                                       \
     B(0, READ, u32, column_begins) B(1, READ, u32x4, located) B(2, BOTH, u32, buckets) \
-    B(3, BOTH, u32x4, candidates) B(4, WRITE, u32, fates) B(5, SHARED, u32, failure)
+    B(3, BOTH, u32x4, candidates) B(4, WRITE, u32, statuses) B(5, SHARED, u32, failure)
 #define LOOK_UP_RADII_BINDINGS(B)                                                    \
     B(0, READ, u32x4, candidates) B(1, READ, u32, column_of) B(2, READ, u32, row_of) \
     B(3, READ, u32, pixel_radii) B(4, WRITE, u32, candidate_radii)
 #define SCREEN_BINDINGS(B)                                                        \
     B(0, READ, u32x4, candidates) B(1, READ, u32, grid_x) B(2, READ, u32, grid_y) \
-    B(3, BOTH, u32, fates) B(4, WRITE, u32x2, samples)
+    B(3, BOTH, u32, statuses) B(4, WRITE, u32x2, samples)
 #define SCREEN_ON_LINES_BINDINGS(B)                                                       \
     B(0, READ, u32x4, candidates) B(1, READ, u32x2, spans) B(2, READ, u32, span_counts) \
-    B(3, BOTH, u32, fates) B(4, WRITE, u32x2, samples)
+    B(3, BOTH, u32, statuses) B(4, WRITE, u32x2, samples)
 #define SCREEN_IN_CELLS_BINDINGS(B)                                                  \
-    B(0, READ, u32x4, candidates) B(1, READ, u32, bits) B(2, BOTH, u32, fates)       \
+    B(0, READ, u32x4, candidates) B(1, READ, u32, bits) B(2, BOTH, u32, statuses)       \
     B(3, WRITE, u32x2, samples)
 #define ADMIT_BINDINGS(B)                                                                    \
     B(0, READ, u32, column_begins) B(1, READ, u32, buckets) B(2, READ, u32x4, candidates)    \
-    B(3, SHARED, u32, fates) B(4, SHARED, u32, undecided) B(5, WRITE, u32x2, samples)        \
+    B(3, SHARED, u32, statuses) B(4, SHARED, u32, undecided) B(5, WRITE, u32x2, samples)        \
     B(6, SHARED, u32, failure)
 #define ADMIT_IN_CELLS_BINDINGS(B)                                                \
     ADMIT_BINDINGS(B) B(7, READ, u32, candidate_radii) B(8, READ, u32, column_of) \
     B(9, READ, u32, row_of) B(10, READ, u32, pixel_reaches)
 #define INSERT_BINDINGS(B)                                                          \
-    B(0, READ, u32, undecided) B(1, READ, u32x4, candidates) B(2, READ, u32, fates) \
+    B(0, READ, u32, undecided) B(1, READ, u32x4, candidates) B(2, READ, u32, statuses) \
     B(3, WRITE, u32, grid_x) B(4, WRITE, u32, grid_y)
-#define GATHER_BINDINGS(B)                                                                   \
+#define COLLECT_BINDINGS(B)                                                                   \
     B(0, READ, u32, undecided) B(1, READ, u32, column_begins) B(2, READ, u32, near_begins)   \
-    B(3, READ, u32x4, candidates) B(4, READ, u32, fates) B(5, WRITE, u32, near_counts)       \
+    B(3, READ, u32x4, candidates) B(4, READ, u32, statuses) B(5, WRITE, u32, near_counts)       \
     B(6, WRITE, u32x2, near) B(7, SHARED, u32, failure)
 #define SUBTRACT_BINDINGS(B)                                                                 \
     B(0, READ, u32, undecided) B(1, READ, u32, near_begins) B(2, READ, u32, near_counts)     \
@@ -159,21 +160,21 @@ LACUNA_END
     B(12, WRITE, u32, new_begin) B(13, WRITE, u32, new_end) B(14, WRITE, u32, free_lengths)
 #define SCAN_BINDINGS(B) \
     B(0, BOTH, u32, counts) B(1, WRITE, u32, sums) B(2, SHARED, u32, failure)
-#define FIND_PLACE_BEGINS_BINDINGS(B) \
-    B(0, READ, u32, new_x) B(1, READ, u32, total) B(2, WRITE, u32, place_begins)
+#define FIND_BIN_BEGINS_BINDINGS(B) \
+    B(0, READ, u32, new_x) B(1, READ, u32, total) B(2, WRITE, u32, bin_begins)
 #define SUBTRACT_IN_CELLS_BINDINGS(B)                                                        \
-    B(0, READ, u32, undecided) B(1, READ, u32x4, candidates) B(2, READ, u32, fates)          \
+    B(0, READ, u32, undecided) B(1, READ, u32x4, candidates) B(2, READ, u32, statuses)          \
     B(3, READ, u32, column_of) B(4, READ, u32, row_of) B(5, READ, u32, row_begins)           \
     B(6, READ, u32, pixel_radii) B(7, READ, u32, pixel_reaches)                              \
     B(8, READ, u32, widest_rows) B(9, SHARED, u32, widest) B(10, SHARED, u32, bits)          \
     B(11, SHARED, u32, free_lengths) B(12, READ, u32, todo) B(13, WRITE, u32, left)          \
     B(14, SHARED, u32, left_count) B(15, SHARED, u32, failure)
 
-// Mode exact on a ground. A place is x, width, begin, end; an entry of a list x, y, radius and the
+// Mode exact with a radius field. A place is x, width, begin, end; an entry of a list x, y, radius and the
 // number of the next one. For each block lists[] has its first entry; for each place origins[] has
 // its block, and the least radius under it, with IS_EVEN where there is no other
-// (portable/ground.h), or 0 where that is not known. node_links are the greatest radius, and the
-// next node, first block and whole of plan/first_places.h. A visitor of a block is a candidate that
+// (portable/radius_field.h), or 0 where that is not known. node_links are the greatest radius, and the
+// next node, first block and whole of plan/first_boxes.h. A visitor of a block is a candidate that
 // reaches it, and the number of the next visitor. pieces[] are begin and end of what is left of a
 // place and, if something inside of that is missing, of what is; or of what is left of each half,
 // and more_pieces[] of what is missing inside; or, where a place lies on unlike pixels, of what is
@@ -182,27 +183,27 @@ LACUNA_END
 // each of uneven[]. several[] are the places of which there may be more pieces than that, and where
 // in uneven[] each is, if it is there. widths[] and free_lengths[] are those of the new places, for
 // the host.
-#define LOCATE_ON_GROUND_BINDINGS(B) B(0, READ, u32, axes)                                   \
+#define LOCATE_WITH_FIELD_BINDINGS(B) B(0, READ, u32, axes)                                   \
     B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits) B(3, READ, u32x4, places)    \
     B(4, READ, u32x2, origins) B(5, READ, u32x4, draws) B(6, WRITE, u32x4, candidates)        \
-    B(7, WRITE, u32, candidate_radii) B(8, WRITE, u32, fates) B(9, SHARED, u32, failure)
-#define SCREEN_ON_GROUND_BINDINGS(B)                                                         \
+    B(7, WRITE, u32, candidate_radii) B(8, WRITE, u32, statuses) B(9, SHARED, u32, failure)
+#define SCREEN_WITH_FIELD_BINDINGS(B)                                                         \
     B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32, lists)  \
-    B(3, READ, u32x4, entries) B(4, BOTH, u32, fates) B(5, WRITE, u32x2, samples)            \
+    B(3, READ, u32x4, entries) B(4, BOTH, u32, statuses) B(5, WRITE, u32x2, samples)            \
     B(6, WRITE, u32, survivors) B(7, SHARED, u32, survivor_count) B(8, SHARED, u32, failure)
 #define REACH_BINDINGS(B)                                                                    \
-    B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32, fates)    \
+    B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32, statuses)    \
     B(3, READ, u32x4, node_places) B(4, READ, u32x4, node_links) B(5, READ, u32, node_of)    \
     B(6, SHARED, u32, visitor_count) B(7, SHARED, u32, visitor_heads)                        \
     B(8, WRITE, u32x2, visitors) B(9, READ, u32, survivors) B(10, READ, u32, survivor_count) \
     B(11, SHARED, u32, failure)
-#define ADMIT_ON_GROUND_BINDINGS(B)                                                          \
-    B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, SHARED, u32, fates)  \
+#define ADMIT_WITH_FIELD_BINDINGS(B)                                                          \
+    B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, SHARED, u32, statuses)  \
     B(3, READ, u32, visitor_heads) B(4, READ, u32x2, visitors) B(5, SHARED, u32, undecided)  \
     B(6, WRITE, u32x2, samples) B(7, SHARED, u32, failure)
 #define ENLIST_BINDINGS(B)                                                                   \
     B(0, READ, u32, undecided) B(1, READ, u32x4, candidates)                                 \
-    B(2, READ, u32, candidate_radii) B(3, READ, u32, fates) B(4, READ, u32, visitor_heads)   \
+    B(2, READ, u32, candidate_radii) B(3, READ, u32, statuses) B(4, READ, u32, visitor_heads)   \
     B(5, READ, u32x2, visitors) B(6, SHARED, u32, entry_count) B(7, WRITE, u32x4, entries)   \
     B(8, BOTH, u32, lists) B(9, SHARED, u32, failure)
 #define SPLIT_BINDINGS(B)                                                                    \
@@ -255,12 +256,12 @@ LACUNA_END
 // All buffers, of which a kernel has those that its bindings name.
 #define LACUNA_BUFFERS(B)                                                                         \
     B(u32x4, draws) B(u32x4, located) B(u32, column_begins) B(u32, buckets) B(u32x4, candidates)  \
-    B(u32, fates) B(u32, undecided) B(u32x2, samples) B(u32, failure) B(u32, free_lengths)        \
+    B(u32, statuses) B(u32, undecided) B(u32x2, samples) B(u32, failure) B(u32, free_lengths)        \
     B(u32x2, spans) B(u32x2, new_spans) B(u32, span_counts) B(u32, overflow) B(u32, near_begins)  \
     B(u32, near_counts) B(u32x2, near) B(u32, grid_x) B(u32, grid_y) B(u32, box_x)                \
     B(u32, box_begin) B(u32, box_end) B(u32, new_x) B(u32, new_begin) B(u32, new_end)             \
     B(u32, counts) B(u32, sums) B(u32, total) B(u32, piece_begin) B(u32, piece_end)               \
-    B(u32, place_begins) B(u32, bits) B(u32, widest) B(u32, widest_rows) B(u32, column_of)        \
+    B(u32, bin_begins) B(u32, bits) B(u32, widest) B(u32, widest_rows) B(u32, column_of)        \
     B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii) B(u32, pixel_reaches)                   \
     B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, left_count) B(u32, axes)             \
     B(u32x2, radius_bounds) B(u32, mask_bits) B(u32x4, places) B(u32x2, origins)                  \
@@ -285,19 +286,19 @@ LACUNA_END
     K(admit, DrawArguments, ADMIT_BINDINGS)                           \
     K(admit_in_cells, DrawArguments, ADMIT_IN_CELLS_BINDINGS)         \
     K(insert, DrawArguments, INSERT_BINDINGS)                         \
-    K(gather, ColumnArguments, GATHER_BINDINGS)                       \
+    K(collect, ColumnArguments, COLLECT_BINDINGS)                       \
     K(subtract, SlabArguments, SUBTRACT_BINDINGS)                     \
     K(grow, SlabArguments, GROW_BINDINGS)                             \
     K(unfold, SlabArguments, UNFOLD_BINDINGS)                         \
     K(cut, StripArguments, CUT_BINDINGS)                              \
     K(keep, StripArguments, KEEP_BINDINGS)                            \
     K(scan, ScanArguments, SCAN_BINDINGS)                             \
-    K(find_place_begins, ColumnArguments, FIND_PLACE_BEGINS_BINDINGS) \
+    K(find_bin_begins, ColumnArguments, FIND_BIN_BEGINS_BINDINGS) \
     K(subtract_in_cells, DrawArguments, SUBTRACT_IN_CELLS_BINDINGS)   \
-    K(locate_on_ground, DrawArguments, LOCATE_ON_GROUND_BINDINGS)     \
-    K(screen_on_ground, DrawArguments, SCREEN_ON_GROUND_BINDINGS)     \
+    K(locate_with_field, DrawArguments, LOCATE_WITH_FIELD_BINDINGS)     \
+    K(screen_with_field, DrawArguments, SCREEN_WITH_FIELD_BINDINGS)     \
     K(reach, DrawArguments, REACH_BINDINGS)                           \
-    K(admit_on_ground, DrawArguments, ADMIT_ON_GROUND_BINDINGS)       \
+    K(admit_with_field, DrawArguments, ADMIT_WITH_FIELD_BINDINGS)       \
     K(enlist, DrawArguments, ENLIST_BINDINGS)                         \
     K(split, StripArguments, SPLIT_BINDINGS)                          \
     K(measure, StripArguments, MEASURE_BINDINGS)                      \

@@ -1,10 +1,10 @@
 // Relaxation on a lattice (docs/design.md, section 9): powers, centres of mass, and steps of the
 // weights.
 //
-// A unit is 1/256 of the lattice's shorter step. A sample has a place in units and a lift: how much
-// its weight is below the greatest of all weights, in squared units. So lifts are whole numbers of
-// at least 0, and the sample with the least |p - s|^2 - w is the one with the least |p - s|^2 +
-// lift.
+// A unit is 1/256 of the lattice's shorter step. A sample has a place in units and a weight: how
+// much its weight is below the greatest of all weights, in squared units. So weights are whole
+// numbers of at least 0, and the sample with the least |p - s|^2 - w is the one with the least |p -
+// s|^2 + weight.
 //
 // Nothing here overflows, given what host/relax/lattice.cpp sees to:
 //   lattice points                at most 2^31
@@ -21,8 +21,8 @@ LACUNA_BEGIN
 #define NO_OWNER 0xffffffffu
 
 struct RelaxLattice {
-    u64 farthest;     // a lift of so much and a sample owns nothing: no two places are so far apart
-    u64 mean_mass;    // of a sample
+    u64 farthest;   // a weight of so much and a sample owns nothing: no two places are so far apart
+    u64 mean_mass;  // of a sample
     u64 lonely_step;  // by which the weight of a sample grows that has no mass
     u32 columns;      // lattice points
     u32 rows;
@@ -45,8 +45,9 @@ LACUNA_FN u32 lattice_place(u32 index, u32 step) {
 }
 
 // Of a place (px, py) to a sample: below 2^62.
-LACUNA_FN u64 power_of(u32 px, u32 py, u32 sx, u32 sy, u64 lift, u32 period_x, u32 period_y) {
-    return squared_length(axis_distance(px, sx, period_x), axis_distance(py, sy, period_y)) + lift;
+LACUNA_FN u64 power_of(u32 px, u32 py, u32 sx, u32 sy, u64 weight, u32 period_x, u32 period_y) {
+    return squared_length(axis_distance(px, sx, period_x), axis_distance(py, sy, period_y)) +
+           weight;
 }
 
 // How many steps lattice point `index` of an axis lies from the one below the sample at `at`, the
@@ -93,23 +94,23 @@ LACUNA_FN u64 weight_step(u64 growth, u32 points, u32 step_x, u32 step_y) {
     return growth * area * (step_x * step_y / 256u) / 256u;
 }
 
-// What becomes of the lift of a sample that owns so many lattice points and so much mass, before
+// What becomes of the weight of a sample that owns so many lattice points and so much mass, before
 // the least of all is taken off: all are `farthest` too high, so as not to be negative. At most 3
 // farthest, which is below 2^63.
-LACUNA_FN u64 moved_lift(RelaxLattice lattice, u64 lift, u64 mass, u32 points) {
+LACUNA_FN u64 moved_weight(RelaxLattice lattice, u64 weight, u64 mass, u32 points) {
     u64 step = lattice.lonely_step;
     if (mass != 0u)
         step = weight_step(weight_growth(mass, lattice.mean_mass), points, lattice.step_x,
                            lattice.step_y);
     u64 bounded = step < lattice.farthest ? step : lattice.farthest;
-    u64 middle = lift + lattice.farthest;
+    u64 middle = weight + lattice.farthest;
     return mass < lattice.mean_mass ? middle - bounded : middle + bounded;
 }
 
-// The lift when the least of all moved ones is 0.
-LACUNA_FN u64 settled_lift(u64 moved, u64 least, u64 farthest) {
-    u64 lift = moved - least;
-    return lift < farthest ? lift : farthest;
+// The weight when the least of all moved ones is 0.
+LACUNA_FN u64 weight_above_least(u64 moved, u64 least, u64 farthest) {
+    u64 weight = moved - least;
+    return weight < farthest ? weight : farthest;
 }
 
 LACUNA_END

@@ -1,4 +1,4 @@
-// The tree of boxes around sites that lie near each other, each with the least lift in it: which
+// The tree of boxes around sites that lie near each other, each with the least weight in it: which
 // sites can win a leaf, 8 x 8 lattice points (docs/design.md, section 9).
 //
 // Sites come in an order in which neighbours are near each other: they are level 0. Node i of level
@@ -73,19 +73,19 @@ LACUNA_FN u32 farther_end(i32 at, i32 begin, i32 last) {
     return to_u32(far);
 }
 
-// The least power that any site inside of `low` .. `high` with a lift of at least `lift` has
+// The least power that any site inside of `low` .. `high` with a weight of at least `weight` has
 // anywhere in the box.
-LACUNA_FN u64 least_power(i32 low_x, i32 low_y, i32 high_x, i32 high_y, u64 lift, Rect box) {
+LACUNA_FN u64 least_power(i32 low_x, i32 low_y, i32 high_x, i32 high_y, u64 weight, Rect box) {
     u64 dx = interval_gap(low_x, high_x, box.left, box.right);
     u64 dy = interval_gap(low_y, high_y, box.bottom, box.top);
-    return dx * dx + dy * dy + lift;
+    return dx * dx + dy * dy + weight;
 }
 
 // The power that a site has in the box's worst corner.
-LACUNA_FN u64 worst_power(i32 x, i32 y, u64 lift, Rect box) {
+LACUNA_FN u64 worst_power(i32 x, i32 y, u64 weight, Rect box) {
     u64 dx = farther_end(x, box.left, box.right);
     u64 dy = farther_end(y, box.bottom, box.top);
-    return dx * dx + dy * dy + lift;
+    return dx * dx + dy * dy + weight;
 }
 
 // A site that may win a leaf, (dx, dy) from its lowest lattice point: its power less |p|^2 at
@@ -99,11 +99,11 @@ struct Rival {
 LACUNA_TYPEDEF(Rival)
 
 // `at` is below 2^63 for a power below 2^62 in the leaf.
-LACUNA_FN Rival rival_of(i32 dx, i32 dy, u64 lift) {
+LACUNA_FN Rival rival_of(i32 dx, i32 dy, u64 weight) {
     i64 x = dx;
     i64 y = dy;
     Rival rival;
-    rival.at = x * x + y * y + to_i64(lift);
+    rival.at = x * x + y * y + to_i64(weight);
     rival.dx = dx;
     rival.dy = dy;
     return rival;

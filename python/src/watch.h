@@ -57,7 +57,7 @@ private:
     using Seconds = std::chrono::duration<double>;
     // Of the 0.2 s within which Ctrl-C is answered.
     static constexpr std::chrono::milliseconds kInterval{20};
-    static constexpr std::size_t kVerbs = 1 + static_cast<std::size_t>(Verb::settle);
+    static constexpr std::size_t kVerbs = 1 + static_cast<std::size_t>(Verb::move);
     static std::size_t index_of(Verb verb) { return static_cast<std::size_t>(verb); }
 
     nb::object progress_;

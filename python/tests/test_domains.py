@@ -20,7 +20,7 @@ NAN = float("nan")
 
 
 @pytest.fixture(scope="session")
-def ground_backend(backend: str) -> str:
+def field_backend(backend: str) -> str:
     """Each backend that serves a field in mode exact, a mask, a border or kept points."""
     try:
         lacuna.sample(0.4, border=0.1, backend=backend)
@@ -51,17 +51,17 @@ def is_full(made: lacuna.PointSet, radius: float, spots: npt.NDArray[np.float64]
 
 
 def test_an_exact_set_on_a_field_is_the_commands(
-    command: Command, ground_backend: str, tmp_path: Path, ramp: npt.NDArray[np.float64]
+    command: Command, field_backend: str, tmp_path: Path, ramp: npt.NDArray[np.float64]
 ) -> None:
     np.save(tmp_path / "ramp.npy", ramp)
     picture = ["sample", "--field", tmp_path / "ramp.npy", "--invert", "--seed", 4]
     expected = command(*picture, "--scale", 0.04)
-    made = lacuna.sample(scale=0.04, field=ramp, mode="exact", seed=4, backend=ground_backend)
+    made = lacuna.sample(scale=0.04, field=ramp, mode="exact", seed=4, backend=field_backend)
     assert made.points.tobytes() == expected.tobytes()
     assert (made.mode, made.metric, made.scale, made.maximal) == ("exact", "min", 0.04, True)
     expected = command(*picture, "--count", 150, "--torus")
     made = lacuna.sample(
-        n=150, field=ramp, mode="exact", seed=4, torus=True, backend=ground_backend
+        n=150, field=ramp, mode="exact", seed=4, torus=True, backend=field_backend
     )
     assert made.points.tobytes() == expected.tobytes()
 
@@ -79,14 +79,14 @@ def test_a_relaxed_exact_set_is_the_commands(
 
 
 def test_an_exact_stipple_is_the_commands(
-    command: Command, ground_backend: str, tmp_path: Path, ramp: npt.NDArray[np.float64]
+    command: Command, field_backend: str, tmp_path: Path, ramp: npt.NDArray[np.float64]
 ) -> None:
     np.save(tmp_path / "ramp.npy", ramp)
     options = ["stipple", tmp_path / "ramp.npy", "--mode", "exact", "--count", 150, "--seed", 7]
     for relax in (0, 2):
         expected = command(*options, "--relax", relax)
         made = lacuna.stipple(
-            ramp, 150, mode="exact", relax=relax, seed=7, backend=ground_backend
+            ramp, 150, mode="exact", relax=relax, seed=7, backend=field_backend
         )
         assert made.points.tobytes() == expected.tobytes()
         assert made.mode == "exact" and made.metric == "min" and len(made.radii) == 150
@@ -95,7 +95,7 @@ def test_an_exact_stipple_is_the_commands(
 
 
 def test_a_set_on_all_of_a_domain_is_the_commands(
-    command: Command, ground_backend: str, tmp_path: Path
+    command: Command, field_backend: str, tmp_path: Path
 ) -> None:
     y, x = np.mgrid[0:30, 0:60]
     lakes = np.hypot(x - 20, y - 12) > 8
@@ -107,12 +107,12 @@ def test_a_set_on_all_of_a_domain_is_the_commands(
     options = [*files, "--border", 0.02, "--seed", 6]
     where: dict[str, Any] = {"mask": lakes, "keep": trees, "border": 0.02, "seed": 6}
     expected = command("sample", *options, "--radius", 0.03)
-    made = lacuna.sample(0.03, **where, backend=ground_backend)
+    made = lacuna.sample(0.03, **where, backend=field_backend)
     assert made.points.tobytes() == expected.tobytes()
     assert made.domain == (1, 0.5) and made.maximal and (made.points[:2] == trees).all()
     field = ["--field", tmp_path / "field.npy", "--invert", "--scale", 0.02]
     expected = command("sample", *options, *field)
-    made = lacuna.sample(field=x / 59, scale=0.02, **where, backend=ground_backend)
+    made = lacuna.sample(field=x / 59, scale=0.02, **where, backend=field_backend)
     assert made.points.tobytes() == expected.tobytes()
     assert made.mode == "exact"
 
@@ -133,9 +133,9 @@ def test_polygons_are_the_commands(command: Command) -> None:
 # ------------------------------------------------------------------------------ what they promise
 
 
-def test_a_mask_is_filled_and_nothing_else(ground_backend: str) -> None:
+def test_a_mask_is_filled_and_nothing_else(field_backend: str) -> None:
     mask = np.array([[0, 1, 1], [1, 0, 1]], bool)
-    made = lacuna.sample(0.04, mask=mask, seed=2, backend=ground_backend)
+    made = lacuna.sample(0.04, mask=mask, seed=2, backend=field_backend)
     assert made.maximal and made.domain == (1, 2 / 3)
     assert pixels_under(mask, made).all()
     y, x = np.mgrid[0.005:0.6:60j, 0.005:0.99:90j]
@@ -170,10 +170,10 @@ def test_a_mask_may_have_more_pixels_a_side_than_a_picture() -> None:
     assert made.maximal and len(made) > 70 and pixels_under(mask, made).all()
 
 
-def test_a_set_that_was_stopped_is_carried_on(ground_backend: str) -> None:
+def test_a_set_that_was_stopped_is_carried_on(field_backend: str) -> None:
     begun = lacuna.sample(0.05, limit=100, seed=1)
     for keep in (begun, begun.points.astype(">f8"), np.asfortranarray(begun.points)):
-        made = lacuna.sample(0.05, keep=keep, seed=2, backend=ground_backend)
+        made = lacuna.sample(0.05, keep=keep, seed=2, backend=field_backend)
         assert not begun.maximal and made.maximal
         assert (made.points[:100] == begun.points).all()
         assert lacuna.verify(made).maximal

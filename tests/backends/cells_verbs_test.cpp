@@ -69,7 +69,7 @@ Snapshot admitted(const Scene& scene) {
         const bool covered = std::any_of(samples.begin(), samples.end(), [&](Sample sample) {
             return conflict(scene.plan, sample, candidate);
         });
-        after.fates[i] = covered ? FATE_REJECTED : FATE_ADMITTED;
+        after.statuses[i] = covered ? STATUS_REJECTED : STATUS_ADMITTED;
         if (!covered) samples.push_back(candidate);
     }
     return after;
@@ -79,7 +79,7 @@ Snapshot subtracted(const Scene& scene) {
     const Plan& plan = scene.plan;
     Snapshot after = scene.memory;
     for (std::size_t i = 0; i < after.candidates.size(); ++i) {
-        if (after.fates[i] != FATE_ADMITTED) continue;
+        if (after.statuses[i] != STATUS_ADMITTED) continue;
         const Sample sample = {after.candidates[i].x, after.candidates[i].y};
         for (std::uint32_t x = 0; x < plan.lines; ++x)
             for (std::uint32_t y = 0; y < plan.height; ++y)
@@ -112,7 +112,7 @@ void expect_left(const Scene& scene, const Snapshot& expected, Backend& backend)
     SCOPED_TRACE(scene.name);
     const Snapshot got = backend.snapshot();
     EXPECT_EQ(expected.candidates, got.candidates);
-    EXPECT_EQ(expected.fates, got.fates);
+    EXPECT_EQ(expected.statuses, got.statuses);
     EXPECT_TRUE(same_bits(scene.plan, expected, got));
 }
 
@@ -142,7 +142,7 @@ TEST_P(CellsVerbs, AdmitKeepsWhatNoEarlierSampleBlocksByTheMetric) {
         // And hands the samples back in the order of their draws.
         std::vector<Sample> samples(expected.candidates.size(), {NO_SAMPLE, NO_SAMPLE});
         for (std::size_t i = 0; i < samples.size(); ++i)
-            if (expected.fates[i] == FATE_ADMITTED)
+            if (expected.statuses[i] == STATUS_ADMITTED)
                 samples[expected.candidates[i].order] = {expected.candidates[i].x,
                                                          expected.candidates[i].y};
         std::erase(samples, Sample{NO_SAMPLE, NO_SAMPLE});
@@ -156,8 +156,8 @@ TEST_P(CellsVerbs, AdmitKeepsWhatNoEarlierSampleBlocksByTheMetric) {
 TEST_P(CellsVerbs, SubtractBlocksWhatFailsTheTwoWayCheck) {
     tests::Chance chance(31);
     for (Scene& scene : tests::random_cells_scenes()) {
-        for (std::uint32_t& fate : scene.memory.fates)
-            fate = chance.one_in(4) ? FATE_ADMITTED : FATE_REJECTED;
+        for (std::uint32_t& status : scene.memory.statuses)
+            status = chance.one_in(4) ? STATUS_ADMITTED : STATUS_REJECTED;
         const auto backend = backend_at(scene);
         backend->subtract();
         const Snapshot expected = subtracted(scene);
@@ -208,8 +208,8 @@ TEST_P(CellsVerbs, ChainsOfAnyDepthAreSettled) {
         backend->admit();
         std::vector<std::uint32_t> alternating;
         for (std::uint32_t i = 0; i < kLength; ++i)
-            alternating.push_back(i % 2 == 0 ? FATE_ADMITTED : FATE_REJECTED);
-        EXPECT_EQ(backend->snapshot().fates, alternating);
+            alternating.push_back(i % 2 == 0 ? STATUS_ADMITTED : STATUS_REJECTED);
+        EXPECT_EQ(backend->snapshot().statuses, alternating);
     }
 }
 

@@ -12,7 +12,7 @@
 #include "backends/available.h"
 #include "backends/backends.h"
 #include "backends/cells_requests.h"
-#include "backends/ground_requests.h"
+#include "backends/radius_field_requests.h"
 #include "backends/requests.h"
 #include "plan/plan.h"
 
@@ -82,10 +82,10 @@ TEST_P(Equality, OnEveryKindOfRequestInCells) {
     }
 }
 
-TEST_P(Equality, OnEveryKindOfRequestOnAGround) {
-    const std::vector<tests::GroundRequest> requests = tests::ground_requests();
+TEST_P(Equality, OnEveryKindOfRequestWithARadiusField) {
+    const std::vector<tests::FieldRequest> requests = tests::radius_field_requests();
     ASSERT_GE(requests.size(), 60u);
-    for (const tests::GroundRequest& made : requests) {
+    for (const tests::FieldRequest& made : requests) {
         SCOPED_TRACE(made.name);
         const Plan plan = make_plan(made.request);
         ASSERT_TRUE(same(made.request, plan, run(made.request, plan, "reference"),

@@ -15,7 +15,7 @@
 #include "backends/columns.h"
 #include "plan/plan.h"
 #include "portable/column.h"
-#include "portable/fate.h"
+#include "portable/status.h"
 
 namespace lacuna::tests {
 
@@ -65,16 +65,16 @@ inline Snapshot empty_memory(const Plan& plan) {
     return memory;
 }
 
-// Puts candidates where locate would have, and gives each a fate.
+// Puts candidates where locate would have, and gives each a status.
 inline void set_candidates(const Plan& plan, std::vector<Candidate> candidates, Snapshot& memory,
-                           std::uint32_t fate = FATE_UNDECIDED) {
+                           std::uint32_t status = STATUS_UNDECIDED) {
     const std::uint32_t columns = count_columns(plan);
     const auto key = [&](const Candidate& c) {
         return std::tuple(portable::column_of_line(c.line, plan.lines, columns), c.y, c.order);
     };
     std::sort(candidates.begin(), candidates.end(),
               [&](const Candidate& a, const Candidate& b) { return key(a) < key(b); });
-    memory.fates.assign(candidates.size(), fate);
+    memory.statuses.assign(candidates.size(), status);
     memory.candidates = std::move(candidates);
 }
 

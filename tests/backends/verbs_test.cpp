@@ -24,7 +24,7 @@ struct Left {
     std::vector<Sample> samples;
     std::uint64_t survivors;
     std::vector<std::uint32_t> free_lengths;
-    std::uint32_t place_width;
+    std::uint32_t bin_width;
 };
 
 Left after(Backend& backend, const Scene& scene, const Verb& verb) {
@@ -33,7 +33,7 @@ Left after(Backend& backend, const Scene& scene, const Verb& verb) {
     Left left{backend.snapshot(), {}, 0, {}, 0};
     const Round round = backend.finish_round();
     left.survivors = round.survivors;
-    left.place_width = round.place_width;
+    left.bin_width = round.bin_width;
     left.samples.assign(round.samples.begin(), round.samples.end());
     left.free_lengths.assign(round.free_lengths.begin(), round.free_lengths.end());
     return left;
@@ -56,7 +56,7 @@ testing::AssertionResult same(const char* what, const std::vector<T>& expected,
 
 void expect_same(const Left& expected, const Left& got) {
     EXPECT_TRUE(same("candidate", expected.memory.candidates, got.memory.candidates));
-    EXPECT_TRUE(same("fate", expected.memory.fates, got.memory.fates));
+    EXPECT_TRUE(same("status", expected.memory.statuses, got.memory.statuses));
     EXPECT_TRUE(same("line", expected.memory.spans, got.memory.spans));
     EXPECT_TRUE(same("cell", expected.memory.grid, got.memory.grid));
     EXPECT_TRUE(same("box", expected.memory.boxes, got.memory.boxes));
@@ -64,7 +64,7 @@ void expect_same(const Left& expected, const Left& got) {
     EXPECT_EQ(expected.memory.box_width, got.memory.box_width);
     EXPECT_TRUE(same("sample", expected.samples, got.samples));
     EXPECT_EQ(expected.survivors, got.survivors);
-    EXPECT_EQ(expected.place_width, got.place_width);
+    EXPECT_EQ(expected.bin_width, got.bin_width);
     EXPECT_TRUE(same("free length", expected.free_lengths, got.free_lengths));
 }
 
@@ -137,30 +137,31 @@ TEST_P(Verbs, AdmitEqualsTheCpuInEveryScene) {
     for (const Scene& scene : all_scenes()) expect_equal(scene, admit);
 }
 
-TEST_P(Verbs, AdmitKeepsFatesThatAreDecided) {
+TEST_P(Verbs, AdmitKeepsStatusesThatAreDecided) {
     tests::Chance chance(5);
     for (Scene& scene : all_scenes()) {
         // Some are rejected for no reason; and of those that are then admitted, some beforehand.
-        std::vector<std::uint32_t>& fates = scene.memory.fates;
-        for (std::uint32_t& fate : fates)
-            if (chance.one_in(3)) fate = FATE_REJECTED;
+        std::vector<std::uint32_t>& statuses = scene.memory.statuses;
+        for (std::uint32_t& status : statuses)
+            if (chance.one_in(3)) status = STATUS_REJECTED;
         const Left left = after(*tests::make_backend("cpu", scene.plan), scene, admit);
-        for (std::size_t i = 0; i < fates.size(); ++i)
-            if (left.memory.fates[i] == FATE_ADMITTED && chance.one_in(2)) fates[i] = FATE_ADMITTED;
+        for (std::size_t i = 0; i < statuses.size(); ++i)
+            if (left.memory.statuses[i] == STATUS_ADMITTED && chance.one_in(2))
+                statuses[i] = STATUS_ADMITTED;
         expect_equal(scene, admit);
-        EXPECT_TRUE(same("fate", left.memory.fates, on_device(scene, admit).memory.fates));
+        EXPECT_TRUE(same("status", left.memory.statuses, on_device(scene, admit).memory.statuses));
     }
 }
 
 // Samples of one round share no cell.
 void admit_one_a_cell(Scene& scene, tests::Chance& chance) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> taken;
-    for (std::size_t i = 0; i < scene.memory.fates.size(); ++i) {
+    for (std::size_t i = 0; i < scene.memory.statuses.size(); ++i) {
         const Candidate& candidate = scene.memory.candidates[i];
         const std::uint32_t side = std::max(1u, scene.plan.grid_side);  // none in mode cells
         const bool is_first = taken.insert({candidate.x / side, candidate.y / side}).second;
-        scene.memory.fates[i] =
-            is_first && chance.one_in(2) ? FATE_ADMITTED : FATE_REJECTED + chance.below(2);
+        scene.memory.statuses[i] =
+            is_first && chance.one_in(2) ? STATUS_ADMITTED : STATUS_REJECTED + chance.below(2);
     }
 }
 
@@ -206,7 +207,7 @@ TEST_P(Verbs, RefineGoesOnUntilPlacesAreOneUnitWide) {
 TEST_P(Verbs, NoPlaceIsLeftWhereOneSampleCoversAll) {
     Scene scene{"one sample", tests::plan_of(0.9, 4, Boundary::torus, 1, 1, Mode::exact), {}, {}};
     scene.memory = tests::empty_memory(scene.plan);
-    tests::set_candidates(scene.plan, {{5, 5, 0, 0}}, scene.memory, FATE_ADMITTED);
+    tests::set_candidates(scene.plan, {{5, 5, 0, 0}}, scene.memory, STATUS_ADMITTED);
     const Left left = on_device(scene, refine_by_halves);
     EXPECT_TRUE(left.memory.boxes.empty());
     EXPECT_TRUE(left.free_lengths.empty());
@@ -222,7 +223,7 @@ TEST_P(Verbs, NothingIsTakenByTheFarImageOfASampleAtTheTop) {
     for (std::vector<Span>& line : scene.memory.spans) line.clear();
     scene.memory.spans[4] = {{7'169'816, 120'866'211}};
     tests::set_candidates(scene.plan, {{1'435'314'147, scene.plan.height - 30'012, 5, 0}},
-                          scene.memory, FATE_ADMITTED);
+                          scene.memory, STATUS_ADMITTED);
     const std::vector<Box> whole = {{4 * scene.plan.strip_width, 7'169'816, 120'866'211}};
     EXPECT_TRUE(same("box", whole, on_device(scene, refine_by_halves).memory.boxes));
     expect_equal(scene, refine_by_halves);
@@ -321,8 +322,8 @@ TEST_P(Verbs, ChainsOfAnyDepthAreSettled) {
         // The first is admitted, the next rejected, and so on; of an odd number, both ends stay.
         std::vector<std::uint32_t> alternating;
         for (std::uint32_t i = 0; i < kLength; ++i)
-            alternating.push_back(i % 2 == 0 ? FATE_ADMITTED : FATE_REJECTED);
-        EXPECT_TRUE(same("fate", alternating, left.memory.fates));
+            alternating.push_back(i % 2 == 0 ? STATUS_ADMITTED : STATUS_REJECTED);
+        EXPECT_TRUE(same("status", alternating, left.memory.statuses));
         EXPECT_EQ(left.samples.size(), (kLength + 1) / 2);
         expect_equal(scene, [](Backend& backend, const Scene&) {
             backend.admit();
@@ -342,7 +343,7 @@ Scene tight(std::uint32_t spans, std::uint32_t capacity) {
     const std::uint32_t middle = scene.plan.height / 2;
     line.push_back({middle - 2 * scene.plan.radius, middle + 2 * scene.plan.radius});
     tests::set_candidates(scene.plan, {{scene.plan.centre_of_line(0), middle, 0, 0}}, scene.memory,
-                          FATE_ADMITTED);
+                          STATUS_ADMITTED);
     return scene;
 }
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/peak_memory.h"
+#include "cli/reports/peak_memory.h"
 #include "verify/verify.h"
 
 #include "cells_cases.h"

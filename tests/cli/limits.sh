@@ -71,7 +71,7 @@ step() {
     case $code in
         0 | 2 | 3 | 4) if [[ $said == *"its driver ended"* ]]; then verdict="4, by its driver"; fi ;;
         134) if [[ $1 != cpu && -n $said && $said != lacuna:* && $said != *what\(\)* ]]; then
-            # PoCL's, while devices are first looked for: see host/cli/driver.h.
+            # PoCL's, while devices are first looked for: see host/cli/terminal/driver.h.
             verdict="134, by its driver's own abort"
         else
             verdict="$code, NOT ALLOWED"

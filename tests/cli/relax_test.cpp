@@ -68,8 +68,8 @@ TEST(Relax, ReportsHowEvenTheSharesAre) {
     EXPECT_EQ(json.at("maximal"), false);
     EXPECT_GT(json.at("radius"), 0.6 * 1.0746 / 31.6);
     EXPECT_EQ(json.at("radius"), json.at("relax").at("least_distance"));
-    EXPECT_GT(json.at("seconds").at("own"), 0);
-    EXPECT_GT(json.at("seconds").at("settle"), 0);
+    EXPECT_GT(json.at("seconds").at("assign"), 0);
+    EXPECT_GT(json.at("seconds").at("move"), 0);
 }
 
 TEST(Relax, TellsOfAFileInOneLineAndReportsPointsThatWereRead) {

@@ -207,7 +207,8 @@ TEST_P(AnInterruptedRun, OnADeviceDoesNotWaitForIt) {
         if (!program.waits_for(GetParam())) continue;  // there is no such device
         std::this_thread::sleep_for(std::chrono::milliseconds(200));
         program.send(GetParam());
-        // LLVM's handlers, while a driver sets them, swallow one of these: see cli/driver.h.
+        // LLVM's handlers, while a driver sets them, swallow one of these: see
+        // cli/terminal/driver.h.
         while (GetParam() == SIGQUIT && program.is_running()) {
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
             program.send(GetParam());

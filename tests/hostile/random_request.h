@@ -18,7 +18,7 @@
 namespace lacuna::tests {
 
 struct HostileRequest {
-    std::shared_ptr<const Field> field;  // in cells, and in exact on a ground
+    std::shared_ptr<const Field> field;  // in cells, and in exact with a radius field
     std::shared_ptr<const Mask> mask;
     Request request;
 };
@@ -43,7 +43,7 @@ public:
         if (request.mode == Mode::cells)
             choose_field(made);
         else if (request.mode == Mode::exact && one_in(2))
-            choose_ground(made);
+            choose_field(made);
         else
             choose_radius(request);
         return made;
@@ -109,7 +109,7 @@ private:
     }
 
     // Radii that differ by up to 10^6 times.
-    void choose_ground(HostileRequest& made) {
+    void choose_field(HostileRequest& made) {
         Request& request = made.request;
         if (one_in(4)) request.lines_per_radius = below(5) + 1;
         if (request.boundary == Boundary::box && one_in(3))

@@ -67,20 +67,20 @@ RelaxLattice largest_lattice() {
     return lattice;
 }
 
-TEST(Power, lifts_stay_below_two_to_the_63_and_above_zero) {
+TEST(Power, weights_stay_below_two_to_the_63_and_above_zero) {
     const RelaxLattice lattice = largest_lattice();
     EXPECT_LT(lattice.farthest, u64{1} << 61);
-    for (const u64 lift : {u64{0}, lattice.farthest / 2, lattice.farthest}) {
+    for (const u64 weight : {u64{0}, lattice.farthest / 2, lattice.farthest}) {
         for (const u64 mass : {u64{0}, u64{1}, lattice.mean_mass, kMostMass}) {
             for (const u32 points : {0u, 1u, 0x80000000u}) {
-                const u64 moved = moved_lift(lattice, lift, mass, points);
+                const u64 moved = moved_weight(lattice, weight, mass, points);
                 EXPECT_LE(moved, 3 * lattice.farthest);
                 EXPECT_LT(moved, u64{1} << 63);
-                EXPECT_LE(settled_lift(moved, 0, lattice.farthest), lattice.farthest);
+                EXPECT_LE(weight_above_least(moved, 0, lattice.farthest), lattice.farthest);
             }
         }
     }
-    EXPECT_EQ(settled_lift(17, 17, lattice.farthest), 0u);
+    EXPECT_EQ(weight_above_least(17, 17, lattice.farthest), 0u);
 }
 
 TEST(Power, powers_stay_below_two_to_the_62) {

@@ -16,7 +16,7 @@ using namespace lacuna::portable;
 __extension__ using Wide = __int128;
 
 constexpr std::int64_t kMostPlace = std::int64_t{1} << 30;
-constexpr u64 kMostLift = u64{1} << 61;
+constexpr u64 kMostWeight = u64{1} << 61;
 
 std::int64_t below(std::mt19937_64& random, std::int64_t end) {
     return static_cast<std::int64_t>((random() >> (random() % 60)) % static_cast<u64>(end));
@@ -27,10 +27,10 @@ struct Place {
     i32 y;
 };
 
-Wide power(const Place& site, u64 lift, std::int64_t x, std::int64_t y) {
+Wide power(const Place& site, u64 weight, std::int64_t x, std::int64_t y) {
     const Wide dx = Wide{site.x} - x;
     const Wide dy = Wide{site.y} - y;
-    return dx * dx + dy * dy + lift;
+    return dx * dx + dy * dy + weight;
 }
 
 class SiteTree : public testing::Test {
@@ -38,7 +38,7 @@ protected:
     std::mt19937_64 random_{1};
 
     i32 place() { return static_cast<i32>(below(random_, kMostPlace)); }
-    u64 lift() { return static_cast<u64>(below(random_, kMostLift)); }
+    u64 weight() { return static_cast<u64>(below(random_, kMostWeight)); }
     Place site() { return {place(), place()}; }
     Rect rect(std::int64_t most_side) {
         const i32 left = place();
@@ -56,7 +56,7 @@ TEST_F(SiteTree, a_nodes_least_power_is_that_of_its_nearest_place) {
     for (int i = 0; i < 100000; ++i) {
         const Rect node = rect(100000);
         const Rect box = rect(100000);
-        const u64 least = lift();
+        const u64 least = weight();
         const u64 bound = least_power(node.left, node.bottom, node.right, node.top, least, box);
         const Place site = inside(node);
         const Place at = inside(box);
@@ -72,12 +72,12 @@ TEST_F(SiteTree, a_sites_worst_power_is_that_in_its_worst_corner) {
     for (int i = 0; i < 100000; ++i) {
         const Rect box = rect(100000);
         const Place at = site();
-        const u64 lifted = lift();
+        const u64 weighted = weight();
         Wide worst = 0;
         for (const i32 x : {box.left, box.right})
             for (const i32 y : {box.bottom, box.top})
-                worst = std::max(worst, power(at, lifted, x, y));
-        ASSERT_EQ(worst_power(at.x, at.y, lifted, box), worst);
+                worst = std::max(worst, power(at, weighted, x, y));
+        ASSERT_EQ(worst_power(at.x, at.y, weighted, box), worst);
     }
 }
 
@@ -89,15 +89,15 @@ protected:
     const u32 step_y_ = 511;
     Rect box_{};
     Place site_{}, other_{};
-    u64 lift_ = 0, other_lift_ = 0;
+    u64 weight_ = 0, other_weight_ = 0;
 
-    Rival rival(const Place& at, u64 lifted) const {
-        return rival_of(at.x - box_.left, at.y - box_.bottom, lifted);
+    Rival rival(const Place& at, u64 weighted) const {
+        return rival_of(at.x - box_.left, at.y - box_.bottom, weighted);
     }
     Wide difference(u32 u, u32 v) const {
         const std::int64_t x = box_.left + std::int64_t{u} * step_x_;
         const std::int64_t y = box_.bottom + std::int64_t{v} * step_y_;
-        return power(site_, lift_, x, y) - power(other_, other_lift_, x, y);
+        return power(site_, weight_, x, y) - power(other_, other_weight_, x, y);
     }
     void draw() {
         box_ = rect(1);
@@ -106,15 +106,16 @@ protected:
         site_ = site();
         other_ = {std::clamp(site_.x + place() / 65536, 0, static_cast<i32>(kMostPlace - 1)),
                   std::clamp(site_.y - place() / 65536, 0, static_cast<i32>(kMostPlace - 1))};
-        lift_ = lift();
-        other_lift_ = std::min(lift_ + static_cast<u64>(below(random_, 1 << 30)), kMostLift);
+        weight_ = weight();
+        other_weight_ = std::min(weight_ + static_cast<u64>(below(random_, 1 << 30)), kMostWeight);
     }
 };
 
 TEST_F(Lags, are_differences_of_powers_in_all_lattice_points) {
     for (int i = 0; i < 20000; ++i) {
         draw();
-        const Lag lag = lag_of(rival(site_, lift_), rival(other_, other_lift_), step_x_, step_y_);
+        const Lag lag =
+            lag_of(rival(site_, weight_), rival(other_, other_weight_), step_x_, step_y_);
         for (const u32 u : {0u, 7u, kMost})
             for (const u32 v : {0u, 12u, kMost})
                 ASSERT_EQ(Wide{lag.at} + Wide{lag.along_x} * u + Wide{lag.along_y} * v,
@@ -126,7 +127,8 @@ TEST_F(Lags, that_are_short_stay_below_2_to_the_29) {
     int shorts = 0;
     for (int i = 0; i < 200000; ++i) {
         draw();
-        const Lag lag = lag_of(rival(site_, lift_), rival(other_, other_lift_), step_x_, step_y_);
+        const Lag lag =
+            lag_of(rival(site_, weight_), rival(other_, other_weight_), step_x_, step_y_);
         Wide worst = 0;
         for (const u32 u : {0u, kMost})
             for (const u32 v : {0u, kMost}) {
@@ -159,8 +161,8 @@ TEST_F(Lags, tell_as_can_win_does_whether_one_fails_to_beat_the_other) {
         Wide least = difference(0, 0);
         for (const u32 u : {0u, kMost})
             for (const u32 v : {0u, kMost}) least = std::min(least, difference(u, v));
-        const bool can = can_win(rival(site_, lift_), rival(other_, other_lift_), kMost * step_x_,
-                                 kMost * step_y_);
+        const bool can = can_win(rival(site_, weight_), rival(other_, other_weight_),
+                                 kMost * step_x_, kMost * step_y_);
         ASSERT_EQ(can, least <= 0);
         wins += can ? 1 : 0;
     }

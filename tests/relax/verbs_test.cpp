@@ -15,7 +15,7 @@ namespace {
 
 std::string text(const Site& site) {
     std::ostringstream out;
-    out << "(" << site.x << ", " << site.y << ") lift " << site.lift;
+    out << "(" << site.x << ", " << site.y << ") weight " << site.weight;
     return out.str();
 }
 
@@ -44,14 +44,14 @@ std::string difference(const char* what, const std::vector<Value>& expected,
     return "";
 }
 
-// After own and gather.
+// After assign and accumulate.
 std::string difference_of_looks(RelaxBackend& expected, RelaxBackend& got) {
-    expected.own();
-    got.own();
+    expected.assign();
+    got.assign();
     const std::string owners = difference("owner", expected.owners(), got.owners());
     if (!owners.empty()) return owners;
-    expected.gather();
-    got.gather();
+    expected.accumulate();
+    got.accumulate();
     return difference("share", expected.shares(), got.shares());
 }
 
@@ -75,29 +75,29 @@ TEST_P(Verbs, leave_what_the_references_do) {
             reference->restore(before);
             backend->restore(before);
             difference_of_looks(*reference, *backend);
-            reference->settle();
-            backend->settle();
+            reference->move();
+            backend->move();
             ASSERT_EQ(difference("site", reference->sites(), backend->sites()), "")
                 << scene << ", " << iteration;
         }
     }
 }
 
-TEST_P(Verbs, do_the_same_from_extreme_lifts) {
+TEST_P(Verbs, do_the_same_from_extreme_weights) {
     for (const Scene& scene : scenes()) {
         const Lattice lattice = scene.lattice();
         std::vector<Site> start = scene.sites(lattice);
         std::mt19937_64 random(1);
         for (std::size_t i = 1; i < start.size(); ++i)
-            start[i].lift = i % 3 == 0
-                                ? lattice.numbers.farthest
-                                : random() % ((lattice.numbers.farthest >> (random() % 20)) + 1);
+            start[i].weight = i % 3 == 0
+                                  ? lattice.numbers.farthest
+                                  : random() % ((lattice.numbers.farthest >> (random() % 20)) + 1);
         const auto reference = make_backend("reference", lattice, start);
         const auto backend = make_backend(GetParam(), lattice, start);
         for (int iteration = 0; iteration < 2; ++iteration) {
             ASSERT_EQ(difference_of_looks(*reference, *backend), "") << scene << ", " << iteration;
-            reference->settle();
-            backend->settle();
+            reference->move();
+            backend->move();
             ASSERT_EQ(difference("site", reference->sites(), backend->sites()), "")
                 << scene << ", " << iteration;
         }
@@ -125,9 +125,9 @@ TEST_P(Verbs, do_the_same_at_any_number_of_threads) {
         for (const std::uint32_t threads : {1u, 2u, 3u, 8u}) {
             const auto backend = make_backend(GetParam(), lattice, scene.sites(lattice), threads);
             for (int i = 0; i < 3; ++i) {
-                backend->own();
-                backend->gather();
-                backend->settle();
+                backend->assign();
+                backend->accumulate();
+                backend->move();
             }
             ends.push_back(backend->sites());
             EXPECT_EQ(difference("site", ends.front(), ends.back()), "")
@@ -140,8 +140,8 @@ TEST_P(Verbs, give_every_lattice_point_of_importance_to_somebody) {
     for (const Scene& scene : scenes()) {
         const Lattice lattice = scene.lattice();
         const auto backend = make_backend(GetParam(), lattice, scene.sites(lattice));
-        backend->own();
-        backend->gather();
+        backend->assign();
+        backend->accumulate();
         std::uint64_t points = 0;
         for (const Share& share : backend->shares()) points += share.points;
         EXPECT_EQ(points, lattice.points) << scene;
@@ -171,7 +171,7 @@ TEST(Ties, go_to_the_lowest_index) {
     const std::vector<Site> start(5, scene.sites(lattice)[0]);
     for (const char* const name : {"reference", "cpu"}) {
         const auto backend = make_backend(name, lattice, start);
-        backend->own();
+        backend->assign();
         for (const std::uint32_t owner : backend->owners()) ASSERT_EQ(owner, 0u) << name;
     }
 }

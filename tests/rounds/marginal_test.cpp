@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/workers.h"
 #include "plan/plan.h"
 #include "rounds/marginal.h"
 #include "rounds/random.h"
-#include "workers.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Stands in for host/threads.cpp: the stand-in for oneTBB makes no threads.
-#include "threads.h"
+#include "base/threads.h"
 
 namespace lacuna {
 

@@ -12,8 +12,8 @@
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
-#include "portable/fate.h"
 #include "portable/metric.h"
+#include "portable/status.h"
 
 namespace lacuna::cpu {
 namespace {
@@ -60,14 +60,14 @@ struct InCells {
     }
 };
 
-// Columns of one pass read each other's fates while they are decided. Whatever they see, a fate
-// once decided is the right one.
+// Columns of one pass read each other's statuses while they are decided. Whatever they see, a
+// status once decided is the right one.
 std::uint32_t read(State& state, std::uint32_t i) {
-    return std::atomic_ref(state.fates[i]).load(std::memory_order_relaxed);
+    return std::atomic_ref(state.statuses[i]).load(std::memory_order_relaxed);
 }
 
-void decide(State& state, std::uint32_t i, std::uint32_t fate) {
-    std::atomic_ref(state.fates[i]).store(fate, std::memory_order_relaxed);
+void decide(State& state, std::uint32_t i, std::uint32_t status) {
+    std::atomic_ref(state.statuses[i]).store(status, std::memory_order_relaxed);
 }
 
 // Calls visit(index) for the column's candidates within `reach` of y, until it returns true; true
@@ -91,9 +91,9 @@ bool any_within(const State& state, std::uint32_t column, std::uint32_t y, std::
     return any_in(1) || any_in(2);
 }
 
-// What becomes of candidate i, as far as the fates of those near it are known.
+// What becomes of candidate i, as far as the statuses of those near it are known.
 template <typename Mode>
-std::uint32_t fate_of(State& state, const Mode& mode, std::uint32_t i) {
+std::uint32_t status_of(State& state, const Mode& mode, std::uint32_t i) {
     const Plan& plan = state.plan;
     const Sample place = mode.place(i);
     bool waits = false;
@@ -103,15 +103,15 @@ std::uint32_t fate_of(State& state, const Mode& mode, std::uint32_t i) {
             !portable::conflicts(other.x, other.y, place.x, place.y, plan.period_x, plan.period_y,
                                  mode.limit_squared(i, j)))
             return false;
-        const std::uint32_t fate = read(state, j);
-        waits = waits || fate == FATE_UNDECIDED;
-        return fate == FATE_ADMITTED;
+        const std::uint32_t status = read(state, j);
+        waits = waits || status == STATUS_UNDECIDED;
+        return status == STATUS_ADMITTED;
     };
     if (mode.any_column_near(i, [&](std::uint32_t column, std::uint32_t reach) {
             return any_within(state, column, place.y, reach, covers);
         }))
-        return FATE_REJECTED;
-    return waits ? FATE_UNDECIDED : FATE_ADMITTED;
+        return STATUS_REJECTED;
+    return waits ? STATUS_UNDECIDED : STATUS_ADMITTED;
 }
 
 // How many candidates share the buckets that candidate i looks into: about so many it is compared
@@ -149,7 +149,7 @@ std::uint32_t first_part_in(const ModeState& state) {
         const Mode mode(state, column);
         for (; sampled * kSampled < state.column_begins[column + 1]; ++sampled) {
             const auto i = static_cast<std::uint32_t>(sampled * kSampled);
-            if (state.fates[i] == FATE_UNDECIDED) rivals += rivals_of(state, mode, i);
+            if (state.statuses[i] == STATUS_UNDECIDED) rivals += rivals_of(state, mode, i);
         }
     }
     if (rivals <= kMostRivals * sampled) return count;
@@ -161,12 +161,12 @@ template <typename Mode>
 bool admit_in(State& state, const Mode& mode, std::uint32_t column) {
     bool settled = true;
     for (std::uint32_t i = state.column_begins[column]; i < state.column_begins[column + 1]; ++i) {
-        if (read(state, i) != FATE_UNDECIDED) continue;
-        const std::uint32_t fate = fate_of(state, mode, i);
-        if (fate == FATE_UNDECIDED)
+        if (read(state, i) != STATUS_UNDECIDED) continue;
+        const std::uint32_t status = status_of(state, mode, i);
+        if (status == STATUS_UNDECIDED)
             settled = false;
         else
-            decide(state, i, fate);
+            decide(state, i, status);
     }
     return settled;
 }

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "backends/cpu/state.h"
-#include "portable/fate.h"
+#include "portable/status.h"
 
 namespace lacuna::cpu {
 
@@ -39,7 +39,7 @@ public:
         for (std::uint32_t i = begins_[column]; i < begins_[column + 1]; ++i) {
             if (!is_open(i, part)) continue;
             if (part.begin > 0 && is_covered(state, candidates_[i]))
-                fates_[i] = FATE_REJECTED;
+                statuses_[i] = STATUS_REJECTED;
             else
                 ++left;
         }
@@ -63,25 +63,25 @@ public:
     void move_out(const ModeState& state, std::uint32_t column) {
         for (std::uint32_t i = state.column_begins[column]; i < state.column_begins[column + 1];
              ++i)
-            fates_[origins_[i]] = state.fates[i];
+            statuses_[origins_[i]] = state.statuses[i];
     }
 
 private:
     bool is_open(std::uint32_t i, Part part) const {
         return candidates_[i].order - part.begin < part.end - part.begin &&
-               fates_[i] == FATE_UNDECIDED;
+               statuses_[i] == STATUS_UNDECIDED;
     }
     void exchange(ModeState& state) {
         if (begins_.empty()) begins_.resize(state.column_begins.size());
         left_.resize(begins_.size());
         std::swap(candidates_, state.candidates);
         std::swap(begins_, state.column_begins);
-        std::swap(fates_, state.fates);
+        std::swap(statuses_, state.statuses);
     }
 
     std::vector<Candidate> candidates_;
     std::vector<std::uint32_t> begins_;
-    std::vector<std::uint32_t> fates_;
+    std::vector<std::uint32_t> statuses_;
     std::vector<std::uint32_t> left_;     // of the part, in each column, after a 0
     std::vector<std::uint32_t> origins_;  // where the state's candidates come from
 };

@@ -1,4 +1,4 @@
-// admit in exact, on the sample grid or on a ground.
+// admit in exact, on the sample grid or with a radius field.
 #pragma once
 
 #include <algorithm>

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "backends/cpu/precedence.h"
-#include "portable/fate.h"
-#include "rounds/insertion_sort.h"
+#include "base/insertion_sort.h"
+#include "portable/status.h"
 
 namespace lacuna::cpu {
 namespace {
@@ -77,8 +77,8 @@ private:
 // is farther away than a candidate's own radius.
 class ListBoard {
 public:
-    explicit ListBoard(GroundState& state) : state_(state), region_(kWhole) {}
-    ListBoard(GroundState& state, std::uint32_t index, std::size_t slabs)
+    explicit ListBoard(FieldState& state) : state_(state), region_(kWhole) {}
+    ListBoard(FieldState& state, std::uint32_t index, std::size_t slabs)
         : state_(state), region_(slabs == 1 ? kWhole : index) {}
 
     void fetch(const Candidate& later) const {
@@ -113,14 +113,14 @@ private:
     static constexpr std::uint32_t kWhole = ~std::uint32_t{0};
 
     std::uint32_t radius_of(const Candidate& candidate) const {
-        return state_.ground.radius_at(candidate.x, candidate.y);
+        return state_.radius_field.radius_at(candidate.x, candidate.y);
     }
 
     Sized sized(const Candidate& candidate) const {
         return {candidate.x, candidate.y, radius_of(candidate)};
     }
 
-    GroundState& state_;
+    FieldState& state_;
     std::uint32_t region_;
 };
 
@@ -129,7 +129,7 @@ GridBoard board_of(SpanState& state, Slab... slab) {
     return GridBoard(state, slab...);
 }
 template <typename... Slab>
-ListBoard board_of(GroundState& state, Slab... slab) {
+ListBoard board_of(FieldState& state, Slab... slab) {
     return ListBoard(state, slab...);
 }
 
@@ -140,8 +140,8 @@ void screen_column(DartState& state, std::uint32_t column) {
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         board.fetch(candidates[std::min(k + kAhead, candidates.size() - 1)]);
         const std::size_t i = state.column_begins[column] + k;
-        if (state.fates[i] == FATE_UNDECIDED && board.is_covered(candidates[k]))
-            state.fates[i] = FATE_COVERED;
+        if (state.statuses[i] == STATUS_UNDECIDED && board.is_covered(candidates[k]))
+            state.statuses[i] = STATUS_COVERED;
     }
 }
 
@@ -150,7 +150,7 @@ void screen_column(DartState& state, std::uint32_t column) {
 void screen(SpanState& state, std::uint32_t column) {
     screen_column(state, column);
 }
-void screen(GroundState& state, std::uint32_t region) {
+void screen(FieldState& state, std::uint32_t region) {
     screen_column(state, region);
 }
 
@@ -172,7 +172,7 @@ void Darts::list_turns(const State& state, Span slab, Scratch& scratch) const {
         unsorted.clear();
         for (std::uint32_t i = slab.begin; i < slab.end; ++i) {
             const std::uint32_t turn = turn_of(state.candidates[i], i);
-            if (turn - begin_ < end_ - begin_ && state.fates[i] != FATE_COVERED)
+            if (turn - begin_ < end_ - begin_ && state.statuses[i] != STATUS_COVERED)
                 unsorted.push_back({turn - begin_, i});
         }
         sort_turns(scratch);
@@ -211,14 +211,14 @@ void Darts::throw_in(DartState& state, std::uint32_t index) {
         board.fetch_sooner(state.candidates[thrown[k + kAhead / 2]]);
         const std::uint32_t i = thrown[k];
         const Candidate& candidate = state.candidates[i];
-        std::uint32_t& fate = state.fates[i];
-        if (fate == FATE_ADMITTED) board.insert(candidate);
-        if (fate != FATE_UNDECIDED) continue;
+        std::uint32_t& status = state.statuses[i];
+        if (status == STATUS_ADMITTED) board.insert(candidate);
+        if (status != STATUS_UNDECIDED) continue;
         const bool is_inner = board.may_settle(candidate);
         if (is_inner && board.is_covered(candidate)) {
-            fate = FATE_REJECTED;
+            status = STATUS_REJECTED;
         } else if (is_inner && (!is_shared || !board.has_mark_near(candidate))) {
-            fate = FATE_ADMITTED;
+            status = STATUS_ADMITTED;
             board.insert(candidate);
         } else {
             put_off_[index].push_back(i);
@@ -245,15 +245,15 @@ void Darts::finish(DartState& state, const std::function<void()>& poll) {
         board.fetch_sooner(later(k + kAhead / 2));
         const std::uint32_t i = all[k];
         const bool is_covered = board.is_covered(state.candidates[i]);
-        state.fates[i] = is_covered ? FATE_REJECTED : FATE_ADMITTED;
+        state.statuses[i] = is_covered ? STATUS_REJECTED : STATUS_ADMITTED;
         if (!is_covered) board.insert(state.candidates[i]);
     }
     board.unmark_all(state.candidates, all);
 }
 
 template void Darts::throw_in(SpanState&, std::uint32_t);
-template void Darts::throw_in(GroundState&, std::uint32_t);
+template void Darts::throw_in(FieldState&, std::uint32_t);
 template void Darts::finish(SpanState&, const std::function<void()>&);
-template void Darts::finish(GroundState&, const std::function<void()>&);
+template void Darts::finish(FieldState&, const std::function<void()>&);
 
 }  // namespace lacuna::cpu

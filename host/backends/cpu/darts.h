@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "backends/cpu/ground_state.h"
+#include "backends/cpu/field_state.h"
 #include "backends/cpu/state.h"
 
 namespace lacuna::cpu {
@@ -15,14 +15,14 @@ namespace lacuna::cpu {
 // Others are put off, and so is what comes later and might conflict with one put off, for each of
 // those leaves a mark in its cell. When all slabs are done, those put off take their turns, in one
 // thread. So every draw is settled after all earlier ones that it could conflict with, as if all
-// were thrown in their order. In slabs of c columns, some 2 draws in c are put off. On a ground
-// each region is a slab.
+// were thrown in their order. In slabs of c columns, some 2 draws in c are put off. With a radius
+// field each region is a slab.
 class Darts {
 public:
     // Turns [begin, end) of the round, in so many slabs: throw_in each, in parallel, then finish.
     void begin(std::uint32_t begin, std::uint32_t end, std::uint32_t slabs);
     std::uint32_t slabs() const { return static_cast<std::uint32_t>(put_off_.size()); }
-    template <typename DartState>  // SpanState or GroundState
+    template <typename DartState>  // SpanState or FieldState
     void throw_in(DartState& state, std::uint32_t slab);
     // Calls poll now and then, which may throw.
     template <typename DartState>

@@ -5,7 +5,7 @@
 
 #include "backends/cpu/state.h"
 #include "portable/bits.h"
-#include "portable/fate.h"
+#include "portable/status.h"
 
 namespace lacuna::cpu {
 namespace {
@@ -64,27 +64,27 @@ void locate_on_lines(State& state, std::span<const Draw> draws, std::uint32_t co
 
 void locate_in_boxes(SpanState& state, std::span<const Draw> draws, std::uint32_t column) {
     for (std::uint32_t i = state.column_begins[column]; i < state.column_begins[column + 1]; ++i) {
-        const Box& box = state.boxes[column][draws[i].place - state.place_begins[column]];
+        const Box& box = state.boxes[column][draws[i].place - state.bin_begins[column]];
         state.candidates[i] = {box.x + draws[i].offset, box.begin + draws[i].rank,
                                box.x / state.plan.strip_width, draws[i].order};
     }
 }
 
-void set_fates(State& state, std::uint32_t column) {
-    std::fill(state.fates.begin() + state.column_begins[column],
-              state.fates.begin() + state.column_begins[column + 1], FATE_UNDECIDED);
+void set_statuses(State& state, std::uint32_t column) {
+    std::fill(state.statuses.begin() + state.column_begins[column],
+              state.statuses.begin() + state.column_begins[column + 1], STATUS_UNDECIDED);
 }
 
 }  // namespace
 
 void set_undecided(SpanState& state, std::uint32_t column) {
     if (!state.grid) state.sort_column(column);
-    set_fates(state, column);
+    set_statuses(state, column);
 }
 
 void set_undecided(BitState& state, std::uint32_t column) {
     state.sort_column(column);
-    set_fates(state, column);
+    set_statuses(state, column);
     state.find_radii(column);
 }
 

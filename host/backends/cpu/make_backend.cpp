@@ -32,8 +32,8 @@ public:
 
     void refine(bool halve) override {
         insert();
-        const std::uint32_t width = state_.place_width >> (halve ? 1 : 0);
-        for_columns(state_.place_begins.back(),
+        const std::uint32_t width = state_.bin_width >> (halve ? 1 : 0);
+        for_columns(state_.bin_begins.back(),
                     [&](std::uint32_t column) { cpu::refine(state_, column, width); });
         state_.settle_boxes(width);
     }
@@ -86,7 +86,7 @@ private:
 }  // namespace
 
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement) {
-    if (plan.ground) return make_ground_backend(plan, placement);
+    if (plan.radius_field) return make_field_backend(plan, placement);
     if (plan.is_cells()) return std::make_unique<CellsBackend>(plan, placement.threads);
     return std::make_unique<SpanBackend>(plan, placement.threads);
 }

@@ -8,7 +8,7 @@
 namespace lacuna::cpu {
 
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement);
-// Of a plan with a ground, which make_backend comes to by itself.
-std::unique_ptr<Backend> make_ground_backend(const Plan& plan, const Placement& placement);
+// Of a plan with a radius field, which make_backend comes to by itself.
+std::unique_ptr<Backend> make_field_backend(const Plan& plan, const Placement& placement);
 
 }  // namespace lacuna::cpu

@@ -9,7 +9,7 @@
 #include "backends/cpu/vectors.h"
 #include "portable/chord.h"
 #include "portable/distance.h"
-#include "portable/fate.h"
+#include "portable/status.h"
 
 namespace lacuna::cpu {
 namespace {
@@ -28,12 +28,12 @@ public:
         if (box.x - own_.begin >= own_.end - own_.begin) return left.push_back(box);
         near_count_ = 0;
         // Every cell is written, and kept or not: no branch.
-        state_.grid->for_each_cell_near(box.x, box.x + state_.place_width, box.begin, box.end,
+        state_.grid->for_each_cell_near(box.x, box.x + state_.bin_width, box.begin, box.end,
                                         [&](Sample cell) {
                                             near_[near_count_] = cell;
                                             near_count_ += cell.x != NO_SAMPLE;
                                         });
-        for (std::uint32_t x = box.x; x < box.x + state_.place_width; x += width_)
+        for (std::uint32_t x = box.x; x < box.x + state_.bin_width; x += width_)
             cut_strip({x, box.begin, box.end}, left);
     }
     // The same of a span, which the rows of cells cut into boxes.
@@ -151,7 +151,7 @@ void refine_line(const SpanState& state, std::uint32_t line, Refinement& refinem
 
 void insert(SpanState& state, std::uint32_t column) {
     for (std::uint32_t i = state.column_begins[column]; i < state.column_begins[column + 1]; ++i)
-        if (state.fates[i] == FATE_ADMITTED)
+        if (state.statuses[i] == STATUS_ADMITTED)
             state.grid->insert({state.candidates[i].x, state.candidates[i].y});
 }
 

@@ -13,8 +13,8 @@
 #include "backends/backend.h"
 #include "backends/cpu/crowd.h"
 #include "backends/cpu/state.h"
-#include "portable/fate.h"
-#include "workers.h"
+#include "base/workers.h"
+#include "portable/status.h"
 
 namespace lacuna::cpu {
 
@@ -43,16 +43,15 @@ public:
         Sample* next = samples_.data();
         for (const std::uint32_t i : state_.by_order) {
             const Candidate& candidate = state_.candidates[i];
-            survivors +=
-                static_cast<std::uint64_t>(state_.is_screened || state_.fates[i] != FATE_COVERED);
+            survivors += static_cast<std::uint64_t>(state_.is_screened ||
+                                                    state_.statuses[i] != STATUS_COVERED);
             *next = {candidate.x, candidate.y};
-            next += state_.fates[i] == FATE_ADMITTED;
+            next += state_.statuses[i] == STATUS_ADMITTED;
         }
         samples_.resize(static_cast<std::size_t>(next - samples_.data()));
         if (state_.plan.tells_orders) find_orders();
-        return {samples_,           survivors,           state_.free_lengths,
-                state_.place_width, state_.place_widths, orders_,
-                state_.place_begins};
+        return {samples_,          survivors, state_.free_lengths, state_.bin_width,
+                state_.bin_widths, orders_,   state_.bin_begins};
     }
     std::vector<Candidate> located() override { return state_.candidates; }
 
@@ -116,7 +115,8 @@ private:
     void find_orders() {
         orders_.clear();
         for (std::uint32_t order = 0; order < state_.by_order.size(); ++order)
-            if (state_.fates[state_.by_order[order]] == FATE_ADMITTED) orders_.push_back(order);
+            if (state_.statuses[state_.by_order[order]] == STATUS_ADMITTED)
+                orders_.push_back(order);
     }
 
     void settle() {

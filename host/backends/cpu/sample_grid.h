@@ -9,10 +9,10 @@
 #include <span>
 
 #include "backends/cpu/vectors.h"
-#include "large_pages.h"
+#include "base/large_pages.h"
 #include "plan/plan.h"
 #include "portable/distance.h"
-#include "portable/fate.h"
+#include "portable/status.h"
 #include "portable/stretch.h"
 
 namespace lacuna::cpu {

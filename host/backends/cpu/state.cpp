@@ -8,11 +8,11 @@
 
 #include "backends/columns.h"
 #include "backends/cpu/reached.h"
-#include "large_pages.h"
+#include "base/large_pages.h"
 #include "plan/first_free.h"
 #include "portable/column.h"
-#include "portable/fate.h"
 #include "portable/metric.h"
+#include "portable/status.h"
 
 namespace lacuna::cpu {
 
@@ -20,25 +20,25 @@ State::State(const Plan& the_plan)
     : plan(the_plan),
       columns(count_columns(plan)),
       first_lines(lacuna::first_lines(plan, columns)),
-      place_width(plan.strip_width),
-      place_begins(first_lines),
+      bin_width(plan.strip_width),
+      bin_begins(first_lines),
       free_lengths(first_free_lengths(plan)),
       column_begins(columns + std::size_t{1}) {}
 
 State::State(const Plan& the_plan, std::vector<std::uint32_t> region_begins)
     : plan(the_plan),
       columns(static_cast<std::uint32_t>(region_begins.size()) - 1),
-      place_width(plan.strip_width),
-      place_begins(std::move(region_begins)),
+      bin_width(plan.strip_width),
+      bin_begins(std::move(region_begins)),
       column_begins(columns + std::size_t{1}) {
     FirstFree first(plan);
     free_lengths = std::move(first.lengths);
-    place_widths = std::move(first.widths);
+    bin_widths = std::move(first.widths);
 }
 
 void State::make_room(std::size_t count) {
     candidates.resize(count);
-    fates.resize(count);
+    statuses.resize(count);
     if (!plan.is_exact()) buckets.resize(count);
 }
 
@@ -50,19 +50,19 @@ void State::find_orders(std::uint32_t column) {
 void State::begin_round(std::span<const Draw> draws) {
     make_room(draws.size());
     by_order.resize(draws.size());
-    find_column_begins(place_begins, draws, column_begins);
+    find_column_begins(bin_begins, draws, column_begins);
 }
 
 Snapshot State::snapshot() const {
     Snapshot snapshot;
     snapshot.candidates = candidates;
-    snapshot.fates = fates;
+    snapshot.statuses = statuses;
     return snapshot;
 }
 
 void State::restore(const Snapshot& snapshot) {
     candidates = snapshot.candidates;
-    fates = snapshot.fates;
+    statuses = snapshot.statuses;
     make_room(candidates.size());
     by_order.resize(candidates.size());
     find_column_begins(plan, columns, candidates, column_begins);
@@ -98,13 +98,13 @@ void SpanState::grow() {
 
 void SpanState::settle_boxes(std::uint32_t width) {
     has_boxes = true;
-    place_width = width;
+    bin_width = width;
     spans.reset();
     span_counts = {};
     free_lengths.clear();
     for (std::uint32_t column = 0; column < columns; ++column) {
         for (const Box box : boxes[column]) free_lengths.push_back(box.end - box.begin);
-        place_begins[column + 1] = static_cast<std::uint32_t>(free_lengths.size());
+        bin_begins[column + 1] = static_cast<std::uint32_t>(free_lengths.size());
     }
 }
 
@@ -120,7 +120,7 @@ void SpanState::sort_columns(Snapshot& snapshot) const {
                   });
     for (std::size_t i = 0; i < sorted.size(); ++i) {
         snapshot.candidates[i] = candidates[sorted[i]];
-        snapshot.fates[i] = fates[sorted[i]];
+        snapshot.statuses[i] = statuses[sorted[i]];
     }
 }
 
@@ -136,12 +136,13 @@ Snapshot SpanState::snapshot() const {
                              grid->column(i) + plan.grid_rows);
     // The round's samples are told to be in the grid when the round's last verb put them there.
     for (std::size_t i = 0; is_inserted && i < candidates.size(); ++i)
-        if (fates[i] == FATE_ADMITTED)
+        if (statuses[i] == STATUS_ADMITTED)
             snapshot.grid[std::size_t{candidates[i].x / plan.grid_side} * plan.grid_rows +
                           candidates[i].y / plan.grid_side] = {NO_SAMPLE, NO_SAMPLE};
     if (grid) sort_columns(snapshot);
-    if (is_screened) std::fill(snapshot.fates.begin(), snapshot.fates.end(), FATE_UNDECIDED);
-    snapshot.box_width = has_boxes ? place_width : 0;
+    if (is_screened)
+        std::fill(snapshot.statuses.begin(), snapshot.statuses.end(), STATUS_UNDECIDED);
+    snapshot.box_width = has_boxes ? bin_width : 0;
     for (const std::vector<Box>& of_column : boxes)
         snapshot.boxes.insert(snapshot.boxes.end(), of_column.begin(), of_column.end());
     return snapshot;
@@ -163,8 +164,8 @@ void SpanState::restore(const Snapshot& snapshot) {
         return;
     }
     has_boxes = false;
-    place_width = plan.strip_width;
-    place_begins = first_lines;
+    bin_width = plan.strip_width;
+    bin_begins = first_lines;
     capacity = snapshot.capacity;
     spans = std::make_unique_for_overwrite<Span[]>(std::size_t{plan.lines} * capacity);
     span_counts.resize(plan.lines);
@@ -240,7 +241,7 @@ void BitState::find_near(const std::function<void()>& poll) {
     const auto for_each_near = [&](auto visit) {
         for (std::uint32_t i = 0; i < candidates.size(); ++i) {
             if (i % 1024 == 0) poll();
-            if (fates[i] != FATE_ADMITTED) continue;
+            if (statuses[i] != STATUS_ADMITTED) continue;
             Reach(*this, candidates[i], candidate_radii[i], widest_open)
                 .any([&](std::uint32_t column, std::uint32_t) { return visit(column, i), false; });
         }

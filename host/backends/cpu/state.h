@@ -23,7 +23,7 @@ inline bool comes_before(const Candidate& a, const Candidate& b) {
 struct State {
     // Columns of lines.
     explicit State(const Plan& plan);
-    // On a ground: regions, of which these are the first places.
+    // With a radius field: regions, of which these are the first boxes.
     State(const Plan& plan, std::vector<std::uint32_t> region_begins);
 
     const Plan& plan;
@@ -31,16 +31,16 @@ struct State {
     std::vector<std::uint32_t> first_lines;  // of each column; columns + 1
 
     // The places draws fall on: the first of each column, columns + 1; and their free lengths.
-    std::uint32_t place_width;
-    std::vector<std::uint32_t> place_begins;
+    std::uint32_t bin_width;
+    std::vector<std::uint32_t> bin_begins;
     std::vector<std::uint32_t> free_lengths;
-    std::vector<std::uint32_t> place_widths;  // on a ground only: of each
+    std::vector<std::uint32_t> bin_widths;  // with a radius field only: of each
 
     // The round's candidates, column by column, and what became of them. Within a column they are
     // sorted by y; in exact they are as their draws were, place by place.
     std::vector<Candidate> candidates;
     std::vector<std::uint32_t> column_begins;  // columns + 1
-    std::vector<std::uint32_t> fates;          // portable/fate.h
+    std::vector<std::uint32_t> statuses;       // portable/status.h
     std::vector<std::uint32_t> by_order;       // the candidate of each draw
     // In exact: candidates that earlier samples cover are settled, ahead of admit.
     bool is_screened = false;

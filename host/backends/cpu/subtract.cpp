@@ -10,7 +10,7 @@
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
-#include "portable/fate.h"
+#include "portable/status.h"
 
 namespace lacuna::cpu {
 namespace {
@@ -131,7 +131,7 @@ std::span<const Sample> find_near(const SpanState& state, std::uint32_t column, 
         scratch.make_room(count + end - state.column_begins[neighbour]);
         for (std::uint32_t i = state.column_begins[neighbour]; i < end; ++i) {
             scratch.found[count] = {state.candidates[i].x, state.candidates[i].y};
-            count += state.fates[i] == FATE_ADMITTED;
+            count += state.statuses[i] == STATUS_ADMITTED;
         }
     }
     return sorted(scratch, count, state.plan.height);

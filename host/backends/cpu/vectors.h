@@ -33,8 +33,8 @@ struct Vectors {
     void (*find_chords)(std::span<const Seen> seen, std::uint64_t radius_squared,
                         std::uint32_t height, Span* chords);
 
-    // On a ground: whether a sample is closer to the place than both its own radius and this one.
-    // Axes wrap after their periods, if these are not 0.
+    // With a radius field: whether a sample is closer to the place than both its own radius and
+    // this one. Axes wrap after their periods, if these are not 0.
     bool (*is_any_sized_closer)(const SizedSpan& samples, Sample place, std::uint32_t radius,
                                 Sample periods);
     // And what samples take from a place all along its width: their chords at its farther side,
@@ -54,7 +54,7 @@ struct Vectors {
 inline constexpr std::size_t kVectorPadding = 8;
 
 // All that the processor has, the fastest first; the last are those in plain C++. Except on a
-// ground, the others are for radii below kLargestVectorRadius only.
+// radius_field, the others are for radii below kLargestVectorRadius only.
 std::span<const Vectors* const> all_vectors();
 inline constexpr std::uint32_t kLargestVectorRadius = std::uint32_t{1} << 30;
 // The fastest that are for the radius.

@@ -144,7 +144,7 @@ HWY_INLINE WordVector distance(WordVector a, WordVector b) {
     return hn::Sub(hn::Max(a, b), hn::Min(a, b));
 }
 
-// No place of a ground is so far away that it would be nearer the other way around.
+// No place of a radius field is so far away that it would be nearer the other way around.
 constexpr std::uint32_t kNoPeriod = std::uint32_t{1} << 31;
 
 bool is_any_sized_closer(const SizedSpan& samples, Sample place, std::uint32_t radius,

@@ -7,7 +7,7 @@
 
 #include "backends/columns.h"
 #include "backends/device/scan.h"
-#include "portable/fate.h"
+#include "portable/status.h"
 
 namespace lacuna::device {
 namespace {
@@ -29,7 +29,7 @@ Boxes::Boxes(RoundMemory& round) : round_(round) {
         round_.make_room(*coordinate, cells);
         round_.queue.fill(*coordinate, NO_SAMPLE, cells);
     }
-    round_.make_room(m.place_begins, round_.geometry.columns + std::uint64_t{1});
+    round_.make_room(m.bin_begins, round_.geometry.columns + std::uint64_t{1});
     make_boxes(m.box_x, m.box_begin, m.box_end, 0);
     make_tables(0);
 }
@@ -52,14 +52,14 @@ void Boxes::locate() {
 
 // Of all parts: no sample of the round is in the grid yet.
 void Boxes::screen() {
-    portable::DrawArguments arguments = round_.arguments(FATE_COVERED);
+    portable::DrawArguments arguments = round_.arguments(STATUS_COVERED);
     arguments.first = 0;
     arguments.count = round_.draw_count;
     round_.launch_over_draws<kernels::screen>(arguments, kScreenWork);
 }
 
 void Boxes::screen_again(std::uint32_t end) {
-    portable::DrawArguments arguments = round_.arguments(FATE_REJECTED);
+    portable::DrawArguments arguments = round_.arguments(STATUS_REJECTED);
     arguments.count = end;
     round_.launch_over_draws<kernels::screen>(arguments, kScreenWork);
 }
@@ -127,17 +127,16 @@ void Boxes::keep() {
     const portable::StripArguments arguments = strip_arguments(strips());
     launch<kernels::keep>(round_.queue, m, arguments, items_of(strips(), arguments.chunk),
                           kKeepWork * arguments.chunk);
-    launch<kernels::find_place_begins>(round_.queue, m,
-                                       {0, kPasses - 1, round_.geometry, new_room_},
-                                       round_.geometry.columns + std::uint64_t{1});
+    launch<kernels::find_bin_begins>(round_.queue, m, {0, kPasses - 1, round_.geometry, new_room_},
+                                     round_.geometry.columns + std::uint64_t{1});
 }
 
 void Boxes::start_download() {
     round_.get<std::uint32_t>(round_.memory.total, total_);
     if (new_width_ == 0) return;
-    place_begins_.resize(round_.geometry.columns + std::size_t{1});
+    bin_begins_.resize(round_.geometry.columns + std::size_t{1});
     free_lengths_.resize(new_room_);
-    round_.get<std::uint32_t>(round_.memory.place_begins, place_begins_);
+    round_.get<std::uint32_t>(round_.memory.bin_begins, bin_begins_);
     round_.get<std::uint32_t>(round_.memory.free_lengths, free_lengths_);
 }
 
@@ -196,12 +195,12 @@ void Boxes::restore(const Snapshot& snapshot) {
     restore_words(m.box_end, snapshot.boxes, [](Box box) { return box.end; });
     free_lengths_.clear();
     for (const Box box : snapshot.boxes) free_lengths_.push_back(box.end - box.begin);
-    place_begins_.clear();
+    bin_begins_.clear();
     for (const std::uint32_t line : first_lines(round_.plan, round_.geometry.columns)) {
         const auto first =
             std::partition_point(snapshot.boxes.begin(), snapshot.boxes.end(),
                                  [&](Box box) { return box.x / round_.plan.strip_width < line; });
-        place_begins_.push_back(static_cast<std::uint32_t>(first - snapshot.boxes.begin()));
+        bin_begins_.push_back(static_cast<std::uint32_t>(first - snapshot.boxes.begin()));
     }
 }
 

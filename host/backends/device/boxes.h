@@ -20,7 +20,7 @@ public:
     // Whether there are boxes: from the first refinement on.
     bool are_places() const { return width_ != 0; }
     std::uint32_t width() const { return width_; }
-    std::span<const std::uint32_t> begins() const { return place_begins_; }
+    std::span<const std::uint32_t> begins() const { return bin_begins_; }
     std::span<const std::uint32_t> free_lengths() const {
         return std::span(free_lengths_).first(count_);
     }
@@ -61,7 +61,7 @@ private:
     RoundMemory& round_;
     std::uint32_t width_ = 0;
     std::uint32_t count_ = 0;
-    std::vector<std::uint32_t> place_begins_;
+    std::vector<std::uint32_t> bin_begins_;
     std::vector<std::uint32_t> free_lengths_;
 
     // Of a refinement under way.

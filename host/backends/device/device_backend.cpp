@@ -9,7 +9,7 @@
 
 #include "backends/device/places.h"
 #include "backends/device/round_memory.h"
-#include "portable/fate.h"
+#include "portable/status.h"
 
 namespace lacuna::device {
 namespace {
@@ -41,14 +41,14 @@ public:
             places_->sort();
         });
         ends_with_ = End::none;
-        has_fates_ = are_out_ = false;
+        has_statuses_ = are_out_ = false;
         settle_later();
     }
 
     // Part by part: the samples of each are taken out, but for those of the last.
     void admit() override {
         places_->screen();
-        const bool had_fates = has_fates_;
+        const bool had_statuses = has_statuses_;
         std::vector<bool> is_done(round_.parts(), false);
         for (std::uint32_t part = 0; part < round_.parts(); ++part) {
             if (is_done[part]) continue;
@@ -56,7 +56,7 @@ public:
             if (round_.parts() > 1) open_part(part);
             if (part > 0) screen_again(part, is_done);
             if (is_done[part]) continue;
-            has_fates_ = had_fates;
+            has_statuses_ = had_statuses;
             queue_passes();
         }
         are_out_ = true;
@@ -109,15 +109,15 @@ public:
         const auto count = static_cast<std::uint32_t>(snapshot.candidates.size());
         round_.restore_candidates(snapshot, places_->part_limits(count));
         for_parts([&] { places_->sort(); });  // for the buckets' sake
-        round_.restore_fates(snapshot);
+        round_.restore_statuses(snapshot);
         ends_with_ = End::none;
-        has_fates_ = true;
+        has_statuses_ = true;
         are_out_ = false;
     }
 
 private:
     std::unique_ptr<Places> make_places(const Tuning& tuning) {
-        if (round_.plan.ground) return make_rectangles(round_);
+        if (round_.plan.radius_field) return make_rectangles(round_);
         return round_.plan.is_cells() ? make_lattice(round_, tuning) : make_spans(round_, tuning);
     }
 
@@ -170,9 +170,10 @@ private:
 
     // Passes after the first kPasses take up what those left undecided.
     void queue_passes() {
-        if (has_fates_) round_.begin_more_passes();
-        for (std::uint32_t pass = has_fates_ ? 1 : 0; pass < kPasses; ++pass) places_->admit(pass);
-        has_fates_ = true;
+        if (has_statuses_) round_.begin_more_passes();
+        for (std::uint32_t pass = has_statuses_ ? 1 : 0; pass < kPasses; ++pass)
+            places_->admit(pass);
+        has_statuses_ = true;
     }
 
     // Does nothing on the device while admission is unsettled.
@@ -219,7 +220,7 @@ private:
     std::vector<Sample> samples_;
     std::vector<std::uint32_t> orders_;  // where the plan asks for them
     bool is_open_ = false;               // verbs whose outcome is not known yet
-    bool has_fates_ = false;             // passes have something to take up
+    bool has_statuses_ = false;          // passes have something to take up
     bool are_out_ = false;               // the samples of all parts but the one that is open
     End ends_with_ = End::none;
     bool halves_ = false;

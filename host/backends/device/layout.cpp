@@ -6,11 +6,11 @@
 #include <sstream>
 
 #include "backends/columns.h"
+#include "plan/first_boxes.h"
 #include "plan/first_free.h"
-#include "plan/first_places.h"
-#include "plan/ground.h"
+#include "plan/radius_field.h"
 #include "portable/column.h"
-#include "portable/fate.h"
+#include "portable/status.h"
 #include "rounds/round_policy.h"
 
 namespace lacuna::device {
@@ -75,7 +75,7 @@ std::uint64_t take_admitted(std::span<const Sample> by_order, std::vector<Sample
     for (const Sample& sample : by_order) {
         const bool admitted = sample.x != NO_SAMPLE;
         if (admitted) samples.push_back(sample);
-        survivors += admitted || sample.y != FATE_COVERED;
+        survivors += admitted || sample.y != STATUS_COVERED;
     }
     return survivors;
 }
@@ -84,9 +84,9 @@ std::vector<Sample> samples_by_order(const Snapshot& snapshot) {
     std::vector<Sample> samples(snapshot.candidates.size());
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const Candidate& candidate = snapshot.candidates[i];
-        samples[candidate.order] = snapshot.fates[i] == FATE_ADMITTED
+        samples[candidate.order] = snapshot.statuses[i] == STATUS_ADMITTED
                                        ? Sample{candidate.x, candidate.y}
-                                       : Sample{NO_SAMPLE, snapshot.fates[i]};
+                                       : Sample{NO_SAMPLE, snapshot.statuses[i]};
     }
     return samples;
 }
@@ -119,7 +119,7 @@ std::string gigabytes(std::uint64_t bytes) {
     return out.str();
 }
 
-// Of draws, located, candidates; buckets, fates; samples; and three samples near for each draw.
+// Of draws, located, candidates; buckets, statuses; samples; and three samples near for each draw.
 constexpr std::uint64_t kBytesPerDraw = 48 + 8 + 8 + 24;
 constexpr std::uint64_t kLargestPerDraw = 24;  // of one buffer: the samples near
 
@@ -142,7 +142,7 @@ Needs needs_of_lines(const Plan& plan, std::uint64_t round) {
                       cells * kBytesPerCell / 2, boxes * 2 * std::uint64_t{4}})};
 }
 
-// Mode cells. Of draws, located, candidates; buckets, fates, radii, todo, left; samples.
+// Mode cells. Of draws, located, candidates; buckets, statuses, radii, todo, left; samples.
 constexpr std::uint64_t kCellsBytesPerDraw = 48 + 20 + 8;
 constexpr std::uint64_t kCellsLargestPerDraw = 16;
 
@@ -157,31 +157,32 @@ Needs needs_of_cells(const Plan& plan, std::uint64_t round) {
             std::max({bits, pixels, lines, rows, round * kCellsLargestPerDraw})};
 }
 
-// On a ground. Of draws, located, candidates; buckets, fates, radii, counts; samples; and the first
-// places that each reaches. Of a place: it and its origin, before and after a round; its pieces;
-// widths, lengths and counts; and where it is in lists.
-constexpr std::uint64_t kGroundBytesPerDraw = 48 + 16 + 8 + 10 * 8;
-constexpr std::uint64_t kGroundBytesPerPlace = 2 * (16 + 8) + 2 * 16 + 3 * 4 + 4 * 4;
+// With a radius field. Of draws, located, candidates; buckets, statuses, radii, counts; samples;
+// and the first places that each reaches. Of a place: it and its origin, before and after a round;
+// its pieces; widths, lengths and counts; and where it is in lists.
+constexpr std::uint64_t kFieldBytesPerDraw = 48 + 16 + 8 + 10 * 8;
+constexpr std::uint64_t kFieldBytesPerPlace = 2 * (16 + 8) + 2 * 16 + 3 * 4 + 4 * 4;
 constexpr std::uint64_t kBytesPerEntry = 16;
 constexpr double kPlacesPerSample = 2.5;
 constexpr std::uint64_t kEntriesPerSample = 3;
 
-Needs needs_of_ground(const Plan& plan, std::uint64_t round) {
-    const Ground& ground = *plan.ground;
+Needs needs_of_field(const Plan& plan, std::uint64_t round) {
+    const RadiusField& radius_field = *plan.radius_field;
     // A pyramid has a third more values than pixels.
     const std::uint64_t radii =
-        std::uint64_t{ground.columns().pixels()} * ground.rows().pixels() * 8 * 4 / 3;
-    const std::uint64_t mask =
-        ground.mask() == nullptr ? 0 : std::uint64_t{ground.mask()->values().size()} / 3;
+        std::uint64_t{radius_field.columns().pixels()} * radius_field.rows().pixels() * 8 * 4 / 3;
+    const std::uint64_t mask = radius_field.mask() == nullptr
+                                   ? 0
+                                   : std::uint64_t{radius_field.mask()->values().size()} / 3;
     const std::uint64_t entries = room_for_entries(plan) * kBytesPerEntry;
     const std::uint64_t places = room_for_places(plan);
-    return {radii + mask + entries + places * kGroundBytesPerPlace +
-                plan.first_places->nodes.size() * 48 + round * kGroundBytesPerDraw,
+    return {radii + mask + entries + places * kFieldBytesPerPlace +
+                plan.first_boxes->nodes.size() * 48 + round * kFieldBytesPerDraw,
             std::max({radii, entries, places * 16, round * 10 * 8})};
 }
 
 Needs needs_of(const Plan& plan, std::uint64_t round) {
-    if (plan.ground) return needs_of_ground(plan, round);
+    if (plan.radius_field) return needs_of_field(plan, round);
     return plan.is_cells() ? needs_of_cells(plan, round) : needs_of_lines(plan, round);
 }
 

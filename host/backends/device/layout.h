@@ -50,10 +50,10 @@ void find_near_begins(const Plan& plan, std::uint32_t columns,
                       std::vector<std::uint32_t>& begins);
 
 // The samples of a round, from those of its draws in order: draws not admitted have x == NO_SAMPLE
-// and their fate in y. Returns how many draws no sample of an earlier round covers.
+// and their status in y. Returns how many draws no sample of an earlier round covers.
 std::uint64_t take_admitted(std::span<const Sample> by_order, std::vector<Sample>& samples);
 
-// The same the other way round: what a snapshot's fates make of its candidates, by order.
+// The same the other way round: what a snapshot's statuses make of its candidates, by order.
 std::vector<Sample> samples_by_order(const Snapshot& snapshot);
 
 // A slab's spans as the device holds them, `capacity` a line, from a snapshot and back into one.
@@ -61,8 +61,8 @@ std::vector<Span> pack(const Slab& slab, const Snapshot& snapshot);
 void unpack(const Slab& slab, std::span<const Span> slots,
             std::span<const std::uint32_t> span_counts, Snapshot& snapshot);
 
-// On a ground: for how many places there is to be room, and for how many entries of lists. Of a
-// sample of the maximal set 2.2 to 2.5 places have been seen, in sets of a million and more,
+// With a radius field: for how many places there is to be room, and for how many entries of lists.
+// Of a sample of the maximal set 2.2 to 2.5 places have been seen, in sets of a million and more,
 // and 2.1 to 2.7 entries.
 std::uint64_t room_for_places(const Plan& plan);
 std::uint64_t room_for_entries(const Plan& plan);

@@ -19,7 +19,7 @@ public:
     Places(const Places&) = delete;
     Places& operator=(const Places&) = delete;
 
-    // The first place of each column; columns + 1.
+    // The first box of each column; columns + 1.
     virtual std::span<const std::uint32_t> begins() const = 0;
     // Of a round of so many draws.
     virtual PartLimits part_limits(std::uint32_t) const { return {}; }
@@ -64,6 +64,6 @@ protected:
 // Those of the plan's mode.
 std::unique_ptr<Places> make_spans(RoundMemory& round, const Tuning& tuning);    // lines, exact
 std::unique_ptr<Places> make_lattice(RoundMemory& round, const Tuning& tuning);  // cells
-std::unique_ptr<Places> make_rectangles(RoundMemory& round);  // exact on a ground
+std::unique_ptr<Places> make_rectangles(RoundMemory& round);  // exact with a radius field
 
 }  // namespace lacuna::device

@@ -1,5 +1,5 @@
-// The places of mode exact on a ground: rectangles, which lists of the samples that reach their
-// blocks cut (docs/design.md, section 4, "exact with a field").
+// The places of mode exact with a radius field: rectangles, which lists of the samples that reach
+// their blocks cut (docs/design.md, section 4, "exact with a field").
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -8,26 +8,26 @@
 #include <utility>
 #include <vector>
 
-#include "backends/device/ground_tables.h"
+#include "backends/device/field_tables.h"
 #include "backends/device/places.h"
 #include "backends/device/sample_lists.h"
 #include "backends/device/scan.h"
-#include "plan/first_places.h"
-#include "plan/ground.h"
-#include "portable/fate.h"
-#include "portable/ground.h"
+#include "plan/first_boxes.h"
+#include "plan/radius_field.h"
+#include "portable/radius_field.h"
+#include "portable/status.h"
 
 namespace lacuna::device {
 namespace {
 
 // See Queue::launch.
-constexpr std::uint64_t kGroundLocateWork = 2;
-constexpr std::uint64_t kGroundScreenWork = 2;
-constexpr std::uint64_t kGroundCutWork = 4;
-constexpr std::uint64_t kGroundSeveralWork = 16;
-constexpr std::uint64_t kGroundKeepWork = 1;
-constexpr std::uint64_t kGroundSplitWork = 8;
-constexpr std::uint64_t kGroundMeasureWork = 2;
+constexpr std::uint64_t kFieldLocateWork = 2;
+constexpr std::uint64_t kFieldScreenWork = 2;
+constexpr std::uint64_t kFieldCutWork = 4;
+constexpr std::uint64_t kFieldSeveralWork = 16;
+constexpr std::uint64_t kFieldKeepWork = 1;
+constexpr std::uint64_t kFieldSplitWork = 8;
+constexpr std::uint64_t kFieldMeasureWork = 2;
 
 // Of so many places those of which several pieces may be left, or those that lie on unlike pixels,
 // are for one item: seldom more than a few.
@@ -37,17 +37,17 @@ constexpr std::uint32_t kPlacesPerUneven = 8;
 // Pieces beyond what is expected; there are seldom as many.
 constexpr std::uint32_t kSparePlaces = 1024;
 
-constexpr std::uint32_t kLists = 2;  // new_uneven and several, see portable/ground.h
+constexpr std::uint32_t kLists = 2;  // new_uneven and several, see portable/radius_field.h
 
 static_assert(sizeof(Rectangle) == 4 * kWord);
 
 class Rectangles : public Places {
 public:
     explicit Rectangles(RoundMemory& round)
-        : Places(round), first_(*round.plan.first_places), lists_(round) {
+        : Places(round), first_(*round.plan.first_boxes), lists_(round) {
         make_tables();
-        take_first_places();
-        put_first_places();
+        take_first_boxes();
+        put_first_boxes();
         find_shares();
         lists_.enlist_kept();
     }
@@ -66,34 +66,34 @@ public:
     }
 
     void locate(std::span<const Draw>) override {
-        round_.launch_over_draws<kernels::locate_on_ground>(round_.arguments(), kGroundLocateWork);
+        round_.launch_over_draws<kernels::locate_with_field>(round_.arguments(), kFieldLocateWork);
     }
     void sort() override {}
 
     // Of all parts: no sample of the round is in a list yet.
     void screen() override {
-        portable::DrawArguments arguments = round_.arguments(FATE_COVERED);
+        portable::DrawArguments arguments = round_.arguments(STATUS_COVERED);
         arguments.first = 0;
         arguments.count = round_.draw_count;
         arguments.is_listed = lists_.has_survivors() ? 1 : 0;
         lists_.begin_survivors();
-        round_.launch_over_draws<kernels::screen_on_ground>(arguments, kGroundScreenWork);
+        round_.launch_over_draws<kernels::screen_with_field>(arguments, kFieldScreenWork);
     }
     void screen_again(std::uint32_t end) override {
-        portable::DrawArguments arguments = round_.arguments(FATE_REJECTED);
+        portable::DrawArguments arguments = round_.arguments(STATUS_REJECTED);
         arguments.count = end;
-        round_.launch_over_draws<kernels::screen_on_ground>(arguments, kGroundScreenWork);
+        round_.launch_over_draws<kernels::screen_with_field>(arguments, kFieldScreenWork);
     }
 
     void admit(std::uint32_t pass) override {
         if (!lists_.has_visitors()) lists_.list_visitors();
         portable::DrawArguments arguments = round_.arguments(pass);
         arguments.chunk = round_.chunk_of_admit(round_.queue.run_of(round_.part_count()));
-        round_.launch_over_draws<kernels::admit_on_ground>(arguments,
-                                                           RoundMemory::admit_work(pass));
+        round_.launch_over_draws<kernels::admit_with_field>(arguments,
+                                                            RoundMemory::admit_work(pass));
     }
 
-    void subtract() override { throw std::logic_error("a ground is refined from the start"); }
+    void subtract() override { throw std::logic_error("a radius field is refined from the start"); }
 
     void take_out() override { lists_.enlist(); }
 
@@ -152,12 +152,16 @@ public:
     std::uint32_t width() const override { return round_.plan.strip_width; }
     std::span<const std::uint32_t> widths() const override { return widths_; }
 
-    void snapshot(Snapshot&) override { throw std::logic_error("no test looks into a ground"); }
-    void restore(const Snapshot&) override { throw std::logic_error("no test restores a ground"); }
+    void snapshot(Snapshot&) override {
+        throw std::logic_error("no test looks into a radius field");
+    }
+    void restore(const Snapshot&) override {
+        throw std::logic_error("no test restores a radius field");
+    }
 
 private:
     void make_tables() {
-        const GroundTables tables = tables_of(*round_.plan.ground);
+        const FieldTables tables = tables_of(*round_.plan.radius_field);
         Memory& m = round_.memory;
         m.axes = round_.copy_of(tables.axes);
         m.mask_bits = round_.copy_of(tables.mask_bits);
@@ -166,9 +170,9 @@ private:
     }
 
     void put_radii() {
-        using Radii = Ground::Radii;
+        using Radii = RadiusField::Radii;
         static_assert(sizeof(Radii) == 2 * kWord);
-        const Ground::RadiusPyramid& radii = round_.plan.ground->radii();
+        const RadiusField::RadiusPyramid& radii = round_.plan.radius_field->radii();
         Buffer& to = round_.memory.radius_bounds;
         std::uint64_t count = 0;
         radii.for_each_level([&](std::span<const Radii> level) { count += level.size(); });
@@ -180,7 +184,7 @@ private:
         });
     }
 
-    void take_first_places() {
+    void take_first_boxes() {
         take_count(static_cast<std::uint32_t>(first_.places.size()));
         for (std::uint32_t i = 0; i < count_; ++i) {
             widths_[i] = first_.places[i].width;
@@ -188,7 +192,7 @@ private:
         }
     }
 
-    void put_first_places() {
+    void put_first_boxes() {
         std::vector<std::uint32_t> origins;
         std::vector<std::uint32_t> uneven;
         origins.reserve(2 * std::size_t{count_});
@@ -209,7 +213,7 @@ private:
     std::uint32_t first_radius(std::uint32_t place, std::uint32_t block) const {
         const std::uint32_t even_radius = first_.blocks[block].even_radius;
         if (even_radius != 0) return even_radius | IS_EVEN;
-        const Under under = round_.plan.ground->under(first_.places[place]);
+        const Under under = round_.plan.radius_field->under(first_.places[place]);
         return under.least | (under.is_even ? IS_EVEN : 0);
     }
 
@@ -283,13 +287,13 @@ private:
 
     void cut() {
         if (is_halving_) {
-            launch_over<kernels::cut_halves>(count_, kGroundCutWork);
-            launch_over<kernels::split>(uneven_, kGroundSplitWork);
-            launch_over<kernels::cut_uneven>(uneven_, kGroundCutWork);
+            launch_over<kernels::cut_halves>(count_, kFieldCutWork);
+            launch_over<kernels::split>(uneven_, kFieldSplitWork);
+            launch_over<kernels::cut_uneven>(uneven_, kFieldCutWork);
         } else {
-            launch_over<kernels::cut_places>(count_, kGroundCutWork);
+            launch_over<kernels::cut_places>(count_, kFieldCutWork);
         }
-        launch_over_list<kernels::cut_several>(count_ / kPlacesPerSeveral, kGroundSeveralWork);
+        launch_over_list<kernels::cut_several>(count_ / kPlacesPerSeveral, kFieldSeveralWork);
     }
 
     void keep() {
@@ -300,16 +304,16 @@ private:
         make_room_for_places(m.free_lengths, 1, new_room_);
         make_room_for_places(m.new_uneven, 1, new_room_);
         if (is_halving_) {
-            launch_over<kernels::keep_halves>(count_, kGroundKeepWork);
-            launch_over<kernels::keep_uneven>(uneven_, kGroundKeepWork);
+            launch_over<kernels::keep_halves>(count_, kFieldKeepWork);
+            launch_over<kernels::keep_uneven>(uneven_, kFieldKeepWork);
         } else {
-            launch_over<kernels::keep_places>(count_, kGroundKeepWork);
+            launch_over<kernels::keep_places>(count_, kFieldKeepWork);
         }
-        launch_over_list<kernels::keep_several>(count_ / kPlacesPerSeveral, kGroundSeveralWork);
-        launch_over_list<kernels::measure>(new_room_ / kPlacesPerUneven, kGroundMeasureWork);
+        launch_over_list<kernels::keep_several>(count_ / kPlacesPerSeveral, kFieldSeveralWork);
+        launch_over_list<kernels::measure>(new_room_ / kPlacesPerUneven, kFieldMeasureWork);
     }
 
-    const FirstPlaces& first_;
+    const FirstBoxes& first_;
     SampleLists lists_;
     std::array<std::uint32_t, 2> begins_{};  // all places are one column: nothing is sorted
     std::uint32_t count_ = 0;                // of places

@@ -11,7 +11,7 @@
 #include "backends/device/layout.h"
 #include "portable/column.h"
 #include "portable/failure.h"
-#include "portable/fate.h"
+#include "portable/status.h"
 
 namespace lacuna::device {
 namespace {
@@ -20,9 +20,9 @@ constexpr std::uint64_t kSortWork = 4;  // a draw; see Queue::launch
 // Buffers are no smaller: small sets then never make them anew.
 constexpr std::uint64_t kLeastWords = 4096;
 
-constexpr std::array kJobs{"locate", "sort_columns", "admit", "gather", "subtract", "refine"};
+constexpr std::array kJobs{"locate", "sort_columns", "admit", "collect", "subtract", "refine"};
 static_assert(FAILED_LOCATE == 1 && FAILED_SORT_COLUMNS == 2 && FAILED_ADMIT == 4 &&
-              FAILED_GATHER == 8 && FAILED_SUBTRACT == 16 && FAILED_REFINE == 32 &&
+              FAILED_COLLECT == 8 && FAILED_SUBTRACT == 16 && FAILED_REFINE == 32 &&
               FAILED_CHORDS == 64);
 
 }  // namespace
@@ -56,16 +56,16 @@ void RoundMemory::begin(std::uint32_t count) {
     part = {0, count};
     by_order.resize(count);
     const std::uint64_t words = count;
-    for (Buffer* const one : {&memory.buckets, &memory.fates}) make_room(*one, words);
+    for (Buffer* const one : {&memory.buckets, &memory.statuses}) make_room(*one, words);
     make_room(memory.samples, 2 * words);
     for (Buffer* const four : {&memory.draws, &memory.located, &memory.candidates})
         make_room(*four, 4 * words);
     queue.fill(memory.failure, 0, 1);
 }
 
-void RoundMemory::upload(std::span<const Draw> draws, std::span<const std::uint32_t> place_begins,
+void RoundMemory::upload(std::span<const Draw> draws, std::span<const std::uint32_t> bin_begins,
                          PartLimits limits) {
-    find_column_begins(place_begins, draws, column_begins);
+    find_column_begins(bin_begins, draws, column_begins);
     arrangement_ = arrange(draws, column_begins, limits);
     begin(static_cast<std::uint32_t>(draws.size()));
     arranged_.clear();
@@ -100,14 +100,14 @@ void RoundMemory::begin_more_passes() {
 }
 
 void RoundMemory::find_done(std::uint32_t first, std::vector<bool>& is_done) {
-    std::vector<std::uint32_t> fates(draw_count);
-    get<std::uint32_t>(memory.fates, fates);
+    std::vector<std::uint32_t> statuses(draw_count);
+    get<std::uint32_t>(memory.statuses, statuses);
     queue.wait();
     for (std::uint32_t number = first; number < parts(); ++number) {
         const std::uint32_t begin = number == 0 ? 0 : arrangement_.ends[number - 1];
-        const auto of_part = std::span(fates).subspan(begin, arrangement_.ends[number] - begin);
+        const auto of_part = std::span(statuses).subspan(begin, arrangement_.ends[number] - begin);
         is_done[number] =
-            std::find(of_part.begin(), of_part.end(), FATE_UNDECIDED) == of_part.end();
+            std::find(of_part.begin(), of_part.end(), STATUS_UNDECIDED) == of_part.end();
     }
 }
 
@@ -141,8 +141,8 @@ std::vector<Candidate> RoundMemory::candidates() {
 void RoundMemory::snapshot(Snapshot& snapshot) {
     snapshot.capacity = geometry.capacity;
     snapshot.candidates = candidates();
-    snapshot.fates.resize(draw_count);
-    get<std::uint32_t>(memory.fates, snapshot.fates);
+    snapshot.statuses.resize(draw_count);
+    get<std::uint32_t>(memory.statuses, snapshot.statuses);
     queue.wait();
     if (parts() > 1) merge_parts(snapshot);
 }
@@ -160,7 +160,7 @@ void RoundMemory::merge_parts(Snapshot& snapshot) const {
               [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
     for (std::uint32_t i = 0; i < draw_count; ++i) {
         snapshot.candidates[i] = by_part.candidates[all[i]];
-        snapshot.fates[i] = by_part.fates[all[i]];
+        snapshot.statuses[i] = by_part.statuses[all[i]];
     }
 }
 
@@ -175,11 +175,11 @@ void RoundMemory::restore_candidates(const Snapshot& snapshot, PartLimits limits
     queue.wait();
 }
 
-void RoundMemory::restore_fates(const Snapshot& snapshot) {
-    std::vector<std::uint32_t> fates = snapshot.fates;
+void RoundMemory::restore_statuses(const Snapshot& snapshot) {
+    std::vector<std::uint32_t> statuses = snapshot.statuses;
     for (std::size_t i = 0; i < arrangement_.origins.size(); ++i)
-        fates[i] = snapshot.fates[arrangement_.origins[i]];
-    put<std::uint32_t>(memory.fates, fates);
+        statuses[i] = snapshot.statuses[arrangement_.origins[i]];
+    put<std::uint32_t>(memory.statuses, statuses);
     const std::vector<Sample> samples = samples_by_order(snapshot);
     put<Sample>(memory.samples, samples);
     queue.wait();

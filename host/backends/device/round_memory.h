@@ -26,9 +26,9 @@ inline constexpr std::uint32_t kPasses = 8;
 struct RoundMemory {
     RoundMemory(const Plan& plan, Queue& queue);
 
-    // The draws, part by part, on their way up; makes room for what becomes of them. place_begins:
+    // The draws, part by part, on their way up; makes room for what becomes of them. bin_begins:
     // see columns.h.
-    void upload(std::span<const Draw> draws, std::span<const std::uint32_t> place_begins,
+    void upload(std::span<const Draw> draws, std::span<const std::uint32_t> bin_begins,
                 PartLimits limits);
     std::uint32_t parts() const { return static_cast<std::uint32_t>(arrangement_.ends.size()); }
     // The commands that follow are about one part: its table is on its way up. Where there are
@@ -43,7 +43,8 @@ struct RoundMemory {
     void sort();
     // For passes after the first kPasses: all but the last count as done. From then on an item of
     // admit serves one candidate: where they crowd, an item leaves some of a longer chunk to the
-    // next pass (bodies/admit.h), and those that it never comes to may be what the others wait for.
+    // next pass (bodies/common/admit.h), and those that it never comes to may be what the others
+    // wait for.
     void begin_more_passes();
     std::uint32_t chunk_of_admit(std::uint32_t chunk) const { return has_more_passes_ ? 1 : chunk; }
     // Of a draw, see Queue::launch: the first pass looks at all of them, the others at few.
@@ -98,7 +99,7 @@ struct RoundMemory {
     void snapshot(Snapshot& snapshot);
     // The candidates, part by part, to be sorted; and then what became of them.
     void restore_candidates(const Snapshot& snapshot, PartLimits limits);
-    void restore_fates(const Snapshot& snapshot);
+    void restore_statuses(const Snapshot& snapshot);
 
     const Plan& plan;
     Queue& queue;

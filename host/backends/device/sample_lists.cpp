@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "backends/device/layout.h"
-#include "plan/ground.h"
-#include "portable/fate.h"
+#include "plan/radius_field.h"
+#include "portable/status.h"
 
 namespace lacuna::device {
 namespace {
@@ -22,7 +22,7 @@ constexpr std::uint64_t kVisitsPerDraw = 8;
 
 }  // namespace
 
-SampleLists::SampleLists(RoundMemory& round) : round_(round), first_(*round.plan.first_places) {
+SampleLists::SampleLists(RoundMemory& round) : round_(round), first_(*round.plan.first_boxes) {
     make_tree();
     Memory& m = round_.memory;
     round_.make_room(m.lists, blocks());
@@ -41,7 +41,7 @@ void SampleLists::make_tree() {
     Memory& m = round_.memory;
     std::vector<Rectangle> places;
     std::vector<std::uint32_t> links;
-    for (const FirstPlaces::Node& node : first_.nodes) {
+    for (const FirstBoxes::Node& node : first_.nodes) {
         places.push_back(node.place);
         links.insert(links.end(), {node.greatest, node.next, node.first, node.whole});
     }
@@ -64,11 +64,11 @@ void SampleLists::enlist_kept() {
         candidates.push_back({kept[i].at.x, kept[i].at.y, NO_SAMPLE, i});
         radii.push_back(kept[i].radius);
     }
-    const std::vector<std::uint32_t> fates(count, FATE_ADMITTED);
+    const std::vector<std::uint32_t> statuses(count, STATUS_ADMITTED);
     Memory& m = round_.memory;
     round_.put_in_room<Candidate>(m.candidates, candidates);
     round_.put_in_room<std::uint32_t>(m.candidate_radii, radii);
-    round_.put_in_room<std::uint32_t>(m.fates, fates);
+    round_.put_in_room<std::uint32_t>(m.statuses, statuses);
     round_.queue.fill(m.failure, 0, 1);
     round_.queue.fill(m.undecided, 0, kPasses);
     round_.part = {0, count};

@@ -1,12 +1,12 @@
-// The samples on a ground, listed on a device for each block of first places that they reach
-// (plan/first_places.h): kernels/bodies/reach.h finds those, enlist.h lists the samples.
+// The samples with a radius field, listed on a device for each block of first boxes that they reach
+// (plan/first_boxes.h): kernels/bodies/exact/reach.h finds those, enlist.h lists the samples.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
 #include "backends/device/round_memory.h"
-#include "plan/first_places.h"
+#include "plan/first_boxes.h"
 
 namespace lacuna::device {
 
@@ -40,7 +40,7 @@ private:
     void make_room_for_entries(std::uint64_t count);
 
     RoundMemory& round_;
-    const FirstPlaces& first_;
+    const FirstBoxes& first_;
     std::array<std::uint32_t, 1> entry_count_{};
     std::uint32_t first_recent_ = 0;
     bool has_visitors_ = false;

@@ -242,8 +242,8 @@ private:
         const std::uint32_t columns = round_.geometry.columns;
         const std::uint64_t near = 3 * std::uint64_t{round_.draws_per_column()};
         round_.queue.fill(round_.memory.overflow, 0, 1);
-        launch<kernels::gather>(round_.queue, round_.memory, {0, kPasses - 1, round_.geometry, 0},
-                                columns, near);
+        launch<kernels::collect>(round_.queue, round_.memory, {0, kPasses - 1, round_.geometry, 0},
+                                 columns, near);
         const Span own = round_.plan.own_lines();
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
             portable::SlabArguments arguments = arguments_of(i);

@@ -26,7 +26,7 @@ public:
     }
 
     std::span<const std::uint32_t> free_lengths() const override { return free_lengths_; }
-    std::uint32_t place_width() const override { return 1; }
+    std::uint32_t bin_width() const override { return 1; }
     Sample at(std::uint32_t line, std::uint32_t rank, std::uint32_t) const override {
         std::uint32_t y = 0;
         while (!is_free_[index_of(line, y)] || rank-- > 0) ++y;

@@ -81,7 +81,7 @@ public:
     std::span<const std::uint32_t> free_lengths() const override {
         return are_boxes_ ? box_lengths_ : spans_.lengths();
     }
-    std::uint32_t place_width() const override { return width_; }
+    std::uint32_t bin_width() const override { return width_; }
     Sample at(std::uint32_t place, std::uint32_t rank, std::uint32_t offset) const override {
         if (are_boxes_) return {boxes_[place].x + offset, boxes_[place].begin + rank};
         return {place * plan_.strip_width + offset, spans_.y_at_rank(place, rank)};

@@ -1,6 +1,6 @@
 // What the loop of reference.cpp asks of a mode: where samples may still be placed, and what one
 // takes from that. A file each: lines.cpp, exact.cpp, cells.cpp, and
-// exact_on_ground.cpp.
+// exact_with_field.cpp.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@ public:
 
     // Of the places that draws fall on: lines or boxes.
     virtual std::span<const std::uint32_t> free_lengths() const = 0;
-    virtual std::uint32_t place_width() const = 0;
+    virtual std::uint32_t bin_width() const = 0;
     // Of each; none where all are alike.
-    virtual std::span<const std::uint32_t> place_widths() const { return {}; }
+    virtual std::span<const std::uint32_t> bin_widths() const { return {}; }
     // The rank-th free y of the place, counted from below, at this offset from its low x.
     virtual Sample at(std::uint32_t place, std::uint32_t rank, std::uint32_t offset) const = 0;
 
@@ -34,6 +34,6 @@ public:
 std::unique_ptr<FreeSpace> make_lines(const Plan& plan);
 std::unique_ptr<FreeSpace> make_exact(const Plan& plan);
 std::unique_ptr<FreeSpace> make_cells(const Plan& plan);
-std::unique_ptr<FreeSpace> make_exact_on_ground(const Plan& plan);
+std::unique_ptr<FreeSpace> make_exact_with_field(const Plan& plan);
 
 }  // namespace lacuna::reference

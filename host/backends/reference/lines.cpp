@@ -17,7 +17,7 @@ public:
     explicit Lines(const Plan& plan) : plan_(plan), spans_(plan) {}
 
     std::span<const std::uint32_t> free_lengths() const override { return spans_.lengths(); }
-    std::uint32_t place_width() const override { return plan_.strip_width; }
+    std::uint32_t bin_width() const override { return plan_.strip_width; }
     Sample at(std::uint32_t line, std::uint32_t rank, std::uint32_t offset) const override {
         return {line * plan_.strip_width + offset, spans_.y_at_rank(line, rank)};
     }

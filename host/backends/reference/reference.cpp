@@ -19,7 +19,7 @@ namespace lacuna::reference {
 namespace {
 
 std::unique_ptr<FreeSpace> make_free_space(const Plan& plan) {
-    if (plan.ground) return make_exact_on_ground(plan);
+    if (plan.radius_field) return make_exact_with_field(plan);
     if (plan.is_exact()) return make_exact(plan);
     if (plan.is_cells()) return make_cells(plan);
     return make_lines(plan);
@@ -31,7 +31,7 @@ std::vector<std::uint64_t> marginal_cdf(const Plan& plan, const FreeSpace& space
     const std::span<const std::uint32_t> lengths = space.free_lengths();
     std::vector<std::uint64_t> cdf(lengths.size());
     std::uint64_t sum = 0;
-    const std::span<const std::uint32_t> widths = space.place_widths();
+    const std::span<const std::uint32_t> widths = space.bin_widths();
     for (std::size_t place = 0; place < lengths.size(); ++place) {
         const std::uint64_t width = widths.empty() ? 1 : widths[place];
         cdf[place] = sum += plan.uniform_x ? std::min(lengths[place], 1u) : width * lengths[place];
@@ -55,8 +55,8 @@ Candidate draw(const Plan& plan, const FreeSpace& space, const std::vector<std::
 
     // y: uniform over the free length of that place. What c exceeds F_X by is already that.
     std::uint64_t rank = c - (place == 0 ? 0 : cdf[place - 1]);
-    if (!space.place_widths().empty()) {
-        const std::uint32_t width = space.place_widths()[place];
+    if (!space.bin_widths().empty()) {
+        const std::uint32_t width = space.bin_widths()[place];
         return {space.at(place, static_cast<std::uint32_t>(rank / width),
                          static_cast<std::uint32_t>(rank % width)),
                 number};
@@ -66,8 +66,7 @@ Candidate draw(const Plan& plan, const FreeSpace& space, const std::vector<std::
     // x: on the line, or uniform in its strip, as interpolating the cdf makes it.
     const std::uint64_t bits =
         plan.uniform_x ? random_bits(plan.seed, number, 1).first : random.second;
-    const std::uint64_t offset =
-        plan.snap ? plan.strip_width / 2 : scaled(bits, space.place_width());
+    const std::uint64_t offset = plan.snap ? plan.strip_width / 2 : scaled(bits, space.bin_width());
     return {space.at(place, static_cast<std::uint32_t>(rank), static_cast<std::uint32_t>(offset)),
             number};
 }
@@ -105,7 +104,7 @@ Outcome sample(const Plan& plan, Observer& observer) {
         if (!observer.keep_going({points, std::max(points, plan.expected_samples), outcome.rounds}))
             throw Cancelled();
         policy.note(survivors.size(), points - before, space->free_lengths().size(),
-                    space->place_width());
+                    space->bin_width());
     }
     if (outcome.samples.size() > plan.limit) outcome.samples.resize(plan.limit);
     return outcome;

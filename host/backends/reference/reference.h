@@ -3,8 +3,8 @@
 
 #include <lacuna/lacuna.h>
 
-#include "generate.h"
 #include "plan/plan.h"
+#include "sampling/generate.h"
 
 namespace lacuna::reference {
 

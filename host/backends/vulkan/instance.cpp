@@ -27,8 +27,8 @@ vk::raii::Context load() {
     }
 }
 
-// A template, because the headers of Vulkan 1.3.304 and later declare the callback with the types of
-// namespace vk, and earlier ones with those of C.
+// A template, because the headers of Vulkan 1.3.304 and later declare the callback with the types
+// of namespace vk, and earlier ones with those of C.
 template <class Severity, class Types, class Data>
 VKAPI_ATTR VkBool32 VKAPI_CALL pass_on(Severity, Types, const Data* data, void* validation) {
     static_cast<const Validation*>(validation)->report(data->pMessage);

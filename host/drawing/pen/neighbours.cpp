@@ -8,7 +8,7 @@
 #include <array>
 #include <nanoflann.hpp>
 
-#include "threads.h"
+#include "base/threads.h"
 
 namespace lacuna::pen {
 namespace {

@@ -100,7 +100,7 @@ struct Request {
     Metric metric = Metric::min;
     // The paper's m, 1 to 1000. Unset: 6 in exact, where it decides nothing but the speed, the
     // paper's 30 in lines, and 10 to the least radius in cells. In exact with a field, a mask, a
-    // border or kept points there are no lines: unset, 1, it tells how many of the first places two
+    // border or kept points there are no lines: unset, 1, it tells how many of the first boxes two
     // radii are long, and again decides nothing but the speed.
     std::optional<std::uint32_t> lines_per_radius;
     // In mode lines only.
@@ -159,9 +159,9 @@ enum class Verb {
     refine,
     transfer,
     first_use,
-    own,
-    gather,
-    settle
+    assign,
+    accumulate,
+    move
 };
 std::string_view name_of(Verb verb);
 

@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "relax/cpu/nearest_own.h"
+#include "base/workers.h"
+#include "relax/cpu/nearest_point.h"
 #include "relax/cpu/site_tree.h"
 #include "relax/cpu/tile.h"
 #include "relax/hilbert.h"
-#include "workers.h"
 
 namespace lacuna::relaxing::cpu {
 namespace {
@@ -52,11 +52,11 @@ public:
 
     std::string device() const override { return workers_.name(); }
 
-    // Gathers too, so that nobody need write down who owns which lattice point.
-    void own() override { own_tiles({}); }
-    void gather() override {}
+    // Accumulates too, so that nobody need write down who owns which lattice point.
+    void assign() override { assign_tiles({}); }
+    void accumulate() override {}
 
-    void settle() override {
+    void move() override {
         move();
         sites_.swap(moved_);
     }
@@ -67,8 +67,8 @@ public:
         for_chunks([&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 if (lattice_.mass_under(moved_[i]) == 0)
-                    moved_[i] = nearest_own(scene, static_cast<std::uint32_t>(i),
-                                            shares_[i].mass != 0, moved_[i]);
+                    moved_[i] = nearest_point(scene, static_cast<std::uint32_t>(i),
+                                              shares_[i].mass != 0, moved_[i]);
         });
         sites_.swap(moved_);
     }
@@ -84,7 +84,7 @@ public:
 
     std::vector<std::uint32_t> owners() override {
         std::vector<std::uint32_t> owners(std::size_t{numbers_.columns} * numbers_.rows, NO_OWNER);
-        own_tiles(owners);
+        assign_tiles(owners);
         return owners;
     }
 
@@ -146,7 +146,7 @@ private:
         return false;
     }
 
-    void own_tiles(std::span<std::uint32_t> owners) {
+    void assign_tiles(std::span<std::uint32_t> owners) {
         for_chunks([&](std::size_t begin, std::size_t end) {
             std::fill(shares_.begin() + static_cast<std::ptrdiff_t>(begin),
                       shares_.begin() + static_cast<std::ptrdiff_t>(end), Share{});
@@ -157,9 +157,10 @@ private:
             static_cast<std::uint32_t>(tiles_.size()), lattice_.points, [&](std::uint32_t i) {
                 Tile& tile = tile_of_thread_.local();
                 const auto& [box, leaves] = tiles_[i];
-                tile.own(scene, box, leaves,
-                         std::span(hints_).subspan(std::size_t{i} * Tile::kLeaves, Tile::kLeaves),
-                         owners);
+                tile.assign(
+                    scene, box, leaves,
+                    std::span(hints_).subspan(std::size_t{i} * Tile::kLeaves, Tile::kLeaves),
+                    owners);
                 for (const Tile::Part& part : tile.parts()) add(part, box);
             });
     }
@@ -191,10 +192,10 @@ private:
             std::uint64_t own_least = std::numeric_limits<std::uint64_t>::max();
             for (std::size_t i = begin; i < end; ++i) {
                 moved_[i] = moved_to_centre(numbers_, sites_[i], shares_[i]);
-                moved_[i].lift =
-                    portable::moved_lift(numbers_, sites_[i].lift, shares_[i].mass,
-                                         static_cast<std::uint32_t>(shares_[i].points));
-                own_least = std::min(own_least, moved_[i].lift);
+                moved_[i].weight =
+                    portable::moved_weight(numbers_, sites_[i].weight, shares_[i].mass,
+                                           static_cast<std::uint32_t>(shares_[i].points));
+                own_least = std::min(own_least, moved_[i].weight);
             }
             std::uint64_t seen = least.load(std::memory_order_relaxed);
             while (own_least < seen &&
@@ -203,7 +204,8 @@ private:
         });
         for_chunks([&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                moved_[i].lift = portable::settled_lift(moved_[i].lift, least, numbers_.farthest);
+                moved_[i].weight =
+                    portable::weight_above_least(moved_[i].weight, least, numbers_.farthest);
         });
     }
 

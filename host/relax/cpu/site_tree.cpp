@@ -11,7 +11,7 @@ namespace {
 template <typename Node>
 Node around(const Node& a, const Node& b) {
     return {std::min(a.left, b.left), std::max(a.right, b.right), std::min(a.bottom, b.bottom),
-            std::max(a.top, b.top), std::min(a.least_lift, b.least_lift)};
+            std::max(a.top, b.top), std::min(a.least_weight, b.least_weight)};
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ void SiteTree::look_at(std::span<const Site> sites, Workers& workers) {
                 const auto child = [&](std::size_t i) {
                     if (level != 0) return levels_[level - 1][i];
                     const Site& site = sites_[i];
-                    return Node{site.x, site.x, site.y, site.y, site.lift};
+                    return Node{site.x, site.x, site.y, site.y, site.weight};
                 };
                 Node all = child(node * kFan);
                 for (std::size_t i = node * kFan + 1; i < children_end(level, node); ++i)
@@ -51,7 +51,7 @@ std::uint64_t SiteTree::worst_power(const Site& site, const Rectangle& box) {
         static_cast<std::uint64_t>(std::max(std::abs(x - box.left), std::abs(x - box.right)));
     const auto dy =
         static_cast<std::uint64_t>(std::max(std::abs(y - box.bottom), std::abs(y - box.top)));
-    return dx * dx + dy * dy + site.lift;
+    return dx * dx + dy * dy + site.weight;
 }
 
 std::uint64_t SiteTree::least_worst_power(const Rectangle& box, std::uint64_t bound) const {

@@ -1,5 +1,5 @@
 // Finds the sites that can win a box of the lattice: a tree of rectangles around sites that lie
-// near each other, each with the least lift in it, so that only lifts nearby count.
+// near each other, each with the least weight in it, so that only weights nearby count.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "base/workers.h"
 #include "relax/lattice.h"
-#include "workers.h"
 
 namespace lacuna::relaxing::cpu {
 
@@ -45,7 +45,7 @@ private:
         std::uint32_t right;
         std::uint32_t bottom;
         std::uint32_t top;
-        std::uint64_t least_lift;
+        std::uint64_t least_weight;
     };
 
     static std::uint64_t gap(std::int64_t low, std::int64_t high, std::int64_t begin,
@@ -55,10 +55,10 @@ private:
     static std::uint64_t least_power(const Node& node, const Rectangle& box) {
         const std::uint64_t dx = gap(node.left, node.right, box.left, box.right);
         const std::uint64_t dy = gap(node.bottom, node.top, box.bottom, box.top);
-        return dx * dx + dy * dy + node.least_lift;
+        return dx * dx + dy * dy + node.least_weight;
     }
     static std::uint64_t least_power(const Site& site, const Rectangle& box) {
-        return least_power(Node{site.x, site.x, site.y, site.y, site.lift}, box);
+        return least_power(Node{site.x, site.x, site.y, site.y, site.weight}, box);
     }
 
     // Level 0 has the nodes over sites; the last level has one.

@@ -31,8 +31,8 @@ Box Tile::leaf_of(const Box& tile, std::uint32_t i) {
     return {left, bottom, std::min(left + kLeaf, tile.right), std::min(bottom + kLeaf, tile.top)};
 }
 
-void Tile::own(const Scene& scene, const Box& box, std::uint32_t leaves, std::span<Hint> hints,
-               std::span<std::uint32_t> owners) {
+void Tile::assign(const Scene& scene, const Box& box, std::uint32_t leaves, std::span<Hint> hints,
+                  std::span<std::uint32_t> owners) {
     scene_ = &scene;
     box_ = box;
     owners_ = owners;
@@ -72,7 +72,7 @@ std::uint64_t Tile::bound_in(const Box& leaf, Hint& hint) const {
         const Rectangle at = image_of(leaf, {});
         const std::uint64_t dx = worst_distance(site.x, at.left, at.right, numbers.period_x);
         const std::uint64_t dy = worst_distance(site.y, at.bottom, at.top, numbers.period_y);
-        bound = dx * dx + dy * dy + site.lift;
+        bound = dx * dx + dy * dy + site.weight;
     }
     // Sites move little, as a rule; after a leap the bound would let far too many in.
     if (bound / 2 > hint.bound)
@@ -123,7 +123,7 @@ void Tile::add_candidate(const Image& image) {
     const std::uint64_t order = std::uint64_t{scene_->indices[image.site]} * 4 +
                                 (image.shift_x != 0 ? 1 : 0) + (image.shift_y != 0 ? 2 : 0);
     order_.push_back(order * kMostCandidates + candidates_.size());
-    candidates_.push_back({dx * dx + dy * dy + static_cast<std::int64_t>(site.lift),
+    candidates_.push_back({dx * dx + dy * dy + static_cast<std::int64_t>(site.weight),
                            -2 * dx * numbers.step_x, -2 * dy * numbers.step_y, image});
 }
 

@@ -58,8 +58,8 @@ public:
     // Serves the leaves whose bits are set in `leaves`. The hints, one a leaf, make it fast and are
     // brought up to date. Leaves who owns each lattice point behind in `owners`, unless it is
     // empty: indices row by row of the whole lattice.
-    void own(const Scene& scene, const Box& box, std::uint32_t leaves, std::span<Hint> hints,
-             std::span<std::uint32_t> owners = {});
+    void assign(const Scene& scene, const Box& box, std::uint32_t leaves, std::span<Hint> hints,
+                std::span<std::uint32_t> owners = {});
 
     // What one image got. Moments are from the tile's lowest lattice point.
     struct Part {

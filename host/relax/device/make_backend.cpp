@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/workers.h"
 #include "portable/failure.h"
 #include "portable/site_tree.h"
-#include "relax/cpu/nearest_own.h"
+#include "relax/cpu/nearest_point.h"
 #include "relax/cpu/site_tree.h"
 #include "relax/device/memory.h"
 #include "relax/hilbert.h"
-#include "workers.h"
 
 namespace lacuna::relaxing::device {
 namespace {
@@ -39,7 +39,7 @@ using Words2 = std::array<std::uint32_t, 2>;
 using Words4 = std::array<std::uint32_t, 4>;
 
 Words4 packed(const Site& site) {
-    return {site.x, site.y, portable::to_u32(site.lift), portable::to_u32(site.lift >> 32)};
+    return {site.x, site.y, portable::to_u32(site.weight), portable::to_u32(site.weight >> 32)};
 }
 
 class DeviceRelax : public RelaxBackend {
@@ -76,14 +76,14 @@ public:
     std::string device() const override { return queue_->device().name; }
     void watch(std::function<bool()> may_go_on) override { queue_->watch(std::move(may_go_on)); }
 
-    // Gathers too: the tables of a batch tell who owns which lattice point, and are lost with the
-    // next.
-    void own() override { own_leaves(memory_, false); }
-    void gather() override {}
+    // Accumulates too: the tables of a batch tell who owns which lattice point, and are lost with
+    // the next.
+    void assign() override { assign_leaves(memory_, false); }
+    void accumulate() override {}
 
-    void settle() override {
+    void move() override {
         queue_->fill(memory_.least, 0, 2);
-        launch_over_sites<kernels::settle>(kSiteWork);
+        launch_over_sites<kernels::move>(kSiteWork);
         launch_over_sites<kernels::find_least>(kSiteWork);
         level_sites();
         queue_->wait();
@@ -94,7 +94,7 @@ public:
     void rest() override {
         const std::vector<Site> before = along_curve();
         const std::vector<Share> shares = shares_along_curve();
-        settle();
+        move();
         std::vector<Site> moved = along_curve();
         Workers alone(1);
         cpu::SiteTree tree;
@@ -102,7 +102,7 @@ public:
         const cpu::Scene scene{lattice_, tree, before, indices_, {}, {}};
         for (std::uint32_t i = 0; i < moved.size(); ++i)
             if (lattice_.mass_under(moved[i]) == 0)
-                moved[i] = cpu::nearest_own(scene, i, shares[i].mass != 0, moved[i]);
+                moved[i] = cpu::nearest_point(scene, i, shares[i].mass != 0, moved[i]);
         put_along_curve(moved);
     }
 
@@ -121,7 +121,7 @@ public:
         Memory telling = memory_;
         telling.owners = queue_->make(points * lacuna::device::kWord);
         queue_->fill(telling.owners, NO_OWNER, points);
-        own_leaves(telling, true);
+        assign_leaves(telling, true);
         get<std::uint32_t>(telling.owners, owners);
         queue_->wait();
         return owners;
@@ -171,13 +171,13 @@ private:
         launch_over_units<kernels::find_hints>(memory, units, units.side * units.side, kLeafWork);
     }
 
-    void own_in_batches(const Memory& memory, const Units& all) {
+    void assign_in_batches(const Memory& memory, const Units& all) {
         for (std::uint32_t first = 0; first < all.count; first += units_of_batch_) {
             const Units batch{first, std::min(units_of_batch_, all.count - first), all.side,
                               all.is_telling};
             launch_over_units<kernels::find_rivals>(memory, batch, 1, kFindWork);
             const std::uint32_t leaves = all.side * all.side;
-            launch_over_units<kernels::own>(memory, batch, leaves, kLeafWork);
+            launch_over_units<kernels::assign>(memory, batch, leaves, kLeafWork);
             if (all.is_telling)
                 launch_over_units<kernels::tell_owners>(memory, batch, leaves * LEAF_SIDE,
                                                         kLeafWork);
@@ -185,36 +185,36 @@ private:
     }
 
     // Returns how many leaves are left for later.
-    std::uint32_t wait_for_own(const Memory& memory) {
+    std::uint32_t wait_for_assign(const Memory& memory) {
         std::array<std::uint32_t, 1> late{};
         get<std::uint32_t>(memory.late_count, late);
         get<std::uint32_t>(memory.failure, failure_);
         queue_->wait();
-        if (failure_.front() != 0) throw lacuna::device::ended_early(queue_->device(), "own");
+        if (failure_.front() != 0) throw lacuna::device::ended_early(queue_->device(), "assign");
         return late.front();
     }
 
     // Tiles first; leaves of tiles that have too many rivals each for itself; and leaves that still
     // have too many lattice point by lattice point.
-    void own_leaves(Memory memory, bool is_telling) {
+    void assign_leaves(Memory memory, bool is_telling) {
         queue_->fill(memory.shares, 0, 4 * indices_.size());
         queue_->fill(memory.moments, 0, 4 * indices_.size());
         queue_->fill(memory.late_count, 0, 1);
         const Units tiles{0, count_of_tiles(), TILE_SIDE, is_telling};
         if (!std::exchange(has_hints_, true)) find_hints(memory, tiles);
-        own_in_batches(memory, tiles);
-        std::uint32_t late = wait_for_own(memory);
+        assign_in_batches(memory, tiles);
+        std::uint32_t late = wait_for_assign(memory);
         if (late == 0) return;
         memory.units = std::exchange(memory.late, queue_->make(late * lacuna::device::kWord));
         queue_->fill(memory.late_count, 0, 1);
         find_hints(memory, {0, late, 1, is_telling});
-        own_in_batches(memory, {0, late, 1, is_telling});
-        late = wait_for_own(memory);
+        assign_in_batches(memory, {0, late, 1, is_telling});
+        late = wait_for_assign(memory);
         if (late == 0) return;
         memory.units = memory.late;
-        launch_over_units<kernels::own_crowded>(memory, {0, late, 1, is_telling}, LEAF_SIDE,
-                                                kCrowdedWork);
-        wait_for_own(memory);
+        launch_over_units<kernels::assign_crowded>(memory, {0, late, 1, is_telling}, LEAF_SIDE,
+                                                   kCrowdedWork);
+        wait_for_assign(memory);
     }
 
     template <typename Kernel>
@@ -226,7 +226,7 @@ private:
                                        lacuna::device::items_of(units, chunk), work * chunk);
     }
 
-    // Takes the least lift off all, and makes the tree anew.
+    // Takes the least weight off all, and makes the tree anew.
     void level_sites() {
         for (std::uint32_t level = 1; level <= depth_; ++level)
             launch_over_sites<kernels::level_sites>(8 * kSiteWork, level);
@@ -242,7 +242,7 @@ private:
         return sites;
     }
 
-    // With lifts as they are: the least of them counts as 0.
+    // With weights as they are: the least of them counts as 0.
     void put_along_curve(const std::vector<Site>& sites) {
         for (std::size_t i = 0; i < sites.size(); ++i) sites_[i] = packed(sites[i]);
         put<Words4>(memory_.sites, sites_);

@@ -13,7 +13,7 @@
 #include "backends/cpu/state.h"
 #include "backends/scenes.h"
 #include "portable/distance.h"
-#include "portable/fate.h"
+#include "portable/status.h"
 
 namespace lacuna::cpu {
 namespace {
@@ -51,9 +51,9 @@ void throw_all(SpanState& state, std::uint32_t slabs) {
 }
 
 // One after another, each compared with all samples.
-std::vector<std::uint32_t> expected_fates(const SpanState& state) {
+std::vector<std::uint32_t> expected_statuses(const SpanState& state) {
     const Plan& plan = state.plan;
-    std::vector<std::uint32_t> fates(state.candidates.size(), FATE_REJECTED);
+    std::vector<std::uint32_t> statuses(state.candidates.size(), STATUS_REJECTED);
     std::vector<Candidate> samples;
     for (const std::uint32_t i : state.by_order) {
         const Candidate& candidate = state.candidates[i];
@@ -62,10 +62,10 @@ std::vector<std::uint32_t> expected_fates(const SpanState& state) {
                                        plan.period_y, plan.radius_squared);
         });
         if (!is_free) continue;
-        fates[i] = FATE_ADMITTED;
+        statuses[i] = STATUS_ADMITTED;
         samples.push_back(candidate);
     }
-    return fates;
+    return statuses;
 }
 
 void expect_samples_in_grid(const SpanState& state) {
@@ -73,7 +73,7 @@ void expect_samples_in_grid(const SpanState& state) {
                                  {NO_SAMPLE, NO_SAMPLE});
     for (std::size_t i = 0; i < state.candidates.size(); ++i) {
         const auto [x, y] = Sample{state.candidates[i].x, state.candidates[i].y};
-        if (state.fates[i] == FATE_ADMITTED)
+        if (state.statuses[i] == STATUS_ADMITTED)
             expected[std::size_t{x / state.plan.grid_side} * state.plan.grid_rows +
                      y / state.plan.grid_side] = {x, y};
     }
@@ -93,9 +93,9 @@ TEST(Darts, InAnyNumberOfSlabsBecomeWhatTheyBecomeOneByOne) {
             for (const std::uint32_t slabs : {1u, 2u, 3u, 8u, 40u}) {
                 SCOPED_TRACE(testing::Message() << "radius " << radius << ", slabs " << slabs);
                 SpanState state = thrown_at(plan, draws, tests::Chance(draws));
-                const std::vector<std::uint32_t> expected = expected_fates(state);
+                const std::vector<std::uint32_t> expected = expected_statuses(state);
                 throw_all(state, slabs);
-                EXPECT_EQ(state.fates, expected);
+                EXPECT_EQ(state.statuses, expected);
                 expect_samples_in_grid(state);
             }
         }

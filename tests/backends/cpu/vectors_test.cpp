@@ -13,7 +13,7 @@
 
 #include "portable/chord.h"
 #include "portable/distance.h"
-#include "portable/fate.h"
+#include "portable/status.h"
 
 namespace lacuna::cpu {
 namespace {

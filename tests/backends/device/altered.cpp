@@ -112,7 +112,7 @@ vulkan::Trial faulty_shaders(const Fault& fault) {
     for (const fs::directory_entry& shader : fs::directory_iterator(source / "shaders"))
         for (const auto& [entry, body] : entries_of(read(shader.path())))
             if (includes(body, fault.file) ||
-                includes("#include \"bodies/prelude.h\"\n", fault.file))
+                includes("#include \"bodies/common/prelude.h\"\n", fault.file))
                 trial.shaders[entry] = compiled(shader.path(), entry, copy);
     fs::remove_all(copy);
     if (trial.shaders.empty())

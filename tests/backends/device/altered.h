@@ -8,8 +8,8 @@
 #include "backends/backend.h"
 #include "backends/device/layout.h"
 #include "backends/device/queue.h"
-#include "generate.h"
 #include "plan/plan.h"
+#include "sampling/generate.h"
 
 namespace lacuna::tests {
 

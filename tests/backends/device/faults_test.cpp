@@ -58,18 +58,21 @@ INSTANTIATE_TEST_SUITE_P(Device, Faults, tests::kDeviceBackends, tests::name_of_
 TEST_P(Faults, InLinesAreNoticed) {
     expect_noticed(
         lines_,
-        {{"bodies/locate.h", "height_of_rank(piece, draw.y - passed)", "height_of_rank(piece, 0u)"},
-         {"bodies/decide.h", "other.w >= candidate.w) continue;",
+        {{"bodies/common/locate.h", "height_of_rank(piece, draw.y - passed)",
+          "height_of_rank(piece, 0u)"},
+         {"bodies/common/decide.h", "other.w >= candidate.w) continue;",
           "other.w <= candidate.w) continue;"},
-         {"bodies/decide.h", "return waits ? FATE_UNDECIDED", "return false ? FATE_UNDECIDED"},
-         {"bodies/decide.h", "window < windows", "window < 1u"},
-         {"bodies/decide.h", "return bucket > 0u ?", "return bucket > 1u ? end : bucket > 0u ?"},
-         {"bodies/sort_columns.h", "comes_before(moved,", "false && comes_before(moved,"},
-         {"bodies/gather.h", "columns.count > 2u", "columns.count > 3u"},
-         {"bodies/subtract.h", "if (bottom > 0u) gap", "if (false) gap"},
-         {"bodies/subtract.h", "if (top < g.height && gap.fits)", "if (false)"},
-         {"bodies/subtract.h", "gap.above.y > end;", "false;"},
-         {"bodies/limit.h", "? candidate.x :", "? 0u : candidate.x + 0u *"},
+         {"bodies/common/decide.h", "return waits ? STATUS_UNDECIDED",
+          "return false ? STATUS_UNDECIDED"},
+         {"bodies/common/decide.h", "window < windows", "window < 1u"},
+         {"bodies/common/decide.h", "return bucket > 0u ?",
+          "return bucket > 1u ? end : bucket > 0u ?"},
+         {"bodies/common/sort_columns.h", "comes_before(moved,", "false && comes_before(moved,"},
+         {"bodies/lines/collect.h", "columns.count > 2u", "columns.count > 3u"},
+         {"bodies/lines/subtract.h", "if (bottom > 0u) gap", "if (false) gap"},
+         {"bodies/lines/subtract.h", "if (top < g.height && gap.fits)", "if (false)"},
+         {"bodies/lines/subtract.h", "gap.above.y > end;", "false;"},
+         {"bodies/lines/limit.h", "? candidate.x :", "? 0u : candidate.x + 0u *"},
          {"portable/chord.h", "y + 1u - cut;", "y + 1000u - cut;"}});
 }
 
@@ -79,54 +82,61 @@ TEST_P(Faults, InExactAreNoticed) {
     nearly_all.limit = nearly_all.expected_samples * 19 / 20;
     expect_noticed(
         nearly_all,
-        {{"bodies/locate_in_boxes.h", "AT(box_begin, draw.x) + draw.y,", "AT(box_begin, draw.x),"},
-         {"bodies/limit.h", "? candidate.x", "? candidate.x / a.g.strip_width * a.g.strip_width"},
-         {"bodies/screen.h", "return covered != 0u;", "return false;"},
-         {"bodies/screen.h", "i < columns.count", "i < 1u"},
-         {"bodies/insert.h", "AT(grid_y, cell) = admitted.y", "AT(grid_y, cell) = admitted.x"},
-         {"bodies/subtract.h", "g.period_x) + g.chord_margin", "g.period_x)"},
-         {"bodies/unfold.h", "AT(box_end, next) = end;", "AT(box_end, next) = span.y;"},
-         {"bodies/strips.h", "i < near.columns.count", "i < 1u"},
-         {"bodies/strips.h", "is_at_edge ? -1 : 0", "is_at_edge ? 0 : 0"},
-         {"bodies/strips.h", "squared_distance(g, dx, farthest)",
+        {{"bodies/exact/locate_in_boxes.h", "AT(box_begin, draw.x) + draw.y,",
+          "AT(box_begin, draw.x),"},
+         {"bodies/lines/limit.h", "? candidate.x",
+          "? candidate.x / a.g.strip_width * a.g.strip_width"},
+         {"bodies/exact/screen.h", "return covered != 0u;", "return false;"},
+         {"bodies/exact/screen.h", "i < columns.count", "i < 1u"},
+         {"bodies/common/insert.h", "AT(grid_y, cell) = admitted.y",
+          "AT(grid_y, cell) = admitted.x"},
+         {"bodies/lines/subtract.h", "g.period_x) + g.chord_margin", "g.period_x)"},
+         {"bodies/exact/unfold.h", "AT(box_end, next) = end;", "AT(box_end, next) = span.y;"},
+         {"bodies/exact/strips.h", "i < near.columns.count", "i < 1u"},
+         {"bodies/exact/strips.h", "is_at_edge ? -1 : 0", "is_at_edge ? 0 : 0"},
+         {"bodies/exact/strips.h", "squared_distance(g, dx, farthest)",
           "squared_distance(g, dx, nearest)"},
-         {"bodies/strips.h", "+ strip.width / 2u;", ";"},
-         {"bodies/keep.h", "= piece.y - piece.x;", "= 1u;"},
-         {"bodies/scan.h", "AT(sums, item) = sum;", "AT(sums, item) = 0u;"},
-         {"bodies/find_place_begins.h", "a.g.strip_width < line", "a.g.strip_width < line / 2u"},
+         {"bodies/exact/strips.h", "+ strip.width / 2u;", ";"},
+         {"bodies/exact/keep.h", "= piece.y - piece.x;", "= 1u;"},
+         {"bodies/common/scan.h", "AT(sums, item) = sum;", "AT(sums, item) = 0u;"},
+         {"bodies/common/find_bin_begins.h", "a.g.strip_width < line",
+          "a.g.strip_width < line / 2u"},
          {"portable/stretch.h", ": end + reach;", ": end;"}});
 }
 
 TEST_P(Faults, InCellsAreNoticed) {
     expect_noticed(
         cells_,
-        {{"bodies/locate.h", "draw.y - passed), line", "(draw.y - passed) / 2u), line"},
-         {"bodies/free_bits.h", "number * 32u,", "number * 31u,"},
-         {"bodies/look_up_radii.h", "+ AT(row_of, candidate.y)", ""},
-         {"bodies/decide.h", "other.w >= candidate.w) continue;",
+        {{"bodies/common/locate.h", "draw.y - passed), line", "(draw.y - passed) / 2u), line"},
+         {"bodies/cells/free_bits.h", "number * 32u,", "number * 31u,"},
+         {"bodies/cells/look_up_radii.h", "+ AT(row_of, candidate.y)", ""},
+         {"bodies/common/decide.h", "other.w >= candidate.w) continue;",
           "other.w <= candidate.w) continue;"},
-         {"bodies/decide.h", "return waits ? FATE_UNDECIDED", "return false ? FATE_UNDECIDED"},
-         {"bodies/decide.h", "k < columns.count", "k < 1u"},
-         {"bodies/decide.h", "window < windows", "window < 1u"},
-         {"bodies/decide.h", "candidate.y, a.g.period_x, a.g.period_y,", "candidate.y, 0u, 0u,"},
-         {"bodies/limit_in_cells.h", "AT(candidate_radii, j)", "AT(candidate_radii, i)"},
-         {"bodies/subtract_in_cells.h", "cut.radius, pixel)", "cut.radius, cut.radius)"},
-         {"bodies/subtract_in_cells.h", "(cut.dx, farthest) < limit", "(cut.dx, nearest) < limit"},
-         {"bodies/subtract_in_cells.h", "nearest) >= limit", "nearest) > limit + 20u"},
-         {"bodies/subtract_in_cells.h", "y - reach + 1)), ", "y - reach + 2)), "},
-         {"bodies/subtract_in_cells.h", "min(to_i64(end), y + reach)",
+         {"bodies/common/decide.h", "return waits ? STATUS_UNDECIDED",
+          "return false ? STATUS_UNDECIDED"},
+         {"bodies/common/decide.h", "k < columns.count", "k < 1u"},
+         {"bodies/common/decide.h", "window < windows", "window < 1u"},
+         {"bodies/common/decide.h", "candidate.y, a.g.period_x, a.g.period_y,",
+          "candidate.y, 0u, 0u,"},
+         {"bodies/cells/limit_in_cells.h", "AT(candidate_radii, j)", "AT(candidate_radii, i)"},
+         {"bodies/cells/subtract_in_cells.h", "cut.radius, pixel)", "cut.radius, cut.radius)"},
+         {"bodies/cells/subtract_in_cells.h", "(cut.dx, farthest) < limit",
+          "(cut.dx, nearest) < limit"},
+         {"bodies/cells/subtract_in_cells.h", "nearest) >= limit", "nearest) > limit + 20u"},
+         {"bodies/cells/subtract_in_cells.h", "y - reach + 1)), ", "y - reach + 2)), "},
+         {"bodies/cells/subtract_in_cells.h", "min(to_i64(end), y + reach)",
           "min(to_i64(end), y + reach - 1)"},
-         {"bodies/subtract_in_cells.h", "+ image * to_i64(a.g.height)", ""},
-         {"bodies/subtract_in_cells.h", "k < lines.count", "k < lines.count / 2u"},
-         {"bodies/subtract_in_cells.h", "any_set(ON a, cut.line, begin, end)",
+         {"bodies/cells/subtract_in_cells.h", "+ image * to_i64(a.g.height)", ""},
+         {"bodies/cells/subtract_in_cells.h", "k < lines.count", "k < lines.count / 2u"},
+         {"bodies/cells/subtract_in_cells.h", "any_set(ON a, cut.line, begin, end)",
           "any_set(ON a, cut.line, begin, begin)"},
-         {"bodies/subtract_in_cells.h", "class_bound(AT(pixel_radii, cut.pixel_begin + row))",
+         {"bodies/cells/subtract_in_cells.h", "class_bound(AT(pixel_radii, cut.pixel_begin + row))",
           "1u"},
          {"portable/bits.h", "lowest_bit(rest)", "lowest_bit(word)"}});
 }
 
 // A field of noise, a mask, and a sample that was there before.
-Plan ground_plan(Boundary boundary, double part) {
+Plan radius_field_plan(Boundary boundary, double part) {
     Field field = tests::noise_field(12, 9, 7);
     Mask mask;
     mask.columns = 7;
@@ -147,71 +157,77 @@ Plan ground_plan(Boundary boundary, double part) {
     return plan;
 }
 
-TEST_P(Faults, OnAGroundAreNoticed) {
+TEST_P(Faults, WithARadiusFieldAreNoticed) {
     expect_noticed(
-        ground_plan(Boundary::torus, 0.8),
-        {{"bodies/locate_on_ground.h", "place.z + draw.y;", "place.z;"},
-         {"bodies/locate_on_ground.h", "(ON grids, x, y);", "(ON grids, x, place.z);"},
-         {"bodies/screen_on_ground.h", "if (radius == 0u) return true;", ""},
-         {"bodies/screen_on_ground.h", "min(entry.z, radius)", "entry.z"},
-         {"bodies/reach.h", "if (node != links.y)", "if (node == links.y)"},
-         {"bodies/reach.h", "min(radius, greatest)", "min(radius, greatest) / 2u"},
-         {"bodies/reach.h", "root == 0u ? a.g.period_y : 0u", "0u"},
-         {"bodies/reach.h", "if (candidate.z == NO_SAMPLE) return 0u;", "return AT(node_of, 0u);"},
-         {"bodies/decide_on_ground.h", "other.w >= candidate.w", "other.w <= candidate.w"},
-         {"bodies/decide_on_ground.h", "min(radius, AT(candidate_radii, visitor.x))", "radius"},
-         {"bodies/enlist.h", "AT(lists, block) = next;", ""},
-         {"bodies/remnants.h", "min(sample_radius, radius_of(strip));", "sample_radius;"},
-         {"bodies/remnants.h", "g.period_x) + middle", "g.period_x)"},
-         {"bodies/remnants.h", "window < windows", "window < 1u"},
-         {"bodies/kept_piece.h", "U32X2(inside.y, left.y)", "U32X2(inside.x, left.y)"},
-         {"bodies/touches.h", "all.second = others.last;", "all.second = others.second;"},
-         {"bodies/touches.h", "touch = touches.second;", "touch = touches.third;"},
+        radius_field_plan(Boundary::torus, 0.8),
+        {{"bodies/exact/locate_with_field.h", "place.z + draw.y;", "place.z;"},
+         {"bodies/exact/locate_with_field.h", "(ON grids, x, y);", "(ON grids, x, place.z);"},
+         {"bodies/exact/screen_with_field.h", "if (radius == 0u) return true;", ""},
+         {"bodies/exact/screen_with_field.h", "min(entry.z, radius)", "entry.z"},
+         {"bodies/exact/reach.h", "if (node != links.y)", "if (node == links.y)"},
+         {"bodies/exact/reach.h", "min(radius, greatest)", "min(radius, greatest) / 2u"},
+         {"bodies/exact/reach.h", "root == 0u ? a.g.period_y : 0u", "0u"},
+         {"bodies/exact/reach.h", "if (candidate.z == NO_SAMPLE) return 0u;",
+          "return AT(node_of, 0u);"},
+         {"bodies/exact/decide_with_field.h", "other.w >= candidate.w", "other.w <= candidate.w"},
+         {"bodies/exact/decide_with_field.h", "min(radius, AT(candidate_radii, visitor.x))",
+          "radius"},
+         {"bodies/exact/enlist.h", "AT(lists, block) = next;", ""},
+         {"bodies/exact/remnants.h", "min(sample_radius, radius_of(strip));", "sample_radius;"},
+         {"bodies/exact/remnants.h", "g.period_x) + middle", "g.period_x)"},
+         {"bodies/exact/remnants.h", "window < windows", "window < 1u"},
+         {"bodies/exact/kept_piece.h", "U32X2(inside.y, left.y)", "U32X2(inside.x, left.y)"},
+         {"bodies/exact/touches.h", "all.second = others.last;", "all.second = others.second;"},
+         {"bodies/exact/touches.h", "touch = touches.second;", "touch = touches.third;"},
          {"portable/distance.h", "period - last + at :", "period - begin + at :"}});
 }
 
 // In the end places are halved, where what is left of them is cut.
-TEST_P(Faults, InHalvedPlacesOnAGroundAreNoticed) {
+TEST_P(Faults, InHalvedPlacesWithARadiusFieldAreNoticed) {
     expect_noticed(
-        ground_plan(Boundary::box, 2),
-        {{"bodies/split.h", "if (up != 0u) {", "if (false) {"},
-         {"bodies/split.h", "left.y = cut - place.x;", "left.y = place.y;"},
-         {"bodies/strip.h", "strip.at.x = place.x + left;", "strip.at.x = place.x;"},
-         {"bodies/measure.h", ".y == 0u)", ".y == 1u)"},
-         {"bodies/touches.h", "squared_length(touch.dx, farthest) < least;", "true;"},
-         {"bodies/touches.h", "rest = without_chord(rest, rest.inside.x, rest.inside.y);", ""},
-         {"bodies/touches.h", "U32X2(rest.low,", "U32X2(rest.high - 1u,"},
-         {"bodies/cut_halves.h", "of_left.count + of_right.count", "of_left.count"},
-         {"bodies/cut_uneven.h", "first.count +", ""},
-         {"bodies/keep_halves.h", "left_half(place, origin.y)", "right_half(place, origin.y)"},
-         {"bodies/keep_uneven.h", "ON i, 0u", "ON i, 2u"},
-         {"bodies/cut_several.h", "++count;", "count = 1u;"},
-         {"bodies/keep_several.h", "origin.x, piece, to)",
+        radius_field_plan(Boundary::box, 2),
+        {{"bodies/exact/split.h", "if (up != 0u) {", "if (false) {"},
+         {"bodies/exact/split.h", "left.y = cut - place.x;", "left.y = place.y;"},
+         {"bodies/exact/strip.h", "strip.at.x = place.x + left;", "strip.at.x = place.x;"},
+         {"bodies/exact/measure.h", ".y == 0u)", ".y == 1u)"},
+         {"bodies/exact/touches.h", "squared_length(touch.dx, farthest) < least;", "true;"},
+         {"bodies/exact/touches.h", "rest = without_chord(rest, rest.inside.x, rest.inside.y);",
+          ""},
+         {"bodies/exact/touches.h", "U32X2(rest.low,", "U32X2(rest.high - 1u,"},
+         {"bodies/exact/cut_halves.h", "of_left.count + of_right.count", "of_left.count"},
+         {"bodies/exact/cut_uneven.h", "first.count +", ""},
+         {"bodies/exact/keep_halves.h", "left_half(place, origin.y)",
+          "right_half(place, origin.y)"},
+         {"bodies/exact/keep_uneven.h", "ON i, 0u", "ON i, 2u"},
+         {"bodies/exact/cut_several.h", "++count;", "count = 1u;"},
+         {"bodies/exact/keep_several.h", "origin.x, piece, to)",
           "origin.x, U32X2(piece.x, piece.x + 1u), to)"},
-         {"bodies/cut_uneven.h", "put_pieces(ON number, i,", "put_pieces(ON number, 0u,"},
-         {"bodies/kept_piece.h", "is_known ? strip.radius", "is_known ? 1u"},
-         {"bodies/kept_piece.h", "= strip.at.y;", "= strip.at.y - 1u;"},
-         {"bodies/kept_piece.h", "piece.y - piece.x;", "piece.y - strip.at.z;"},
-         {"bodies/ground.h", "AT(mask_bits, number / ALLOWED_PER_WORD)", "AT(mask_bits, 0u)"},
-         {"bodies/ground.h", "touched.field.x = pixel_of(grids.field.columns, x);", ""},
-         {"bodies/ground.h", "touched.field.z = pixel_of(grids.field.rows, y);",
+         {"bodies/exact/cut_uneven.h", "put_pieces(ON number, i,", "put_pieces(ON number, 0u,"},
+         {"bodies/exact/kept_piece.h", "is_known ? strip.radius", "is_known ? 1u"},
+         {"bodies/exact/kept_piece.h", "= strip.at.y;", "= strip.at.y - 1u;"},
+         {"bodies/exact/kept_piece.h", "piece.y - piece.x;", "piece.y - strip.at.z;"},
+         {"bodies/exact/radius_field.h", "AT(mask_bits, number / ALLOWED_PER_WORD)",
+          "AT(mask_bits, 0u)"},
+         {"bodies/exact/radius_field.h", "touched.field.x = pixel_of(grids.field.columns, x);", ""},
+         {"bodies/exact/radius_field.h", "touched.field.z = pixel_of(grids.field.rows, y);",
           "touched.field.w = touched.field.z;"},
-         {"bodies/ground.h", "i <= pixels.y >> level.shift", "i == pixels.x >> level.shift"},
-         {"portable/ground.h", "less_a < less_b", "less_a > less_b"}});
+         {"bodies/exact/radius_field.h", "i <= pixels.y >> level.shift",
+          "i == pixels.x >> level.shift"},
+         {"portable/radius_field.h", "less_a < less_b", "less_a > less_b"}});
 }
 
 // Of places on one large pixel, more are cut inside before all that is near them is there.
-TEST_P(Faults, InPiecesOfPlacesOnAGroundAreNoticed) {
+TEST_P(Faults, InPiecesOfPlacesWithARadiusFieldAreNoticed) {
     const Field field = tests::noise_field(2, 2, 3);
     Request request;
     request.field = &field;
     request.scale = 0.005;
     Plan plan = make_plan(request);
     plan.limit = 2 * plan.expected_samples;
-    expect_noticed(plan,
-                   {{"bodies/touches.h", "rest.insides > 1u ||", ""},
-                    {"bodies/touches.h", "touches.count > 3u", "touches.count > 9u"},
-                    {"bodies/kept_piece.h", "U32X2(inside.y, left.y)", "U32X2(inside.x, left.y)"}});
+    expect_noticed(plan, {{"bodies/exact/touches.h", "rest.insides > 1u ||", ""},
+                          {"bodies/exact/touches.h", "touches.count > 3u", "touches.count > 9u"},
+                          {"bodies/exact/kept_piece.h", "U32X2(inside.y, left.y)",
+                           "U32X2(inside.x, left.y)"}});
 }
 
 // Rounds of so many draws in so few columns are admitted in parts.
@@ -222,18 +238,19 @@ TEST_P(Faults, InCrowdedRoundsAreNoticed) {
     };
     expect_noticed(
         crowded(tests::plan_of(0.9, 2, Boundary::torus, 1, 1000)),
-        {{"bodies/screen_on_lines.h", "low == count || AT(spans, slot + low).x > y", "false"},
-         {"bodies/screen_on_lines.h", ".y <= y", ".x <= y"},
-         {"bodies/screen_on_lines.h", "a.first_draw + item", "item"}});
-    expect_noticed(crowded(tests::plan_of(0.9, 2, Boundary::torus, 1, 1000, Mode::exact)),
-                   {{"bodies/screen.h", "a.first + item * a.chunk", "item * a.chunk + a.count"},
-                    {"bodies/insert.h", "a.first + item * a.chunk", "item * a.chunk + a.count"}});
+        {{"bodies/lines/screen_on_lines.h", "low == count || AT(spans, slot + low).x > y", "false"},
+         {"bodies/lines/screen_on_lines.h", ".y <= y", ".x <= y"},
+         {"bodies/lines/screen_on_lines.h", "a.first_draw + item", "item"}});
+    expect_noticed(
+        crowded(tests::plan_of(0.9, 2, Boundary::torus, 1, 1000, Mode::exact)),
+        {{"bodies/exact/screen.h", "a.first + item * a.chunk", "item * a.chunk + a.count"},
+         {"bodies/common/insert.h", "a.first + item * a.chunk", "item * a.chunk + a.count"}});
     expect_noticed(
         crowded(tests::cells_plan(tests::noise_field(40, 30, 5), 0.1, 5, Metric::mean,
                                   Boundary::torus)),
-        {{"bodies/screen_in_cells.h", "& 1u) != 0u) continue;", "& 1u) == 0u) continue;"},
-         {"bodies/screen_in_cells.h", "a.first + item * a.chunk", "item * a.chunk + a.count"},
-         {"bodies/subtract_in_cells.h", "a.first + item / a.slices", "item / a.slices"}});
+        {{"bodies/cells/screen_in_cells.h", "& 1u) != 0u) continue;", "& 1u) == 0u) continue;"},
+         {"bodies/cells/screen_in_cells.h", "a.first + item * a.chunk", "item * a.chunk + a.count"},
+         {"bodies/cells/subtract_in_cells.h", "a.first + item / a.slices", "item / a.slices"}});
 }
 
 // Thin boxes near the rims of two disks, each of which takes a chord out of their middle.
@@ -267,10 +284,10 @@ TEST_P(Faults, OfBoxesInSeveralPiecesAreNoticed) {
     ASSERT_GT(right.size(), 2 * scene.boxes.size());
     ASSERT_TRUE(boxes_of(*tests::make_backend(GetParam(), exact_)) == right);
     const Fault faults[] = {
-        {"bodies/strips.h", "end = to_u32(y - reach + 1)", "end = rest.high"},
-        {"bodies/strips.h", "begin = piece.low;", "begin = rest.high;"},
-        {"bodies/cut.h", "count > 1u ? NO_SAMPLE :", "false ? NO_SAMPLE :"},
-        {"bodies/keep.h", "keep_piece(ON a, strip.x, piece, place)",
+        {"bodies/exact/strips.h", "end = to_u32(y - reach + 1)", "end = rest.high"},
+        {"bodies/exact/strips.h", "begin = piece.low;", "begin = rest.high;"},
+        {"bodies/exact/cut.h", "count > 1u ? NO_SAMPLE :", "false ? NO_SAMPLE :"},
+        {"bodies/exact/keep.h", "keep_piece(ON a, strip.x, piece, place)",
          "keep_piece(ON a, 0u, piece, place)"},
     };
     for (const Fault& fault : faults)
@@ -287,17 +304,18 @@ TEST_P(Faults, ThatEndLoopsEarlyAreAnErrorAndNeverASet) {
         const char* flag;
         const char* job;
     } checks[] = {
-        {exact_, "bodies/locate.h", "a.g.height", "FAILED_LOCATE", "locate"},
-        {exact_, "bodies/sort_columns.h", "a.g.height", "FAILED_SORT_COLUMNS", "sort_columns"},
-        {exact_, "bodies/admit.h", "a.g.height", "FAILED_ADMIT", "admit"},
-        {exact_, "bodies/gather.h", "a.g.height", "FAILED_GATHER", "gather"},
-        {exact_, "bodies/subtract.h", "g.height", "FAILED_SUBTRACT", "subtract"},
-        {exact_, "bodies/unfold.h", "a.g.height", "FAILED_REFINE", "refine"},
-        {exact_, "bodies/cut.h", "a.g.height", "FAILED_REFINE", "refine"},
-        {exact_, "bodies/keep.h", "a.g.height", "FAILED_REFINE", "refine"},
-        {exact_, "bodies/scan.h", "a.count", "FAILED_REFINE", "refine"},
-        {cells_, "bodies/locate.h", "a.g.height", "FAILED_LOCATE", "locate"},
-        {cells_, "bodies/subtract_in_cells.h", "a.g.height", "FAILED_SUBTRACT", "subtract"},
+        {exact_, "bodies/common/locate.h", "a.g.height", "FAILED_LOCATE", "locate"},
+        {exact_, "bodies/common/sort_columns.h", "a.g.height", "FAILED_SORT_COLUMNS",
+         "sort_columns"},
+        {exact_, "bodies/common/admit.h", "a.g.height", "FAILED_ADMIT", "admit"},
+        {exact_, "bodies/lines/collect.h", "a.g.height", "FAILED_COLLECT", "collect"},
+        {exact_, "bodies/lines/subtract.h", "g.height", "FAILED_SUBTRACT", "subtract"},
+        {exact_, "bodies/exact/unfold.h", "a.g.height", "FAILED_REFINE", "refine"},
+        {exact_, "bodies/exact/cut.h", "a.g.height", "FAILED_REFINE", "refine"},
+        {exact_, "bodies/exact/keep.h", "a.g.height", "FAILED_REFINE", "refine"},
+        {exact_, "bodies/common/scan.h", "a.count", "FAILED_REFINE", "refine"},
+        {cells_, "bodies/common/locate.h", "a.g.height", "FAILED_LOCATE", "locate"},
+        {cells_, "bodies/cells/subtract_in_cells.h", "a.g.height", "FAILED_SUBTRACT", "subtract"},
     };
     for (const auto& check : checks) {
         const std::string from =

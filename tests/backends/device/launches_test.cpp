@@ -37,7 +37,7 @@ TEST_P(Launches, AreAFewARoundNeverOneASample) {
     EXPECT_GE(launches_, 12 * outcome.rounds);
     EXPECT_LE(launches_, 16 * outcome.rounds + 10);
     // screen and insert besides; then, in place of gather and subtract, cut, scan twice, keep and
-    // find_place_begins.
+    // find_bin_begins.
     outcome = run(exact_);
     EXPECT_TRUE(outcome.samples == tests::run_on_cpu(exact_).samples);
     EXPECT_GE(launches_, 14 * outcome.rounds);

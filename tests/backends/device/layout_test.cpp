@@ -5,7 +5,7 @@
 
 #include "backends/cells_scenes.h"
 #include "backends/device/cells_layout.h"
-#include "backends/ground_requests.h"
+#include "backends/radius_field_requests.h"
 
 namespace lacuna::device {
 namespace {
@@ -96,11 +96,11 @@ TEST(Requests, OfModeCellsThatDoNotFitAreRefusedToo) {
               "device Toy: the request needs 0.0296 GB of memory, and it has 0.02 GB");
 }
 
-TEST(Requests, OnAGroundThatDoNotFitAreRefusedToo) {
+TEST(Requests, WithARadiusFieldThatDoNotFitAreRefusedToo) {
     // 696,500 samples, of 16 bytes for each of three entries; and the places, and what becomes of
     // them.
-    const tests::GroundRequest made =
-        tests::ground_request("one pixel", tests::constant_field(1, 1), 696'500, Boundary::torus);
+    const tests::FieldRequest made = tests::radius_field_request(
+        "one pixel", tests::constant_field(1, 1), 696'500, Boundary::torus);
     const Plan plan = make_plan(made.request);
     const std::uint64_t much = std::uint64_t{1} << 40;
     EXPECT_NO_THROW(refuse_if_too_large("Toy", plan, much, 34'000'000));

@@ -25,9 +25,9 @@ constexpr int kIterations = 3;
 
 std::vector<Site> relaxed(RelaxBackend& backend) {
     for (int i = 0; i < kIterations; ++i) {
-        backend.own();
-        backend.gather();
-        backend.settle();
+        backend.assign();
+        backend.accumulate();
+        backend.move();
     }
     return backend.sites();
 }
@@ -75,12 +75,12 @@ INSTANTIATE_TEST_SUITE_P(Device, RelaxFaults, lacuna::tests::kDeviceBackends,
 
 TEST_P(RelaxFaults, InOwnAreNoticed) {
     expect_noticed(torus_,
-                   {{"bodies/find_rivals.h", "image < 9u", "image < 5u"},
-                    {"bodies/find_rivals.h", "<= search.bound &&", "< search.bound / 2u &&"},
-                    {"bodies/own.h", "to_i32(u) * near.along_x", "0"},
-                    {"bodies/own.h", "+ min(up, 0) > 0", "> 0"},
-                    {"bodies/own.h", "v < leaf.height) mass", "v < 7u) mass"},
-                    {"bodies/masses.h", "% 2u * 16u) & 0xffffu", "% 2u * 16u) & 0xfffu"},
+                   {{"bodies/relax/find_rivals.h", "image < 9u", "image < 5u"},
+                    {"bodies/relax/find_rivals.h", "<= search.bound &&", "< search.bound / 2u &&"},
+                    {"bodies/relax/assign.h", "to_i32(u) * near.along_x", "0"},
+                    {"bodies/relax/assign.h", "+ min(up, 0) > 0", "> 0"},
+                    {"bodies/relax/assign.h", "v < leaf.height) mass", "v < 7u) mass"},
+                    {"bodies/relax/masses.h", "% 2u * 16u) & 0xffffu", "% 2u * 16u) & 0xfffu"},
                     {"portable/site_tree.h", "<= to_i64(wins * 2u)", "<= to_i64(wins)"}});
 }
 
@@ -88,62 +88,66 @@ TEST_P(RelaxFaults, InTheOrderOfTiesAreNoticed) {
     const Lattice lattice = torus_.lattice();
     std::vector<Site> start = torus_.sites(lattice);
     for (std::size_t i = 1; i < start.size(); i += 2) start[i] = start[i - 1];
-    const Fault fault{"bodies/own.h", "near.order < owner##v[u]", "near.order > owner##v[u]"};
+    const Fault fault{"bodies/relax/assign.h", "near.order < owner##v[u]",
+                      "near.order > owner##v[u]"};
     const auto faulty =
         device::make_backend(lacuna::tests::open_faulty_queue(GetParam(), fault), lattice, start);
     EXPECT_TRUE(relaxed(*faulty) != on_cpu(lattice, start));
 }
 
 TEST_P(RelaxFaults, InGatherAreNoticed) {
-    expect_noticed(torus_, {{"bodies/own.h", "k < kept; ++k) {\n        const u32 rival",
+    expect_noticed(torus_, {{"bodies/relax/assign.h", "k < kept; ++k) {\n        const u32 rival",
                              "k + 1u < kept; ++k) {\n        const u32 rival"},
-                            {"bodies/own.h", "+= mass * u", "+= 0u"},
-                            {"bodies/own.h", "above[u] += column[u]", "above[u] += 0u"},
-                            {"bodies/own.h", "column / ONE_POINT", "1u"},
-                            {"bodies/own.h", "image % 3u", "1u"}});
+                            {"bodies/relax/assign.h", "+= mass * u", "+= 0u"},
+                            {"bodies/relax/assign.h", "above[u] += column[u]", "above[u] += 0u"},
+                            {"bodies/relax/assign.h", "column / ONE_POINT", "1u"},
+                            {"bodies/relax/assign.h", "image % 3u", "1u"}});
 }
 
 // A few samples with many lattice points each: their moments take more than 32 bits.
 TEST_P(RelaxFaults, InTheCarryOfSumsAreNoticed) {
     const tests::Scene few{"few", tests::random_points(3, 1, 1, 1),
                            lacuna::tests::constant_field(64, 64), tests::on(1, 1, Boundary::torus)};
-    expect_noticed(few, {{"bodies/shares.h", "? 1u : 0u", "? 0u : 0u"}});
+    expect_noticed(few, {{"bodies/relax/shares.h", "? 1u : 0u", "? 0u : 0u"}});
 }
 
-TEST_P(RelaxFaults, InSettleAreNoticed) {
+TEST_P(RelaxFaults, InMoveAreNoticed) {
     expect_noticed(torus_,
-                   {{"bodies/settle.h", "ATOMIC_MAX(least, 0u, short_by)", ""},
-                    {"bodies/settle.h", "site.z = to_u32(lift)", "site.z = 0u"},
-                    {"bodies/find_least.h", "site.w != upper", "site.w == upper"},
-                    {"bodies/level_sites.h", "max(all.box.z, node.box.z)", "all.box.z"},
-                    {"bodies/level_sites.h", "node.lift < all.lift ? node.lift :", "node.lift +"},
-                    {"bodies/level_sites.h", "AT(sites, i) = site;", ""}});
+                   {{"bodies/relax/move.h", "ATOMIC_MAX(least, 0u, short_by)", ""},
+                    {"bodies/relax/move.h", "site.z = to_u32(weight)", "site.z = 0u"},
+                    {"bodies/relax/find_least.h", "site.w != upper", "site.w == upper"},
+                    {"bodies/relax/level_sites.h", "max(all.box.z, node.box.z)", "all.box.z"},
+                    {"bodies/relax/level_sites.h",
+                     "node.weight < all.weight ? node.weight :", "node.weight +"},
+                    {"bodies/relax/level_sites.h", "AT(sites, i) = site;", ""}});
 }
 
 TEST_P(RelaxFaults, InCrowdedLeavesAreNoticed) {
     ASSERT_TRUE(on_cpu(crowd_) != crowd_.sites(crowd_.lattice()));
-    expect_noticed(crowd_, {{"bodies/owner_of.h", "power < least ||", "false ||"},
-                            {"bodies/owner_of.h", "if (power <= least)", "if (false)"},
-                            {"bodies/own_crowded.h", "wide * moment_offset(", "moment_offset("},
-                            {"bodies/own_crowded.h", "row % LEAF_SIDE", "0u"},
-                            {"bodies/late.h", "= leaf;", "= 0u;"}});
+    expect_noticed(crowd_,
+                   {{"bodies/relax/owner_of.h", "power < least ||", "false ||"},
+                    {"bodies/relax/owner_of.h", "if (power <= least)", "if (false)"},
+                    {"bodies/relax/assign_crowded.h", "wide * moment_offset(", "moment_offset("},
+                    {"bodies/relax/assign_crowded.h", "row % LEAF_SIDE", "0u"},
+                    {"bodies/relax/late.h", "= leaf;", "= 0u;"}});
 }
 
 // What a driver that ends loops early would leave behind.
 TEST_P(RelaxFaults, ThatEndLoopsEarlyAreAnErrorAndNeverASet) {
-    for (const char* const file :
-         {"bodies/find_hints.h", "bodies/find_rivals.h", "bodies/own.h", "bodies/own_crowded.h"}) {
-        const Fault fault{file, "CHECK_TURNS(a.lattice.columns, FAILED_OWN);",
-                          "ATOMIC_OR(failure, 0, FAILED_OWN);"};
+    for (const char* const file : {"bodies/relax/find_hints.h", "bodies/relax/find_rivals.h",
+                                   "bodies/relax/assign.h", "bodies/relax/assign_crowded.h"}) {
+        const Fault fault{file, "CHECK_TURNS(a.lattice.columns, FAILED_ASSIGN);",
+                          "ATOMIC_OR(failure, 0, FAILED_ASSIGN);"};
         const Lattice lattice = crowd_.lattice();
         const auto faulty = device::make_backend(
             lacuna::tests::open_faulty_queue(GetParam(), fault), lattice, crowd_.sites(lattice));
         try {
-            faulty->own();
+            faulty->assign();
             ADD_FAILURE() << file << " went unnoticed";
         } catch (const DeviceError& error) {
-            EXPECT_NE(std::string(error.what()).find(": own: a loop was ended early by the driver"),
-                      std::string::npos)
+            EXPECT_NE(
+                std::string(error.what()).find(": assign: a loop was ended early by the driver"),
+                std::string::npos)
                 << error.what();
         }
     }
@@ -152,7 +156,7 @@ TEST_P(RelaxFaults, ThatEndLoopsEarlyAreAnErrorAndNeverASet) {
 TEST_P(RelaxFaults, NoneInWhatIsMeantToBe) {
     for (const tests::Scene& scene : {torus_, crowd_}) {
         const Lattice lattice = scene.lattice();
-        const Fault none{"bodies/own.h", "u32 kept", "u32 kept"};
+        const Fault none{"bodies/relax/assign.h", "u32 kept", "u32 kept"};
         for (const std::uint32_t tiles : {0u, 1u, 7u}) {
             const auto backend =
                 device::make_backend(lacuna::tests::open_faulty_queue(GetParam(), none), lattice,

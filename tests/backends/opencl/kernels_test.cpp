@@ -10,7 +10,7 @@
 #include "backends/opencl/device.h"
 #include "backends/opencl/make_backend.h"
 #include "backends/scenes.h"
-#include "generate.h"
+#include "sampling/generate.h"
 
 namespace lacuna::opencl {
 namespace {

@@ -49,7 +49,7 @@ check(sample --mode lines --radius 0.4 --lines-per-radius 5 --torus --round-size
 check(sample --mode exact --radius 0.2 --lines-per-radius 2 --torus --round-size 16)
 check(sample --mode exact --radius 0.08 --lines-per-radius 3 --round-size 64)
 
-# On a ground: a triangle as a mask, a border, and points that were there before.
+# With a radius field: a triangle as a mask, a border, and points that were there before.
 file(WRITE ${SCRATCH}/triangle.txt "0.1 0.1\n0.9 0.2\n0.4 0.95\n")
 file(WRITE ${SCRATCH}/kept.txt "0.4 0.4\n0.6 0.4\n")
 check(sample --radius 0.15 --inside ${SCRATCH}/triangle.txt --edge 0.05 --border 0.05

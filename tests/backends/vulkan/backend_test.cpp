@@ -11,8 +11,8 @@
 #include "backends/cells_requests.h"
 #include "backends/columns.h"
 #include "backends/vulkan/make_backend.h"
-#include "generate.h"
-#include "portable/fate.h"
+#include "portable/status.h"
+#include "sampling/generate.h"
 
 namespace {
 

@@ -13,7 +13,7 @@
 #include "backends/vulkan/make_backend.h"
 #include "fields.h"
 #include "plan/plan.h"
-#include "portable/fate.h"
+#include "portable/status.h"
 
 namespace {
 
@@ -62,7 +62,7 @@ protected:
         const Snapshot left = got->snapshot();
         const Snapshot right = expected->snapshot();
         EXPECT_TRUE(left.candidates == right.candidates);
-        EXPECT_TRUE(left.fates == right.fates);
+        EXPECT_TRUE(left.statuses == right.statuses);
         EXPECT_TRUE(left.spans == right.spans);
         EXPECT_TRUE(left.bits == right.bits);
     }
@@ -104,7 +104,7 @@ TEST_F(ManySpans, OrOneWithManyDrawsAreSortedAsByTheCpu) {
 
 TEST_F(ManySpans, AreAnErrorOfSubtractOrSubtractedAsByTheCpu) {
     scene_.candidates = {{plan_.centre_of_line(0), plan_.height / 2, 0, 0}};
-    scene_.fates = {FATE_ADMITTED};
+    scene_.statuses = {STATUS_ADMITTED};
     expect_right_or_failed("subtract", [](Backend& backend) { backend.subtract(); });
 }
 
@@ -137,7 +137,7 @@ TEST_F(ManyPixels, AreAnErrorOfSubtractOrSubtractedAsByTheCpu) {
     const std::uint32_t y = plan_.height / 2 - 1;
     ASSERT_GT(plan_.radii->reaches[plan_.radii->pixel_at(0, y)], plan_.height / 3);
     scene_.candidates = {{0, y, 0, 0}};
-    scene_.fates = {FATE_ADMITTED};
+    scene_.statuses = {STATUS_ADMITTED};
     expect_right_or_failed("subtract", [](Backend& backend) { backend.subtract(); });
 }
 

@@ -13,8 +13,8 @@
 #include "backends/device/kernels.h"
 #include "backends/vulkan/device.h"
 #include "backends/vulkan/make_backend.h"
-#include "generate.h"
-#include "portable/fate.h"
+#include "portable/status.h"
+#include "sampling/generate.h"
 
 namespace {
 
@@ -115,7 +115,7 @@ TEST_P(ValidatedAnyhow, GrowsAndTakesMorePassesWithoutAMessage) {
     for (std::uint32_t i = 0; i < kChain; ++i)
         scene.candidates.push_back(
             {plan.centre_of_line(line), (i + 1) * (plan.radius - 1), line, kChain - 1 - i});
-    scene.fates.assign(scene.candidates.size(), 0);
+    scene.statuses.assign(scene.candidates.size(), 0);
     const auto backend = vulkan::make_backend(plan, {}, {}, trial);
 
     backend->restore(scene);
@@ -172,7 +172,7 @@ INSTANTIATE_TEST_SUITE_P(Vulkan, ValidatedCalls, testing::Values(Checks::core_an
                          name_of_checks);
 
 // Not with the GPU-assisted checks, for which lavapipe compiles these shaders for minutes.
-TEST_P(ValidatedCalls, MakesSetsOnAGroundWithoutAMessage) {
+TEST_P(ValidatedCalls, MakesSetsWithARadiusFieldWithoutAMessage) {
     const Field field = tests::noise_field(12, 9, 7);
     Mask mask{3, 2, {1, 1, 0, 1, 1, 1}};
     const std::vector<Point> keep = {{0.1, 0.1}};

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 
 namespace {
 

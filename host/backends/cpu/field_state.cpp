@@ -1,0 +1,295 @@
+// Memory and verbs of mode exact with a radius field.
+#include "backends/cpu/field_state.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+#include "backends/cpu/chords.h"
+#include "base/insertion_sort.h"
+#include "portable/chord.h"
+#include "portable/distance.h"
+#include "portable/status.h"
+
+namespace lacuna::cpu {
+namespace {
+
+// Lists are asked for so many places ahead.
+constexpr std::size_t kPlacesAhead = 8;
+
+// No radius is larger.
+constexpr std::uint32_t kAnyRadius = ~std::uint32_t{0};
+
+class Remnants {
+public:
+    Remnants(const FieldState& state, std::uint32_t region, std::vector<FieldState::Place>& left)
+        : state_(state), is_at_edge_(wraps(state.first.regions[region])), left_(left) {}
+
+    // Of parts of a block, until the next call.
+    void begin(std::uint32_t block) {
+        block_ = block;
+        even_radius_ = state_.first.blocks[block].even_radius;
+        wraps_ = is_at_edge_ && wraps(state_.first.blocks[block].node);
+    }
+    // Cut by these.
+    void cut_by(const SizedSpan& near) { near_ = near; }
+
+    void append_halves(const Rectangle& place) {
+        const std::uint32_t cut =
+            even_radius_ != 0 ? middle_of(place) : state_.radius_field.cut_x(place);
+        if (cut == 0) return append_parts(place);
+        append_parts({place.x, cut - place.x, place.begin, place.end});
+        append_parts({cut, place.x + place.width - cut, place.begin, place.end});
+    }
+
+    void append(const Rectangle& place) { append(place, least_under(place)); }
+
+    // The same of all places of the block.
+    void append_all(std::span<const FieldState::Place> places, bool halve) {
+        for (const FieldState::Place& place : places) {
+            const std::uint32_t cut = halve ? middle_of(place.at) : 0;
+            if (cut == 0) {
+                batch(place.at);
+                continue;
+            }
+            const auto& [x, width, begin, end] = place.at;
+            batch({x, cut - x, begin, end});
+            batch({cut, x + width - cut, begin, end});
+        }
+        append_batch();
+    }
+    // Whether append_all can be called for the block.
+    bool can_append_all(bool halve) const { return !wraps_ && (!halve || even_radius_ != 0); }
+
+private:
+    std::uint32_t least_under(const Rectangle& place) const {
+        return even_radius_ != 0 ? even_radius_ : state_.radius_field.under(place).least;
+    }
+
+    // Whether a sample may be nearer to what lies in the node the other way around.
+    bool wraps(std::uint32_t node) const {
+        const Plan& plan = state_.plan;
+        if (plan.period_x == 0) return false;
+        const auto& [place, most, next, first, whole] = state_.first.nodes[node];
+        return place.x < most || plan.width - (place.x + place.width) < most ||
+               place.begin < most || plan.height - place.end < most;
+    }
+
+    // A chord covers the whole width of a place, and no more than any point of the place lets the
+    // sample cover.
+    void append(const Rectangle& place, std::uint32_t radius) {
+        chords_.resize(std::max(chords_.size(), 3 * near_.count + kVectorPadding));
+        const std::size_t count =
+            wraps_ ? find_chords_around(place, radius)
+                   : vectors_.find_sized_chords(near_, place, radius, chords_.data());
+        if (count != Vectors::kAll) append_rest(place, count);
+    }
+
+    // What so many chords leave.
+    void append_rest(const Rectangle& place, std::size_t count) {
+        const std::span<Span> chords = std::span(chords_).first(count);
+        insertion_sort(chords, [](Span a, Span b) { return a.begin < b.begin; });
+        leave_of({place.begin, place.end}, chords, [&](std::uint32_t begin, std::uint32_t end) {
+            left_.push_back({{place.x, place.width, begin, end}, block_});
+        });
+    }
+
+    // Where samples may be nearer around the edges of a torus.
+    std::size_t find_chords_around(const Rectangle& place, std::uint32_t radius) {
+        const Plan& plan = state_.plan;
+        const std::uint32_t half = place.width / 2;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < near_.count; ++i) {
+            const Sized sample = near_[i];
+            const std::uint64_t least = std::min(radius, sample.radius);
+            const std::uint32_t dx =
+                portable::axis_distance(sample.x, place.x + half, plan.period_x) + half;
+            const std::uint32_t reach = portable::chord_reach(dx, least * least);
+            for (std::uint32_t window = 0; reach != 0 && window < 3; ++window) {
+                const Span chord{portable::window_begin(window, sample.y, reach, plan.height),
+                                 portable::window_end(window, sample.y, reach, plan.height)};
+                if (chord.begin >= chord.end) continue;
+                if (chord.begin <= place.begin && chord.end >= place.end) return Vectors::kAll;
+                chords_[count++] = chord;
+            }
+        }
+        return count;
+    }
+
+    void batch(const Rectangle& place) {
+        batch_[batched_++] = place;
+        if (batched_ == batch_.size()) append_batch();
+    }
+
+    // Which samples touch which places, of many at once, is found in less time than the chords of
+    // one place. Most are left as they are, or nothing is left of them; few are touched by more
+    // than one. Where the radius is not known, samples may take less than they reach.
+    void append_batch() {
+        const bool is_even = even_radius_ != 0;
+        touching_.resize(std::max(touching_.size(), near_.count));
+        touched_by_.resize(std::max(touched_by_.size(), near_.count));
+        const unsigned covered = vectors_.find_touching(
+            near_, batch_.data(), is_even ? even_radius_ : kAnyRadius, touching_.data());
+        const unsigned left = ((1U << batched_) - 1) & (is_even ? ~covered : ~0U);
+        std::array<std::size_t, Vectors::kPlaces> counts{};
+        for (std::size_t k = 0; k < near_.count; ++k)
+            for (unsigned bits = touching_[k] & left; bits != 0; bits &= bits - 1) {
+                const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+                touched_by_[counts[i]++][i] = static_cast<std::uint32_t>(k);
+            }
+        for (unsigned bits = left; bits != 0; bits &= bits - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+            if (counts[i] == 0)
+                left_.push_back({batch_[i], block_});
+            else
+                append_touched(i, counts[i]);
+        }
+        batched_ = 0;
+    }
+
+    void append_touched(std::size_t i, std::size_t samples) {
+        const Rectangle& place = batch_[i];
+        const std::uint32_t radius = least_under(place);
+        const std::uint32_t half = place.width / 2;
+        chords_.resize(std::max(chords_.size(), samples));
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < samples; ++k) {
+            const Sized sample = near_[touched_by_[k][i]];
+            const std::uint64_t least = std::min(radius, sample.radius);
+            const std::uint32_t dx = portable::axis_distance(sample.x, place.x + half, 0) + half;
+            const std::uint32_t reach = portable::chord_reach(dx, least * least);
+            if (reach != 0)
+                chords_[count++] = {sample.y + 1 - std::min(sample.y + 1, reach), sample.y + reach};
+        }
+        append_rest(place, count);
+    }
+
+    static std::uint32_t middle_of(const Rectangle& place) {
+        return place.width > 1 ? place.x + place.width / 2 : 0;
+    }
+
+    // Only at borders of pixels.
+    void append_parts(const Rectangle& place) {
+        const std::uint32_t cut = even_radius_ != 0 ? 0 : state_.radius_field.cut_y(place);
+        if (cut == 0) return append_part(place);
+        append_part({place.x, place.width, place.begin, cut});
+        append_part({place.x, place.width, cut, place.end});
+    }
+
+    // Unless no sample may go there.
+    void append_part(const Rectangle& place) {
+        if (const std::uint32_t radius = least_under(place); radius != 0) append(place, radius);
+    }
+
+    const FieldState& state_;
+    const Vectors& vectors_ = *all_vectors().front();
+    bool is_at_edge_;  // of a torus, the region is
+    std::vector<FieldState::Place>& left_;
+    std::uint32_t block_ = 0;
+    SizedSpan near_{};
+    std::uint32_t even_radius_ = 0;  // 0: it is not even
+    bool wraps_ = false;
+    std::vector<Span> chords_;  // room for them
+    std::array<Rectangle, Vectors::kPlaces> batch_{};
+    std::size_t batched_ = 0;
+    std::vector<std::uint8_t> touching_;  // of each sample, a bit for each place of the batch
+    std::vector<std::array<std::uint32_t, Vectors::kPlaces>> touched_by_;  // its samples, by place
+};
+
+}  // namespace
+
+FieldState::FieldState(const Plan& the_plan)
+    : State(the_plan, the_plan.first_boxes->begins),
+      radius_field(*the_plan.radius_field),
+      first(*the_plan.first_boxes),
+      places(columns),
+      near(the_plan) {}
+
+void FieldState::settle_places() {
+    for (std::uint32_t region = 0; region < columns; ++region)
+        bin_begins[region + 1] =
+            bin_begins[region] + static_cast<std::uint32_t>(places[region].size());
+    free_lengths.resize(bin_begins.back());
+    bin_widths.resize(bin_begins.back());
+}
+
+void FieldState::settle_places(std::uint32_t region) {
+    std::size_t i = bin_begins[region];
+    for (const Place& place : places[region]) {
+        free_lengths[i] = place.at.end - place.at.begin;
+        bin_widths[i++] = place.at.width;
+    }
+}
+
+Snapshot FieldState::snapshot() const {
+    Snapshot snapshot = State::snapshot();
+    for (Candidate& candidate : snapshot.candidates) candidate.line = 0;
+    for (const std::vector<Place>& of_region : places)
+        for (const Place& place : of_region) snapshot.rectangles.push_back(place.at);
+    snapshot.samples = near.samples();
+    return snapshot;
+}
+
+void FieldState::restore(const Snapshot&) {
+    throw std::logic_error("no test restores a radius field");
+}
+
+void set_free(FieldState& state, std::uint32_t region) {
+    const FirstBoxes& first = state.first;
+    first.for_each_place(first.nodes[first.regions[region]].first, first.begins[region + 1],
+                         [&](std::uint32_t place, std::uint32_t block) {
+                             state.places[region].push_back({first.places[place], block});
+                         });
+}
+
+void locate(FieldState& state, std::span<const Draw> draws, std::uint32_t region) {
+    for (std::uint32_t i = state.column_begins[region]; i < state.column_begins[region + 1]; ++i) {
+        const auto& [at, block] = state.places[region][draws[i].place - state.bin_begins[region]];
+        state.candidates[i] = {at.x + draws[i].offset, at.begin + draws[i].rank, block,
+                               draws[i].order};
+        state.statuses[i] = STATUS_UNDECIDED;
+    }
+    state.find_orders(region);
+    screen(state, region);
+}
+
+void refine(FieldState& state, std::uint32_t region, bool halve) {
+    thread_local std::vector<FieldState::Place> of_thread;
+    std::vector<FieldState::Place>& left = of_thread;  // looked up once, see subtract.cpp
+    left.clear();
+    SizedList scratch;
+    Remnants remnants(state, region, left);
+    const std::span<const FieldState::Place> places = state.places[region];
+    // Places that are not cut up are cut by what has not cut them yet.
+    const auto which = halve ? NeighbourLists::Which::all : NeighbourLists::Which::latest;
+    for (std::size_t i = 0, end; i < places.size(); i = end) {
+        const std::uint32_t block = places[i].block;
+        for (end = i + 1; end < places.size() && places[end].block == block;) ++end;
+        const std::span<const FieldState::Place> of_block = places.subspan(i, end - i);
+        const std::uint32_t later = places[std::min(i + kPlacesAhead, places.size() - 1)].block;
+        if (halve || state.near.has_latest(later)) state.near.fetch_list(later);
+        if (!halve && !state.near.has_latest(block)) {
+            left.insert(left.end(), of_block.begin(), of_block.end());
+            continue;
+        }
+        const std::size_t before = left.size();
+        remnants.begin(block);
+        if (remnants.can_append_all(halve) && !state.near.is_long(block)) {
+            remnants.cut_by(state.near.of_part(block, places[i].at, which, scratch));
+            remnants.append_all(of_block, halve);
+        } else {
+            for (const auto& [at, same] : of_block) {
+                remnants.cut_by(state.near.of_part(block, at, which, scratch));
+                halve ? remnants.append_halves(at) : remnants.append(at);
+            }
+        }
+        state.near.settle(block);
+        if (left.size() == before) state.near.close(block);
+    }
+    state.places[region].assign(left.begin(), left.end());
+}
+
+}  // namespace lacuna::cpu

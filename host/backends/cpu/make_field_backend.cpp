@@ -1,0 +1,36 @@
+// The cpu backend of mode exact with a radius field.
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+
+#include "backends/cpu/dart_backend.h"
+#include "backends/cpu/field_state.h"
+#include "backends/cpu/make_backend.h"
+
+namespace lacuna::cpu {
+namespace {
+
+class FieldBackend : public DartBackend<FieldState> {
+public:
+    using DartBackend::DartBackend;
+
+    void admit() override { throw_darts(state_.columns); }
+
+    void subtract() override { throw std::logic_error("a radius field is refined from the start"); }
+
+    void refine(bool halve) override {
+        for_columns(state_.bin_begins.back(),
+                    [&](std::uint32_t region) { cpu::refine(state_, region, halve); });
+        state_.settle_places();
+        for_columns(state_.bin_begins.back(),
+                    [&](std::uint32_t region) { state_.settle_places(region); });
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_field_backend(const Plan& plan, const Placement& placement) {
+    return std::make_unique<FieldBackend>(plan, placement.threads);
+}
+
+}  // namespace lacuna::cpu

@@ -1,0 +1,150 @@
+// The samples with a radius field, listed for each block of first boxes that they reach
+// (plan/first_boxes.h).
+//
+// A sample takes something from a block only where it is closer than its own radius and than the
+// block's: so a tree of the blocks, with the greatest radius under each node, leads to those that
+// it reaches, whatever the range of radii.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "backends/cpu/sized.h"
+#include "backends/cpu/vectors.h"
+#include "base/large_pages.h"
+#include "plan/first_boxes.h"
+#include "plan/pixels.h"
+#include "plan/plan.h"
+
+namespace lacuna::cpu {
+
+class NeighbourLists {
+public:
+    explicit NeighbourLists(const Plan& plan);
+
+    // Those that may take something from a part of a block, some perhaps twice; or only those
+    // that were listed since it was settled. Valid until the next call with the same scratch.
+    enum class Which { all, latest };
+    SizedSpan of_part(std::uint32_t block, const Rectangle& part, Which which,
+                      SizedList& scratch) const {
+        const Few& few = few_[block];
+        if (few.is_long) return of_long_part(block, part, which, scratch);
+        return few.span().from(which == Which::latest ? few.settled : 0);
+    }
+
+    // Whether those that of_part tells may differ from part to part of the block.
+    bool is_long(std::uint32_t block) const { return few_[block].is_long != 0; }
+    // Whether any was listed since the block was settled, or ever; and settles it.
+    bool has_latest(std::uint32_t block) const { return (states_[block] & kLatest) != 0; }
+    void settle(std::uint32_t block);
+    // Nothing is left of the block: no more samples are listed for it.
+    void close(std::uint32_t block) { states_[block] |= kClosed; }
+
+    // Whether a sample in the list of a block keeps one with this radius from lying at a point of
+    // that block: it is closer than the smaller of both radii.
+    bool is_any_closer(std::uint32_t block, Sample at, std::uint32_t radius) const {
+        const Few& few = few_[block];
+        return vectors_.is_any_sized_closer(few.is_long ? long_part(block, at) : few.span(), at,
+                                            radius, {plan_.period_x, plan_.period_y});
+    }
+
+    // Ask the cache for a list, and for what insert begins with: first for where it is.
+    void fetch_list(std::uint32_t block) const {
+        const Few& few = few_[block];
+        __builtin_prefetch(few.x);
+        __builtin_prefetch(few.y);
+        __builtin_prefetch(few.radius);
+        __builtin_prefetch(&few.count);
+    }
+    void fetch_way_to_node(std::uint32_t block) const {
+        __builtin_prefetch(&first_.blocks[block].node);
+    }
+    void fetch_node(std::uint32_t block) const {
+        const FirstBoxes::Node* const node = &first_.nodes[first_.blocks[block].node];
+        __builtin_prefetch(node - 2);
+        __builtin_prefetch(node);
+        __builtin_prefetch(node + 2);
+    }
+    // Lists what lies in a block for all blocks that it reaches, but closed ones. In parallel for
+    // different regions, if it reaches those of its region only.
+    void insert(const Sized& sample, std::uint32_t block);
+    // Marks the blocks of a region that it reaches: in parallel for different regions. Blocks are
+    // marked as a whole: in a round that crowds, thousands would leave a mark in one.
+    void mark(const Sized& candidate, std::uint32_t region);
+    // Takes all marks away.
+    void unmark_all();
+    bool is_marked(std::uint32_t block) const { return (states_[block] & kMarked) != 0; }
+
+    // By x, then y.
+    std::vector<Sample> samples() const;
+
+private:
+    // As many as seven of eight lists end with: seven lines of the cache.
+    static constexpr std::size_t kFew = 36;
+    struct alignas(64) Few {
+        std::uint32_t x[kFew];
+        std::uint32_t y[kFew];
+        std::uint32_t radius[kFew];
+        std::uint32_t count;
+        std::uint32_t settled;  // how many of them were listed when the block was settled
+        bool is_long;           // they are in long_
+
+        SizedSpan span() const { return {x, y, radius, count}; }
+    };
+    static_assert(sizeof(Few) == 448);
+    static constexpr std::uint8_t kMarked = 1, kLatest = 2, kClosed = 4;
+
+    // A block beside one of far smaller radii may have thousands near it: a list of more than
+    // `most` is split in two, each for one half of the block.
+    struct Split;
+    struct List {
+        SizedList near;
+        std::size_t settled = 0;
+        std::unique_ptr<Split> split;
+        std::size_t most = 64;
+    };
+    struct Half {
+        Rectangle place;
+        std::uint32_t greatest;  // radius under it
+        List list;
+    };
+    struct Split {
+        Half low;
+        Half high;
+        const List& part_at(Sample at) const {
+            return at.x >= high.place.x && at.y >= high.place.begin ? high.list : low.list;
+        }
+    };
+    SizedSpan of_long_part(std::uint32_t block, const Rectangle& part, Which which,
+                           SizedList& scratch) const;
+    SizedSpan long_part(std::uint32_t block, Sample at) const;
+    bool reaches(const Sized& sample, const Rectangle& place, std::uint32_t greatest) const;
+    void push(const Sized& sample, std::uint32_t block);
+    void push_long(const Sized& sample, std::uint32_t block);
+    void add(List& list, const Rectangle& place, const Sized& sample);
+    void split(List& list, const Rectangle& place);
+    static void settle(List& list);
+    static void gather(const List& list, const Rectangle& part, Which which, SizedList& found);
+    const Rectangle& place_of(std::uint32_t block) const {
+        return first_.nodes[first_.blocks[block].node].place;
+    }
+
+    // Whether all blocks that it reaches lie in the node, whose torus it does not stick out
+    // of.
+    bool is_within(const Sized& sample, std::uint32_t node) const;
+    bool sticks_out(const Sized& sample) const;
+    template <typename Visit>
+    void for_each_reached(const Sized& sample, std::uint32_t root, Visit visit) const;
+
+    const Plan& plan_;
+    const FirstBoxes& first_;
+    const Vectors& vectors_;
+    ZeroedArray<Few> few_;
+    std::vector<std::unique_ptr<List>> long_;
+    std::vector<std::uint8_t> states_;
+    std::vector<std::vector<std::uint32_t>> marked_;  // blocks, by region
+};
+
+}  // namespace lacuna::cpu

@@ -1,0 +1,19 @@
+// A radius field in words, as kernels read it (portable/radius_field.h), but for its radii, which
+// are so already.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "plan/radius_field.h"
+
+namespace lacuna::device {
+
+struct FieldTables {
+    std::vector<std::uint32_t> axes;
+    std::vector<std::uint32_t> mask_bits;  // at least one word
+};
+
+FieldTables tables_of(const RadiusField& radius_field);
+
+}  // namespace lacuna::device

@@ -1,0 +1,80 @@
+// Makes threads for a moment, to see whether the system allows it.
+#include "base/threads.h"
+
+#include <lacuna/lacuna.h>
+#include <pthread.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <atomic>
+#include <cstddef>
+#include <latch>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace lacuna {
+namespace {
+
+// Twice that of oneTBB's threads: where a thread that begins finds no memory, glibc aborts.
+constexpr std::size_t kStackBytes = std::size_t{8} << 20U;
+
+void* wait_at(void* gate) {
+    static_cast<std::latch*>(gate)->wait();
+    return nullptr;
+}
+
+// All at once, as they will be needed. The system's error, 0 if there is none.
+int try_to_make(int threads) {
+    std::vector<pthread_t> made;
+    made.reserve(static_cast<std::size_t>(threads));
+    pthread_attr_t attributes{};
+    int error = pthread_attr_init(&attributes);
+    if (error != 0) return error;
+    error = pthread_attr_setstacksize(&attributes, kStackBytes);
+    std::latch gate(1);
+    while (error == 0 && made.size() < static_cast<std::size_t>(threads)) {
+        pthread_t thread{};
+        error = pthread_create(&thread, &attributes, wait_at, &gate);
+        if (error == 0) made.push_back(thread);
+    }
+    gate.count_down();
+    for (const pthread_t thread : made) pthread_join(thread, nullptr);
+    pthread_attr_destroy(&attributes);
+    return error;
+}
+
+}  // namespace
+
+void make_sure_of_threads(int threads) {
+    static std::atomic<int> sure_of = 1;
+    if (threads <= sure_of) return;
+    static std::mutex mutex;
+    const std::lock_guard lock(mutex);
+    if (threads <= sure_of) return;
+    // Those that oneTBB has made already it keeps.
+    const int error = try_to_make(threads - sure_of);
+    if (error != 0)
+        throw Unavailable("the system does not make " + std::to_string(threads) + " threads (" +
+                          std::generic_category().message(error) +
+                          "): allow more of them or more memory (ulimit -u, ulimit -v), or use "
+                          "fewer (--threads, taskset)");
+    sure_of = threads;
+}
+
+void make_sure_of_threads() {
+    make_sure_of_threads(tbb::info::default_concurrency());
+}
+
+void allow_more_threads_than_cores() {
+    // Once a process: of several such controls oneTBB takes the least.
+    static const tbb::global_control* const kept =
+        std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                              kMostThreads)
+            .release();
+    static_cast<void>(kept);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,253 @@
+// The options of `lacuna analyze`, and its run.
+#include "cli/commands/analyze.h"
+
+#include <fmt/core.h>
+#include <lacuna/lacuna.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "analysis/analyse.h"
+#include "analysis/sheet.h"
+#include "cli/options/given_files.h"
+#include "cli/options/options.h"
+#include "cli/reports/analysis_report.h"
+#include "cli/reports/output.h"
+#include "cli/reports/writing.h"
+#include "cli/terminal/interruption.h"
+#include "cli/terminal/progress_bar.h"
+#include "files/point_files.h"
+#include "files/read_sets.h"
+#include "verify/verify.h"
+
+namespace lacuna::cli {
+namespace {
+
+constexpr const char* kAnalyzeDescription =
+    R"(Spectrum and statistics of point sets; those of several sets are averaged.
+
+Examples:
+  lacuna analyze points.txt --torus                 numbers on standard output
+  lacuna analyze a.json -o sheet.pdf -o a-numbers.json   a plot sheet, and all numbers
+  lacuna analyze a.json --json                      all numbers on standard output
+  lacuna analyze set*.txt --radius 0.01 --torus     the mean of many sets
+  lacuna sample --radius 0.01 | lacuna analyze - --radius 0.01
+  lacuna analyze sets.dat other.rps                 files of the tools UTK and PSA
+
+Power P(k) = |sum of exp(-2 pi i k.x)|^2 / count at the whole numbers k, on another domain than the
+unit square at (kx / W, ky / H); its mean over rings two wide, for |k| up to 2 sqrt(count), or
+--max-frequency times sqrt(count), with whose square its time and memory grow. Relative
+radius: the least distance over that of the hexagonal lattice. Effective Nyquist frequency, over
+sqrt(count) / 2, and oscillations: Heck, Schloemer & Deussen 2013. Bond order: Nelson & Halperin
+1979, six nearest neighbours. A million points take some 400 MB, and seconds.
+
+A .txt is `x y` a line, or has a first line of one number, the count, as PSA writes it. In a .dat a
+line of # ends a set. Domain, boundary and radius that a .json tells hold where no
+option does.
+
+Exit code: 0 done, 2 bad usage, 3 a file cannot be read or written, 4 the system makes no threads, 130
+interrupted (143 by SIGTERM).
+)";
+
+struct Sides {
+    double width;
+    double height;
+    friend bool operator==(const Sides&, const Sides&) = default;
+};
+
+struct AnalyzeCommand {
+    std::vector<std::string> files;
+    OutputOptions output;
+    std::optional<Sides> sides;
+    std::optional<double> radius;
+    analysis::Effort effort;
+    bool torus = false;
+    bool json = false;
+    bool quiet = false;
+};
+
+// All sets of all files, with what the files tell of them.
+struct Input {
+    std::vector<std::vector<Point>> sets;
+    std::vector<std::optional<double>> radii;  // one a set
+    std::vector<std::string> names;            // one a set, for messages
+    std::optional<Sides> sides;
+    std::string sides_from;  // the file that told them
+    std::optional<Boundary> boundary;
+    std::string boundary_from;
+};
+
+// Before the work starts.
+std::vector<Output> check(const AnalyzeCommand& options) {
+    if (options.sides) verify::check_domain(options.sides->width, options.sides->height);
+    if (options.radius) analysis::check_radius(*options.radius);
+    analysis::check_effort(options.effort);
+    OutputOptions asked = options.output;
+    if (options.json) {
+        if (!asked.format.empty())
+            throw BadRequest("json", "with --format", "is another format of standard output");
+        asked.paths.emplace_back("-");
+    }
+    std::vector<Output> outputs = outputs_of(asked, ".json " + files::picture_extensions(), "json");
+    std::vector<GivenFile> read;
+    read.reserve(options.files.size());
+    for (const std::string& file : options.files) read.push_back({"FILE", file});
+    std::vector<GivenFile> written = given_files(outputs);
+    if (!has_standard_output(outputs)) written.push_back({"--output", "-"});
+    check_given_files(read, written);
+    return outputs;
+}
+
+void add_sides(Input& input, const files::SetsOfFile& file, const std::string& name) {
+    if (!file.width) return;
+    const Sides sides{*file.width, *file.height};
+    try {
+        verify::check_domain(sides.width, sides.height);
+    } catch (const BadRequest& error) {
+        throw files::FileError(name + ": " + error.what());
+    }
+    if (input.sides && *input.sides != sides)
+        throw files::FileError(
+            fmt::format("{}: its domain is {}x{}, that of {} is {}x{}: analyse them apart, or say "
+                        "with --domain which holds",
+                        name, sides.width, sides.height, input.sides_from, input.sides->width,
+                        input.sides->height));
+    input.sides = sides;
+    input.sides_from = name;
+}
+
+void add_boundary(Input& input, const files::SetsOfFile& file, const std::string& name) {
+    if (!file.boundary) return;
+    if (input.boundary && *input.boundary != *file.boundary)
+        throw files::FileError(
+            fmt::format("{}: its boundary is not that of {}: analyse them apart, or give --torus",
+                        name, input.boundary_from));
+    input.boundary = file.boundary;
+    input.boundary_from = name;
+}
+
+// A file that tells no domain would be taken for one of that of another file.
+void check_told(const Input& input, const std::vector<std::string>& silent) {
+    const bool is_usual = !input.sides || (input.sides->width == 1 && input.sides->height == 1);
+    if (is_usual || silent.empty()) return;
+    throw files::FileError(
+        fmt::format("{}: tells no domain, but {} does, and of {} x {}: give --domain",
+                    silent.front(), input.sides_from, input.sides->width, input.sides->height));
+}
+
+Input read(const AnalyzeCommand& options) {
+    Input input;
+    std::vector<std::string> silent;  // files that tell no domain
+    for (const std::string& path : options.files) {
+        files::SetsOfFile file = files::read_sets(path);
+        const std::string name = path == "-" ? "standard input" : path;
+        if (!options.sides) add_sides(input, file, name);
+        if (!options.sides && !file.width) silent.push_back(name);
+        if (!options.torus) add_boundary(input, file, name);
+        for (std::size_t i = 0; i < file.sets.size(); ++i) {
+            input.names.push_back(file.sets.size() == 1 ? name
+                                                        : fmt::format("{}: set {}", name, i + 1));
+            if (file.sets[i].empty())
+                throw files::FileError(
+                    fmt::format("{}: there is no point to analyse", input.names.back()));
+            input.radii.push_back(options.radius ? options.radius : file.radius);
+            input.sets.push_back(std::move(file.sets[i]));
+        }
+    }
+    check_told(input, silent);
+    return input;
+}
+
+// What lies in the domain, upper edges included: programs that write float32 round up to them.
+void check_inside(const Input& input, const analysis::Domain& domain) {
+    for (std::size_t i = 0; i < input.sets.size(); ++i) {
+        const std::vector<Point>& points = input.sets[i];
+        const auto outside = std::find_if(points.begin(), points.end(), [&](const Point& p) {
+            return p.x < 0 || p.x > domain.width || p.y < 0 || p.y > domain.height;
+        });
+        if (outside == points.end()) continue;
+        throw files::FileError(fmt::format(
+            "{}: point {} at ({}, {}) lies outside the domain [0, {}] x [0, {}]: give --domain",
+            input.names[i], std::distance(points.begin(), outside), outside->x, outside->y,
+            domain.width, domain.height));
+    }
+}
+
+analysis::Analysis analyse(const Input& input, const analysis::Domain& domain,
+                           const AnalyzeCommand& options) {
+    ProgressBar bar(options.quiet);
+    const std::string words =
+        fmt::format("analysing {} set{}", input.sets.size(), input.sets.size() == 1 ? "" : "s");
+    const auto keep_going = [&](double share) {
+        bar.show_time_to_go(share, words);
+        return true;
+    };
+    return analysis::analyse(input.sets, domain, input.radii, keep_going, options.effort);
+}
+
+void run(const AnalyzeCommand& options) {
+    const std::vector<Output> outputs = check(options);
+    Interruption interruption;
+    const Input input = read(options);
+    const Sides sides = options.sides.value_or(input.sides.value_or(Sides{1, 1}));
+    const analysis::Domain domain{sides.width, sides.height,
+                                  options.torus || input.boundary == Boundary::torus};
+    check_inside(input, domain);
+    const analysis::Analysis analysis = analyse(input, domain, options);
+
+    Writing writing(interruption);
+    for (const Output& output : outputs)
+        writing.add(output.path, [&] {
+            return output.format.medium
+                       ? analysis::draw_sheet(analysis, input.sets.front(), *output.format.medium)
+                       : json_of(analysis, options.files);
+        });
+    if (!has_standard_output(outputs)) writing.add("-", [&] { return text_of(analysis); });
+    writing.write();
+}
+
+}  // namespace
+
+void add_analyze(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("analyze", kAnalyzeDescription);
+    const auto options = std::make_shared<AnalyzeCommand>();
+    command
+        .add_option("FILE", options->files,
+                    "By extension: " + files::read_extensions() + "; - is standard input, as .txt")
+        ->type_name("...")
+        ->required();
+    command
+        .add_option_function<std::string>(
+            "--domain",
+            [options](const std::string& text) {
+                Sides& sides = options->sides.emplace();
+                read_domain("domain", text, sides.width, sides.height);
+            },
+            "Width and height of the domain (default 1x1, or what a .json tells)")
+        ->type_name("WxH");
+    command.add_flag("--torus", options->torus, "The edges wrap: distances go across them")
+        ->disable_flag_override();
+    add_number(command, "radius", "R", options->radius,
+               "What the sets were made with, for count * R^2 and distances in radii");
+    add_number(command, "max-frequency", "F", options->effort.max_frequency,
+               "How far the spectrum reaches, |k| / sqrt(count) (default 2)");
+    add_number(command, "threads", "T", options->effort.threads,
+               "Threads; 0 is one a core (default)");
+    add_outputs(command, options->output, "REPORT",
+                "Numbers and curves as .json, or a plot sheet as " + files::picture_extensions() +
+                    "; - is standard output, as .json; may be given several times");
+    command
+        .add_flag("--json", options->json, "Numbers and curves on standard output, as -o - does")
+        ->disable_flag_override();
+    command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace lacuna::cli

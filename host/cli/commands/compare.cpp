@@ -1,0 +1,213 @@
+// The options of `lacuna compare`, and its run.
+#include "cli/commands/compare.h"
+
+#include <fmt/core.h>
+#include <lacuna/lacuna.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/check_failed.h"
+#include "cli/commands/relaxation.h"
+#include "cli/commands/sample.h"
+#include "cli/options/common_options.h"
+#include "cli/options/given_files.h"
+#include "cli/options/options.h"
+#include "cli/options/picture_field.h"
+#include "cli/reports/comparison_report.h"
+#include "cli/reports/output.h"
+#include "cli/reports/writing.h"
+#include "cli/terminal/interruption.h"
+#include "cli/terminal/observers.h"
+#include "cli/terminal/progress_bar.h"
+#include "files/point_files.h"
+
+namespace lacuna::cli {
+namespace {
+
+constexpr const char* kCompareDescription =
+    R"(Makes one set on every backend and device there is, and tells whether all are the same.
+
+Examples:
+  lacuna compare --radius 0.005 --torus                 a table on standard output
+  lacuna compare photo.jpg --count 20000 --relax 15     the same for dots of a picture, relaxed
+  lacuna compare --radius 0.002 --runs 9 --backends cpu,opencl --json a.json -o chart.svg
+  lacuna compare --radius 0.05 --backends reference,cpu
+
+The other options are those of sample and, with a picture, of stipple. Runs take turns, so that all
+share what the machine goes through. A first run of each counts in no time but in first use, which is
+by how much it took longer: building kernels, finding devices. Memory is by how much it raised the
+program's peak.
+
+Exit code: 0 all the same, 1 not, 2 bad usage, 3 a file cannot be read or written, 4 a backend named
+with --backends, or every one, is missing, or one failed at work, 130 interrupted
+(143 by SIGTERM).
+)";
+
+struct CompareCommand {
+    Request request;
+    Picture picture;
+    std::vector<std::string> backends;
+    std::uint32_t runs = 5;
+    std::uint32_t relax = 0;
+    std::string json;
+    OutputOptions charts;
+    bool quiet = false;
+};
+
+// Names between commas, with or without blanks; those in between may not be empty.
+std::vector<std::string> split(const std::string& text) {
+    std::vector<std::string> names;
+    std::istringstream in(text + ",");
+    for (std::string name; std::getline(in, name, ',');) {
+        name.erase(0, name.find_first_not_of(' '));
+        name.erase(name.find_last_not_of(' ') + 1);
+        names.push_back(name);
+    }
+    return names;
+}
+
+// Before the work starts.
+std::vector<Output> check(const CompareCommand& options) {
+    constexpr std::uint32_t kMostRuns = 1000;
+    if (options.runs < 1 || options.runs > kMostRuns)
+        throw BadRequest("runs", std::to_string(options.runs),
+                         fmt::format("must be between 1 and {}", kMostRuns));
+    std::vector<Output> charts = outputs_of(options.charts, files::picture_extensions(), "svg");
+    std::vector<GivenFile> written = given_files(charts);
+    if (!options.json.empty()) {
+        check_json("json", options.json);
+        written.push_back({"--json", options.json});
+    }
+    if (!has_standard_output(charts) && !is_standard_output(options.json))
+        written.push_back({"--output", "-"});
+    std::vector<GivenFile> read;
+    if (!options.picture.path.empty()) read.push_back({"IMAGE", options.picture.path});
+    check_given_files(read, written);
+    return charts;
+}
+
+// Shows which run it is.
+class Runs : public Observer {
+public:
+    Runs(std::size_t all, bool quiet) : bar_(quiet), all_(all) {}
+
+    void start(const Request& request) {
+        words_ = fmt::format("run {} of {}: {}", ++started_, all_, request.backend);
+    }
+    bool keep_going(const Progress& progress) override {
+        const auto expected =
+            static_cast<double>(std::max<std::uint64_t>(progress.expected_points, 1));
+        const double share = std::min(1.0, static_cast<double>(progress.points) / expected);
+        bar_.show((static_cast<double>(started_ - 1) + share) / static_cast<double>(all_), words_);
+        return true;
+    }
+
+private:
+    ProgressBar bar_;
+    std::size_t all_;
+    std::size_t started_ = 0;
+    std::string words_;
+};
+
+Comparison compared(const CompareCommand& options, const Request& request, const Sampler& sampler) {
+    const std::vector<Contestant> contestants = find_contestants(options.backends);
+    Runs runs(contestants.size() * (options.runs + std::size_t{1}), options.quiet);
+    const Sampler shown = [&](const Request& one, Observer& observer) {
+        runs.start(one);
+        Result result = sampler(one, observer);
+        if (options.relax != 0)
+            result.points =
+                relax(result.points, one.field, relax_options_of(one, options.relax), observer)
+                    .points;
+        return result;
+    };
+    return compare(request, contestants, options.runs, shown, runs);
+}
+
+void write(const CompareCommand& options, const std::vector<Output>& charts, const Request& request,
+           const Comparison& comparison, Interruption& interruption) {
+    Writing writing(interruption);
+    if (!options.json.empty())
+        writing.add(options.json, [&] { return json_of(comparison, request); });
+    for (const Output& chart : charts)
+        writing.add(chart.path, [&] { return draw_chart(comparison, *chart.format.medium); });
+    if (!has_standard_output(charts) && !is_standard_output(options.json))
+        writing.add("-", [&] { return text_of(comparison); });
+    writing.write();
+}
+
+// All is told in the tables; what is left is how to end.
+void end(const CompareCommand& options, const Comparison& comparison) {
+    if (!comparison.agree()) throw CheckFailed();
+    for (const Entry& entry : comparison.entries)
+        if (entry.broke_off ||
+            (!entry.failure.empty() && (!options.backends.empty() || !comparison.yardstick())))
+            throw Unavailable(entry.failure);
+}
+
+// What would be passed over in silence.
+void check_kind(const CLI::App& command, const CompareCommand& options) {
+    const bool is_picture = !options.picture.path.empty();
+    for (const std::string option :
+         {"metric", "invert", "black", "white", "auto-levels", "gamma", "min-importance"})
+        if (!is_picture && command.count("--" + option) != 0)
+            throw BadRequest(option, "without a picture", "is for pictures only");
+    for (const std::string option : {"mode", "domain"})
+        if (is_picture && command.count("--" + option) != 0)
+            throw BadRequest(option, "with a picture", "is for requests without one");
+}
+
+void run(const CompareCommand& options, const Sampler& sampler) {
+    const std::vector<Output> charts = check(options);
+    Request request = options.request;
+    Field field;
+    if (!options.picture.path.empty()) {
+        field = read_field(options.picture, request);
+        request.mode = Mode::cells;
+        if (options.relax != 0 && !options.picture.has_metric) request.metric = Metric::mean;
+        request.field = &field;
+    }
+    Interruption interruption;
+    const Comparison comparison = compared(options, request, sampler);
+    write(options, charts, request, comparison, interruption);
+    end(options, comparison);
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, const Sampler& sampler) {
+    CLI::App& command = *app.add_subcommand("compare", kCompareDescription);
+    const auto options = std::make_shared<CompareCommand>();
+    add_picture(command, options->picture, options->request);
+    command
+        .add_option_function<std::string>(
+            "--backends", [options](const std::string& names) { options->backends = split(names); },
+            "Which, between commas: cpu, opencl, vulkan, reference (default the first three)")
+        ->type_name("LIST");
+    add_number(command, "runs", "N", options->runs,
+               "Sets made on each, after a first that no time is taken of (default 5)");
+    add_outputs(command, options->charts, "FILE",
+                "A bar chart of the times: " + files::picture_extensions());
+    command
+        .add_option("--json", options->json,
+                    "Every run's seconds, and the rest; - is standard output")
+        ->type_name("FILE.json");
+    command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
+    add_size(command, options->request);
+    add_what_to_make(command, options->request);
+    add_relax(command, options->relax);
+    add_mode(command, options->request);
+    add_effort(command, options->request);
+    command.callback([&command, options, sampler] {
+        check_kind(command, *options);
+        run(*options, sampler);
+    });
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,178 @@
+// Runs every contestant in turn.
+#include "cli/commands/comparison.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "cli/options/options.h"
+#include "cli/reports/peak_memory.h"
+#include "cli/terminal/driver.h"
+#include "cli/terminal/observers.h"
+#include "files/point_files.h"
+
+namespace lacuna::cli {
+namespace {
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+std::optional<Difference> difference_of(const std::vector<Point>& expected,
+                                        const std::vector<Point>& got) {
+    const auto same = [](Point a, Point b) { return a.x == b.x && a.y == b.y; };
+    const auto [a, b] =
+        std::mismatch(expected.begin(), expected.end(), got.begin(), got.end(), same);
+    if (a == expected.end() && b == got.end()) return std::nullopt;
+    Difference difference{static_cast<std::size_t>(a - expected.begin()), {}, {}};
+    if (a != expected.end()) difference.expected = *a;
+    if (b != got.end()) difference.got = *b;
+    return difference;
+}
+
+class Comparer {
+public:
+    Comparer(const Request& request, const Sampler& sampler, Observer& observer)
+        : request_(request), sampler_(sampler), observer_(observer) {}
+
+    void run(Entry& entry, bool is_first) {
+        try {
+            run_once(entry, is_first);
+        } catch (const Unavailable& error) {
+            entry.failure = error.what();
+        } catch (const DeviceError& error) {
+            entry.failure = error.what();
+            entry.broke_off = true;
+        }
+    }
+
+    double radius = 0;
+    double scale = 0;
+
+private:
+    void run_once(Entry& entry, bool is_first) {
+        Request request = request_;
+        request.backend = entry.contestant.backend;
+        request.device = entry.contestant.device;
+        const PeakMemory memory;
+        Stopwatch stopwatch;
+        Observers observers({observer_, stopwatch});
+        const Result result = sampled(request, observers);
+        const double seconds = stopwatch.seconds_so_far();
+        const auto raised = memory.raised_bytes();
+        judge(entry, result);
+        if (is_first) {
+            entry.device = result.device;
+            entry.points = result.points.size();
+            entry.rounds = result.rounds;
+            entry.sha256 = files::sha256_of(result.points);
+            entry.first_run_seconds = seconds;
+            entry.memory_bytes = raised;
+            return;
+        }
+        entry.seconds.push_back(seconds - stopwatch.seconds(Verb::first_use));
+        auto& verbs = entry.verb_seconds.emplace_back();
+        for (std::size_t i = 0; i < kVerbs.size(); ++i) verbs[i] = stopwatch.seconds(kVerbs[i]);
+    }
+
+    Result sampled(const Request& request, Observer& observer) {
+        DriverAtWork driver(request.backend);
+        Observers observers({driver, observer});
+        return sampler_(request, observers);
+    }
+
+    void judge(Entry& entry, const Result& result) {
+        if (!has_yardstick_) {
+            has_yardstick_ = true;
+            yardstick_ = result.points;
+            radius = result.radius;
+            scale = result.scale;
+        }
+        if (!entry.difference) entry.difference = difference_of(yardstick_, result.points);
+    }
+
+    const Request& request_;
+    const Sampler& sampler_;
+    Observer& observer_;
+    bool has_yardstick_ = false;
+    std::vector<Point> yardstick_;
+};
+
+// A backend's devices; one entry that says so where there is none.
+std::vector<Contestant> contestants_of(const std::string& backend,
+                                       const std::vector<Device>& devices) {
+    std::vector<Contestant> found;
+    for (const Device& device : devices) {
+        if (device.backend != backend) continue;
+        found.push_back({backend, std::to_string(found.size()), device.name, device.unusable});
+    }
+    if (found.empty()) found.push_back({backend, "", "", kNoDriver});
+    if (found.size() == 1) found.front().device.clear();  // need not be chosen
+    return found;
+}
+
+}  // namespace
+
+std::vector<Contestant> find_contestants(const std::vector<std::string>& backends) {
+    const std::vector<std::string> usual = {"cpu", "opencl", "vulkan"};
+    const std::vector<Device> devices = listed_devices();
+    std::vector<Contestant> all;
+    for (const std::string& backend : backends.empty() ? usual : backends) {
+        if (backend != "reference" && std::find(usual.begin(), usual.end(), backend) == usual.end())
+            throw BadRequest("backends", shown(backend),
+                             "each must be one of cpu, opencl, vulkan, reference");
+        const std::vector<Contestant> its = contestants_of(backend, devices);
+        const bool any = std::any_of(its.begin(), its.end(),
+                                     [](const Contestant& one) { return one.missing.empty(); });
+        if (!any && !backends.empty())
+            throw Unavailable("backend " + backend + ": " + its.front().missing);
+        all.insert(all.end(), its.begin(), its.end());
+    }
+    return all;
+}
+
+Comparison compare(const Request& request, const std::vector<Contestant>& contestants,
+                   std::uint32_t runs, const Sampler& sampler, Observer& observer) {
+    Comparison comparison;
+    for (const Contestant& contestant : contestants) {
+        Entry& entry = comparison.entries.emplace_back();
+        entry.contestant = contestant;
+        entry.failure = contestant.missing;
+    }
+    Comparer comparer(request, sampler, observer);
+    for (std::uint32_t i = 0; i <= runs; ++i)
+        for (Entry& entry : comparison.entries)
+            if (entry.failure.empty()) comparer.run(entry, i == 0);
+    comparison.radius = comparer.radius;
+    comparison.scale = comparer.scale;
+    return comparison;
+}
+
+double Entry::first_use_seconds() const {
+    return std::max(0.0, first_run_seconds - median_seconds());
+}
+
+double Entry::median_seconds() const {
+    return median(seconds);
+}
+
+double Entry::median_seconds(std::size_t verb) const {
+    std::vector<double> values;
+    for (const auto& run : verb_seconds) values.push_back(run[verb]);
+    return median(std::move(values));
+}
+
+const Entry* Comparison::yardstick() const {
+    const auto first = std::find_if(entries.begin(), entries.end(),
+                                    [](const Entry& entry) { return entry.has_run(); });
+    return first == entries.end() ? nullptr : &*first;
+}
+
+bool Comparison::agree() const {
+    return std::none_of(entries.begin(), entries.end(),
+                        [](const Entry& entry) { return entry.difference.has_value(); });
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,121 @@
+// Paper: units and names.
+#include "cli/commands/paper.h"
+
+#include <fmt/core.h>
+
+#include <lacuna/lacuna.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "cli/options/options.h"
+#include "drawing/picture.h"
+#include "files/parse.h"
+
+namespace lacuna::cli {
+namespace {
+
+constexpr double kLongestInches = 200;  // PDF 1.7, annex C.2
+constexpr double kLeastSide = 1;        // mm
+
+struct Unit {
+    std::string_view name;
+    double mm;
+};
+
+constexpr std::array<Unit, 4> kUnits{
+    {{"mm", 1},
+     {"cm", 10},
+     {"in", drawing::kMillimetresPerInch},
+     {"pt", drawing::kMillimetresPerInch / drawing::kPointsPerInch}}};
+
+struct NamedPaper {
+    std::string_view name;
+    double width_mm;
+    double height_mm;
+};
+
+// ISO 216, and ANSI's in inches.
+constexpr std::array<NamedPaper, 10> kPapers{{{"a0", 841, 1189},
+                                              {"a1", 594, 841},
+                                              {"a2", 420, 594},
+                                              {"a3", 297, 420},
+                                              {"a4", 210, 297},
+                                              {"a5", 148, 210},
+                                              {"a6", 105, 148},
+                                              {"letter", 215.9, 279.4},
+                                              {"legal", 215.9, 355.6},
+                                              {"tabloid", 279.4, 431.8}}};
+
+// Takes the unit from the end of `text`.
+std::optional<double> take_unit(std::string_view& text) {
+    for (const Unit& unit : kUnits) {
+        if (!text.ends_with(unit.name)) continue;
+        text.remove_suffix(unit.name.size());
+        return unit.mm;
+    }
+    return std::nullopt;
+}
+
+// The number that is all of `text`, in units of so many mm.
+std::optional<double> length_of(std::string_view text, double unit_mm) {
+    double number = 0;
+    if (files::take_number(text, number) != std::errc{} || !text.empty()) return std::nullopt;
+    return number * unit_mm;
+}
+
+void check_length(const std::string& option, const std::string& text, double mm, double least_mm) {
+    if (!(mm >= least_mm && mm <= kLongestInches * drawing::kMillimetresPerInch))
+        throw BadRequest(option, shown(text),
+                         fmt::format("must be {}mm to {}in long", least_mm, kLongestInches));
+}
+
+}  // namespace
+
+Paper Paper::suiting(double width, double height) const {
+    const bool lies_across = may_turn && width > height;
+    return lies_across ? Paper{height_mm, width_mm, may_turn} : *this;
+}
+
+double read_length(const std::string& option, const std::string& text, double least_mm) {
+    std::string_view rest = text;
+    const std::optional<double> unit = take_unit(rest);
+    const std::optional<double> mm = unit ? length_of(rest, *unit) : std::nullopt;
+    if (!mm)
+        throw BadRequest(option, shown(text),
+                         "must be a number and mm, cm, in or pt, such as 0.5mm");
+    check_length(option, text, *mm, least_mm);
+    return *mm;
+}
+
+Paper read_paper(const std::string& option, const std::string& text) {
+    std::string name = text;
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const NamedPaper& known : kPapers)
+        if (name == known.name) return {known.width_mm, known.height_mm, true};
+
+    std::string_view rest = text;
+    const std::optional<double> unit = take_unit(rest);
+    const std::size_t cross = rest.find('x');
+    std::optional<double> width, height;
+    if (unit && cross != std::string_view::npos) {
+        width = length_of(rest.substr(0, cross), *unit);
+        height = length_of(rest.substr(cross + 1), *unit);
+    }
+    if (!width || !height)
+        throw BadRequest(
+            option, shown(text),
+            "must be A0 to A6, letter, legal or tabloid, or WIDTHxHEIGHT and mm, cm, in "
+            "or pt, such as 210x297mm");
+    check_length(option, text, *width, kLeastSide);
+    check_length(option, text, *height, kLeastSide);
+    return {*width, *height, false};
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,189 @@
+// The options of `lacuna relax`, and its run.
+#include "cli/commands/relax.h"
+
+#include <fmt/core.h>
+#include <lacuna/lacuna.h>
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/commands/relaxation.h"
+#include "cli/options/common_options.h"
+#include "cli/options/drawing.h"
+#include "cli/options/options.h"
+#include "cli/options/picture_field.h"
+#include "cli/reports/output.h"
+#include "cli/reports/report.h"
+#include "cli/reports/writing.h"
+#include "cli/terminal/interruption.h"
+#include "drawing/dot_size.h"
+#include "files/point_files.h"
+#include "files/read_sets.h"
+#include "pictures/importance.h"
+
+namespace lacuna::cli {
+namespace {
+
+constexpr const char* kRelaxDescription =
+    R"(Moves points until each owns an equal share and stands in the middle of it.
+
+Examples:
+  lacuna relax points.txt --torus -o even.npy           any set, on a domain whose edges wrap
+  lacuna relax points.txt --domain 2x1 --iterations 30 -o even.svg --report even.json
+  lacuna relax dots.npy photo.jpg -o dots.svg           shares of a picture, as stipple --relax
+  lacuna sample --count 4096 --torus | lacuna relax - --torus -o even.txt
+
+Shares are of the area or, with a picture, of its darkness. 10 to 30 iterations are enough; many more
+begin to look like a lattice. The same points come back on every backend and any number of threads,
+in the order given. No least distance is promised, and no dot is where the picture is white.
+
+Without --domain and --torus the domain is what a .json tells, or the picture's shape with a longer
+side of 1, or 1x1. Points and pictures are read as analyze and stipple read them.
+
+Exit code: 0 done, 2 bad usage, 3 a file cannot be read or written, 4 no such backend, 130
+interrupted.
+)";
+
+struct RelaxCommand {
+    CommonOptions common;
+    Picture picture;
+    DrawingOptions drawing;
+    std::string points;
+    std::uint32_t iterations = RelaxOptions{}.iterations;
+    bool has_domain = false;
+};
+
+// What is to be written.
+std::vector<Output> check(const RelaxCommand& options) {
+    std::vector<GivenFile> read{{"POINTS", options.points}};
+    if (!options.picture.path.empty()) read.push_back({"IMAGE", options.picture.path});
+    const std::vector<Output> outputs = checked_outputs(options.common, read);
+    pictures::check(options.picture.importance);
+    check_drawing(options.drawing, outputs);
+    return outputs;
+}
+
+files::SetsOfFile read_one_set(const std::string& path) {
+    files::SetsOfFile file = files::read_sets(path);
+    if (file.sets.size() != 1)
+        throw files::FileError(fmt::format("{}: has {} sets: one can be relaxed at a time",
+                                           path == "-" ? "standard input" : path,
+                                           file.sets.size()));
+    return file;
+}
+
+Json json_of(const RelaxCommand& options, const Request& request) {
+    Json json{{"points", options.points},
+              {"image", options.picture.path.empty() ? Json(nullptr) : Json(options.picture.path)},
+              {"width", request.width},
+              {"height", request.height},
+              {"boundary", request.boundary == Boundary::torus ? "torus" : "box"}};
+    json.update(json_of_importance(options.picture.importance));
+    json["backend"] = request.backend;
+    json["device"] = request.device;
+    json["threads"] = request.threads;
+    return json;
+}
+
+void sum_up(const RelaxCommand& options, const std::vector<Output>& outputs, const Made& made,
+            const Relaxation& relaxation) {
+    const CommonOptions& common = options.common;
+    if (common.quiet || has_standard_output(outputs) || is_standard_output(common.report)) return;
+    std::string paths;
+    for (const Output& output : outputs) paths += (paths.empty() ? "" : ", ") + output.path;
+    const std::string summary =
+        fmt::format("{} points, {} iterations, {:.3f} s, {} -> {}", made.result.points.size(),
+                    options.iterations, made.seconds, relaxation.relaxed.backend, paths);
+    std::fputs((printable(summary) + "\n").c_str(), stderr);
+}
+
+void run(const RelaxCommand& options) {
+    const std::vector<Output> outputs = check(options);
+    Interruption interruption;
+    CommonOptions common = options.common;
+    Request& request = common.request;
+    files::SetsOfFile file = read_one_set(options.points);
+    std::optional<Field> field;
+    if (!options.picture.path.empty()) {
+        Request shape;
+        field = read_field(options.picture, shape);
+        if (!options.has_domain) {
+            request.width = shape.width;
+            request.height = shape.height;
+        }
+    }
+    if (!options.has_domain && file.width) {
+        request.width = *file.width;
+        request.height = *file.height;
+    }
+    if (file.boundary == Boundary::torus) request.boundary = Boundary::torus;
+    Made made;
+    made.result.points = std::move(file.sets.front());
+    const Field* const field_or_null = field ? &*field : nullptr;
+    const Relaxation relaxation = relax_points(
+        common, outputs, relax_options_of(request, options.iterations), field_or_null, made);
+
+    const files::PointSet set{made.result.points, request.width, request.height,
+                              made.result.radius};
+    Writing writing(interruption);
+    if (!common.report.empty())
+        writing.add(common.report, [&] {
+            return relax_report(json_of(options, request), made, json_of(relaxation));
+        });
+    write_set(writing, options.drawing, outputs, set,
+              style_of(options.drawing, request.width, request.height), [&] {
+                  return field ? drawing::dot_diameters(set.points, *field, set.width, set.height,
+                                                        drawing::Spread::even)
+                               : std::vector<double>();
+              });
+    sum_up(options, outputs, made, relaxation);
+}
+
+void add_options(CLI::App& command, RelaxCommand& options) {
+    Request& request = options.common.request;
+    command.add_option("POINTS", options.points, "The points; - is standard input, as .txt")
+        ->type_name("")
+        ->required();
+    command.add_option("IMAGE", options.picture.path, "The picture; - is standard input")
+        ->type_name("");
+    add_number(
+        command, "iterations", "K", options.iterations,
+        fmt::format("How often points are moved, at most 10000 (default {})", options.iterations));
+    command
+        .add_option_function<std::string>(
+            "--domain",
+            [&options, &request](const std::string& text) {
+                read_domain("domain", text, request.width, request.height);
+                options.has_domain = true;
+            },
+            "Width and height of the domain")
+        ->type_name("WxH");
+    command
+        .add_flag_callback(
+            "--torus", [&request] { request.boundary = Boundary::torus; }, "The edges wrap")
+        ->disable_flag_override();
+    add_importance(command, options.picture);
+    add_how_to_draw(command, options.drawing,
+                    "as much ink as the picture is dark, or two thirds of the least distance");
+    add_number(command, "threads", "T", request.threads, "Threads; 0 is one a core (default)");
+    add_place(command, request);
+    add_what_to_write(command, options.common);
+}
+
+}  // namespace
+
+void add_relax_command(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("relax", kRelaxDescription);
+    const auto options = std::make_shared<RelaxCommand>();
+    add_options(command, *options);
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,108 @@
+// Relaxing points under a progress bar.
+#include "cli/commands/relaxation.h"
+
+#include <fmt/core.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "cli/options/options.h"
+#include "cli/reports/report.h"
+#include "cli/terminal/driver.h"
+#include "cli/terminal/observers.h"
+#include "cli/terminal/progress_bar.h"
+#include "files/formats.h"
+#include "verify/closest.h"
+
+namespace lacuna::cli {
+namespace {
+
+class Iterations : public Observer {
+public:
+    Iterations(bool quiet, std::uint32_t all) : bar_(quiet), all_(all) {}
+
+    bool keep_going(const Progress& progress) override {
+        const double share =
+            static_cast<double>(progress.points) /
+            static_cast<double>(std::max<std::uint64_t>(1, progress.expected_points));
+        bar_.show(std::min(1.0, share),
+                  fmt::format("relaxing, iteration {} of {}",
+                              std::min<std::uint64_t>(progress.rounds + 1, all_), all_));
+        return true;
+    }
+
+private:
+    ProgressBar bar_;
+    std::uint64_t all_;
+};
+
+bool needs_least_distance(const CommonOptions& common, const std::vector<Output>& outputs) {
+    return !common.report.empty() ||
+           std::any_of(outputs.begin(), outputs.end(),
+                       [](const Output& output) { return output.format.name() == "json"; });
+}
+
+}  // namespace
+
+void add_relax(CLI::App& command, std::uint32_t& iterations) {
+    add_number(command, "relax", "K", iterations,
+               fmt::format("Then move the points until their shares are equal, K times; 0 does not "
+                           "(default {})",
+                           iterations));
+}
+
+RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations) {
+    RelaxOptions options;
+    options.width = request.width;
+    options.height = request.height;
+    options.boundary = request.boundary;
+    options.iterations = iterations;
+    options.backend = request.backend;
+    options.device = request.device;
+    options.threads = request.threads;
+    return options;
+}
+
+Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& outputs,
+                        const RelaxOptions& options, const Field* field, Made& made) {
+    RelaxOptions measured = options;
+    measured.measure = !common.report.empty();
+    Relaxation relaxation;
+    relaxation.iterations = options.iterations;
+    {
+        Iterations bar(common.quiet, options.iterations);
+        DriverAtWork driver(options.backend);
+        Observers observers({driver, made.stopwatch, bar});
+        relaxation.relaxed = relax(made.result.points, field, measured, observers);
+    }
+    made.seconds = made.stopwatch.seconds_so_far();
+    made.result.points = std::move(relaxation.relaxed.points);
+    made.result.maximal = false;
+    made.result.radius = 0;
+    if (needs_least_distance(common, outputs) && made.result.points.size() > 1) {
+        const verify::Domain domain{options.width, options.height,
+                                    options.boundary == Boundary::torus};
+        made.result.radius = verify::closest_pair(domain, made.result.points).distance;
+        relaxation.least_distance = made.result.radius;
+    }
+    return relaxation;
+}
+
+nlohmann::ordered_json json_of(const Relaxation& relaxation) {
+    const Relaxed& relaxed = relaxation.relaxed;
+    Json json{{"lattice", {relaxed.lattice_columns, relaxed.lattice_rows}}};
+    if (relaxed.evenness)
+        json["capacity_cv"] = {{"before", relaxed.evenness->before},
+                               {"after", relaxed.evenness->after},
+                               {"after_in_voronoi_cells", relaxed.evenness->after_voronoi}};
+    json["least_distance"] =
+        relaxation.least_distance ? Json(*relaxation.least_distance) : Json(nullptr);
+    json["backend"] = relaxed.backend;
+    json["device"] = relaxed.device;
+    return {{"request", {{"relax", relaxation.iterations}}}, {"relax", json}};
+}
+
+}  // namespace lacuna::cli

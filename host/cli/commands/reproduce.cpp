@@ -1,0 +1,198 @@
+// The options of `lacuna reproduce`, and its run.
+#include "cli/commands/reproduce.h"
+
+#include <fmt/core.h>
+#include <lacuna/lacuna.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "cli/check_failed.h"
+#include "cli/options/given_files.h"
+#include "cli/options/options.h"
+#include "cli/options/picture_field.h"
+#include "cli/reports/output.h"
+#include "cli/reports/writing.h"
+#include "cli/terminal/interruption.h"
+#include "cli/terminal/progress_bar.h"
+#include "files/point_files.h"
+#include "pictures/image.h"
+#include "pictures/importance.h"
+#include "reproduce/reproduce.h"
+
+namespace lacuna::cli {
+namespace {
+
+constexpr const char* kReproduceDescription =
+    R"(Makes the tables and figures of Kalantari & Sen (2011) anew and compares their numbers.
+
+Examples:
+  lacuna reproduce table2                       numbers on standard output
+  lacuna reproduce fig5 -o figures              fig5.json and fig5.svg in the folder figures too
+  lacuna reproduce table1 --runs 5 --smallest-radius 0.005     in seconds, but less sure
+  lacuna reproduce all --image raccoon.png -o figures          some minutes on two cores
+
+WHAT is table1, table2, fig3, fig4, fig5, fig6, fig7, fig8, or all. Figure 7 stipples a
+picture of your own, --image: the paper's are not free.
+
+A line a number: the paper's, the one made here, their difference, the band that it must lie in, and
+whether it does. What the paper says in words stands in quotes, with the band in which the words
+hold. Times depend on the machine and decide nothing. But for times the same on every machine.
+
+Exit code: 0 all numbers are within their bands, 1 one is not, 2 bad usage, 3 a file cannot be read
+or written, 4 the system makes no threads, 130 interrupted (143 by SIGTERM).
+)";
+
+struct ReproduceCommand {
+    std::vector<std::string> what;
+    std::optional<std::string> folder;
+    std::string image;
+    std::optional<std::uint32_t> runs;
+    std::optional<double> smallest_radius;
+    bool quiet = false;
+};
+
+// An item with all that is made for it.
+struct MadeItem {
+    const reproduce::Item& item;
+    reproduce::Reproduction reproduction;
+
+    std::string picture_name() const {
+        return fmt::format("{}.{}", item.name,
+                           reproduction.medium == drawing::Medium::svg ? "svg" : "png");
+    }
+    std::string data_name() const { return fmt::format("{}.json", item.name); }
+};
+
+// In the paper's order, none twice.
+std::vector<const reproduce::Item*> chosen(const std::vector<std::string>& what) {
+    std::string names;
+    for (const reproduce::Item& item : reproduce::items()) names += fmt::format("{}, ", item.name);
+    std::vector<const reproduce::Item*> items;
+    const auto is_asked = [&](std::string_view name) {
+        return std::find(what.begin(), what.end(), name) != what.end();
+    };
+    for (const reproduce::Item& item : reproduce::items())
+        if (is_asked(item.name) || is_asked("all")) items.push_back(&item);
+    for (const std::string& name : what) {
+        const auto is_it = [&](const reproduce::Item& item) { return item.name == name; };
+        if (name != "all" &&
+            std::none_of(reproduce::items().begin(), reproduce::items().end(), is_it))
+            throw CLI::ValidationError(fmt::format("{}: must be one of {}all", shown(name), names));
+    }
+    return items;
+}
+
+void check(const ReproduceCommand& options, const std::vector<const reproduce::Item*>& items) {
+    if (options.runs && *options.runs == 0) throw BadRequest("runs", "0", "must be at least 1");
+    constexpr double kLargestRadius = 0.05;  // of the tables
+    const double smallest = options.smallest_radius.value_or(kLargestRadius);
+    if (!(smallest > 0 && smallest <= kLargestRadius))
+        throw BadRequest("smallest-radius", fmt::format("{}", smallest),
+                         "must be over 0 and at most 0.05, the tables' largest");
+    const auto needs_image = [](const reproduce::Item* item) { return item->needs_image; };
+    const auto first = std::find_if(items.begin(), items.end(), needs_image);
+    if (first != items.end() && options.image.empty())
+        throw BadRequest("image", "missing",
+                         fmt::format("{} stipples a picture: give one, such as --image FILE.png",
+                                     (*first)->name));
+    if (!options.folder) return;
+    // Before the work starts: what cannot be made must not cost minutes.
+    std::error_code error;
+    std::filesystem::create_directories(*options.folder, error);
+    if (error)
+        throw files::FileError(
+            fmt::format("{}: cannot be made: {}", *options.folder, error.message()));
+    std::vector<GivenFile> read;
+    if (!options.image.empty()) read.push_back({"--image", options.image});
+    std::vector<GivenFile> written;
+    for (const reproduce::Item* item : items)
+        for (const std::string_view extension : {"json", "svg", "png"}) {
+            const std::filesystem::path folder = *options.folder;
+            written.push_back(
+                {"--output", (folder / fmt::format("{}.{}", item->name, extension)).string()});
+            check_writable(written.back().path);
+        }
+    check_given_files(read, written);
+}
+
+std::vector<MadeItem> make(const std::vector<const reproduce::Item*>& items,
+                           reproduce::Setting& setting, ProgressBar& bar) {
+    std::vector<MadeItem> all;
+    for (const reproduce::Item* item : items) {
+        setting.keep_going = [&](double share) {
+            bar.show(share, fmt::format("{} ({} of {})", item->name, all.size() + 1, items.size()));
+            return true;
+        };
+        all.push_back({*item, item->make(setting)});
+    }
+    return all;
+}
+
+void add(Writing& writing, const std::vector<MadeItem>& all, const std::filesystem::path& folder) {
+    for (const MadeItem& made : all) {
+        writing.add((folder / made.data_name()).string(),
+                    [&made] { return reproduce::json_of(made.item, made.reproduction); });
+        writing.add((folder / made.picture_name()).string(),
+                    [&made] { return made.reproduction.picture; });
+    }
+}
+
+void run(const ReproduceCommand& options) {
+    const auto items = chosen(options.what);
+    check(options, items);
+    std::optional<Field> image;
+    if (!options.image.empty())
+        image = pictures::importance_of(pictures::read_image(options.image, kLargestAspect), {});
+    reproduce::Setting setting{options.runs, options.smallest_radius, image ? &*image : nullptr};
+    Interruption interruption;
+    std::vector<MadeItem> all;
+    {
+        ProgressBar bar(options.quiet);
+        all = make(items, setting, bar);
+    }
+    Writing writing(interruption);
+    if (options.folder) add(writing, all, *options.folder);
+    std::string lines;
+    bool all_within = true;
+    for (const MadeItem& made : all) {
+        for (const reproduce::Number& number : made.reproduction.numbers)
+            lines += reproduce::line_of(made.item.name, number) + "\n";
+        all_within = all_within && reproduce::all_within(made.reproduction.numbers);
+    }
+    writing.add("-", [&] { return lines; });
+    writing.write();
+    if (!all_within) throw CheckFailed();
+}
+
+}  // namespace
+
+void add_reproduce(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("reproduce", kReproduceDescription);
+    const auto options = std::make_shared<ReproduceCommand>();
+    command.add_option("WHAT", options->what, "table1, table2, fig3 to fig8, or all")
+        ->type_name("...")
+        ->required();
+    command
+        .add_option("-o,--output", options->folder,
+                    "A folder, made if need be, for a .json and a picture of each item")
+        ->type_name("FOLDER");
+    command.add_option("--image", options->image, "What figure 7 stipples; dark is dense")
+        ->type_name("FILE");
+    add_number(command, "runs", "N", options->runs,
+               "Sets that each mean is taken of (default: each item its own, 2 to 100)");
+    add_number(command, "smallest-radius", "R", options->smallest_radius,
+               "Leave out the tables' rows of smaller radii");
+    command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,174 @@
+// The options of `lacuna sample`, and its run.
+#include "cli/commands/sample.h"
+
+#include <lacuna/lacuna.h>
+
+#include <CLI/App.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands/relaxation.h"
+#include "cli/commands/sample_seeds.h"
+#include "cli/options/common_options.h"
+#include "cli/options/domain_options.h"
+#include "cli/options/drawing.h"
+#include "cli/options/options.h"
+#include "cli/options/origin.h"
+#include "cli/reports/output.h"
+#include "cli/reports/report.h"
+#include "cli/reports/writing.h"
+#include "cli/terminal/interruption.h"
+#include "files/point_files.h"
+
+namespace lacuna::cli {
+namespace {
+
+constexpr const char* kSampleDescription =
+    R"(Makes a blue-noise point set: random, evenly spread points with no room left for another.
+
+Examples:
+  lacuna sample --radius 0.01                       points as `x y` lines on standard output
+  lacuna sample --radius 0.01 -o points.svg         a picture; see --output for the formats
+  lacuna sample --count 10000 --torus -o points.npy exactly so many points, and edges that wrap
+  lacuna sample --radius 0.02 --domain 2x1 --mode lines   the paper's algorithm
+  lacuna sample --count 4096 --torus --relax 30 -o even.npy   far more even: see lacuna relax --help
+  lacuna sample --radius 0.005 --seed 7 -o a.csv --report a.json   and what it cost
+  lacuna sample --count 10k --format npy > a.npy      another format on standard output
+  lacuna sample --field density.png --scale 0.004 -o points.npy   dense where it is dark
+  lacuna sample --inside lakes.svg --border 2 --radius 3 -o fish.svg   up to every shore
+  lacuna sample --keep trees.csv --radius 0.02 -o more.csv   fills what is left around points
+  lacuna sample --count 256 --torus --seeds 0..999 -o 'tiles/{seed}.npy'   a thousand small tiles
+)";
+
+struct SampleCommand {
+    CommonOptions common;
+    DomainOptions domain;
+    DrawingOptions drawing;
+    std::uint32_t relax = 0;
+    std::optional<SeedRange> seeds;
+};
+
+void read_mode(const std::string& text, Mode& mode) {
+    if (text == name_of(Mode::cells))
+        throw BadRequest("mode", text, "is what lacuna stipple does; here: exact or lines");
+    for (const Mode known : {Mode::exact, Mode::lines}) {
+        if (text != name_of(known)) continue;
+        mode = known;
+        return;
+    }
+    throw BadRequest("mode", shown(text), "must be exact or lines");
+}
+
+// Relaxed points would leave where they may lie.
+void check_relax(const SampleCommand& all) {
+    if (all.relax == 0) return;
+    const auto refuse = [&](const char* allowed) {
+        throw BadRequest("relax", std::to_string(all.relax), allowed);
+    };
+    if (all.seeds) refuse("is not for --seeds: relax each file with lacuna relax");
+    if (!all.domain.mask.empty() || !all.domain.inside.empty() || !all.domain.keep.empty() ||
+        all.common.request.border != 0)
+        refuse("is not for --mask, --inside, --border or --keep, which it knows nothing of");
+}
+
+void run(const CLI::App& command, const SampleCommand& all) {
+    check_relax(all);
+    check_domain(command, all.domain);
+    CommonOptions options = all.common;
+    Request& request = options.request;
+    DomainFiles files;
+    if (all.seeds) {
+        read_domain_files(command, all.domain, request, files);
+        sample_seeds(command, options, all.drawing, *all.seeds,
+                     json_of(all.domain, request, files));
+        return;
+    }
+    const std::vector<Output> outputs = checked_outputs(options, files_of(all.domain));
+    check_drawing(all.drawing, outputs);
+    read_domain_files(command, all.domain, request, files);
+    const drawing::Style style = style_of(all.drawing, request.width, request.height);
+    Interruption interruption;
+    Made made = make(options);
+    Json decides = json_of(all.domain, request, files);
+    Json more{{"request", decides}};
+    if (all.relax != 0) {
+        decides["relax"] = all.relax;
+        more.update(json_of(relax_points(options, outputs, relax_options_of(request, all.relax),
+                                         request.field, made)),
+                    true);
+    }
+    const files::Origin origin = origin_of(command, request, made.result, decides);
+    const files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
+                              &origin};
+    Writing writing(interruption);
+    if (!options.report.empty())
+        writing.add(options.report, [&] { return report_of(request, made, more); });
+    write_set(writing, all.drawing, outputs, set, style, [&] {
+        return dots_of(request, set.points,
+                       all.relax != 0 ? drawing::Spread::even : drawing::Spread::random);
+    });
+    const std::size_t kept = request.keep.size();
+    sum_up(options, outputs, made, "point",
+           kept == 0 ? "" : ", " + std::to_string(kept) + " of them kept");
+}
+
+}  // namespace
+
+void add_size(CLI::App& command, Request& request) {
+    add_number(command, "radius", "R", request.radius,
+               "Least distance between two points; this or --count");
+    add_number(command, "count", "N", request.count,
+               "Exactly so many points, at a radius that fits; this or --radius");
+    command
+        .add_option_function<std::string>(
+            "--domain",
+            [&request](const std::string& text) {
+                read_domain("domain", text, request.width, request.height);
+            },
+            "Width and height of the domain (default 1x1)")
+        ->type_name("WxH");
+}
+
+void add_mode(CLI::App& command, Request& request) {
+    command
+        .add_option_function<std::string>(
+            "--mode", [&request](const std::string& mode) { read_mode(mode, request.mode); },
+            "exact (default): no gap is left, every distance is at least the radius; lines: as in "
+            "the paper")
+        ->type_name("MODE");
+    add_number(command, "lines-per-radius", "M", request.lines_per_radius,
+               "Lines in a radius' width (default 6 in exact, 30 in lines)");
+    command
+        .add_flag("--uniform-x", request.uniform_x,
+                  "In lines: those with room are equally likely, however much room they have")
+        ->disable_flag_override();
+    command
+        .add_flag("--snap", request.snap,
+                  "In lines: points lie on them, and no distance is less than the radius; without, "
+                  "1/(2M) of it less")
+        ->disable_flag_override();
+}
+
+void add_sample(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("sample", kSampleDescription);
+    const auto options = std::make_shared<SampleCommand>();
+    Request& request = options->common.request;
+    add_size(command, request);
+    add_domain(command, options->domain, request);
+    add_what_to_make(command, request);
+    add_seeds(command, options->seeds);
+    add_relax(command, options->relax);
+    add_mode(command, request);
+    add_how_to_draw(command, options->drawing, "two thirds of the points' radius");
+    add_effort(command, request);
+    add_place(command, request);
+    add_what_to_write(command, options->common);
+    command.callback([&command, options] { run(command, *options); });
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,173 @@
+// Makes many sets under one progress bar, and writes each as soon as it is made.
+#include "cli/commands/sample_seeds.h"
+
+#include <fmt/core.h>
+#include <lacuna/many.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cli/options/domain_options.h"
+#include "cli/options/options.h"
+#include "cli/options/origin.h"
+#include "cli/reports/output.h"
+#include "cli/reports/report.h"
+#include "cli/reports/writing.h"
+#include "cli/terminal/driver.h"
+#include "cli/terminal/interruption.h"
+#include "cli/terminal/observers.h"
+#include "cli/terminal/progress_bar.h"
+#include "cli/terminal/stopwatch.h"
+#include "files/point_files.h"
+
+namespace lacuna::cli {
+namespace {
+
+constexpr std::string_view kPlace = "{seed}";
+constexpr std::uint64_t kMostSeeds = 1'000'000;
+
+SeedRange read_seeds(const std::string& text) {
+    const std::size_t dots = text.find("..");
+    if (dots == std::string::npos)
+        throw BadRequest("seeds", shown(text), "must be FIRST..LAST, as in 0..99, both included");
+    SeedRange seeds{};
+    read("seeds", text.substr(0, dots), seeds.first);
+    read("seeds", text.substr(dots + 2), seeds.last);
+    if (seeds.last < seeds.first)
+        throw BadRequest("seeds", shown(text), "the first must not be greater than the last");
+    if (seeds.last - seeds.first >= kMostSeeds)
+        throw BadRequest("seeds", shown(text), fmt::format("must be at most {}", kMostSeeds));
+    return seeds;
+}
+
+std::string path_of(std::string path, std::uint64_t seed) {
+    const std::string number = std::to_string(seed);
+    for (std::size_t at = path.find(kPlace); at != std::string::npos; at = path.find(kPlace, at))
+        path.replace(at, kPlace.size(), number);
+    return path;
+}
+
+std::vector<Output> outputs_of_seed(const std::vector<Output>& outputs, std::uint64_t seed) {
+    std::vector<Output> own;
+    own.reserve(outputs.size());
+    for (const Output& output : outputs) own.push_back({path_of(output.path, seed), output.format});
+    return own;
+}
+
+// Before the work starts; the files of the first set stand for all.
+std::vector<Output> checked_outputs_of_all(const CommonOptions& options, SeedRange seeds) {
+    if (options.output.paths.empty())
+        throw BadRequest("seeds", fmt::format("{}..{}", seeds.first, seeds.last),
+                         "needs an --output with {seed} in its name, such as 'tiles/{seed}.npy'");
+    CommonOptions of_first = options;
+    for (std::string& path : of_first.output.paths) {
+        if (path.find(kPlace) == std::string::npos)
+            throw BadRequest("output", shown(path),
+                             "must have {seed} in its name, for --seeds: a file a set");
+        path = path_of(path, seeds.first);
+    }
+    const std::vector<Output> checked = checked_outputs(of_first, {});
+    std::vector<Output> outputs;
+    for (std::size_t i = 0; i < checked.size(); ++i)
+        outputs.push_back({options.output.paths[i], checked[i].format});
+    return outputs;
+}
+
+class Sets : public Observer {
+public:
+    explicit Sets(bool quiet) : bar_(quiet) {}
+    bool keep_going(const Progress& progress) override {
+        const double share =
+            static_cast<double>(progress.points) /
+            static_cast<double>(std::max<std::uint64_t>(1, progress.expected_points));
+        bar_.show_time_to_go(
+            share, fmt::format("{} of {} sets", progress.points, progress.expected_points));
+        return true;
+    }
+
+private:
+    ProgressBar bar_;
+};
+
+void add(ManyMade& all, Result set) {
+    const std::uint64_t count = set.points.size();
+    all.least = all.sets == 0 ? count : std::min(all.least, count);
+    all.most = std::max(all.most, count);
+    all.points += count;
+    all.maximal += set.maximal ? 1 : 0;
+    ++all.sets;
+    set.points.clear();
+    all.last = std::move(set);
+}
+
+void sum_up(const CommonOptions& options, const ManyMade& all) {
+    if (options.quiet || is_standard_output(options.report)) return;
+    std::string paths;
+    for (const std::string& path : options.output.paths)
+        paths += (paths.empty() ? "" : ", ") + path;
+    const std::string summary = fmt::format("{} set{} of {} to {} points, {:.3f} s, {} -> {}",
+                                            all.sets, all.sets == 1 ? "" : "s", all.least, all.most,
+                                            all.seconds, all.last.backend, paths);
+    std::fputs((printable(summary) + "\n").c_str(), stderr);
+}
+
+}  // namespace
+
+void add_seeds(CLI::App& command, std::optional<SeedRange>& seeds) {
+    add_text(
+        command, "seeds", "A..B", [&seeds](const std::string& text) { seeds = read_seeds(text); },
+        "A set for each seed from A to B, both included; each goes to a file of its own: every "
+        "--output has {seed} in its name. Instead of --seed");
+}
+
+void sample_seeds(const CLI::App& command, const CommonOptions& options,
+                  const DrawingOptions& drawing, SeedRange seeds, const Json& more) {
+    if (command.count("--seed") > 0)
+        throw BadRequest("seeds", fmt::format("{}..{}", seeds.first, seeds.last),
+                         "is instead of --seed, not with it");
+    const std::vector<Output> outputs = checked_outputs_of_all(options, seeds);
+    check_drawing(drawing, outputs);
+    const drawing::Style style = style_of(drawing, options.request.width, options.request.height);
+    std::vector<std::uint64_t> all(seeds.last - seeds.first + 1);
+    std::iota(all.begin(), all.end(), seeds.first);
+
+    Interruption interruption;
+    ManyMade made;
+    made.first_seed = seeds.first;
+    made.last_seed = seeds.last;
+    Stopwatch stopwatch;
+    {
+        DriverAtWork driver(options.request.backend);
+        Sets bar(options.quiet);
+        Observers observers({driver, bar});
+        sample_many(
+            options.request, all,
+            [&](std::uint64_t seed, Result set) {
+                Request request = options.request;
+                request.seed = seed;
+                const files::Origin origin = origin_of(command, request, set, more);
+                Writing writing(interruption);
+                write_set(writing, drawing, outputs_of_seed(outputs, seed),
+                          {set.points, request.width, request.height, set.radius, &origin}, style,
+                          [&] { return dots_of(request, set.points, drawing::Spread::random); });
+                add(made, std::move(set));
+            },
+            observers);
+    }
+    made.seconds = stopwatch.seconds_so_far();
+    Writing writing(interruption);
+    if (!options.report.empty())
+        writing.add(options.report, [&] { return many_report(options.request, made); });
+    writing.write();
+    sum_up(options, made);
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,251 @@
+// The options of `lacuna stipple`, and its run.
+#include "cli/commands/stipple.h"
+
+#include <fmt/core.h>
+
+#include <lacuna/lacuna.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/commands/relaxation.h"
+#include "cli/options/common_options.h"
+#include "cli/options/drawing.h"
+#include "cli/options/options.h"
+#include "cli/options/origin.h"
+#include "cli/options/picture_field.h"
+#include "cli/reports/output.h"
+#include "cli/reports/report.h"
+#include "cli/reports/writing.h"
+#include "cli/terminal/interruption.h"
+#include "cli/terminal/progress_bar.h"
+#include "cli/terminal/stopwatch.h"
+#include "drawing/dot_count.h"
+#include "drawing/dot_size.h"
+#include "drawing/pen/pen_path.h"
+#include "drawing/picture.h"
+#include "files/point_files.h"
+#include "pictures/image.h"
+#include "pictures/importance.h"
+
+namespace lacuna::cli {
+namespace {
+
+constexpr const char* kStippleDescription =
+    R"(Stipples a picture: random dots, evenly spread, dense where it is dark.
+
+Examples:
+  lacuna stipple photo.jpg -o dots.svg                       as many as suit the picture
+  lacuna stipple photo.jpg --count 20000 -o dots.svg         exactly so many dots
+  lacuna stipple dim.jpg --auto-levels -o dots.svg -o dots.png   an underexposed photo, two files
+  lacuna stipple photo.jpg --scale 0.003 -o dots.png         as many as there is room for
+  lacuna stipple photo.jpg --count 20000 --relax 0 -o dots.pdf        the paper's set, grainy
+  lacuna stipple photo.jpg --scale 0.003 --relax 0 --mode exact -o dots.npy   no gap is left
+  lacuna stipple photo.jpg --count 5000 --paper-size A4 --margin 15mm --dot-size 0.5mm --pen-path
+    -o plot.svg                                              for a plotter with a pen of 0.5 mm
+  lacuna stipple density.npy --invert --count 5000 > points.txt       high numbers are dense
+
+Points lie in the picture's shape, its longer side 1, y upwards. Importance is 1 where the picture
+is black and 0, no dots at all, where it is white. Dots are placed at random, a radius apart, which
+is G / sqrt(importance); then --relax moves them, K times, until each stands in the middle of an
+equal share of the picture. With --relax 0 they stay: radii are then least distances, points come in
+the order in which they were admitted, and any prefix is itself a set of its kind.
+
+Where radii differ, two dots keep the smaller one apart with --metric min: dots of light places take
+no room from dark ones. With mean and max they do, and leave gaps along edges of the picture.
+Without --metric it is mean, from which relaxing comes farthest, and min with --relax 0 and in exact.
+
+With --mode cells dots are placed on a lattice, and some 4 % fewer find room than in the plane. With
+--mode exact they are placed in the plane, where no room is left: the set that lacuna sample --field
+makes.
+
+On --paper-size the picture lies in the middle, as large as --margin lets it, and .svg is in mm.
+Without, the picture is the page, 512pt long.
+
+Read are PNG, JPEG, PGM, PPM, PFM, Radiance HDR and NumPy's .npy. A photo that is too dark or too
+light as a whole comes out better with --auto-levels.
+)";
+
+struct StippleCommand {
+    CommonOptions common;
+    Picture picture;
+    DrawingOptions drawing;
+    bool pen_path = false;
+    std::uint32_t relax = RelaxOptions{}.iterations;
+};
+
+void read_dot_mode(const std::string& text, Mode& mode) {
+    for (const Mode known : {Mode::cells, Mode::exact}) {
+        if (text != name_of(known)) continue;
+        mode = known;
+        return;
+    }
+    throw BadRequest("mode", shown(text), "must be cells or exact");
+}
+
+void add_what_to_stipple(CLI::App& command, StippleCommand& options) {
+    Request& request = options.common.request;
+    add_picture(command, options.picture, request)->required();
+    add_number(
+        command, "count", "N", request.count,
+        "Exactly so many dots, at a scale that fits; this or --scale (default: a number that "
+        "suits the picture's size and darkness, or --dot-size)");
+    request.mode = Mode::cells;
+    command
+        .add_option_function<std::string>(
+            "--mode", [&request](const std::string& mode) { read_dot_mode(mode, request.mode); },
+            "cells (default): dots are placed on a lattice, as in the paper; exact: in the plane, "
+            "with no gap left, by metric min")
+        ->type_name("MODE");
+    add_number(command, "lines-per-radius", "M", request.lines_per_radius,
+               "Steps of the lattice in the least radius (default 10); in exact it decides nothing "
+               "but the speed (default 1)");
+}
+
+void add_pen_path(CLI::App& command, StippleCommand& options) {
+    command
+        .add_flag("--pen-path", options.pen_path,
+                  "Dots in the order of a short way for a pen, in every format")
+        ->disable_flag_override();
+}
+
+// All that can be checked before the picture is read. What is to be written.
+std::vector<Output> check_options(const StippleCommand& options) {
+    const std::vector<Output> outputs =
+        checked_outputs(options.common, {{"IMAGE", options.picture.path}});
+    pictures::check(options.picture.importance);
+    check_drawing(options.drawing, outputs);
+    return outputs;
+}
+
+// What `lacuna stipple` has done beside sampling.
+struct Work {
+    double read_seconds = 0;
+    double path_seconds = 0;
+    double admitted_length = 0;  // of a pen's way, in the domain's units
+    double path_length = 0;
+    std::optional<Relaxation> relaxation;
+};
+
+void order_for_a_pen(const StippleCommand& options, Made& made, Work& work) {
+    std::vector<Point>& points = made.result.points;
+    ProgressBar bar(options.common.quiet);
+    bar.note(fmt::format("a pen path through {} dots", points.size()));
+    const Stopwatch stopwatch;
+    const std::vector<std::uint32_t> order = pen::pen_path(points, [] { return true; });
+    work.path_seconds = stopwatch.seconds_so_far();
+    work.admitted_length = pen::path_length(points);
+    std::vector<Point> ordered;
+    ordered.reserve(points.size());
+    for (const std::uint32_t index : order) ordered.push_back(points[index]);
+    points = std::move(ordered);
+    work.path_length = pen::path_length(points);
+}
+
+Json json_of(const DrawingOptions& options, const drawing::Style& style) {
+    return {{"dot_size_mm", options.dot_size_mm ? Json(*options.dot_size_mm) : Json("radius")},
+            {"paper_mm",
+             style.sheet ? Json({style.sheet->width_mm, style.sheet->height_mm}) : Json(nullptr)},
+            {"margin_mm", options.margin_mm},
+            {"dpi", style.pixels_per_inch}};
+}
+
+Json json_of(const StippleCommand& options) {
+    Json json{{"image", options.picture.path}};
+    json.update(json_of_importance(options.picture.importance));
+    json["relax"] = options.relax;
+    json["pen_path"] = options.pen_path;
+    return json;
+}
+
+Json report_of_the_rest(const StippleCommand& options, const std::vector<Output>& outputs,
+                        const Field& field, const drawing::Style& style, const Work& work) {
+    Json more{{"request", json_of(options)},
+              {"image", {{"columns", field.columns}, {"rows", field.rows}}},
+              {"seconds", {{"read", work.read_seconds}}}};
+    if (has_picture(outputs)) more["request"].update(json_of(options.drawing, style));
+    if (work.relaxation) more.update(json_of(*work.relaxation), true);
+    if (!options.pen_path) return more;
+    more["seconds"]["pen_path"] = work.path_seconds;
+    more["pen_path"] = {{"length", work.path_length}, {"length_as_admitted", work.admitted_length}};
+    return more;
+}
+
+// What a pen travels, in the last line.
+std::string path_text(const StippleCommand& options, const std::vector<Output>& outputs,
+                      const files::PointSet& set, const drawing::Style& style, const Work& work) {
+    if (!options.pen_path) return "";
+    if (!has_picture(outputs))
+        return fmt::format(", pen path {:.4g} longer sides", work.path_length);
+    return fmt::format(", pen path {:.2f} m",
+                       work.path_length * drawing::millimetres_per_unit(set, style) / 1000);
+}
+
+void run(const CLI::App& command, const StippleCommand& options) {
+    const std::vector<Output> outputs = check_options(options);
+    Work work;
+    const Stopwatch stopwatch;
+    CommonOptions common = options.common;
+    Request& request = common.request;
+    if (request.mode == Mode::cells && options.relax != 0 && !options.picture.has_metric)
+        request.metric = Metric::mean;
+    const Field field = read_field(options.picture, request);
+    request.field = &field;
+    drawing::Style style = style_of(options.drawing, request.width, request.height);
+    style.for_a_pen = options.pen_path;
+    std::string note;
+    if (!request.count && !request.scale) {
+        request.count = drawing::default_count(field, request.width, request.height,
+                                               options.drawing.dot_size_mm, style);
+        note = " (chosen for the picture: --count gives another number)";
+    }
+    work.read_seconds = stopwatch.seconds_so_far();
+
+    Interruption interruption;
+    Made made = make(common);
+    if (options.relax != 0)
+        work.relaxation =
+            relax_points(common, outputs, relax_options_of(request, options.relax), &field, made);
+    if (options.pen_path) order_for_a_pen(options, made, work);
+
+    const files::Origin origin = origin_of(command, request, made.result, json_of(options));
+    const files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
+                              &origin};
+    Writing writing(interruption);
+    if (!common.report.empty())
+        writing.add(common.report, [&] {
+            return report_of(request, made,
+                             report_of_the_rest(options, outputs, field, style, work));
+        });
+    write_set(writing, options.drawing, outputs, set, style, [&] {
+        return drawing::dot_diameters(
+            set.points, field, set.width, set.height,
+            options.relax != 0 ? drawing::Spread::even : drawing::Spread::random);
+    });
+    sum_up(common, outputs, made, "dot", note, path_text(options, outputs, set, style, work));
+}
+
+}  // namespace
+
+void add_stipple(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("stipple", kStippleDescription);
+    const auto options = std::make_shared<StippleCommand>();
+    add_what_to_stipple(command, *options);
+    add_what_to_make(command, options->common.request);
+    add_relax(command, options->relax);
+    add_how_to_draw(command, options->drawing, "as much ink as the picture is dark");
+    add_pen_path(command, *options);
+    add_effort(command, options->common.request);
+    add_place(command, options->common.request);
+    add_what_to_write(command, options->common);
+    command.callback([&command, options] { run(command, *options); });
+}
+
+}  // namespace lacuna::cli

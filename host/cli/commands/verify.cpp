@@ -1,0 +1,235 @@
+// The options of `lacuna verify`, and what it prints.
+#include "cli/commands/verify.h"
+
+#include <fmt/core.h>
+#include <lacuna/lacuna.h>
+#include <lacuna/verify.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/check_failed.h"
+#include "cli/options/domain_options.h"
+#include "cli/options/given_files.h"
+#include "cli/options/options.h"
+#include "cli/reports/verify_report.h"
+#include "files/point_files.h"
+#include "files/read_sets.h"
+#include "files/read_whole.h"
+#include "verify/ground_proof.h"
+#include "verify/verify.h"
+
+namespace lacuna::cli {
+namespace {
+
+constexpr const char* kVerifyDescription =
+    R"(Proves or refutes, from the coordinates alone, that points are a maximal Poisson-disk set.
+
+Examples:
+  lacuna verify points.txt --radius 0.01            are all far enough apart, and is no room left?
+  lacuna verify a.npy --radius 0.01 --torus         where the edges wrap
+  lacuna verify a.csv --radius 0.02 --domain 2x1    in another domain than the unit square
+  lacuna sample --radius 0.05 | lacuna verify - --radius 0.05     what another program has made
+  lacuna verify a.json b.json --quiet               what the files say of themselves, by exit code
+  lacuna verify bridson.csv --radius 0.01 --distances-only    not meant to be maximal
+  lacuna verify dots.npy --field photo.jpg --scale 0.002      radii that follow a picture
+  lacuna verify trees.csv --radius 4 --inside park.svg --keep old.csv    in polygons, around others
+
+Two promises are checked. No two points are closer than R. No spot of the domain, edges and corners
+included, is farther than R + T from every point. The closest two points and the emptiest spot are
+printed; points are numbered from 0, in the order of the file. Distances are in double, as you would
+compute them: sqrt(dx * dx + dy * dy). The default T is more than a sampler may lose by rounding R
+up to whole units of a grid, 2^30 or more of them along the longer side; T = 0 forgives no more than
+1e-12 of that side. A T over 1 % of R proves no maximal set, and the verdict says what it does prove.
+Radius, domain and boundary that a .json tells hold where no option does.
+
+With --field, R is the smaller radius of two places: of two points, or of a spot and the point that
+is to cover it. The pair and the spot are those that are worst for their R. Where the field is
+white, --mask black, outside of --inside and within --border of an edge no point may lie, and no
+spot need be covered; the outline of --inside may be off by --edge either way. With any of these T
+is twice as large unless told. Pictures, polygons and the domain are as lacuna sample takes them.
+--keep's points must be the first of the set, to the last bit.
+
+Exit code: 0 all that was asked holds, 1 not, 2 bad usage, 3 the file cannot be read, 4 the system
+makes no threads.
+)";
+
+struct VerifyCommand {
+    std::vector<std::string> files;
+    std::optional<double> tolerance;
+    // What a request for such a set would say: the radius or scale, the domain and its border.
+    Request request;
+    DomainOptions domain;
+    bool torus = false;
+    bool distances_only = false;
+    bool json = false;
+    bool quiet = false;
+};
+
+// What the files of the options hold, and what they say of each set.
+struct Grounds {
+    Request request;
+    DomainFiles files;
+};
+
+// Options first, then what the set's file tells.
+Request request_of(const CLI::App& command, const Grounds& grounds, const files::SetsOfFile& file,
+                   const std::string& name) {
+    if (file.mode == name_of(Mode::cells) && command.count("--distances-only") == 0)
+        throw files::FileError(name +
+                               ": made in mode cells, where radii follow a picture: give "
+                               "--distances-only, for the least of them");
+    Request request = grounds.request;
+    if (command.count("--domain") == 0 && file.width) {
+        request.width = *file.width;
+        request.height = *file.height;
+    }
+    if (file.boundary == Boundary::torus) request.boundary = Boundary::torus;
+    if (request.field != nullptr) return request;
+    if (!request.radius) request.radius = file.radius;
+    if (!request.radius)
+        throw BadRequest("radius", "missing",
+                         "give the radius that the points should have, or a .json that tells it");
+    if (file.has_scale && command.count("--distances-only") == 0)
+        throw files::FileError(name +
+                               ": its radii follow a picture: give that, as --field, and --scale; "
+                               "or --distances-only, for the least of them");
+    return request;
+}
+
+// The radii of a field's places.
+Extremes radii_of(const Request& request) {
+    if (request.field == nullptr) return {*request.radius, *request.radius};
+    Extremes radii{std::numeric_limits<double>::infinity(), 0};
+    for (const double importance : request.field->importance) {
+        if (importance == 0) continue;
+        const double radius = *request.scale / std::sqrt(importance);
+        radii = {std::min(radii.least, radius), std::max(radii.most, radius)};
+    }
+    return radii;
+}
+
+SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Grounds& grounds,
+                  const files::SetsOfFile& file, const std::string& name) {
+    const Request request = request_of(command, grounds, file, name);
+    SetClaim claim;
+    claim.name = name;
+    claim.meant_to_be_maximal = file.maximal.value_or(true);
+    claim.options = options.domain;
+    claim.radii = radii_of(request);
+    claim.radius = request.radius.value_or(0);
+    claim.width = request.width;
+    claim.height = request.height;
+    claim.boundary = request.boundary;
+    claim.field = request.field;
+    claim.scale = request.scale.value_or(0);
+    claim.mask = request.mask;
+    claim.border = request.border;
+    claim.keep = request.keep;
+    claim.rings = rings_of(request, grounds.files);
+    if (!claim.rings.empty())
+        claim.edge_tolerance = grounds.files.edge =
+            edge_of(options.domain, request, claim.rings, grounds.files);
+    claim.given = json_of(options.domain, request, grounds.files);
+    claim.tolerance = options.tolerance.value_or(
+        claim.is_plain() ? verify::default_tolerance(claim.width, claim.height)
+                         : verify::default_ground_tolerance(claim.width, claim.height));
+    claim.distances_only = options.distances_only;
+    return claim;
+}
+
+// Refuses bad options before a large file is read.
+void check(const CLI::App& command, const VerifyCommand& options) {
+    check_domain(command, options.domain);
+    const Request& request = options.request;
+    if (!options.domain.field.path.empty() && !request.scale)
+        throw BadRequest("scale", "missing",
+                         "give the radius that points should have where the field is black");
+    if (!options.domain.field.path.empty() && request.radius)
+        throw BadRequest("radius", fmt::format("{}", *request.radius),
+                         "is for sets of one radius: with --field give --scale");
+    if (options.distances_only && options.tolerance)
+        throw BadRequest("tolerance", fmt::format("{}", *options.tolerance),
+                         "is for gaps, which --distances-only does not look for");
+    std::vector<GivenFile> read;
+    read.reserve(options.files.size());
+    for (const std::string& file : options.files) read.push_back({"FILE", file});
+    for (const GivenFile& file : files_of(options.domain)) read.push_back(file);
+    check_given_files(read, {});
+    if (request.radius)
+        verify::check({}, request.width, request.height, options.torus, *request.radius,
+                      options.tolerance.value_or(0));
+}
+
+void run(const CLI::App& command, const VerifyCommand& options) {
+    check(command, options);
+    Grounds grounds{options.request, {}};
+    if (options.torus) grounds.request.boundary = Boundary::torus;
+    read_given_files(command, options.domain, grounds.request, grounds.files);
+    std::vector<files::SetsOfFile> all;
+    for (const std::string& path : options.files) all.push_back(files::read_sets(path));
+    std::vector<SetClaim> claims;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::string name = files::name_of(options.files[i]);
+        const auto& sets = all[i].sets;
+        for (std::size_t k = 0; k < sets.size(); ++k) {
+            claims.push_back(
+                claim_of(command, options, grounds, all[i],
+                         sets.size() == 1 ? name : fmt::format("{}: set {}", name, k + 1)));
+            claims.back().points = sets[k];
+        }
+    }
+    bool all_hold = true;
+    for (SetClaim& claim : claims) {
+        claim.inside = claim.rings;  // wherever the claim has come to lie
+        claim.proof = prove(claim.points, claim);
+        all_hold = all_hold && claim.holds();
+    }
+    if (!options.quiet) files::write_whole("-", options.json ? json_of(claims) : text_of(claims));
+    if (!all_hold) throw CheckFailed();
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("verify", kVerifyDescription);
+    const auto options = std::make_shared<VerifyCommand>();
+    command
+        .add_option("FILE", options->files,
+                    "By extension: " + files::read_extensions() + "; - is standard input, as .txt")
+        ->type_name("...")
+        ->required();
+    Request& request = options->request;
+    add_number(command, "radius", "R", request.radius,
+               "The least distance promised (default: what a .json tells)");
+    command
+        .add_option_function<std::string>(
+            "--domain",
+            [&request](const std::string& text) {
+                read_domain("domain", text, request.width, request.height);
+            },
+            "Width and height of the domain (default what a .json or a picture tells, or 1x1)")
+        ->type_name("WxH");
+    add_domain(command, options->domain, request);
+    command.add_flag("--torus", options->torus, "The edges wrap")->disable_flag_override();
+    add_number(command, "tolerance", "T", options->tolerance,
+               "How far over R a gap may be (default 2^-28 of the longer side)");
+    command
+        .add_flag("--distances-only", options->distances_only,
+                  "Look for points too close only: for sets that are not meant to be maximal")
+        ->disable_flag_override();
+    command.add_flag("--json", options->json, "As JSON")->disable_flag_override();
+    command.add_flag("--quiet", options->quiet, "Say nothing: the exit code tells")
+        ->disable_flag_override();
+    command.callback([&command, options] { run(command, *options); });
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,102 @@
+// Options that both makers of point sets have.
+#include "cli/options/common_options.h"
+
+#include <fmt/core.h>
+
+#include <CLI/App.hpp>
+#include <cstddef>
+#include <cstdio>
+
+#include "cli/options/options.h"
+#include "cli/reports/output.h"
+#include "cli/terminal/driver.h"
+#include "cli/terminal/observers.h"
+#include "cli/terminal/progress_bar.h"
+
+namespace lacuna::cli {
+
+void add_what_to_make(CLI::App& command, Request& request) {
+    command
+        .add_flag_callback(
+            "--torus", [&request] { request.boundary = Boundary::torus; }, "The edges wrap")
+        ->disable_flag_override();
+    add_number(command, "limit", "K", request.limit, "Stop after so many points");
+    add_number(command, "seed", "S", request.seed,
+               "Same seed, same points, whatever the backend (default 0)");
+}
+
+void add_effort(CLI::App& command, Request& request) {
+    add_number(command, "round-size", "K", request.round_size,
+               "Draws in a round; 0 chooses (default), 1 is the paper's algorithm");
+    add_number(command, "threads", "T", request.threads, "Threads; 0 is one a core (default)");
+}
+
+void add_place(CLI::App& command, Request& request) {
+    command
+        .add_option(
+            "--backend", request.backend,
+            "cpu, opencl, vulkan or reference; auto (default): what the environment variable "
+            "LACUNA_BACKEND names, else the first of these")
+        ->type_name("NAME");
+    command.add_option("--device", request.device, "A number or a part of the device's name")
+        ->type_name("NAME");
+}
+
+void add_what_to_write(CLI::App& command, CommonOptions& options) {
+    add_outputs(command, options.output, "FILE",
+                "By extension: " + files::written_extensions() +
+                    "; - is standard output, as .txt (default); may be given several times");
+    command
+        .add_option(
+            "--report", options.report,
+            "Request, counts, seconds by verb, memory and SHA-256 of the points; - is standard "
+            "output")
+        ->type_name("FILE.json");
+    command.add_flag("--quiet", options.quiet, "No progress bar and no last line")
+        ->disable_flag_override();
+}
+
+std::vector<Output> checked_outputs(const CommonOptions& options,
+                                    const std::vector<GivenFile>& read) {
+    OutputOptions output = options.output;
+    if (output.paths.empty()) output.paths.emplace_back("-");
+    const std::vector<Output> outputs = outputs_of(output, files::written_extensions(), "txt");
+    std::vector<GivenFile> written = given_files(outputs);
+    if (!options.report.empty()) {
+        check_json("report", options.report);
+        written.push_back({"--report", options.report});
+    }
+    check_given_files(read, written);
+    return outputs;
+}
+
+Made make(const CommonOptions& options) {
+    Made made;
+    ProgressBar bar(options.quiet);
+    DriverAtWork driver(options.request.backend);
+    Observers observers({driver, made.stopwatch, bar});
+    made.result = sample(options.request, observers);
+    made.seconds = made.stopwatch.seconds_so_far();
+    return made;
+}
+
+void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, const Made& made,
+            const std::string& what, const std::string& note, const std::string& more) {
+    if (options.quiet || has_standard_output(outputs) || is_standard_output(options.report)) return;
+    const Result& result = made.result;
+    // What --count has chosen, or the default of stipple.
+    std::string size;
+    if (!options.request.radius && !options.request.scale)
+        size = options.request.field != nullptr ? fmt::format(", scale {:.4g}", result.scale)
+                                                : fmt::format(", radius {:.4g}", result.radius);
+    std::string paths;
+    for (const Output& output : outputs) paths += (paths.empty() ? "" : ", ") + output.path;
+    const std::size_t count = result.points.size();
+    const std::string summary =
+        fmt::format("{} {}{}{}{}, {} round{}, {:.3f} s, {}{} -> {}", count, what,
+                    count == 1 ? "" : "s", note, size, result.rounds, result.rounds == 1 ? "" : "s",
+                    made.seconds, result.backend, more, paths);
+    std::fputs((printable(summary) + "\n").c_str(), stderr);
+}
+
+}  // namespace lacuna::cli

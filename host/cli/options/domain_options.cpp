@@ -1,0 +1,200 @@
+// Options of a domain, and the files that they name.
+#include "cli/options/domain_options.h"
+
+#include <fmt/core.h>
+#include <lacuna/domains.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/options/options.h"
+#include "cli/reports/report.h"
+#include "files/point_files.h"
+#include "files/read_points.h"
+#include "pictures/importance.h"
+
+namespace lacuna::cli {
+namespace {
+
+// Of the least radius: what the outline of polygons may be off by, unless --edge tells.
+constexpr double kEdge = 1.0 / 16;
+
+void add_path(CLI::App& command, const std::string& option, const std::string& symbol,
+              std::string& path, const std::string& help) {
+    command.add_option(option, path, help)->type_name(symbol);
+}
+
+double greatest_of(const DomainFiles& files) {
+    if (!files.field) return 1;
+    return *std::max_element(files.field->importance.begin(), files.field->importance.end());
+}
+
+// The share of the domain that a set fills, each place by its importance: of a coarse drawing,
+// pixel by pixel of it.
+double filled_share(const Mask& mask, const DomainFiles& files) {
+    double sum = 0;
+    for (std::uint32_t row = 0; row < mask.rows; ++row)
+        for (std::uint32_t column = 0; column < mask.columns; ++column) {
+            if (mask.allowed[std::size_t{row} * mask.columns + column] == 0) continue;
+            if (!files.field) {
+                sum += 1;
+                continue;
+            }
+            const Field& field = *files.field;
+            const std::size_t field_row = std::size_t{row} * field.rows / mask.rows;
+            const std::size_t field_column = std::size_t{column} * field.columns / mask.columns;
+            sum += field.importance[field_row * field.columns + field_column];
+        }
+    return sum / static_cast<double>(mask.allowed.size());
+}
+
+// The least radius of the set; for a count what a maximal set of so many needs.
+double least_radius(const Request& request, const std::vector<PolygonRing>& rings,
+                    const DomainFiles& files) {
+    const double greatest = greatest_of(files);
+    if (request.radius) return *request.radius;
+    if (request.scale) return *request.scale / std::sqrt(greatest);
+    const double coarse = std::max(request.width, request.height) / 1000;
+    if (!request.count || *request.count == 0) return coarse;
+    const Mask mask = draw_mask(rings, request.width, request.height, coarse);
+    const double area = filled_share(mask, files) * request.width * request.height;
+    const double density = expected_count(1, 1, Boundary::torus, 1);
+    return std::sqrt(density * area / static_cast<double>(*request.count) / greatest);
+}
+
+}  // namespace
+
+void add_domain(CLI::App& command, DomainOptions& options, Request& request) {
+    add_path(
+        command, "--field", "IMAGE", options.field.path,
+        "A picture that says where points are wanted: dense where it is dark, none where it is "
+        "white");
+    add_number(command, "scale", "G", request.scale,
+               "With a field, instead of --radius: the radius where the picture is black");
+    add_importance(command, options.field);
+    add_path(command, "--mask", "IMAGE", options.mask,
+             "A picture that says where points may lie: on pixels that are neither black nor "
+             "transparent");
+    add_path(command, "--inside", "FILE", options.inside,
+             "Polygons that points must lie in: .svg, .geojson or .txt (`x y` a line, a blank line "
+             "between two); a polygon within another is a hole");
+    add_number(command, "edge", "E", options.edge,
+               "What the outline of --inside may be off by (default: a sixteenth of the least "
+               "radius)");
+    add_number(command, "border", "D", request.border,
+               "Least distance of points to the domain's edges (default 0)");
+    add_path(command, "--keep", "FILE", options.keep,
+             "Points that are there already: they come first, unmoved, and new ones fill what they "
+             "leave");
+}
+
+std::vector<GivenFile> files_of(const DomainOptions& options) {
+    std::vector<GivenFile> files;
+    for (const auto& [name, path] :
+         std::array{std::pair{"--field", &options.field.path}, std::pair{"--mask", &options.mask},
+                    std::pair{"--inside", &options.inside}, std::pair{"--keep", &options.keep}})
+        if (!path->empty()) files.push_back({name, *path});
+    return files;
+}
+
+void check_domain(const CLI::App& command, const DomainOptions& options) {
+    pictures::check(options.field.importance);
+    if (options.field.path.empty())
+        for (const char* name : {"--invert", "--black", "--white", "--auto-levels", "--gamma",
+                                 "--min-importance", "--scale"})
+            if (command.count(name) > 0)
+                throw BadRequest(std::string(name).substr(2), "without --field",
+                                 "says how a field is read: give its picture too");
+    if (options.edge && options.inside.empty())
+        throw BadRequest("edge", fmt::format("{}", *options.edge),
+                         "is for the polygons of --inside: give their file too");
+    if (!options.mask.empty() && !options.inside.empty())
+        throw BadRequest("mask", shown(options.mask),
+                         "is not for --inside too: draw the polygons into the picture");
+}
+
+void read_given_files(const CLI::App& command, const DomainOptions& options, Request& request,
+                      DomainFiles& files) {
+    bool has_shape = command.count("--domain") > 0;
+    const auto give_shape = [&](double width, double height) {
+        if (!has_shape) {
+            request.width = width;
+            request.height = height;
+        }
+        has_shape = true;
+    };
+    if (!options.field.path.empty()) {
+        Request shape;
+        files.field = read_field(options.field, shape);
+        give_shape(shape.width, shape.height);
+        request.field = &*files.field;
+    }
+    if (!options.inside.empty()) {
+        const Polygons& polygons = files.polygons.emplace(read_polygons(options.inside));
+        if (polygons.width > 0) give_shape(polygons.width, polygons.height);
+    }
+    if (!options.mask.empty()) {
+        files.mask = read_mask(options.mask);
+        const double longer = std::max(files.mask->columns, files.mask->rows);
+        give_shape(files.mask->columns / longer, files.mask->rows / longer);
+    }
+    if (files.mask) request.mask = &*files.mask;
+    if (options.keep.empty()) return;
+    files.keep = files::read_points(options.keep);
+    request.keep = files.keep;
+}
+
+std::vector<PolygonRing> rings_of(const Request& request, const DomainFiles& files) {
+    if (!files.polygons) return {};
+    return fitted(*files.polygons, request.width, request.height);
+}
+
+double edge_of(const DomainOptions& options, const Request& request,
+               const std::vector<PolygonRing>& rings, const DomainFiles& files) {
+    if (options.edge) return *options.edge;
+    const double edge = kEdge * least_radius(request, rings, files);
+    // A radius that makes no sense is for the request's own check to tell of.
+    if (edge > 0 && std::isfinite(edge)) return edge;
+    return std::max(request.width, request.height) / 1000;
+}
+
+void read_domain_files(const CLI::App& command, const DomainOptions& options, Request& request,
+                       DomainFiles& files) {
+    read_given_files(command, options, request, files);
+    if (!files.polygons) return;
+    const std::vector<PolygonRing> rings = rings_of(request, files);
+    files.edge = edge_of(options, request, rings, files);
+    files.mask =
+        draw_mask(rings, request.width, request.height, files.edge, request.memory_limit_bytes);
+    request.mask = &*files.mask;
+}
+
+Json json_of(const DomainOptions& options, const Request& request, const DomainFiles& files) {
+    Json json = Json::object();
+    if (files.field) {
+        json["field"] = options.field.path;
+        json.update(json_of_importance(options.field.importance));
+    }
+    if (!options.mask.empty()) json["mask"] = options.mask;
+    if (!options.inside.empty()) json.update({{"inside", options.inside}, {"edge", files.edge}});
+    if (request.border != 0) json["border"] = request.border;
+    if (!options.keep.empty()) json.update({{"keep", options.keep}, {"kept", files.keep.size()}});
+    return json;
+}
+
+std::vector<double> dots_of(const Request& request, std::span<const Point> points,
+                            drawing::Spread spread) {
+    if (request.field == nullptr) return {};
+    return drawing::dot_diameters(points, *request.field, request.width, request.height, spread);
+}
+
+}  // namespace lacuna::cli

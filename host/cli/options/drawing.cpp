@@ -1,0 +1,128 @@
+// How pictures are drawn: options, checks and sizes.
+#include "cli/options/drawing.h"
+
+#include <fmt/core.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "cli/options/options.h"
+
+namespace lacuna::cli {
+namespace {
+
+constexpr double kMostPixels = 32767;  // along a side of cairo's images
+constexpr double kLeastDot = 0.001;    // mm
+
+// An option whose text `read` takes.
+template <class Read>
+void add_option(CLI::App& command, DrawingOptions& options, const std::string& name,
+                const std::string& symbol, const std::string& help, const Read& read) {
+    command
+        .add_option_function<std::string>(
+            "--" + name,
+            [&options, name, read](const std::string& text) {
+                options.given.push_back(name);
+                read(name, text);
+            },
+            help)
+        ->type_name(symbol);
+}
+
+}  // namespace
+
+void add_how_to_draw(CLI::App& command, DrawingOptions& options, const std::string& by_radius) {
+    using Text = const std::string&;
+    add_option(command, options, "dot-size", "D",
+               "Diameter of dots, such as 0.5mm; or radius (default): " + by_radius +
+                   ". With .csv .npy .ply .json: columns for dots, as with --paper-size",
+               [&options](Text name, Text text) {
+                   options.dot_size_mm.reset();
+                   if (text != "radius") options.dot_size_mm = read_length(name, text, kLeastDot);
+               });
+    add_option(command, options, "paper-size", "WxH",
+               "Such as 210x297mm (or cm, in, pt); or A0 to A6, letter, legal, tabloid, turned to "
+               "suit",
+               [&options](Text name, Text text) { options.paper = read_paper(name, text); });
+    add_option(
+        command, options, "margin", "D",
+        "Left free around the dots, with --paper-size (default 0mm)",
+        [&options](Text name, Text text) { options.margin_mm = read_length(name, text, 0); });
+    add_option(command, options, "dpi", "X", "Pixels an inch, of .png (default 144: 1024 on 512pt)",
+               [&options](Text name, Text text) { read(name, text, options.pixels_per_inch); });
+}
+
+bool has_picture(const std::vector<Output>& outputs) {
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [](const Output& output) { return output.format.medium.has_value(); });
+}
+
+void check_drawing(const DrawingOptions& options, const std::vector<Output>& outputs) {
+    const auto is_text = [](const Output& output) { return output.format.name() == "txt"; };
+    if (!options.given.empty() && std::all_of(outputs.begin(), outputs.end(), is_text))
+        throw BadRequest(options.given.front(), "with --output " + shown(outputs.front().path),
+                         "is for pictures, and for files with columns for dots: not for .txt");
+    const auto is_given = [&](const char* name) {
+        return std::find(options.given.begin(), options.given.end(), name) != options.given.end();
+    };
+    const auto is_png = [](const Output& output) {
+        return output.format.medium == drawing::Medium::png;
+    };
+    if (is_given("dpi") && std::none_of(outputs.begin(), outputs.end(), is_png))
+        throw BadRequest("dpi", "with --output " + shown(outputs.front().path), "is for .png");
+    if (options.margin_mm == 0) return;
+    const std::string margin = fmt::format("{}mm", options.margin_mm);
+    if (!options.paper) throw BadRequest("margin", margin, "needs a --paper-size");
+    const double shorter = std::min(options.paper->width_mm, options.paper->height_mm);
+    if (2 * options.margin_mm >= shorter)
+        throw BadRequest("margin", margin,
+                         fmt::format("must be less than half of the paper's {}mm", shorter));
+}
+
+drawing::Style style_of(const DrawingOptions& options, double width, double height) {
+    drawing::Style style;
+    if (options.paper) {
+        const Paper paper = options.paper->suiting(width, height);
+        style.sheet = drawing::Sheet{paper.width_mm, paper.height_mm, options.margin_mm};
+    }
+    style.pixels_per_inch = options.pixels_per_inch;
+    // No domain at all: whoever samples it says so.
+    if (!(width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height))) return style;
+
+    const double longer = std::max(width, height);
+    const double longer_mm =
+        style.sheet ? std::max(style.sheet->width_mm, style.sheet->height_mm)
+                    : longer * drawing::millimetres_per_unit({{}, width, height}, style);
+    const double most = std::floor(kMostPixels / (longer_mm / drawing::kMillimetresPerInch));
+    if (!(style.pixels_per_inch > 0 && style.pixels_per_inch <= most))
+        throw BadRequest("dpi", fmt::format("{}", style.pixels_per_inch),
+                         fmt::format("must be over 0 and, for this paper, at most {}: {} pixels "
+                                     "along its longer side",
+                                     most, kMostPixels));
+    return style;
+}
+
+void write_set(Writing& writing, const DrawingOptions& options, const std::vector<Output>& outputs,
+               files::PointSet set, drawing::Style style, const FindDiameters& find_diameters) {
+    std::vector<double> diameters;
+    if (options.dot_size_mm)
+        diameters.assign(set.points.size(),
+                         *options.dot_size_mm / drawing::millimetres_per_unit(set, style));
+    else if (!options.given.empty() || has_picture(outputs))
+        diameters = find_diameters();
+    style.diameters = diameters;
+    files::Dots dots;
+    if (!options.given.empty()) {
+        dots = drawing::dots_of(set, style);
+        set.dots = &dots;
+    }
+    for (const Output& output : outputs)
+        writing.add(output.path, [&] {
+            return output.format.medium ? drawing::draw(set, *output.format.medium, style)
+                                        : files::encode(set, output.format);
+        });
+    writing.write();
+}
+
+}  // namespace lacuna::cli

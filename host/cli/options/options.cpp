@@ -1,0 +1,117 @@
+// Strict reading of numbers and domains.
+#include "cli/options/options.h"
+
+#include <fmt/core.h>
+#include <lacuna/lacuna.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace lacuna::cli {
+namespace {
+
+template <class Value>
+std::errc parse_whole_text(std::string_view text, Value& value) {
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error == std::errc{} && stop != end) return std::errc::invalid_argument;
+    return error;
+}
+
+// A whole number written with an exponent, or with k, M or G behind it. Up to 2^53 doubles hold
+// each.
+std::optional<std::uint64_t> round_number(std::string_view text) {
+    constexpr std::array<std::pair<char, double>, 4> kSuffixes{
+        {{'k', 1e3}, {'K', 1e3}, {'M', 1e6}, {'G', 1e9}}};
+    double factor = 1;
+    for (const auto& [suffix, times] : kSuffixes) {
+        if (text.empty() || text.back() != suffix) continue;
+        text.remove_suffix(1);
+        factor = times;
+        break;
+    }
+    double number = 0;
+    if (parse_whole_text(text, number) != std::errc{}) return std::nullopt;
+    number *= factor;
+    if (!(number >= 0 && number <= 0x1p53) || number != std::floor(number)) return std::nullopt;
+    return static_cast<std::uint64_t>(number);
+}
+
+template <class Value>
+void read_whole_number(const std::string& option, const std::string& text, Value& value) {
+    if (parse_whole_text(text, value) == std::errc{}) return;
+    const std::optional<std::uint64_t> round = round_number(text);
+    if (round && *round <= std::numeric_limits<Value>::max()) {
+        value = static_cast<Value>(*round);
+        return;
+    }
+    throw BadRequest(
+        option, shown(text),
+        "must be a whole number, at most " + std::to_string(std::numeric_limits<Value>::max()));
+}
+
+}  // namespace
+
+std::string shown(const std::string& text) {
+    const bool plain = !text.empty() && text.find(' ') == std::string::npos;
+    return plain && printable(text) == text ? text : fmt::format("{:?}", text);
+}
+
+// By fmt's escapes, which know Unicode; it escapes quotes and backslashes too, which may stay.
+std::string printable(std::string_view text) {
+    constexpr std::string_view kMayStay = "\"\\";
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t length = std::min(text.find_first_of(kMayStay), text.size());
+        const std::string quoted = fmt::format("{:?}", text.substr(0, length));
+        result += quoted.substr(1, quoted.size() - 2);
+        text.remove_prefix(length);
+        if (text.empty()) break;
+        result += text.front();
+        text.remove_prefix(1);
+    }
+    return result;
+}
+
+void read(const std::string& option, const std::string& text, double& value) {
+    const std::errc error = parse_whole_text(text, value);
+    if (error == std::errc{}) return;
+    throw BadRequest(option, shown(text),
+                     error == std::errc::result_out_of_range
+                         ? "must be a number that a double can hold"
+                         : "must be a number, such as 0.01 or 1e-2");
+}
+
+void read(const std::string& option, const std::string& text, std::uint64_t& value) {
+    read_whole_number(option, text, value);
+}
+
+void read(const std::string& option, const std::string& text, std::uint32_t& value) {
+    read_whole_number(option, text, value);
+}
+
+void read_domain(const std::string& option, const std::string& text, double& width,
+                 double& height) {
+    const std::string_view view = text;
+    const std::size_t cross = view.find_first_of("xX");
+    if (cross == std::string_view::npos ||
+        parse_whole_text(view.substr(0, cross), width) != std::errc{} ||
+        parse_whole_text(view.substr(cross + 1), height) != std::errc{})
+        throw BadRequest(option, shown(text),
+                         "must be WIDTHxHEIGHT, two numbers such as 1x1 or 2.5x1");
+}
+
+void add_text(CLI::App& command, const std::string& option, const std::string& symbol,
+              const std::function<void(const std::string&)>& take, const std::string& help) {
+    command.add_option_function<std::string>("--" + option, take, help)->type_name(symbol);
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,18 @@
+// Where a set comes from, as files tell it: the request, and a command line that makes it anew.
+#pragma once
+
+#include "cli/app_fwd.h"
+
+#include "cli/options/common_options.h"
+#include "cli/reports/report.h"
+#include "files/point_files.h"
+
+namespace lacuna::cli {
+
+// Without what decides no point: outputs, backend, device, threads. So the bytes of a file are the
+// same wherever the set was made. `more` is merged into the options.
+files::Origin origin_of(const CLI::App& command, const Request& request, const Result& result,
+                        const Json& more);
+files::Origin origin_of(const CLI::App& command, const Request& request, const Result& result);
+
+}  // namespace lacuna::cli

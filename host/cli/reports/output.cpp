@@ -1,0 +1,128 @@
+// Checks paths and formats before the work starts.
+#include "cli/reports/output.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include "cli/options/options.h"
+
+namespace lacuna::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int error) {
+    return std::generic_category().message(error);
+}
+
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+    throw files::FileError(fmt::format("{}: {}", path, why));
+}
+
+bool is_among(const files::Format* format, const std::string& allowed) {
+    return format != nullptr &&
+           (allowed + " ").find(fmt::format("{} ", format->extension)) != std::string::npos;
+}
+
+const files::Format& format_of(const std::string& path, const std::string& wanted,
+                               const std::string& allowed, const std::string& usual) {
+    const files::Format* const own = is_stream(path) ? nullptr : files::find_format_of(path);
+    if (!wanted.empty()) {
+        const files::Format* const format = files::find_format(wanted);
+        if (!is_among(format, allowed))
+            throw BadRequest("format", shown(wanted), "must be one of " + allowed);
+        if (is_among(own, allowed) && own != format)
+            throw BadRequest("format", shown(wanted),
+                             "is not what the name of --output " + shown(path) + " says");
+        return *format;
+    }
+    if (is_among(own, allowed)) return *own;
+    if (is_stream(path)) return *files::find_format(usual);
+    throw BadRequest("output", shown(path),
+                     "the extension must be one of " + allowed + ", or --format given");
+}
+
+}  // namespace
+
+void add_outputs(CLI::App& command, OutputOptions& options, const std::string& symbol,
+                 const std::string& help) {
+    command.add_option("-o,--output", options.paths, help)
+        ->type_name(symbol)
+        ->expected(1)
+        // Else it would take the picture of `-o dots.svg photo.jpg`, and the -- of `-o a.svg -- b`.
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command
+        .add_option("--format", options.format,
+                    "Of an output whose name tells none, such as -: an extension without its dot")
+        ->type_name("NAME");
+}
+
+std::vector<Output> outputs_of(const OutputOptions& options, const std::string& allowed,
+                               const std::string& usual) {
+    std::vector<Output> outputs;
+    for (const std::string& path : options.paths) {
+        outputs.push_back({path, format_of(path, options.format, allowed, usual)});
+        check_writable(path);
+    }
+    std::vector<Output> in_order;
+    for (const bool is_last : {false, true})
+        for (const Output& output : outputs)
+            if (is_standard_output(output.path) == is_last) in_order.push_back(output);
+    return in_order;
+}
+
+bool is_stream(const std::string& path) {
+    if (path == "-" || files::descriptor_named(path)) return true;
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+bool is_standard_output(const std::string& path) {
+    return path == "-" || files::descriptor_named(path) == STDOUT_FILENO;
+}
+
+bool has_standard_output(const std::vector<Output>& outputs) {
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [](const Output& output) { return is_standard_output(output.path); });
+}
+
+// As files::write_whole will find it: a new file is made beside the older one and renamed, but a
+// device or a pipe is written into.
+void check_writable(const std::string& path) {
+    if (is_standard_output(path)) return;
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status)) refuse(path, reason(EISDIR));
+    if (fs::exists(status) && access(path.c_str(), W_OK) != 0) refuse(path, reason(errno));
+    if (fs::exists(status) && is_stream(path)) return;
+    if (files::descriptor_named(path)) refuse(path, reason(EBADF));
+
+    const fs::path folder = folder_of(fs::weakly_canonical(path, error));
+    if (error) refuse(path, error.message());
+    if (!fs::is_directory(folder, error))
+        refuse(path, fmt::format("there is no folder {}", folder.string()));
+    if (access(folder.c_str(), W_OK | X_OK) != 0)
+        refuse(path, fmt::format("cannot make a file in {}: {}", folder.string(), reason(errno)));
+}
+
+void check_json(const std::string& option, const std::string& path) {
+    if (!is_stream(path) && fs::path(path).extension() != ".json")
+        throw BadRequest(option, shown(path), "must be - or a file whose name ends in .json");
+    check_writable(path);
+}
+
+}  // namespace lacuna::cli

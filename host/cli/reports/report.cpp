@@ -1,0 +1,128 @@
+// Writes the report.
+#include "cli/reports/report.h"
+
+#include <sys/resource.h>
+
+#include <cstdint>
+
+#include "files/point_files.h"
+
+namespace lacuna::cli {
+namespace {
+
+Json json_of(const Request& request, const Result& result) {
+    Json json = what_decides(request, result);
+    json.update(Json{
+        {"backend", request.backend}, {"device", request.device}, {"threads", request.threads}});
+    return json;
+}
+
+Json json_of(const Stopwatch& stopwatch, double total_seconds) {
+    Json seconds;
+    for (const Verb verb : kVerbs) seconds[std::string(name_of(verb))] = stopwatch.seconds(verb);
+    for (const Verb verb : kRelaxVerbs)
+        if (stopwatch.seconds(verb) > 0)
+            seconds[std::string(name_of(verb))] = stopwatch.seconds(verb);
+    seconds["total"] = total_seconds;
+    return seconds;
+}
+
+std::int64_t peak_memory_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    constexpr std::int64_t kBytesPerUnit = 1024;  // Linux counts it in KiB
+    return usage.ru_maxrss * kBytesPerUnit;
+}
+
+// Device names come from drivers, and need not be UTF-8.
+std::string text_of(const Json& report) {
+    return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+Json what_decides(const Request& request, const Result& result) {
+    Json json{{"width", request.width},
+              {"height", request.height},
+              {"boundary", request.boundary == Boundary::torus ? "torus" : "box"},
+              {"mode", name_of(request.mode)}};
+    const bool cells = request.mode == Mode::cells;
+    const bool has_field = request.field != nullptr;
+    if (has_field) json["metric"] = name_of(request.metric);
+    json[has_field ? "scale" : "radius"] = or_null(has_field ? request.scale : request.radius);
+    json["count"] = or_null(request.count);
+    json["lines_per_radius"] = result.lines_per_radius;
+    if (!cells) json.update({{"snap", request.snap}, {"uniform_x", request.uniform_x}});
+    json.update({{"limit", or_null(request.limit)},
+                 {"round_size", request.round_size},
+                 {"seed", request.seed}});
+    return json;
+}
+
+std::string report_of(const Request& request, const Made& made) {
+    return report_of(request, made, Json::object());
+}
+
+std::string report_of(const Request& request, const Made& made, const Json& more) {
+    const Result& result = made.result;
+    Json report{{"program", "lacuna"},
+                {"version", LACUNA_VERSION},
+                {"request", json_of(request, result)},
+                {"count", result.points.size()},
+                {"radius", result.radius}};
+    if (request.field != nullptr) report["scale"] = result.scale;
+    report.update({{"maximal", result.maximal},
+                   {"rounds", result.rounds},
+                   {"draws", result.draws},
+                   {"seconds", json_of(made.stopwatch, made.seconds)},
+                   {"backend", result.backend},
+                   {"device", result.device},
+                   {"peak_memory_bytes", peak_memory_bytes()},
+                   {"points_sha256", files::sha256_of(result.points)}});
+    report.update(more, true);
+    return text_of(report);
+}
+
+std::string many_report(const Request& request, const ManyMade& made) {
+    Json asked = json_of(request, made.last);
+    asked.erase("seed");
+    asked["seeds"] = {{"first", made.first_seed}, {"last", made.last_seed}};
+    return text_of({{"program", "lacuna"},
+                    {"version", LACUNA_VERSION},
+                    {"request", asked},
+                    {"sets", made.sets},
+                    {"maximal_sets", made.maximal},
+                    {"count", made.points},
+                    {"count_a_set", {{"least", made.least}, {"most", made.most}}},
+                    {"seconds", {{"total", made.seconds}}},
+                    {"backend", made.last.backend},
+                    {"device", made.last.device},
+                    {"peak_memory_bytes", peak_memory_bytes()}});
+}
+
+Json json_of_importance(const pictures::Importance& importance) {
+    return {{"invert", importance.invert},
+            {"gamma", importance.gamma},
+            {"black", importance.black},
+            {"white", importance.white},
+            {"auto_levels", importance.auto_levels},
+            {"min_importance", importance.min_importance}};
+}
+
+std::string relax_report(const Json& request, const Made& made, const Json& more) {
+    Json seconds;
+    for (const Verb verb : kRelaxVerbs)
+        seconds[std::string(name_of(verb))] = made.stopwatch.seconds(verb);
+    seconds["total"] = made.seconds;
+    Json report{{"program", "lacuna"},
+                {"version", LACUNA_VERSION},
+                {"request", request},
+                {"count", made.result.points.size()},
+                {"seconds", seconds},
+                {"peak_memory_bytes", peak_memory_bytes()},
+                {"points_sha256", files::sha256_of(made.result.points)}};
+    report.update(more, true);
+    return text_of(report);
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,262 @@
+// Writes what a proof came to.
+#include "cli/reports/verify_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+#include "cli/options/options.h"
+#include "cli/reports/json.h"
+#include "verify/verify.h"
+
+namespace lacuna::cli {
+namespace {
+
+bool is_torus(const Claim& claim) {
+    return claim.boundary == Boundary::torus;
+}
+
+std::string text(const Point& point) {
+    return fmt::format("({}, {})", point.x, point.y);
+}
+
+std::string numbered(const SetClaim& claim, std::size_t index) {
+    return fmt::format("{} at {}", index, text(claim.points[index]));
+}
+
+std::string closest(const SetClaim& claim) {
+    if (claim.points.size() < 2) return "none, for want of two points";
+    const Proof& proof = claim.proof;
+    return fmt::format("{}{} (points {} and {})", proof.least_distance,
+                       claim.field != nullptr ? fmt::format(" of {}", proof.least_limit) : "",
+                       proof.first, proof.second);
+}
+
+std::string emptiest(const SetClaim& claim) {
+    if (claim.points.empty()) return "anywhere, for want of a point";
+    const Proof& proof = claim.proof;
+    // Where all spots are covered the search ends before it knows which is the emptiest.
+    if (!claim.is_plain() && proof.covered) return "none over its limit";
+    return fmt::format("{} from a point{}, at {}", proof.emptiest_distance,
+                       claim.field != nullptr ? fmt::format(" of {}", proof.emptiest_limit) : "",
+                       text(proof.emptiest));
+}
+
+std::string radius(const SetClaim& claim) {
+    if (claim.field == nullptr) return fmt::format("{}", claim.radius);
+    const auto [least, most] = claim.radii;
+    if (most == 0) return fmt::format("scale {}, and no place for a point", claim.scale);
+    return fmt::format("{} to {}, at scale {}", least, most, claim.scale);
+}
+
+// What else is claimed of where points lie.
+std::string places(const SetClaim& claim) {
+    const DomainOptions& given = claim.options;
+    std::string rows;
+    const auto append = [&](std::string_view name, const std::string& value) {
+        rows += fmt::format("{:<18}{}\n", name, value);
+    };
+    if (!given.field.path.empty()) append("field", printable(given.field.path));
+    if (!given.mask.empty()) append("mask", printable(given.mask));
+    if (!given.inside.empty())
+        append("inside",
+               fmt::format("{}, to an edge of {}", printable(given.inside), claim.edge_tolerance));
+    if (claim.border != 0) append("border", fmt::format("{}", claim.border));
+    if (!given.keep.empty())
+        append("kept", fmt::format("{}, {} points", printable(given.keep), claim.keep.size()));
+    return rows;
+}
+
+std::string reason(const SetClaim& claim) {
+    switch (claim.proof.forbidden_by) {
+        case Proof::Closed::importance:
+            return "where the field has no importance";
+        case Proof::Closed::mask:
+            return "where the mask lets none lie";
+        case Proof::Closed::polygons:
+            return fmt::format("outside the polygons, by more than {}", claim.edge_tolerance);
+        case Proof::Closed::border:
+            break;
+    }
+    return fmt::format("nearer than {} to an edge of the domain", claim.border);
+}
+
+// Why nothing else was looked at; empty where it was.
+std::string refusal(const SetClaim& claim) {
+    const Proof& proof = claim.proof;
+    if (proof.outside) {
+        const char end = is_torus(claim) ? ')' : ']';
+        return fmt::format("refused: point {} lies outside the domain [0, {}{} x [0, {}{}",
+                           numbered(claim, *proof.outside), claim.width, end, claim.height, end);
+    }
+    if (proof.moved)
+        return fmt::format("refused: the set does not have point {} of {}, at {}, in its place",
+                           *proof.moved, printable(claim.options.keep),
+                           text(claim.keep[*proof.moved]));
+    if (proof.forbidden)
+        return fmt::format("refused: point {} lies {}", numbered(claim, *proof.forbidden),
+                           reason(claim));
+    return "";
+}
+
+// Of what kind the set is, after "a Poisson-disk set".
+std::string kind(const SetClaim& claim) {
+    std::string kind = claim.field != nullptr
+                           ? fmt::format(" that follows the field at scale {}", claim.scale)
+                           : fmt::format(" of radius {}", claim.radius);
+    if (claim.mask != nullptr || !claim.inside.empty() || claim.border != 0)
+        kind += " where points may lie";
+    return kind;
+}
+
+std::string faults(const SetClaim& claim) {
+    const Proof& proof = claim.proof;
+    const bool has_room = !claim.distances_only && !proof.covered;
+    std::string faults;
+    if (!proof.kept)
+        faults = fmt::format("points {} and {} are closer than {}", numbered(claim, proof.first),
+                             numbered(claim, proof.second), proof.least_limit);
+    if (!proof.kept && has_room) faults += ", and ";
+    if (has_room) faults += fmt::format("there is room for a point at {}", text(proof.emptiest));
+    return faults;
+}
+
+std::string text_of_one(const SetClaim& claim) {
+    constexpr std::string_view kRow = "{:<18}{}\n";
+    constexpr std::string_view kVerdictRow = "{:<18}{:<{}}   {}\n";
+    std::string lines = fmt::format(kRow, "points", claim.points.size());
+    lines += fmt::format(
+        kRow, "domain",
+        fmt::format("{} x {}, {}", claim.width, claim.height, is_torus(claim) ? "torus" : "box"));
+    lines += fmt::format(kRow, "radius", radius(claim)) + places(claim);
+    if (!claim.distances_only) lines += fmt::format(kRow, "tolerance", *claim.tolerance);
+    if (refusal(claim).empty()) {
+        const std::string pair = closest(claim);
+        const std::string spot = claim.distances_only ? "" : emptiest(claim);
+        const std::size_t width = std::max(pair.size(), spot.size());
+        lines += fmt::format(kVerdictRow, "least distance", pair, width,
+                             claim.proof.kept ? "kept" : "too close");
+        if (!claim.distances_only)
+            lines += fmt::format(kVerdictRow, "farthest spot", spot, width,
+                                 claim.proof.covered ? "covered" : "not covered");
+    }
+    return lines + fmt::format(kRow, "verdict", claim.conclusion());
+}
+
+std::string_view name_of(Proof::Closed by) {
+    switch (by) {
+        case Proof::Closed::importance:
+            return "field";
+        case Proof::Closed::mask:
+            return "mask";
+        case Proof::Closed::polygons:
+            return "inside";
+        case Proof::Closed::border:
+            break;
+    }
+    return "border";
+}
+
+Json json_of(const Point& point) {
+    return {point.x, point.y};
+}
+
+Json json_of_one(const SetClaim& claim) {
+    const Proof& proof = claim.proof;
+    Json json{{"file", claim.name},
+              {"points", claim.points.size()},
+              {"domain",
+               {{"width", claim.width},
+                {"height", claim.height},
+                {"boundary", is_torus(claim) ? "torus" : "box"}}},
+              {"radius", claim.field != nullptr ? Json(nullptr) : Json(claim.radius)},
+              {"tolerance", claim.distances_only ? Json(nullptr) : Json(*claim.tolerance)},
+              {"holds", claim.holds()},
+              {"verdict", claim.conclusion()}};
+    if (claim.field != nullptr) {
+        json["scale"] = claim.scale;
+        json["least_radius"] = claim.radii.most > 0 ? Json(claim.radii.least) : Json(nullptr);
+        json["largest_radius"] = claim.radii.most;
+    }
+    json.update(claim.given);
+    if (proof.outside) {
+        json["outside"] = {{"point", *proof.outside},
+                           {"at", json_of(claim.points[*proof.outside])}};
+        return json;
+    }
+    if (proof.moved) json["moved"] = *proof.moved;
+    if (proof.forbidden)
+        json["forbidden"] = {{"point", *proof.forbidden},
+                             {"at", json_of(claim.points[*proof.forbidden])},
+                             {"by", name_of(proof.forbidden_by)}};
+    if (proof.moved || proof.forbidden) return json;
+    json["distances_kept"] = proof.kept;
+    json["closest_pair"] = nullptr;
+    if (claim.points.size() >= 2)
+        json["closest_pair"] = {{"points", {proof.first, proof.second}},
+                                {"distance", proof.least_distance}};
+    if (claim.points.size() >= 2 && !claim.is_plain())
+        json["closest_pair"]["limit"] = proof.least_limit;
+    if (claim.distances_only) return json;
+    json["covered"] = proof.covered;
+    json["emptiest_spot"] = nullptr;
+    if (!claim.points.empty() && (claim.is_plain() || !proof.covered))
+        json["emptiest_spot"] = {{"at", json_of(proof.emptiest)},
+                                 {"distance", proof.emptiest_distance}};
+    if (!claim.points.empty() && !claim.is_plain() && !proof.covered)
+        json["emptiest_spot"]["limit"] = proof.emptiest_limit;
+    return json;
+}
+
+}  // namespace
+
+bool SetClaim::holds() const {
+    return refusal(*this).empty() && proof.kept && (distances_only || proof.covered);
+}
+
+std::string SetClaim::conclusion() const {
+    if (const std::string refused = refusal(*this); !refused.empty()) return refused;
+    if (!holds())
+        return fmt::format("{}: {}{}", proof.kept ? "not maximal" : "not a Poisson-disk set",
+                           faults(*this),
+                           proof.kept && !meant_to_be_maximal
+                               ? "; the file says that it is not: see --distances-only"
+                               : "");
+    if (distances_only)
+        return fmt::format("a Poisson-disk set{}; whether there is room for more was not asked",
+                           kind(*this));
+    if (!proof.maximal)
+        return fmt::format(
+            "a Poisson-disk set{}, and no spot is farther than {} from a point: not proven "
+            "maximal, as the tolerance is over {:.0f} % of the {}radius",
+            kind(*this),
+            field != nullptr ? fmt::format("its limit and {}", *tolerance)
+                             : fmt::format("{}", radius + *tolerance),
+            100 * verify::kMostTolerance, field != nullptr ? "least " : "");
+    return fmt::format("a maximal Poisson-disk set{}, to a tolerance of {}", kind(*this),
+                       *tolerance);
+}
+
+std::string text_of(const std::vector<SetClaim>& claims) {
+    if (claims.size() == 1) return text_of_one(claims.front());
+    std::string lines;
+    for (const SetClaim& claim : claims)
+        lines += fmt::format("{}{:<18}{}\n{}", lines.empty() ? "" : "\n", "file",
+                             printable(claim.name), text_of_one(claim));
+    return lines;
+}
+
+std::string json_of(const std::vector<SetClaim>& claims) {
+    Json report{{"program", "lacuna"},
+                {"version", LACUNA_VERSION},
+                {"all_hold", std::all_of(claims.begin(), claims.end(),
+                                         [](const SetClaim& claim) { return claim.holds(); })},
+                {"sets", Json::array()}};
+    for (const SetClaim& claim : claims) report["sets"].push_back(json_of_one(claim));
+    // File names are bytes, and need not be UTF-8.
+    return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace lacuna::cli

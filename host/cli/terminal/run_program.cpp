@@ -1,0 +1,203 @@
+// Runs a command line.
+#include "cli/terminal/run_program.h"
+
+#include <fmt/core.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <lacuna/lacuna.h>
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/check_failed.h"
+#include "cli/commands/nearest.h"
+#include "cli/exit_codes.h"
+#include "cli/options/options.h"
+#include "files/point_files.h"
+
+namespace lacuna::cli {
+namespace {
+
+// Lists each command by the first line of its description, without its examples.
+class Formatter : public CLI::Formatter {
+public:
+    std::string make_subcommand(const CLI::App* command) const override {
+        std::ostringstream out;
+        const std::string all = command->get_description();
+        CLI::detail::format_help(out, command->get_display_name(true),
+                                 all.substr(0, all.find('\n')), column_width_);
+        return out.str();
+    }
+};
+
+std::string version_of(const Program& program) {
+    return program.name() + " " + LACUNA_VERSION;
+}
+
+// `lacuna help [COMMAND]` and `lacuna version`, as many programs have them.
+void add_help_and_version(CLI::App& app, const Program& program) {
+    CLI::App& help = *app.add_subcommand("help", "Prints what --help prints, of a command too.");
+    const auto name = std::make_shared<std::string>();
+    help.add_option("COMMAND", *name, "One of those that " + program.name() + " --help lists")
+        ->type_name("");
+    help.group("");  // listed nowhere: as familiar as --help, and no command with a manual page
+    help.callback([&app, &program, name] {
+        if (name->empty())
+            return program.say(
+                app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal));
+        const auto named = app.get_subcommands(
+            [&](const CLI::App* command) { return command->get_name() == *name; });
+        if (named.empty())
+            throw BadUsage(fmt::format("{}: no such command{}; see {} --help", shown(*name),
+                                       nearest_text(*name, names_of_commands(app)),
+                                       program.name()));
+        program.say(named.front()->help(app.get_name()));
+    });
+    CLI::App& version = *app.add_subcommand("version", "Prints the version, as --version does.");
+    version.group("");
+    version.callback([&program] { program.say(version_of(program) + "\n"); });
+}
+
+bool takes_arguments(const CLI::App& command) {
+    const auto options = command.get_options();
+    return std::any_of(options.begin(), options.end(),
+                       [](const CLI::Option* option) { return option->get_positional(); });
+}
+
+// A word that is no command, no option of `command` and none of its arguments.
+std::string explain_extra(const CLI::App& app, const std::string& extra, const CLI::App* command) {
+    if (command == nullptr)
+        return fmt::format("{}: no such command or option{}", shown(extra),
+                           nearest_text(extra, extra.starts_with("-") ? names_of_options(app)
+                                                                      : names_of_commands(app)));
+    const std::vector<std::string> options = names_of_options(*command);
+    const std::string_view arguments =
+        takes_arguments(*command) ? "no more arguments are taken" : "no arguments are taken";
+    if (extra.starts_with("-"))
+        return fmt::format("{}: no such option, and {}{}", shown(extra), arguments,
+                           nearest_text(extra, options));
+    // `stipple photo.jpg dots.svg`, `sample help`.
+    std::string meant;
+    if (command->get_option_no_throw("--output") != nullptr &&
+        files::find_format_of(extra) != nullptr)
+        meant = ", did you mean -o " + shown(extra) + "?";
+    if (std::find(options.begin(), options.end(), "--" + extra) != options.end())
+        meant = ", did you mean --" + extra + "?";
+    return fmt::format("{}: {}{}", shown(extra), arguments, meant);
+}
+
+// CLI11's messages begin with the option's name and leave out what is allowed.
+std::string explain(const CLI::App& app, const CLI::ParseError& error, const std::string& extra,
+                    const CLI::App* command) {
+    if (!extra.empty()) return explain_extra(app, extra, command);
+    std::string what = error.what();
+    const std::string option = what.substr(0, what.find_first_of(": "));
+    if (what.ends_with(" missing")) return option + ": a value must follow";
+    if (what.find("At Most") != std::string::npos) return option + ": must be given only once";
+    if (what.ends_with("flag override")) return "--" + option + ": takes no value";
+    if (error.get_name() == "RequiredError" && command == nullptr) return "a command must follow";
+    // Whoever pipes a picture in thinks that this is enough.
+    if (what == "IMAGE is required") return what + " (- is standard input)";
+    return what;
+}
+
+// What CLI11 itself objects to, and --help and --version, which it throws too.
+int finish(const Program& program, const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+        std::ostringstream said;
+        app.exit(error, said, std::cerr);
+        program.say(said.str());
+        return 0;
+    }
+    const auto chosen = app.get_subcommands();
+    const std::string name =
+        chosen.empty() ? program.name() : program.name() + " " + chosen.front()->get_name();
+    const auto extras = app.remaining(true);
+    const std::string message = explain(app, error, extras.empty() ? "" : extras.front(),
+                                        chosen.empty() ? nullptr : chosen.front());
+    return program.fail(kExitBadUsage, fmt::format("{}; see {} --help", message, name));
+}
+
+int parse_and_run(const Program& program, int argc, char** argv) {
+    CLI::App app(program.description());
+    try {
+        app.name(program.name());
+        app.formatter(std::make_shared<Formatter>());
+        app.set_version_flag("-V,--version", version_of(program), "Print the version");
+        app.require_subcommand(1);
+        program.add_commands(app);
+        add_help_and_version(app, program);
+        app.parse(argc, argv);
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        return finish(program, app, error);
+    }
+}
+
+// Silently, as a program does that knows nothing of the signal: `| head -1` is no error.
+int end_by_closed_pipe() {
+    signal(SIGPIPE, SIG_DFL);
+    raise(SIGPIPE);
+    return 128 + SIGPIPE;
+}
+
+// A stack that runs out is a crash without a word, in drivers' threads too, whose stacks are as
+// large.
+void check_stack() {
+    constexpr rlim_t kLeastStack = rlim_t{256} << 10U;
+    rlimit limit{};
+    if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= kLeastStack) return;
+    throw BadUsage(fmt::format("the stack is limited to {} KiB (ulimit -s): must be at least {}",
+                               limit.rlim_cur >> 10U, kLeastStack >> 10U));
+}
+
+}  // namespace
+
+int Program::fail(int code, const std::string& message) const {
+    std::fputs(fmt::format("{}: {}\n", name_, printable(message)).c_str(), stderr);
+    return code;
+}
+
+void Program::say(const std::string& text) const {
+    files::write_whole("-", text);
+}
+
+int run_program(const Program& program, int argc, char** argv) {
+    // A closed pipe and a file grown too large are then errors of write.
+    const bool ignores_pipes = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
+    signal(SIGXFSZ, SIG_IGN);
+    try {
+        check_stack();
+        return parse_and_run(program, argc, argv);
+    } catch (const BadRequest& error) {
+        return program.fail(kExitBadUsage, std::string("--") + error.what());
+    } catch (const BadUsage& error) {
+        return program.fail(kExitBadUsage, error.what());
+    } catch (const CheckFailed&) {
+        return kExitCheckFailed;
+    } catch (const files::ClosedPipe& error) {
+        return ignores_pipes ? program.fail(kExitFile, error.what()) : end_by_closed_pipe();
+    } catch (const files::FileError& error) {
+        return program.fail(kExitFile, error.what());
+    } catch (const Unavailable& error) {
+        return program.fail(kExitDevice, error.what());
+    } catch (const DeviceError& error) {
+        return program.fail(kExitDevice, error.what());
+    } catch (const std::bad_alloc&) {
+        return program.fail(kExitBadUsage, "out of memory: ask for fewer points");
+    } catch (const std::exception& error) {
+        return program.fail(kExitBug, fmt::format("this is a bug: {}", error.what()));
+    }
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,132 @@
+// Halving, along the longer side or the border of pixels next to its middle.
+#include "plan/first_boxes.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "base/large_pages.h"
+#include "plan/radius_field.h"
+
+namespace lacuna {
+namespace {
+
+// Work is shared out evenly enough when no region has more than one place in so many; and one of
+// fewer places than kFewPlaces is not worth sharing out.
+constexpr std::uint32_t kRegions = 96;
+constexpr std::uint32_t kFewPlaces = 128;
+
+// Places are at most so many of the least radius under them long, over the plan's lines_per_radius.
+// Of shorter ones more are cut, and of longer ones more is drawn that is covered already.
+constexpr std::uint32_t kRadii = 2;
+// And blocks so many. For shorter ones samples are listed more often; in lists of longer ones every
+// look takes longer.
+constexpr std::uint32_t kRadiiOfBlock = 6;
+
+class Halving {
+public:
+    explicit Halving(const Plan& plan)
+        : radius_field_(*plan.radius_field), pieces_(plan.lines_per_radius) {
+        // About as many as there are places; memory that is not used is not touched.
+        const std::size_t places = plan.maximal_samples;
+        first_.places.reserve(places);
+        ask_for_large_pages(first_.places.data(), places);
+        first_.blocks.reserve(places);
+        first_.nodes.reserve(2 * places);
+        ask_for_large_pages(first_.nodes.data(), 2 * places);
+    }
+
+    void cut(const Rectangle& place, std::size_t whole) {
+        const Under under = radius_field_.under(place);
+        if (under.least == 0) return;
+        const std::size_t node = first_.nodes.size();
+        const std::uint32_t block = blocks();
+        first_.nodes.push_back(
+            {place, under.greatest, 0, block, static_cast<std::uint32_t>(whole)});
+        if (is_short(place, under, kRadiiOfBlock) || is_short(place, under, kRadii, pieces_)) {
+            const std::uint32_t first = places();
+            cut_block(place, under);
+            if (places() > first)
+                first_.blocks.push_back(
+                    {first, under.is_even ? under.least : 0, static_cast<std::uint32_t>(node)});
+        } else {
+            cut_in_two(place, under, [&](const Rectangle& part) { cut(part, node); });
+        }
+        // Of a large rectangle it may show in its parts only that none of it is allowed.
+        if (block == blocks())
+            first_.nodes.resize(node);
+        else
+            first_.nodes[node].next = static_cast<std::uint32_t>(first_.nodes.size());
+    }
+
+    FirstBoxes take() {
+        const std::uint32_t most = std::max(kFewPlaces, places() / kRegions);
+        first_.blocks.push_back({places(), 0, 0});
+        for (std::uint32_t i = 0; i < first_.nodes.size();) {
+            const FirstBoxes::Node& node = first_.nodes[i];
+            const std::uint32_t first = first_.blocks[node.first].first;
+            const std::uint32_t end = first_.blocks[block_after(node)].first;
+            if (end - first > most && i + 1 < node.next) {
+                ++i;
+                continue;
+            }
+            first_.regions.push_back(i);
+            first_.begins.push_back(first);
+            i = node.next;
+        }
+        first_.begins.push_back(places());
+        return std::move(first_);
+    }
+
+private:
+    std::uint32_t places() const { return static_cast<std::uint32_t>(first_.places.size()); }
+    std::uint32_t blocks() const { return static_cast<std::uint32_t>(first_.blocks.size()); }
+
+    static bool is_short(const Rectangle& place, const Under& under, std::uint64_t radii,
+                         std::uint64_t pieces = 1) {
+        const std::uint64_t longer = std::max(place.width, place.end - place.begin);
+        return longer == 1 || longer * pieces <= radii * under.least;
+    }
+
+    void cut_block(const Rectangle& place, const Under& under) {
+        if (under.least == 0) return;
+        if (is_short(place, under, kRadii, pieces_)) return first_.places.push_back(place);
+        cut_in_two(place, under,
+                   [&](const Rectangle& part) { cut_block(part, radius_field_.under(part)); });
+    }
+
+    template <typename Take>
+    void cut_in_two(const Rectangle& place, const Under& under, Take take) {
+        const std::uint32_t height = place.end - place.begin;
+        if (place.width >= height) {
+            const std::uint32_t x =
+                under.is_even ? place.x + place.width / 2 : radius_field_.cut_x(place);
+            take(Rectangle{place.x, x - place.x, place.begin, place.end});
+            take(Rectangle{x, place.x + place.width - x, place.begin, place.end});
+        } else {
+            std::uint32_t y = under.is_even ? 0 : radius_field_.cut_y(place);
+            if (y == 0) y = place.begin + height / 2;
+            take(Rectangle{place.x, place.width, place.begin, y});
+            take(Rectangle{place.x, place.width, y, place.end});
+        }
+    }
+
+    std::uint32_t block_after(const FirstBoxes::Node& node) const {
+        return node.next < first_.nodes.size() ? first_.nodes[node.next].first : blocks() - 1;
+    }
+
+    const RadiusField& radius_field_;
+    std::uint32_t pieces_;
+    FirstBoxes first_;
+};
+
+}  // namespace
+
+FirstBoxes first_boxes(const Plan& plan) {
+    const RadiusField::Shape& shape = plan.radius_field->shape();
+    Halving halving(plan);
+    halving.cut({shape.low_x, shape.high_x - shape.low_x, shape.low_y, shape.high_y}, 0);
+    return halving.take();
+}
+
+}  // namespace lacuna

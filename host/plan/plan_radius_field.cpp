@@ -1,0 +1,197 @@
+// The plan of mode exact with a radius field: with a field, a mask, a border or points that are
+// kept (docs/design.md, section 4, "exact with a field").
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "plan/first_boxes.h"
+#include "plan/plan.h"
+#include "plan/radius_field.h"
+
+namespace lacuna {
+namespace {
+
+// The integral of the importance over the places where samples may lie, as a share of the whole
+// domain at the greatest importance.
+double share_of(const Request& request, double greatest, const Poll& poll) {
+    const Field* const field = request.field;
+    const Mask* const mask = request.mask;
+    const double inside = (request.width - 2 * request.border) / request.width *
+                          (request.height - 2 * request.border) / request.height;
+    double sum = 0;
+    if (mask == nullptr) {
+        if (field == nullptr) return inside;
+        for_each_polled(field->importance.size(), poll,
+                        [&](std::size_t i) { sum += field->importance[i] / greatest; });
+        return inside * sum / static_cast<double>(field->importance.size());
+    }
+    // Of each pixel of the mask, the importance in its middle.
+    const auto middle_in = [](std::size_t i, std::size_t count, std::size_t pixels) {
+        return (2 * i + 1) * pixels / (2 * count);
+    };
+    const auto add_row = [&](std::size_t row) {
+        const std::uint8_t* const allowed = &mask->allowed[row * mask->columns];
+        const double* const importance =
+            field == nullptr
+                ? nullptr
+                : &field->importance[middle_in(row, mask->rows, field->rows) * field->columns];
+        for (std::size_t i = 0; i < mask->columns; ++i) {
+            if (allowed[i] == 0) continue;
+            sum += importance == nullptr
+                       ? 1
+                       : importance[middle_in(i, mask->columns, field->columns)] / greatest;
+        }
+    };
+    for_each_polled(mask->rows, poll, add_row, mask->columns);
+    return inside * sum / static_cast<double>(mask->allowed.size());
+}
+
+double greatest_of(const Request& request) {
+    if (request.field == nullptr) return 1;
+    return *std::max_element(request.field->importance.begin(), request.field->importance.end());
+}
+
+// Where samples lie in the domain: as far from its edges as the border says, computed from the
+// coordinates that the user gets.
+RadiusField::Shape shape_of(const Request& request, double unit_x, double unit_y,
+                            std::uint32_t width, std::uint32_t height) {
+    const double border = request.border;
+    const auto low = [&](double unit) {
+        auto at = static_cast<std::uint32_t>(border / unit);
+        while (at * unit < border) ++at;
+        return at;
+    };
+    const auto high = [&](double unit, std::uint32_t units, double length) {
+        auto at = static_cast<std::uint32_t>(
+            std::min<double>(units, std::ceil((length - border) / unit) + 2));
+        while (at > 0 && length - (at - 1) * unit < border) --at;
+        return at;
+    };
+    return {width,
+            height,
+            std::min(unit_x, unit_y),
+            low(unit_x),
+            high(unit_x, width, request.width),
+            low(unit_y),
+            high(unit_y, height, request.height),
+            !request.keep.empty()};
+}
+
+// A point that is kept may lie where no sample may, beside the border of two pixels of which it
+// counts for either (check_kept_place): its radius is then the field's there, or on the nearest
+// place of the field that has one.
+std::uint32_t radius_of_kept(const RadiusField& radius_field, Sample at) {
+    std::uint32_t radius = radius_field.radius_at(at.x, at.y);
+    constexpr std::uint32_t kFarthest = 8;  // 2^-28 of the longer side, and all that was rounded
+    for (std::uint32_t far = 0; radius == 0 && far <= kFarthest; ++far) {
+        const auto around = [far](const PixelAxis& axis, std::uint32_t middle) {
+            const std::uint32_t end = axis.begin_of(axis.pixels());
+            return pixels_of(axis, middle - std::min(middle, far), std::min(middle + far + 1, end));
+        };
+        radius = radius_field.radii()
+                     .over(around(radius_field.columns(), at.x), around(radius_field.rows(), at.y))
+                     .least;
+    }
+    return radius;
+}
+
+// The largest whole numbers below the coordinates, or one above where no sample may lie there: the
+// pixel beside it is the point's.
+std::vector<KeptSample> kept_on(const Plan& plan, std::span<const Point> points) {
+    std::vector<KeptSample> kept;
+    kept.reserve(points.size());
+    for (const Point& point : points) {
+        const auto along = [](double at, double unit, std::uint32_t units) {
+            return std::min(static_cast<std::uint32_t>(at / unit), units - 1);
+        };
+        const Sample low{along(point.x, plan.unit_x, plan.width),
+                         along(point.y, plan.unit_y, plan.height)};
+        const std::uint32_t right = std::min(low.x + 1, plan.width - 1);
+        const std::uint32_t up = std::min(low.y + 1, plan.height - 1);
+        Sample found = low;
+        for (const Sample place : {Sample{right, up}, Sample{low.x, up}, Sample{right, low.y}, low})
+            if (plan.radius_field->radius_at(place.x, place.y) != 0) found = place;
+        kept.push_back({found, radius_of_kept(*plan.radius_field, found)});
+    }
+    return kept;
+}
+
+void check_size(const Request& request, const std::string& option, const std::string& value,
+                double least_radius, double samples) {
+    constexpr double kBytesPerSample = 250, kBytesPerPixel = 12, kBytesPerMaskPixel = 4. / 3;
+    const double longer = std::max(request.width, request.height);
+    if (!(least_radius >= longer * kSmallestRadius))
+        throw BadRequest(option, value,
+                         "makes the least radius " + shortest(least_radius) +
+                             ": it must be at least " + shortest(longer * kSmallestRadius) +
+                             ", the longer side / 2^20, or the grid's units run out");
+    double bytes = samples * kBytesPerSample;
+    if (request.field != nullptr)
+        bytes += static_cast<double>(request.field->importance.size()) * kBytesPerPixel;
+    if (request.mask != nullptr)
+        bytes += static_cast<double>(request.mask->allowed.size()) * kBytesPerMaskPixel;
+    refuse_more_memory(request, option, value, bytes);
+}
+
+}  // namespace
+
+double radius_field_scale_for_count(const Request& request, double count, const Poll& poll) {
+    const double greatest = greatest_of(request);
+    const double share = share_of(request, greatest, poll);
+    // A field so small that one sample covers all of it.
+    const double most = 2 * std::hypot(request.width, request.height);
+    const double radius =
+        std::min(most, std::sqrt(kTorusDensity * share * request.width * request.height / count));
+    return radius * std::sqrt(greatest);
+}
+
+Plan make_radius_field_plan(const Request& request, const Poll& poll) {
+    const bool has_field = request.field != nullptr;
+    const std::string option = has_field ? "scale" : "radius";
+    const double scale = has_field ? *request.scale : *request.radius;
+    if (!std::isfinite(scale) || scale <= 0)
+        throw BadRequest(option, shortest(scale), "must be a finite number greater than 0");
+    const double greatest = greatest_of(request);
+    const double least_radius = scale / std::sqrt(greatest);
+    const double expected = kTorusDensity * share_of(request, greatest, poll) *
+                            (request.width / least_radius) * (request.height / least_radius);
+    check_size(request, option, shortest(scale), least_radius, expected);
+
+    const bool torus = request.boundary == Boundary::torus;
+    const double longer = std::max(request.width, request.height);
+    Plan plan{};
+    plan.mode = Mode::exact;
+    plan.width = static_cast<std::uint32_t>(kRadiusFieldUnits * (request.width / longer));
+    plan.height = static_cast<std::uint32_t>(kRadiusFieldUnits * (request.height / longer));
+    plan.period_x = torus ? plan.width : 0;
+    plan.period_y = torus ? plan.height : 0;
+    plan.lines = 1;
+    plan.strip_width = plan.width;
+    plan.unit_x = request.width / plan.width;
+    plan.unit_y = request.height / plan.height;
+    const RadiusField::Shape shape =
+        shape_of(request, plan.unit_x, plan.unit_y, plan.width, plan.height);
+    plan.radius_field =
+        std::make_shared<const RadiusField>(request.field, scale, request.mask, shape, poll);
+    plan.radius = plan.radius_field->least_radius();
+    plan.radius_squared = std::uint64_t{plan.radius} * plan.radius;
+    plan.metric = Metric::min;
+    plan.kept = kept_on(plan, request.keep);
+    plan.user_radius = least_radius;
+    plan.user_scale = has_field ? scale : 0;
+    plan.lines_per_radius = lines_per_radius(request);
+    plan.round_size = request.round_size;
+    plan.seed = request.seed;
+    const std::uint64_t limit = request.limit.value_or(std::numeric_limits<std::uint64_t>::max());
+    plan.limit = limit - std::min<std::uint64_t>(limit, plan.kept.size());
+    plan.maximal_samples = static_cast<std::uint64_t>(std::min(expected, 1e18)) + 1;
+    plan.expected_samples = std::min(plan.limit, plan.maximal_samples);
+    plan.first_boxes = std::make_shared<const FirstBoxes>(first_boxes(plan));
+    return plan;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,144 @@
+// Radii and masks in whole numbers.
+#include "plan/radius_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "portable/radius_field.h"
+
+namespace lacuna {
+namespace {
+
+// Of the pixels first + 1 to last, the begin of the one in the middle; 0 where there is none.
+std::uint32_t middle_border(const PixelAxis& axis, std::uint32_t begin, std::uint32_t end) {
+    const auto [first, last] = pixels_of(axis, begin, end);
+    return first == last ? 0 : axis.begin_of(first + (last - first + 1) / 2);
+}
+
+}  // namespace
+
+PixelAxis::PixelAxis(std::uint32_t length, std::uint32_t pixels) : pixels_(pixels), shift_(0) {
+    __extension__ using Wide = unsigned __int128;
+    while ((Wide{pixels} << shift_) / length < std::uint64_t{1} << 33) ++shift_;
+    scale_ = static_cast<std::uint64_t>(((Wide{pixels} << shift_) + length - 1) / length);
+    begins_.reserve(pixels + std::size_t{1});
+    for (Wide pixel = 0; pixel < pixels; ++pixel)
+        begins_.push_back(static_cast<std::uint32_t>(((pixel << shift_) + scale_ - 1) / scale_));
+    begins_.push_back(length);
+}
+
+std::uint32_t RadiusField::Radii::greatest() const {
+    return greatest_and_zeros & ~HAS_ZEROS;
+}
+
+bool RadiusField::Radii::are_mixed() const {
+    return portable::are_radii_mixed(least, greatest_and_zeros);
+}
+
+RadiusField::Radii RadiusField::merge_radii(Radii a, Radii b) {
+    return {portable::least_of_radii(a.least, b.least),
+            portable::greatest_of_radii(a.greatest_and_zeros, b.greatest_and_zeros)};
+}
+
+std::vector<RadiusField::Radii> RadiusField::radii_of(const Field* field, double scale,
+                                                      const Shape& shape, const Poll& poll) {
+    // A radius beyond the diagonal covers everything already. Rounded up by at least 2^-10 units,
+    // more than doubles lose on the way back; and by two more where a sample that is kept lies up
+    // to a unit away from where it was given, along both axes.
+    const double most = std::ceil(std::hypot(shape.width, shape.height));
+    const std::uint32_t more = shape.has_kept ? 3 : 1;
+    const auto radius_of = [&](double importance) -> Radii {
+        if (importance <= 0) return {0, HAS_ZEROS};
+        const double units = std::min(scale / std::sqrt(importance) / shape.unit, most);
+        const std::uint32_t radius = static_cast<std::uint32_t>(units + 1.0 / 1024) + more;
+        return {radius, radius};
+    };
+    if (field == nullptr) return {radius_of(1)};
+    std::vector<Radii> radii(field->importance.size());
+    // So many columns at a time: what is written of them stays in the cache from row to row.
+    constexpr std::uint32_t kTile = 64;
+    const std::uint32_t columns = field->columns;
+    const std::uint32_t rows = field->rows;
+    const auto fill_tile = [&](std::size_t tile) {
+        const std::uint32_t first = static_cast<std::uint32_t>(tile) * kTile;
+        const std::uint32_t end = std::min(first + kTile, columns);
+        for (std::uint32_t row = 0; row < rows; ++row) {
+            const double* const line = &field->importance[std::size_t{rows - 1 - row} * columns];
+            for (std::uint32_t column = first; column < end; ++column)
+                radii[std::size_t{column} * rows + row] = radius_of(line[column]);
+        }
+    };
+    for_each_polled((columns + kTile - 1) / kTile, poll, fill_tile, std::size_t{kTile} * rows);
+    return radii;
+}
+
+RadiusField::RadiusField(const Field* field, double scale, const Mask* mask, const Shape& shape,
+                         const Poll& poll)
+    : shape_(shape),
+      columns_(shape.width, field == nullptr ? 1 : field->columns),
+      rows_(shape.height, field == nullptr ? 1 : field->rows),
+      radii_(columns_.pixels(), rows_.pixels(), radii_of(field, scale, shape, poll), poll) {
+    if (mask != nullptr) {
+        mask_columns_.emplace(shape.width, mask->columns);
+        mask_rows_.emplace(shape.height, mask->rows);
+        std::vector<std::uint8_t> allowed(mask->allowed.size());
+        for_each_polled(
+            mask->columns, poll,
+            [&](std::size_t column) {
+                for (std::uint32_t row = 0; row < mask->rows; ++row)
+                    allowed[column * mask->rows + row] =
+                        mask->allowed[std::size_t{mask->rows - 1 - row} * mask->columns + column] !=
+                                0
+                            ? kAll
+                            : kNone;
+            },
+            mask->rows);
+        mask_.emplace(mask->columns, mask->rows, std::move(allowed), poll);
+    }
+    least_radius_ = std::numeric_limits<std::uint32_t>::max();
+    for (const Radii& radii : radii_.values())
+        least_radius_ = std::min(least_radius_, radii.least - 1);
+    ++least_radius_;
+}
+
+Under RadiusField::under(const Rectangle& place) const {
+    const std::uint32_t end = place.x + place.width;
+    const Radii radii =
+        radii_.over(pixels_of(columns_, place.x, end), pixels_of(rows_, place.begin, place.end));
+    const std::uint8_t allowed = mask_ ? mask_->over(pixels_of(*mask_columns_, place.x, end),
+                                                     pixels_of(*mask_rows_, place.begin, place.end))
+                                       : kAll;
+    if (allowed == kNone) return {0, 0, true};
+    return {radii.least, radii.greatest(), !radii.are_mixed() && allowed == kAll};
+}
+
+bool RadiusField::is_mask_mixed(const Rectangle& place) const {
+    return mask_ && mask_->over(pixels_of(*mask_columns_, place.x, place.x + place.width),
+                                pixels_of(*mask_rows_, place.begin, place.end)) == kSome;
+}
+
+bool RadiusField::are_radii_mixed(const Rectangle& place) const {
+    return radii_
+        .over(pixels_of(columns_, place.x, place.x + place.width),
+              pixels_of(rows_, place.begin, place.end))
+        .are_mixed();
+}
+
+std::uint32_t RadiusField::cut_x(const Rectangle& place) const {
+    const std::uint32_t end = place.x + place.width;
+    std::uint32_t cut = is_mask_mixed(place) ? middle_border(*mask_columns_, place.x, end) : 0;
+    if (cut == 0 && are_radii_mixed(place)) cut = middle_border(columns_, place.x, end);
+    if (cut == 0 && place.width > 1) cut = place.x + place.width / 2;
+    return cut;
+}
+
+std::uint32_t RadiusField::cut_y(const Rectangle& place) const {
+    std::uint32_t cut =
+        is_mask_mixed(place) ? middle_border(*mask_rows_, place.begin, place.end) : 0;
+    if (cut == 0 && are_radii_mixed(place)) cut = middle_border(rows_, place.begin, place.end);
+    return cut;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,59 @@
+// THE LOOP. The free space is a probability density: draw from it, keep what does not conflict,
+// take the new disks out of it, until nothing is left (Kalantari & Sen 2011, sections 3 and 4.1).
+// In exact, what is left too thin for its strips to show is refined (docs/design.md, section 4).
+#include "sampling/generate.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/large_pages.h"
+#include "plan/first_free.h"
+#include "rounds/round_policy.h"
+#include "sampling/timed_verbs.h"
+
+namespace lacuna {
+
+Outcome generate(const Plan& plan, Backend& untimed, Observer& observer) {
+    Outcome outcome;
+    outcome.samples.reserve(plan.expected_samples);
+    ask_for_large_pages(outcome.samples.data(), plan.expected_samples);
+    const auto may_go_on = [&] {
+        const std::uint64_t points = outcome.samples.size();
+        const std::uint64_t expected = std::max(points, plan.expected_samples);
+        return observer.keep_going({points, expected, outcome.rounds});
+    };
+    const auto poll = [&] {
+        if (!may_go_on()) throw Cancelled();
+    };
+    TimedBackend backend(untimed, observer);
+    TimedMarginal marginal(plan, backend.workers(), poll, observer);
+    RoundPolicy policy(plan);
+    backend.watch(may_go_on);
+    const FirstFree all_free(plan);
+    marginal.rebuild(all_free.lengths, plan.strip_width, all_free.widths);
+
+    while (marginal.total() > 0 && outcome.samples.size() < plan.limit) {
+        const std::span<const Draw> draws = marginal.invert(outcome.draws, policy.size());
+        backend.locate(draws);
+        backend.admit();
+        if (policy.refines())
+            backend.refine(policy.halves());
+        else
+            backend.subtract();
+        const Round round = backend.finish_round();
+
+        outcome.samples.insert(outcome.samples.end(), round.samples.begin(), round.samples.end());
+        outcome.draws += draws.size();
+        outcome.rounds++;
+        policy.note(round.survivors, round.samples.size(), round.free_lengths.size(),
+                    round.bin_width);
+        marginal.rebuild(round.free_lengths, round.bin_width, round.bin_widths);
+        poll();
+    }
+    if (outcome.samples.size() > plan.limit) outcome.samples.resize(plan.limit);
+    return outcome;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,138 @@
+// lacuna::sample_many: batches of small sets in parallel, larger ones one after the other.
+#include <lacuna/many.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "backends/backends.h"
+#include "base/threads.h"
+
+namespace lacuna {
+namespace {
+
+// A set of so many points takes one thread some 20 ms: so long a cancelled batch may go on.
+constexpr double kSmallSet = 20000;
+constexpr std::size_t kSetsAThread = 64;
+
+// Whether a set takes so little time that several at once are served better than each on all
+// threads.
+bool is_small(const Request& request) {
+    const std::string backend = wanted_backend(request.backend);
+    if (backend != "auto" && backend != "cpu") return false;
+    if (request.round_size != 0 || request.uniform_x) return false;
+    if (request.field != nullptr) return false;
+    if (request.count) return static_cast<double>(*request.count) <= kSmallSet;
+    // What makes no sense is for sample() to refuse.
+    return request.radius && *request.radius > 0 && request.width > 0 && request.height > 0 &&
+           expected_count(request.width, request.height, request.boundary, *request.radius) <=
+               kSmallSet;
+}
+
+Request with_seed(const Request& request, std::uint64_t seed) {
+    Request one = request;
+    one.seed = seed;
+    return one;
+}
+
+// Asks for all sets, on the calling thread alone, and tells the others.
+class OfAll {
+public:
+    OfAll(Observer& observer, std::size_t sets) : observer_(observer), sets_(sets) {}
+
+    bool keep_going() {
+        if (std::this_thread::get_id() == caller_ && !observer_.keep_going({done_, sets_, 0}))
+            stopped_.store(true, std::memory_order_relaxed);
+        return !stopped_.load(std::memory_order_relaxed);
+    }
+    void add_one() { ++done_; }  // on the calling thread
+
+private:
+    Observer& observer_;
+    std::uint64_t sets_;
+    std::uint64_t done_ = 0;
+    std::thread::id caller_ = std::this_thread::get_id();
+    std::atomic<bool> stopped_ = false;
+};
+
+class OfOne : public Observer {
+public:
+    explicit OfOne(OfAll& all) : all_(all) {}
+    bool keep_going(const Progress&) override { return all_.keep_going(); }
+
+private:
+    OfAll& all_;
+};
+
+Result made(const Request& request, std::uint64_t seed, OfAll& all) {
+    OfOne observer(all);
+    return sample(with_seed(request, seed), observer);
+}
+
+void ask(OfAll& all) {
+    if (!all.keep_going()) throw Cancelled();
+}
+
+void one_by_one(const Request& request, std::span<const std::uint64_t> seeds, const TakeSet& take,
+                OfAll& all) {
+    for (const std::uint64_t seed : seeds) {
+        ask(all);
+        take(seed, made(request, seed, all));
+        all.add_one();
+    }
+}
+
+void in_batches(const Request& request, std::span<const std::uint64_t> seeds, const TakeSet& take,
+                OfAll& all) {
+    const int threads =
+        request.threads == 0 ? tbb::info::default_concurrency() : static_cast<int>(request.threads);
+    make_sure_of_threads(threads);
+    allow_more_threads_than_cores();
+    tbb::task_arena arena(threads);
+    Request single = request;
+    single.threads = 1;
+    const std::size_t batch = kSetsAThread * static_cast<std::size_t>(threads);
+    std::vector<std::optional<Result>> results(std::min(batch, seeds.size()));
+    for (std::size_t begin = 0; begin < seeds.size(); begin += batch) {
+        const std::size_t size = std::min(batch, seeds.size() - begin);
+        ask(all);
+        arena.execute([&] {
+            tbb::parallel_for(
+                std::size_t{0}, size,
+                [&](std::size_t i) { results[i] = made(single, seeds[begin + i], all); },
+                tbb::simple_partitioner());
+        });
+        for (std::size_t i = 0; i < size; ++i) {
+            ask(all);
+            take(seeds[begin + i], std::move(*results[i]));
+            results[i].reset();
+            all.add_one();
+        }
+    }
+}
+
+}  // namespace
+
+void sample_many(const Request& request, std::span<const std::uint64_t> seeds,
+                 const TakeSet& take) {
+    Observer nobody;
+    sample_many(request, seeds, take, nobody);
+}
+
+void sample_many(const Request& request, std::span<const std::uint64_t> seeds, const TakeSet& take,
+                 Observer& observer) {
+    OfAll all(observer, seeds.size());
+    // The threads are checked by sample() itself, which would come too late here.
+    const bool can_share = request.threads != 1 && request.threads <= kMostThreads;
+    (can_share && is_small(request) ? in_batches : one_by_one)(request, seeds, take, all);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,104 @@
+// Who times the verbs of the loop: decorators of the backend and of the marginal.
+#pragma once
+
+#include <lacuna/lacuna.h>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "backends/backend.h"
+#include "plan/plan.h"
+#include "rounds/marginal.h"
+
+namespace lacuna {
+
+// Tells the observer when a verb begins, and when it ends or throws. What the observer throws ends
+// the run, unless another exception does so already.
+class Timed {
+public:
+    Timed(Observer& observer, Verb verb)
+        : observer_(observer), verb_(verb), exceptions_(std::uncaught_exceptions()) {
+        observer_.begin(verb_);
+    }
+    ~Timed() noexcept(false) {
+        try {
+            observer_.end(verb_);
+        } catch (...) {
+            if (std::uncaught_exceptions() == exceptions_) throw;
+        }
+    }
+    Timed(const Timed&) = delete;
+    Timed& operator=(const Timed&) = delete;
+
+private:
+    Observer& observer_;
+    Verb verb_;
+    int exceptions_;  // on their way when the verb began
+};
+
+class TimedBackend : public Backend {
+public:
+    TimedBackend(Backend& backend, Observer& observer) : backend_(backend), observer_(observer) {}
+
+    void locate(std::span<const Draw> draws) override {
+        const Timed timed(observer_, Verb::locate);
+        backend_.locate(draws);
+    }
+    void admit() override {
+        const Timed timed(observer_, Verb::admit);
+        backend_.admit();
+    }
+    void subtract() override {
+        const Timed timed(observer_, Verb::subtract);
+        backend_.subtract();
+    }
+    void refine(bool halve) override {
+        const Timed timed(observer_, Verb::refine);
+        backend_.refine(halve);
+    }
+    Round finish_round() override {
+        const Timed timed(observer_, Verb::transfer);
+        return backend_.finish_round();
+    }
+    std::vector<Candidate> located() override {
+        const Timed timed(observer_, Verb::transfer);
+        return backend_.located();
+    }
+
+    std::string device() const override { return backend_.device(); }
+    Workers& workers() override { return backend_.workers(); }
+    void watch(std::function<bool()> may_go_on) override { backend_.watch(std::move(may_go_on)); }
+    Snapshot snapshot() override { return backend_.snapshot(); }
+    void restore(const Snapshot& snapshot) override { backend_.restore(snapshot); }
+
+private:
+    Backend& backend_;
+    Observer& observer_;
+};
+
+class TimedMarginal {
+public:
+    TimedMarginal(const Plan& plan, Workers& workers, std::function<void()> poll,
+                  Observer& observer)
+        : marginal_(plan, workers, std::move(poll)), observer_(observer) {}
+
+    void rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t bin_width,
+                 std::span<const std::uint32_t> bin_widths = {}) {
+        const Timed timed(observer_, Verb::invert);
+        marginal_.rebuild(free_lengths, bin_width, bin_widths);
+    }
+    std::span<const Draw> invert(std::uint64_t first_number, std::uint64_t count) {
+        const Timed timed(observer_, Verb::invert);
+        return marginal_.invert(first_number, static_cast<std::uint32_t>(count));
+    }
+    std::uint64_t total() const { return marginal_.total(); }
+
+private:
+    Marginal marginal_;
+    Observer& observer_;
+};
+
+}  // namespace lacuna

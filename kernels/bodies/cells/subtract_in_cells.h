@@ -1,0 +1,136 @@
+// The body of subtract in mode cells: the lattice points that the round's samples block, taken out
+// of every line by the two-way check of section 4.2.
+#include "portable/bits.h"
+#include "portable/chord.h"
+#include "portable/column.h"
+#include "portable/distance.h"
+#include "portable/metric.h"
+
+// One sample on one line.
+struct Cut {
+    u32 radius;
+    u32 dx;
+    u32 line;
+    u32 pixel_begin;  // the first of the line's pixels
+};
+LACUNA_TYPEDEF(Cut)
+
+// What the sample, seen at height y, blocks of [begin, end), above which lies that pixel alone.
+// Mostly all or nothing, which squared distances tell without a root.
+BODY u32x2 blocked_of_run(const u32 metric, const Cut cut, const u32 pixel, const i64 y,
+                          const u32 begin, const u32 end) {
+    const u64 limit = metric_squared(twice_metric_radius(metric, cut.radius, pixel));
+    const u32 farthest = farthest_distance(y, to_i64(begin), to_i64(end));
+    const u32 nearest = nearest_distance(y, to_i64(begin), to_i64(end));
+    if (squared_length(cut.dx, farthest) < limit) return U32X2(begin, end);
+    if (squared_length(cut.dx, nearest) >= limit) return U32X2(end, end);
+    const i64 reach = to_i64(chord_reach(cut.dx, limit));
+    return U32X2(to_u32(max(to_i64(begin), y - reach + 1)), to_u32(min(to_i64(end), y + reach)));
+}
+
+// Blocks what the sample, seen at height y, takes of the `chord` points to either side, and returns
+// how many. Only words with free points count, and of those only the runs of pixels that hold them.
+BODY u32 block_points(MEMORY const DrawArguments a, const Cut cut, const i64 y, const u32 chord) {
+    const i64 low = max(y - to_i64(chord) + 1, to_i64(0));
+    const i64 high = min(y + to_i64(chord), to_i64(a.g.height));
+    if (low >= high) return 0u;
+    const u32 begin = to_u32(low);
+    const u32 end = to_u32(high);
+    u32 blocked = 0u;
+    for (u32 word = begin / 32u; word <= (end - 1u) / 32u; ++word) {
+        const u32 index = cut.line * a.g.capacity + word;
+        u32 open = LOOK_AT(bits, index) & word_mask(word, begin, end);
+        u32 mask = 0u;
+        while (open != 0u) {
+            const u32 first = word * 32u + lowest_bit(open);
+            const u32 row = AT(row_of, first);
+            const u32 run_end = min(AT(row_begins, row + 1u), word * 32u + 32u);
+            const u32 run = open & word_mask(word, first, run_end);
+            open = open ^ run;
+            const u32x2 taken = blocked_of_run(
+                a.metric, cut, AT(pixel_radii, cut.pixel_begin + row), y, first, run_end);
+            if (taken.x < taken.y) mask = mask | (run & word_mask(word, taken.x, taken.y));
+        }
+        // Items may clear one word at a time: what was still set tells each what it has blocked.
+        if (mask != 0u) blocked += count_bits(ATOMIC_AND(bits, index, ~mask) & mask);
+    }
+    return blocked;
+}
+
+// Whether a point of the line in [begin, end) may be free: of few or many words, some may.
+BODY bool any_set(MEMORY const DrawArguments a, const u32 line, const u32 begin, const u32 end) {
+    if (end - begin > MOST_LOOKS * 32u) return true;
+    for (u32 word = begin / 32u; word * 32u < end; ++word)
+        if ((LOOK_AT(bits, line * a.g.capacity + word) & word_mask(word, begin, end)) != 0u)
+            return true;
+    return false;
+}
+
+// How far from the sample's height a free point of the line can be that it blocks, plus 1; 0 if
+// none. With min no farther than its radius. With mean and max the widest pixels reach farthest,
+// and they are the first to be blocked. Items look side by side: wherever widest[line] stands, no
+// wider row has a free point.
+BODY u32 half_chord(MEMORY const DrawArguments a, const Cut cut, const u32 reach) {
+    u64 limit = reach;
+    limit = limit * limit + 1u;
+    u64 dx_squared = cut.dx;
+    dx_squared = dx_squared * dx_squared;
+    if (dx_squared >= limit) return 0u;
+    if (!is_far_reach(a.metric, reach, cut.radius)) return chord_reach(cut.dx, limit);
+
+    // Pass over pixels without a free point until one has some, or all that are left are too small.
+    const u32 first = LOOK_AT(widest, cut.line);
+    u32 i = first;
+    for (u32 looks = 0u; i < a.rows && looks < MOST_LOOKS; ++i) {
+        const u32 row = AT(widest_rows, cut.pixel_begin + i);
+        const u32 bound = class_bound(AT(pixel_radii, cut.pixel_begin + row));
+        limit = min(limit, metric_squared(twice_metric_radius(a.metric, cut.radius, bound)));
+        const u32 begin = AT(row_begins, row);
+        const u32 end = AT(row_begins, row + 1u);
+        if (dx_squared >= limit || any_set(ON a, cut.line, begin, end)) break;
+        looks += (end - begin) / 32u + 1u;
+    }
+    if (i > first) ATOMIC_MAX(widest, cut.line, i);
+    return i == a.rows ? 0u : chord_reach(cut.dx, limit);
+}
+
+// Serves one slice of the lines near a sample.
+BODY void serve_sample(MEMORY const DrawArguments a, const u32x4 admitted, const u32 pixel,
+                       const u32 slice) {
+    const u32 reach = AT(pixel_reaches, pixel);
+    const Stretch lines = stretch_around(admitted.x, reach, a.g.lines, a.g.period_x);
+    for (u32 k = slice; k < lines.count; k += a.slices) {
+        const u32 line = nth_of_stretch(lines, k, a.g.lines);
+        Cut cut = {AT(pixel_radii, pixel), axis_distance(admitted.x, line, a.g.period_x), line,
+                   AT(column_of, line) * a.rows};
+        const u32 chord = half_chord(ON a, cut, reach);
+        if (chord == 0u) continue;
+        u32 blocked = 0u;
+        const i64 first_image = to_i64(a.g.period_y != 0u ? -1 : 0);
+        for (i64 image = first_image; image <= -first_image; ++image)
+            blocked +=
+                block_points(ON a, cut, to_i64(admitted.y) + image * to_i64(a.g.height), chord);
+        if (blocked != 0u) ATOMIC_ADD(free_lengths, line, 0u - blocked);
+    }
+}
+
+// Serves one of so many slices of the lines near each sample of a chunk of candidates: every
+// slices-th line. Samples that reach farther than most_reach would take it too many turns: they are
+// listed in `left` for the next launch, which takes `todo` with more slices. Does nothing while
+// admission is unsettled.
+BODY void serve_subtract_in_cells(MEMORY const DrawArguments a, const u32 item) {
+    if (AT(undecided, a.pass) != 0u) return;
+    const u32 begin = a.first + item / a.slices * a.chunk;
+    const u32 end = min(begin + a.chunk, a.count);
+    for (u32 k = begin; k < end; ++k) {
+        const u32 i = a.is_listed != 0u ? AT(todo, k) : k;
+        if (AT(statuses, i) != STATUS_ADMITTED) continue;
+        const u32x4 admitted = AT(candidates, i);
+        const u32 pixel = AT(column_of, admitted.x) * a.rows + AT(row_of, admitted.y);
+        if (AT(pixel_reaches, pixel) <= a.most_reach)
+            serve_sample(ON a, admitted, pixel, item % a.slices);
+        else if (item % a.slices == 0u)
+            AT(left, ATOMIC_ADD(left_count, 0, 1u)) = i;
+    }
+    CHECK_TURNS(a.g.height, FAILED_SUBTRACT);
+}

@@ -1,0 +1,52 @@
+// Whether an earlier sample of its round conflicts with a candidate, which is looked for in the
+// columns near. Comes after limit.h or limit_in_cells.h, which say what conflicts.
+#include "portable/chord.h"
+#include "portable/distance.h"
+
+// A candidate of the column [begin, end) that is not above the first whose y is at least low, but
+// seldom far below it.
+BODY u32 lower_bound(MEMORY const u32 begin, const u32 end, const u32 low, const u32 height) {
+    const u32 bucket = bucket_of(low, end - begin, height);
+    return bucket > 0u ? AT(buckets, begin + bucket - 1u) : begin;
+}
+
+// What can be said of candidate i now: its status, and four times the number of others looked at.
+// Items of one pass read each other's statuses while they are decided; whatever they see, a status
+// once decided is the right one.
+BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate) {
+    const u32 height = a.g.height;
+    const u32 x = place_of(a, candidate);
+    const u32 reach = reach_of(ON a, candidate);
+    const Stretch columns = columns_near(a, candidate, reach);
+    const bool is_at_edge = candidate.y < reach || height - candidate.y <= reach;
+    const u32 windows = a.g.period_y != 0u && is_at_edge ? 3u : 1u;
+
+    // Look at all earlier candidates within reach.
+    bool waits = false;
+    u32 looks = 0u;
+    for (u32 k = 0u; k < columns.count; ++k) {
+        const u32 column = nth_of_stretch(columns, k, a.g.columns);
+        const u32 begin = AT(column_begins, column);
+        const u32 end = AT(column_begins, column + 1u);
+        for (u32 window = 0u; window < windows; ++window) {
+            const u32 low = window_begin(window, candidate.y, reach, height);
+            const u32 high = window_end(window, candidate.y, reach, height);
+            const u32 from = low >= high ? end : lower_bound(ON begin, end, low, height);
+            u32 j = from;
+            for (; j < end; ++j) {
+                const u32x4 other = AT(candidates, j);
+                if (other.y >= high) break;
+                if (other.y < low || other.w >= candidate.w) continue;
+                if (!conflicts(other.x, other.y, x, candidate.y, a.g.period_x, a.g.period_y,
+                               limit_of(ON a, i, j)))
+                    continue;
+                // A sample covers this candidate for good; an undecided one may yet.
+                const u32 status = ATOMIC_OR(statuses, j, 0u);
+                if (status == STATUS_ADMITTED) return STATUS_REJECTED + 4u * (looks + j - from);
+                waits = waits || status == STATUS_UNDECIDED;
+            }
+            looks += j - from;
+        }
+    }
+    return waits ? STATUS_UNDECIDED + 4u * looks : STATUS_ADMITTED + 4u * looks;
+}

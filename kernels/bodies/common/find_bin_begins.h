@@ -1,0 +1,18 @@
+// The body of find_bin_begins: the first box of each column, and at last the number of boxes,
+// which come line by line.
+#include "portable/column.h"
+
+BODY void serve_find_bin_begins(MEMORY const ColumnArguments a, const u32 column) {
+    if (column > a.g.columns) return;
+    const u32 line = first_line_of_column(column, a.g.lines, a.g.columns);
+    u32 begin = 0u;
+    u32 end = min(AT(total, 0), a.room);
+    while (begin < end) {
+        const u32 middle = begin + (end - begin) / 2u;
+        if (AT(new_x, middle) / a.g.strip_width < line)
+            begin = middle + 1u;
+        else
+            end = middle;
+    }
+    AT(bin_begins, column) = begin;
+}

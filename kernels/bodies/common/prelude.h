@@ -1,0 +1,96 @@
+// The words of the bodies that OpenCL C and GLSL spell differently, each beside both spellings.
+//
+// A body is the loop of one kernel, written once. It sees the kernel's buffers by name:
+// AT(statuses, i) is a word of the buffer `statuses`. A function that does so has MEMORY before its
+// parameters, and is called with ON before its arguments: OpenCL hands a struct of pointers on,
+// GLSL nothing.
+#ifndef LACUNA_BODIES_PRELUDE_H
+#define LACUNA_BODIES_PRELUDE_H
+#ifndef __OPENCL_C_VERSION__
+#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
+#endif
+#include "portable/failure.h"
+#include "portable/kernels.h"
+#include "portable/status.h"
+
+#if defined(__OPENCL_C_VERSION__)
+typedef uint2 u32x2;
+typedef uint4 u32x4;
+#define U32X2(x, y) (uint2)((x), (y))
+#define U32X4(x, y, z, w) (uint4)((x), (y), (z), (w))
+
+#define LACUNA_MEMBER(type, name) global type* name;
+typedef struct Memory {
+    LACUNA_BUFFERS(LACUNA_MEMBER)
+} Memory;
+#define BODY static inline
+#define MEMORY const Memory memory,
+#define ON memory,
+#define AT(name, i) memory.name[i]
+// A word that other items may change at the same time, where an old one will do as well. Oclgrind
+// takes that for a race, unless it is atomic, which costs up to three times the time of a verb.
+#if defined(LACUNA_ATOMIC_LOOKS)
+#define LOOK_AT(name, i) atomic_or(&memory.name[i], 0u)
+#else
+#define LOOK_AT(name, i) (*(volatile global u32*)&memory.name[i])
+#endif
+#define ATOMIC_ADD(name, i, value) atomic_add(&memory.name[i], value)
+#define ATOMIC_AND(name, i, value) atomic_and(&memory.name[i], value)
+#define ATOMIC_OR(name, i, value) atomic_or(&memory.name[i], value)
+#define ATOMIC_MAX(name, i, value) atomic_max(&memory.name[i], value)
+#define ATOMIC_SET(name, i, value) atomic_xchg(&memory.name[i], value)
+
+// What stands before a kernel's body, and the kernel after it: it calls serve(arguments, item).
+#define LACUNA_PARAMETER(number, access, type, name) , global type* restrict name
+#define LACUNA_PUT(number, access, type, name) memory.name = name;
+#define BINDINGS(Arguments, LIST)
+#define ENTRY(name, serve, Arguments, LIST)                                     \
+    kernel void name(const Arguments arguments LIST(LACUNA_PARAMETER)) {        \
+        Memory memory;                                                          \
+        LIST(LACUNA_PUT)                                                        \
+        serve(memory, arguments, arguments.first_item + (u32)get_global_id(0)); \
+    }
+
+#else  // GLSL; glslang pastes tokens, too
+#define u32x2 uvec2
+#define u32x4 uvec4
+#define U32X2(x, y) uvec2(x, y)
+#define U32X4(x, y, z, w) uvec4(x, y, z, w)
+
+#define BODY
+#define MEMORY
+#define ON
+#define AT(name, i) name[i]
+#define LOOK_AT(name, i) name[i]
+#define ATOMIC_ADD(name, i, value) atomicAdd(name[i], value)
+#define ATOMIC_AND(name, i, value) atomicAnd(name[i], value)
+#define ATOMIC_OR(name, i, value) atomicOr(name[i], value)
+#define ATOMIC_MAX(name, i, value) atomicMax(name[i], value)
+#define ATOMIC_SET(name, i, value) atomicExchange(name[i], value)
+
+#define READ readonly restrict
+#define WRITE writeonly restrict
+#define BOTH restrict
+#define SHARED coherent restrict
+#define LACUNA_LAYOUT(number, access, type, name)            \
+    layout(binding = number) access buffer Binding##number { \
+        type name[];                                         \
+    };
+#define BINDINGS(Arguments, LIST)             \
+    layout(local_size_x_id = 0) in;           \
+    layout(push_constant) uniform Constants { \
+        Arguments arguments;                  \
+    };                                        \
+    LIST(LACUNA_LAYOUT)
+#define ENTRY(name, serve, Arguments, LIST)                               \
+    void main() {                                                         \
+        serve(arguments, arguments.first_item + gl_GlobalInvocationID.x); \
+    }
+#endif
+
+// Raises the flag if the loops that came before were ended early (portable/failure.h). `number` is
+// any that the compiler does not know.
+#define CHECK_TURNS(number, flag) \
+    if (!has_turns_left(number)) ATOMIC_OR(failure, 0, flag)
+
+#endif

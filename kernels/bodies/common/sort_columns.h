@@ -1,0 +1,61 @@
+// The body of sort_columns: the order of y within a column, which admit and subtract rely on.
+#include "portable/column.h"
+
+// More candidates in one bucket are ordered by long steps first.
+#define FEW 16u
+
+BODY bool comes_before(const u32x4 a, const u32x4 b) {
+    return a.y < b.y || (a.y == b.y && a.w < b.w);
+}
+
+// Sorts the candidates of one column by y, and by order where y is equal: into as many buckets as
+// there are candidates, so that few share one, then by hand. `buckets` has a word for each
+// candidate, and tells in the end where the bucket ends.
+BODY void serve_sort_columns(MEMORY const ColumnArguments a, const u32 column) {
+    if (column >= a.g.columns) return;
+    const u32 begin = AT(column_begins, column);
+    const u32 end = AT(column_begins, column + 1u);
+    const u32 count = end - begin;
+
+    // Count each bucket's candidates.
+    for (u32 i = begin; i < end; ++i) {
+        AT(buckets, i) = 0u;
+        AT(statuses, i) = STATUS_UNDECIDED;
+    }
+    for (u32 i = begin; i < end; ++i)
+        ++AT(buckets, begin + bucket_of(AT(located, i).y, count, a.g.height));
+
+    // Find where each bucket begins, and fill them.
+    u32 next = begin;
+    u32 largest = 0u;
+    for (u32 i = begin; i < end; ++i) {
+        const u32 in_bucket = AT(buckets, i);
+        AT(buckets, i) = next;
+        next += in_bucket;
+        largest = max(largest, in_bucket);
+    }
+    for (u32 i = begin; i < end; ++i) {
+        const u32x4 candidate = AT(located, i);
+        const u32 bucket = begin + bucket_of(candidate.y, count, a.g.height);
+        const u32 to = AT(buckets, bucket);
+        AT(buckets, bucket) = to + 1u;
+        AT(candidates, to) = candidate;
+    }
+
+    // Move each down to its place: a few steps, where few share a bucket. Where many do, by long
+    // steps first (Shell's sort, by Ciura's ratio of steps).
+    u32 step = largest > FEW ? largest : 1u;
+    do {
+        step = max(step * 5u / 11u, 1u);
+        for (u32 i = begin + step; i < end; ++i) {
+            const u32x4 moved = AT(candidates, i);
+            u32 to = i;
+            while (to >= begin + step && comes_before(moved, AT(candidates, to - step))) {
+                AT(candidates, to) = AT(candidates, to - step);
+                to -= step;
+            }
+            if (to < i) AT(candidates, to) = moved;
+        }
+    } while (step > 1u);
+    CHECK_TURNS(a.g.height, FAILED_SORT_COLUMNS);
+}

@@ -1,0 +1,206 @@
+// The radius field on a device: what radius each place asks for, and where samples may go
+// (plan/radius_field.h).
+// A rectangle is x, width, begin, end; one of pixels the first and last of its columns, and of its
+// rows.
+#include "portable/radius_field.h"
+
+struct Under {
+    u32 least;      // of the radii that are not 0; 0 where no sample may go
+    bool is_mixed;  // the radii are
+    u32 allowed;    // of the mask
+};
+LACUNA_TYPEDEF(Under)
+
+// One side of a grid of pixels, see portable/radius_field.h.
+struct Axis {
+    u32 pixels;
+    u32 shift;
+    u32 scale_low;
+    u32 scale_high;
+    u32 begins;
+};
+LACUNA_TYPEDEF(Axis)
+
+struct Grid {
+    Axis columns;
+    Axis rows;
+};
+LACUNA_TYPEDEF(Grid)
+
+// Those of the field and of the mask. A kernel reads them once: each word read costs on lavapipe as
+// much as some steps of arithmetic.
+struct Grids {
+    Grid field;
+    Grid mask;
+};
+LACUNA_TYPEDEF(Grids)
+
+// The pixels that a rectangle touches.
+struct Touched {
+    u32x4 field;
+    u32x4 mask;
+};
+LACUNA_TYPEDEF(Touched)
+
+// Values that stand column by column.
+struct Level {
+    u32 shift;  // a value is of 2^shift x 2^shift pixels
+    u32 first;
+    u32 rows;
+};
+LACUNA_TYPEDEF(Level)
+
+BODY Axis axis_of(MEMORY const u32 number) {
+    const u32 first = number * AXIS_WORDS;
+    const Axis axis = {AT(axes, first + AXIS_PIXELS), AT(axes, first + AXIS_SHIFT),
+                       AT(axes, first + AXIS_SCALE), AT(axes, first + AXIS_SCALE + 1u),
+                       AT(axes, first + AXIS_BEGINS)};
+    return axis;
+}
+
+// Of the axis of columns and the one of rows after it.
+BODY Grid grid_of(MEMORY const u32 columns) {
+    const Grid grid = {axis_of(ON columns), axis_of(ON columns + 1u)};
+    return grid;
+}
+
+BODY bool has_mask(const Grids grids) {
+    return grids.mask.columns.pixels != 0u;
+}
+
+BODY u32 pixel_of(const Axis axis, const u32 at) {
+    return pixel_at(at, axis.scale_low, axis.scale_high, axis.shift);
+}
+
+BODY u32x4 pixels_under(const Grid grid, const u32x4 place) {
+    return U32X4(pixel_of(grid.columns, place.x), pixel_of(grid.columns, place.x + place.y - 1u),
+                 pixel_of(grid.rows, place.z), pixel_of(grid.rows, place.w - 1u));
+}
+
+BODY Touched touched_by(const Grids grids, const u32x4 place) {
+    Touched touched = {pixels_under(grids.field, place), U32X4(0u, 0u, 0u, 0u)};
+    if (has_mask(grids)) touched.mask = pixels_under(grids.mask, place);
+    return touched;
+}
+
+// What is left of them where the rectangle is cut: at `x` along x, at `y` along y.
+BODY Touched touched_left(const Grids grids, const Touched all, const u32 x) {
+    Touched touched = all;
+    touched.field.y = pixel_of(grids.field.columns, x - 1u);
+    touched.mask.y = pixel_of(grids.mask.columns, x - 1u);
+    return touched;
+}
+BODY Touched touched_right(const Grids grids, const Touched all, const u32 x) {
+    Touched touched = all;
+    touched.field.x = pixel_of(grids.field.columns, x);
+    touched.mask.x = pixel_of(grids.mask.columns, x);
+    return touched;
+}
+BODY Touched touched_below(const Grids grids, const Touched all, const u32 y) {
+    Touched touched = all;
+    touched.field.w = pixel_of(grids.field.rows, y - 1u);
+    touched.mask.w = pixel_of(grids.mask.rows, y - 1u);
+    return touched;
+}
+BODY Touched touched_above(const Grids grids, const Touched all, const u32 y) {
+    Touched touched = all;
+    touched.field.z = pixel_of(grids.field.rows, y);
+    touched.mask.z = pixel_of(grids.mask.rows, y);
+    return touched;
+}
+
+// The lowest level of a pyramid of which a rectangle of pixels touches at most 4 x 4 values.
+BODY Level level_over(const Grid grid, const u32x4 pixels) {
+    Level level = {0u, 0u, grid.rows.pixels};
+    u32 columns = grid.columns.pixels;
+    while ((pixels.y >> level.shift) - (pixels.x >> level.shift) >= 4u ||
+           (pixels.w >> level.shift) - (pixels.z >> level.shift) >= 4u) {
+        level.first += columns * level.rows;
+        columns = (columns + 1u) / 2u;
+        level.rows = (level.rows + 1u) / 2u;
+        ++level.shift;
+    }
+    return level;
+}
+
+// The least and the greatest, see portable/radius_field.h.
+BODY u32x2 radii_over(MEMORY const Grid field, const u32x4 pixels) {
+    const Level level = level_over(field, pixels);
+    u32x2 all = U32X2(0u, 0u);
+    for (u32 i = pixels.x >> level.shift; i <= pixels.y >> level.shift; ++i) {
+        for (u32 j = pixels.z >> level.shift; j <= pixels.w >> level.shift; ++j) {
+            const u32x2 value = AT(radius_bounds, level.first + i * level.rows + j);
+            all = U32X2(least_of_radii(all.x, value.x), greatest_of_radii(all.y, value.y));
+        }
+    }
+    return all;
+}
+
+// Of value `number` of the mask's pyramid.
+BODY u32 allowed_of(MEMORY const u32 number) {
+    return AT(mask_bits, number / ALLOWED_PER_WORD) >> number % ALLOWED_PER_WORD * 2u & 3u;
+}
+
+BODY u32 allowed_over(MEMORY const Grid mask, const u32x4 pixels) {
+    const Level level = level_over(mask, pixels);
+    u32 seen = 0u;  // a bit for each value
+    for (u32 i = pixels.x >> level.shift; i <= pixels.y >> level.shift; ++i) {
+        for (u32 j = pixels.z >> level.shift; j <= pixels.w >> level.shift; ++j)
+            seen = seen | 1u << allowed_of(ON level.first + i * level.rows + j);
+    }
+    if (seen == 1u << ALLOWED_NONE) return ALLOWED_NONE;
+    return seen == 1u << ALLOWED_ALL ? ALLOWED_ALL : ALLOWED_SOME;
+}
+
+BODY Under under(MEMORY const Grids grids, const Touched touched) {
+    const u32x2 radii = radii_over(ON grids.field, touched.field);
+    Under found = {radii.x, are_radii_mixed(radii.x, radii.y), ALLOWED_ALL};
+    if (has_mask(grids)) found.allowed = allowed_over(ON grids.mask, touched.mask);
+    if (found.allowed == ALLOWED_NONE) found.least = 0u;
+    return found;
+}
+
+// The least radius, with IS_EVEN where there is no other; 0 where no sample may go.
+BODY u32 radius_under(const Under all) {
+    const bool is_even = all.least != 0u && !all.is_mixed && all.allowed == ALLOWED_ALL;
+    return is_even ? all.least | IS_EVEN : all.least;
+}
+
+// 0 where no sample may go.
+BODY u32 radius_at(MEMORY const Grids grids, const u32 x, const u32 y) {
+    const Grid field = grids.field;
+    const u32 pixel = pixel_of(field.columns, x) * field.rows.pixels + pixel_of(field.rows, y);
+    const u32 radius = AT(radius_bounds, pixel).x;
+    if (!has_mask(grids)) return radius;
+    const Grid mask = grids.mask;
+    const u32 allowed =
+        allowed_of(ON pixel_of(mask.columns, x) * mask.rows.pixels + pixel_of(mask.rows, y));
+    return allowed == ALLOWED_NONE ? 0u : radius;
+}
+
+// Of pixels first to last but the first, where the one in the middle begins; 0 where there is none.
+BODY u32 middle_border(MEMORY const Axis axis, const u32 first, const u32 last) {
+    if (first == last) return 0u;
+    return AT(axes, axis.begins + first + (last - first + 1u) / 2u);
+}
+
+// Where to cut a place with this under it in two: along a border of pixels near its middle where it
+// lies on unlike ones, or else, along x, in its middle. 0 where it is not to be cut.
+BODY u32 cut_x(MEMORY const Grids grids, const u32x4 place, const Touched touched,
+               const Under all) {
+    u32 cut = 0u;
+    if (all.allowed == ALLOWED_SOME)
+        cut = middle_border(ON grids.mask.columns, touched.mask.x, touched.mask.y);
+    if (cut == 0u && all.is_mixed)
+        cut = middle_border(ON grids.field.columns, touched.field.x, touched.field.y);
+    return cut == 0u && place.y > 1u ? place.x + place.y / 2u : cut;
+}
+
+BODY u32 cut_y(MEMORY const Grids grids, const Touched touched, const Under all) {
+    u32 cut = 0u;
+    if (all.allowed == ALLOWED_SOME)
+        cut = middle_border(ON grids.mask.rows, touched.mask.z, touched.mask.w);
+    if (cut == 0u && all.is_mixed)
+        cut = middle_border(ON grids.field.rows, touched.field.z, touched.field.w);
+    return cut;
+}

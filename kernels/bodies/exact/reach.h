@@ -1,0 +1,80 @@
+// The body of reach: lists each candidate for all blocks that it reaches, itself or as a sample, so
+// that all that could conflict with one in a block is in the list of that block
+// (plan/first_boxes.h). Down the tree of blocks, as the cpu's neighbour_lists.cpp goes.
+#include "portable/distance.h"
+
+// Whether a candidate is closer to a place than both its own radius and the greatest under it.
+BODY bool is_reached(const u32x4 place, const u32 greatest, const u32x4 candidate, const u32 radius,
+                     const u32 period_x, const u32 period_y) {
+    u64 reach = min(radius, greatest);
+    reach = reach * reach;
+    return squared_length(distance_to_stretch(candidate.x, place.x, place.x + place.y, period_x),
+                          distance_to_stretch(candidate.y, place.z, place.w, period_y)) < reach;
+}
+
+// Whether all that is closer than the radius lies in [begin, end), or beyond the edge that it
+// shares with [all_begin, all_end) where the axis does not wrap.
+BODY bool is_within(const u32 at, const u32 radius, const u32x2 part, const u32x2 all,
+                    const u32 period) {
+    const bool ends_at_begin = period == 0u && part.x == all.x;
+    const bool ends_at_end = period == 0u && part.y == all.y;
+    return (at - part.x >= radius || ends_at_begin) && (part.y - at > radius || ends_at_end);
+}
+
+// The smallest node that holds all blocks that a candidate reaches: the first one, the root,
+// for one that lies in no block.
+BODY u32 node_around(MEMORY const DrawArguments a, const u32x4 candidate, const u32 radius) {
+    if (candidate.z == NO_SAMPLE) return 0u;
+    const u32x4 all = AT(node_places, 0u);
+    u32 node = AT(node_of, candidate.z);
+    while (node != 0u) {
+        const u32x4 place = AT(node_places, node);
+        if (is_within(candidate.x, radius, U32X2(place.x, place.x + place.y),
+                      U32X2(all.x, all.x + all.y), a.g.period_x) &&
+            is_within(candidate.y, radius, U32X2(place.z, place.w), U32X2(all.z, all.w),
+                      a.g.period_y))
+            break;
+        node = AT(node_links, node).w;
+    }
+    return node;
+}
+
+// Lists what a candidate reaches. What there is no room for is only counted: the host sees the
+// number, makes room and asks again.
+BODY void list_reached(MEMORY const DrawArguments a, const u32 i) {
+    const u32x4 candidate = AT(candidates, i);
+    const u32 radius = AT(candidate_radii, i);
+    const u32 root = node_around(ON a, candidate, radius);
+    // Nothing in a part of the domain is nearer the other way around.
+    const u32 period_x = root == 0u ? a.g.period_x : 0u;
+    const u32 period_y = root == 0u ? a.g.period_y : 0u;
+    const u32 end = AT(node_links, root).y;
+    u32 node = root;
+    while (node < end) {
+        const u32x4 links = AT(node_links, node);
+        if (!is_reached(AT(node_places, node), links.x, candidate, radius, period_x, period_y)) {
+            node = links.y;
+            continue;
+        }
+        ++node;
+        if (node != links.y) continue;
+        const u32 number = ATOMIC_ADD(visitor_count, 0, 1u);
+        if (number >= a.room) continue;
+        const u32 next = ATOMIC_SET(visitor_heads, links.z, number);
+        AT(visitors, number) = U32X2(i, next);
+    }
+}
+
+// What is covered or was rejected reaches nothing: of a round in one part the survivors are served
+// alone, so that no items in lockstep wait for others.
+BODY void serve_reach(MEMORY const DrawArguments a, const u32 item) {
+    const bool is_listed = a.is_listed != 0u;
+    const u32 begin = a.first + item * a.chunk;
+    const u32 end = min(begin + a.chunk, is_listed ? AT(survivor_count, 0) : a.count);
+    for (u32 k = begin; k < end; ++k) {
+        const u32 i = is_listed ? AT(survivors, k) : k;
+        const u32 status = AT(statuses, i);
+        if (status == STATUS_UNDECIDED || status == STATUS_ADMITTED) list_reached(ON a, i);
+    }
+    CHECK_TURNS(a.g.height, FAILED_ADMIT);
+}

@@ -1,0 +1,60 @@
+// The body of screen: in exact, settles the candidates that samples of the grid cover: those of
+// earlier rounds or, for the later parts of a round, those of earlier parts.
+#include "portable/distance.h"
+#include "portable/stretch.h"
+
+// 1 where the cell has a sample that is closer than the radius, or 0: numbers, since compilers keep
+// branches for truths.
+BODY u32 is_covered_from(MEMORY const Geometry g, const u32 cell, const u32 x, const u32 y,
+                         const u32 period_x, const u32 period_y) {
+    const u32 sample_x = AT(grid_x, cell);
+    const bool is_near =
+        conflicts(sample_x, AT(grid_y, cell), x, y, period_x, period_y, g.radius_squared);
+    return (is_near ? 1u : 0u) & (sample_x != NO_SAMPLE ? 1u : 0u);
+}
+
+// A disk that touches no edge lies within 4 x 4 cells, 2 sqrt(2) being less than 3. No branch:
+// where samples lie cannot be foretold, and neighbouring items look together.
+BODY bool is_covered_inside(MEMORY const Geometry g, const u32 x, const u32 y) {
+    const u32 column = min((x - g.radius) / g.grid_side, g.grid_columns - 4u);
+    const u32 row = min((y - g.radius) / g.grid_side, g.grid_rows - 4u);
+    u32 covered = 0u;
+    for (u32 i = 0u; i < 4u; ++i) {
+        const u32 first = (column + i) * g.grid_rows + row;
+        for (u32 j = 0u; j < 4u; ++j)
+            covered = covered | is_covered_from(ON g, first + j, x, y, 0u, 0u);
+    }
+    return covered != 0u;
+}
+
+// Whether a sample of an earlier round is closer than the radius.
+BODY bool is_covered(MEMORY const Geometry g, const u32 x, const u32 y) {
+    if (min(g.grid_columns, g.grid_rows) >= 4u && g.radius < min(g.width, g.height) &&
+        min(x, y) >= g.radius && x < g.width - g.radius && y < g.height - g.radius)
+        return is_covered_inside(ON g, x, y);
+    const Stretch columns =
+        cells_near(x, x + 1u, g.radius, g.width, g.period_x, g.grid_side, g.grid_columns);
+    const Stretch rows =
+        cells_near(y, y + 1u, g.radius, g.height, g.period_y, g.grid_side, g.grid_rows);
+    u32 covered = 0u;
+    for (u32 i = 0u; i < columns.count; ++i) {
+        const u32 column = nth_of_stretch(columns, i, g.grid_columns) * g.grid_rows;
+        for (u32 j = 0u; j < rows.count && covered == 0u; ++j)
+            covered = is_covered_from(ON g, column + nth_of_stretch(rows, j, g.grid_rows), x, y,
+                                      g.period_x, g.period_y);
+    }
+    return covered != 0u;
+}
+
+// samples[order] is where the host looks for what became of that draw.
+BODY void serve_screen(MEMORY const DrawArguments a, const u32 item) {
+    const u32 begin = a.first + item * a.chunk;
+    const u32 end = min(begin + a.chunk, a.count);
+    for (u32 i = begin; i < end; ++i) {
+        if (AT(statuses, i) != STATUS_UNDECIDED) continue;
+        const u32x4 candidate = AT(candidates, i);
+        if (!is_covered(ON a.g, candidate.x, candidate.y)) continue;
+        AT(statuses, i) = a.pass;
+        AT(samples, candidate.w) = U32X2(NO_SAMPLE, a.pass);
+    }
+}

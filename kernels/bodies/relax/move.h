@@ -1,0 +1,28 @@
+// The body of move: a sample goes to its centre of mass, and its weight follows its mass.
+// find_least and level_sites take the least of all weights off.
+#include "portable/power.h"
+#include "portable/site_tree.h"
+
+// least[0] becomes what the upper word of the least weight is short of its greatest value.
+BODY void move_site(MEMORY const SiteArguments a, const u32 i) {
+    u32x4 site = AT(sites, i);
+    const u64 mass = join_words(AT(shares, 4u * i + 2u), AT(shares, 4u * i + 3u));
+    if (mass != 0u) {
+        site.x = centre_of_mass(join_words(AT(moments, 4u * i), AT(moments, 4u * i + 1u)), mass,
+                                site.x, a.lattice.step_x, a.lattice.columns, a.lattice.period_x);
+        site.y = centre_of_mass(join_words(AT(moments, 4u * i + 2u), AT(moments, 4u * i + 3u)),
+                                mass, site.y, a.lattice.step_y, a.lattice.rows, a.lattice.period_y);
+    }
+    const u64 weight =
+        moved_weight(a.lattice, join_words(site.z, site.w), mass, AT(shares, 4u * i));
+    site.z = to_u32(weight);
+    site.w = to_u32(weight >> 32);
+    AT(sites, i) = site;
+    const u32 short_by = 0xffffffffu - site.w;
+    if (LOOK_AT(least, 0u) < short_by) ATOMIC_MAX(least, 0u, short_by);
+}
+
+BODY void serve_move(MEMORY const SiteArguments a, const u32 item) {
+    const u32 end = min((item + 1u) * a.chunk, a.lattice.samples);
+    for (u32 i = item * a.chunk; i < end; ++i) move_site(ON a, i);
+}

@@ -1,0 +1,50 @@
+// Who owns a lattice point: searched among all sites.
+#include "portable/power.h"
+#include "portable/site_tree.h"
+
+BODY u64 power_at(const LeafArguments a, const u32x4 site, const u32 x, const u32 y) {
+    return power_of(x, y, site.x, site.y, join_words(site.z, site.w), a.lattice.period_x,
+                    a.lattice.period_y);
+}
+
+// How far [low, high] is from `at` on an axis, or from an image of it.
+BODY u32 gap_around(const u32 low, const u32 high, const u32 at, const u32 period) {
+    const u32 below = at < low ? low - at : 0u;
+    const u32 above = at > high ? at - high : 0u;
+    const u32 straight = max(below, above);
+    if (period == 0u || straight == 0u) return straight;
+    // The image that lies on the other side.
+    const u32 around = at < low ? period + at - high : low + period - at;
+    return min(straight, around);
+}
+
+// The least power, and among sites that have it the lowest index.
+BODY u32 owner_of(MEMORY const LeafArguments a, const u32 hint, const u32 x, const u32 y) {
+    u32 owner = hint;
+    u64 least = power_at(a, AT(sites, hint), x, y);
+    Cursor at;
+    at.level = a.depth;
+    at.index = 0u;
+    at.begin = 0u;
+    while (at.level <= a.depth) {
+        if (at.level != 0u) {
+            const u32x4 node = AT(node_boxes, at.begin + at.index);
+            const u32x2 weight = AT(node_weights, at.begin + at.index);
+            const u64 power = squared_length(gap_around(node.x, node.z, x, a.lattice.period_x),
+                                             gap_around(node.y, node.w, y, a.lattice.period_y)) +
+                              join_words(weight.x, weight.y);
+            if (power <= least) {
+                at = below_cursor(at);
+                continue;
+            }
+        } else {
+            const u64 power = power_at(a, AT(sites, at.index), x, y);
+            if (power < least || (power == least && AT(indices, at.index) < AT(indices, owner))) {
+                least = power;
+                owner = at.index;
+            }
+        }
+        at = next_cursor(at, a.lattice.samples, a.depth);
+    }
+    return owner;
+}

@@ -1,0 +1,193 @@
+// The requests of mode exact with a radius field on which every backend must equal the reference:
+// fields, masks, borders, kept points, boundaries, rectangles, round sizes, limits, threads.
+#pragma once
+
+#include <lacuna/lacuna.h>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fields.h"
+
+namespace lacuna::tests {
+
+// A request and what it points to.
+struct FieldRequest {
+    std::string name;
+    Request request;
+    std::shared_ptr<const Field> field;
+    std::shared_ptr<const Mask> mask;
+    std::shared_ptr<const std::vector<Point>> keep;
+};
+
+// At the scale that lets so many be expected.
+inline FieldRequest radius_field_request(std::string name, Field field, double count,
+                                         Boundary boundary, double width = 1, double height = 1) {
+    FieldRequest made;
+    made.name = std::move(name);
+    made.field = std::make_shared<const Field>(std::move(field));
+    made.request.field = made.field.get();
+    made.request.width = width;
+    made.request.height = height;
+    made.request.boundary = boundary;
+    made.request.scale = scale_of(*made.field, width * height, count);
+    return made;
+}
+
+inline FieldRequest with_mask(FieldRequest made, Mask mask) {
+    made.mask = std::make_shared<const Mask>(std::move(mask));
+    made.request.mask = made.mask.get();
+    return made;
+}
+
+inline FieldRequest with_keep(FieldRequest made, std::vector<Point> points) {
+    made.keep = std::make_shared<const std::vector<Point>>(std::move(points));
+    made.request.keep = *made.keep;
+    return made;
+}
+
+inline FieldRequest with_border(FieldRequest made, double border) {
+    made.request.border = border;
+    return made;
+}
+
+inline FieldRequest uniform(std::string name, double radius, Boundary boundary, double width = 1,
+                            double height = 1) {
+    FieldRequest made;
+    made.name = std::move(name);
+    made.request.radius = radius;
+    made.request.width = width;
+    made.request.height = height;
+    made.request.boundary = boundary;
+    return made;
+}
+
+// Every other square, as on a chess board; and one of noise.
+inline Mask chess_mask(std::uint32_t columns, std::uint32_t rows) {
+    Mask mask{columns, rows, {}};
+    for (std::uint32_t i = 0; i < rows; ++i)
+        for (std::uint32_t j = 0; j < columns; ++j)
+            mask.allowed.push_back((i + j) % 2 == 0 ? 1 : 0);
+    return mask;
+}
+
+inline Mask noise_mask(std::uint32_t columns, std::uint32_t rows, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    Mask mask{columns, rows, {}};
+    for (std::size_t i = 0; i < std::size_t{columns} * rows; ++i)
+        mask.allowed.push_back(random() % 3 == 0 ? 0 : 255);
+    mask.allowed.front() = 1;
+    return mask;
+}
+
+// Islands smaller than a radius.
+inline Mask islands_mask(std::uint32_t side) {
+    Mask mask{side, side, std::vector<std::uint8_t>(std::size_t{side} * side, 0)};
+    for (std::size_t i = 0; i < mask.allowed.size(); i += 37) mask.allowed[i] = 1;
+    return mask;
+}
+
+// Each is there for a reason.
+inline std::vector<FieldRequest> special_radius_field_requests() {
+    const Boundary box = Boundary::box;
+    const Boundary torus = Boundary::torus;
+    FieldRequest rounds_of_one =
+        radius_field_request("rounds of one draw", ramp_field(9, 4), 60, torus);
+    rounds_of_one.request.round_size = 1;
+    FieldRequest rounds_of_all =
+        radius_field_request("rounds larger than the set", noise_field(9, 4, 3), 60, box);
+    rounds_of_all.request.round_size = 5000;
+    FieldRequest cut_short = radius_field_request("a limit", ramp_field(30, 40), 900, torus);
+    cut_short.request.limit = 77;
+    FieldRequest coarse =
+        radius_field_request("long first boxes", noise_field(30, 40, 8), 500, torus);
+    coarse.request.lines_per_radius = 4;
+    FieldRequest threads =
+        radius_field_request("regions that threads share", ramp_field(64, 48), 30000, torus, 4, 3);
+    threads.request.threads = 3;
+    FieldRequest threads_on_box = radius_field_request("regions of a box that threads share",
+                                                       white_holes_field(64, 48), 30000, box, 4, 3);
+    threads_on_box.request.threads = 2;
+    return {
+        rounds_of_one,
+        rounds_of_all,
+        cut_short,
+        coarse,
+        threads,
+        threads_on_box,
+        radius_field_request("one pixel", constant_field(1, 1, 3), 100, torus),
+        radius_field_request("one pixel of a box", constant_field(1, 1, 3), 100, box, 1, 0.3),
+        radius_field_request("one sample", constant_field(4, 4), 0.01, box),
+        radius_field_request("one sample on a torus", constant_field(4, 4), 0.01, torus),
+        radius_field_request("disks that wrap at both ends", ramp_field(7, 5), 2, torus),
+        radius_field_request("radii of all sizes", sizes_field(20, 15, 6), 600, torus),
+        radius_field_request("radii of all sizes, box", sizes_field(31, 17, 7), 600, box),
+        radius_field_request("one dark pixel", one_dark_pixel_field(5, 5), 60, torus),
+        radius_field_request("holes", white_holes_field(40, 30), 300, box),
+        radius_field_request("an image one pixel wide", noise_field(1, 64, 1), 90, torus),
+        radius_field_request("an image one pixel high", noise_field(64, 1, 2), 90, box),
+        radius_field_request("far more pixels than samples", noise_field(300, 200, 3), 20, torus),
+        radius_field_request("a wide torus", ramp_field(50, 2), 300, torus, 100, 1),
+        radius_field_request("a high torus", ramp_field(2, 50), 300, torus, 1, 100),
+        radius_field_request("a high box", noise_field(3, 90, 4), 300, box, 1, 60),
+        radius_field_request("as wide as may be", noise_field(90, 1, 5), 200, torus, 1000, 1),
+        with_mask(uniform("a mask", 0.05, box), noise_mask(13, 9, 1)),
+        with_mask(uniform("a mask on a torus", 0.04, torus, 2, 1), chess_mask(8, 5)),
+        with_mask(uniform("islands smaller than a radius", 0.2, box), islands_mask(60)),
+        with_mask(radius_field_request("a mask over a field", ramp_field(11, 7), 400, torus),
+                  chess_mask(9, 9)),
+        with_border(uniform("a border", 0.05, box, 1, 2), 0.11),
+        with_border(
+            radius_field_request("a border around a field", sizes_field(20, 10, 2), 300, box),
+            0.31),
+        with_keep(uniform("kept at corners", 0.07, box),
+                  {{0, 0}, {0.999999999, 0}, {0, 0.999999999}, {0.5, 0.5}}),
+        with_keep(uniform("kept across the edge of a torus", 0.3, torus), {{0.999, 0.001}}),
+        with_keep(with_mask(uniform("a mask and kept points", 0.06, box), chess_mask(4, 4)),
+                  {{0.1, 0.9}, {0.6, 0.9}}),
+        // Within 2^-28 of the border of a pixel where samples may lie.
+        with_keep(with_mask(uniform("kept beside a mask", 0.06, box), chess_mask(4, 4)),
+                  {{0.25 + 0x1p-29, 0.9}, {0.6, 0.75 - 0x1.8p-29}}),
+        with_keep(
+            radius_field_request("kept beside importance", {4, 1, {1, 0, 0.3, 0}}, 150, torus),
+            {{0.25 + 0x1p-29, 0.2}, {0.75 + 0x1.8p-29, 0.6}}),
+        with_keep(radius_field_request("kept in a field", ramp_field(8, 8), 200, torus),
+                  {{0.1, 0.1}, {0.9, 0.9}, {0.5, 0.25}}),
+    };
+}
+
+// The same for every seed.
+inline std::vector<FieldRequest> radius_field_requests() {
+    std::vector<FieldRequest> all = special_radius_field_requests();
+    std::mt19937_64 random(20111);
+    const auto below = [&](std::uint32_t end) {
+        return static_cast<std::uint32_t>(random() % end);
+    };
+    const auto share = [&] { return static_cast<double>(random() % 1000) / 1000; };
+    for (int i = 0; i < 40; ++i) {
+        const std::uint32_t columns = 1 + below(24);
+        const std::uint32_t rows = 1 + below(24);
+        const Boundary boundary = random() % 2 == 0 ? Boundary::torus : Boundary::box;
+        Field field = i % 3 == 0   ? noise_field(columns, rows, random())
+                      : i % 3 == 1 ? sizes_field(columns, rows, random())
+                                   : ramp_field(columns, rows);
+        field.importance.front() = std::max(field.importance.front(), 0.1);
+        FieldRequest made = radius_field_request("random " + std::to_string(i), std::move(field),
+                                                 std::exp(1 + 5 * share()), boundary,
+                                                 0.3 + 2 * share(), 0.3 + 2 * share());
+        made.request.seed = random();
+        made.request.threads = 1 + below(2);
+        if (random() % 3 == 0)
+            made = with_mask(made, noise_mask(1 + below(30), 1 + below(30), random()));
+        if (boundary == Boundary::box && random() % 3 == 0) made.request.border = 0.1 * share();
+        all.push_back(made);
+    }
+    return all;
+}
+
+}  // namespace lacuna::tests

@@ -1,0 +1,147 @@
+// RadiusFields: where pixels lie in whole numbers, what lies under a rectangle, and the first
+// boxes.
+#include "plan/radius_field.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "backends/radius_field_requests.h"
+#include "plan/first_boxes.h"
+#include "plan/plan.h"
+
+namespace {
+
+using namespace lacuna;
+
+TEST(PixelAxis, CutsItsLengthIntoPixelsToAUnit) {
+    for (const std::uint32_t length : {1u << 30, 1073741u, 805306368u, 1u << 20}) {
+        for (const std::uint32_t pixels : {1u, 2u, 3u, 1000u, 4097u, 100000u}) {
+            const PixelAxis axis(length, pixels);
+            EXPECT_EQ(axis.begin_of(0), 0u);
+            EXPECT_EQ(axis.begin_of(pixels), length);
+            for (std::uint32_t pixel = 0; pixel < pixels; pixel += 1 + pixels / 97) {
+                const std::uint32_t begin = axis.begin_of(pixel);
+                EXPECT_NEAR(begin, static_cast<double>(pixel) * length / pixels, 1.0);
+                EXPECT_EQ(axis.pixel_of(begin), pixel);
+                EXPECT_EQ(axis.pixel_of(axis.begin_of(pixel + 1) - 1), pixel);
+            }
+        }
+    }
+}
+
+// Radii of [x, x + width) times [begin, end), unit by unit, for radius fields of few units.
+TEST(AGround, TellsTheLeastAndTheGreatestRadiusUnderARectangle) {
+    std::mt19937 random(5);
+    const auto below = [&](std::uint32_t end) {
+        return static_cast<std::uint32_t>(random() % end);
+    };
+    for (int turn = 0; turn < 20; ++turn) {
+        const Field field = tests::noise_field(1 + below(9), 1 + below(9), random());
+        const Mask mask = tests::noise_mask(1 + below(9), 1 + below(9), random());
+        const std::uint32_t side = 60;
+        const RadiusField radius_field(&field, 5, turn % 2 == 0 ? &mask : nullptr,
+                                       {side, side, 1.0, 0, side, 0, side, false});
+        for (int k = 0; k < 50; ++k) {
+            const std::uint32_t x = below(side);
+            const std::uint32_t begin = below(side);
+            const Rectangle place{x, 1 + below(std::min(9u, side - x)), begin,
+                                  begin + 1 + below(std::min(9u, side - begin))};
+            std::uint32_t least = ~0u;
+            std::uint32_t greatest = 0;
+            bool is_even = true;
+            for (std::uint32_t i = x; i < x + place.width; ++i) {
+                for (std::uint32_t j = begin; j < place.end; ++j) {
+                    const std::uint32_t radius = radius_field.radius_at(i, j);
+                    is_even = is_even && radius == radius_field.radius_at(x, begin);
+                    if (radius == 0) continue;
+                    least = std::min(least, radius);
+                    greatest = std::max(greatest, radius);
+                }
+            }
+            const Under under = radius_field.under(place);
+            if (greatest == 0) continue;  // what it tells of pixels around is no harm
+            EXPECT_LE(under.least, least);
+            EXPECT_NE(under.least, 0u);
+            EXPECT_GE(under.greatest, greatest);
+            if (under.is_even) {
+                EXPECT_TRUE(is_even);
+                EXPECT_EQ(under.least, least);
+            }
+        }
+    }
+}
+
+TEST(FirstBoxes, HoldAllThatIsAllowedOnce) {
+    for (const tests::FieldRequest& made : tests::radius_field_requests()) {
+        SCOPED_TRACE(made.name);
+        const Plan plan = make_plan(made.request);
+        const FirstBoxes& first = *plan.first_boxes;
+        ASSERT_EQ(first.begins.size(), first.regions.size() + 1);
+        ASSERT_EQ(first.begins.back(), first.places.size());
+        std::mt19937 random(7);
+        const auto below = [&](std::uint32_t end) {
+            return static_cast<std::uint32_t>(random() % end);
+        };
+        for (int k = 0; k < 200; ++k) {
+            const std::uint32_t x = below(plan.width);
+            const std::uint32_t y = below(plan.height);
+            const RadiusField::Shape& shape = plan.radius_field->shape();
+            const bool is_allowed = plan.radius_field->radius_at(x, y) != 0 && x >= shape.low_x &&
+                                    x < shape.high_x && y >= shape.low_y && y < shape.high_y;
+            const auto holders = std::count_if(
+                first.places.begin(), first.places.end(),
+                [&](const Rectangle& p) { return x - p.x < p.width && y >= p.begin && y < p.end; });
+            EXPECT_LE(holders, 1);
+            if (is_allowed) {
+                EXPECT_EQ(holders, 1);
+            }
+        }
+        for (const Rectangle& place : first.places) {
+            const std::uint64_t longer = std::max(place.width, place.end - place.begin);
+            EXPECT_TRUE(longer == 1 ||
+                        longer * plan.lines_per_radius <=
+                            2 * std::uint64_t{plan.radius_field->under(place).least});
+        }
+    }
+}
+
+TEST(FirstBoxes, LieInBlocksOfAFew) {
+    std::size_t places = 0;
+    std::size_t blocks = 0;
+    for (const tests::FieldRequest& made : tests::radius_field_requests()) {
+        SCOPED_TRACE(made.name);
+        const Plan plan = make_plan(made.request);
+        const FirstBoxes& first = *plan.first_boxes;
+        places += first.places.size();
+        blocks += first.block_count();
+        EXPECT_EQ(first.blocks.front().first, 0u);
+        EXPECT_EQ(first.blocks.back().first, first.places.size());
+        for (std::uint32_t i = 0; i < first.block_count(); ++i) {
+            const FirstBoxes::Block& block = first.blocks[i];
+            const FirstBoxes::Node& node = first.nodes[block.node];
+            const Rectangle& all = node.place;
+            EXPECT_EQ(node.first, i);
+            EXPECT_EQ(node.next, block.node + 1);
+            ASSERT_LT(block.first, first.blocks[i + 1].first);
+            const Under under = plan.radius_field->under(all);
+            EXPECT_EQ(block.even_radius, under.is_even ? under.least : 0u);
+            EXPECT_EQ(node.greatest, under.greatest);
+            for (std::uint32_t k = block.first; k < first.blocks[i + 1].first; ++k) {
+                const Rectangle& place = first.places[k];
+                EXPECT_TRUE(place.x >= all.x && place.x + place.width <= all.x + all.width &&
+                            place.begin >= all.begin && place.end <= all.end);
+            }
+            const std::uint64_t longer = std::max(all.width, all.end - all.begin);
+            EXPECT_TRUE(longer == 1 || longer <= 6 * std::uint64_t{under.least});
+        }
+    }
+    EXPECT_LT(2 * blocks, places);
+}
+
+}  // namespace
