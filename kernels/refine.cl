@@ -1,4 +1,4 @@
-// refine: what all samples leave of the places, in boxes (docs/design.md, section 4, "exact").
+// refine: what all samples leave of the boxes (docs/design.md, section 4, "exact").
 #include "bodies/common/prelude.h"
 
 BINDINGS(DrawArguments, INSERT_BINDINGS)
@@ -10,12 +10,14 @@ BINDINGS(SlabArguments, UNFOLD_BINDINGS)
 ENTRY(unfold, serve_unfold, SlabArguments, UNFOLD_BINDINGS)
 
 BINDINGS(StripArguments, CUT_BINDINGS)
-#include "bodies/exact/strips.h"
+#include "bodies/exact/grid.h"
+#include "bodies/exact/pieces.h"
 #include "bodies/exact/cut.h"
 ENTRY(cut, serve_cut, StripArguments, CUT_BINDINGS)
 
 BINDINGS(StripArguments, KEEP_BINDINGS)
-#include "bodies/exact/strips.h"
+#include "bodies/exact/grid.h"
+#include "bodies/exact/pieces.h"
 #include "bodies/exact/keep.h"
 ENTRY(keep, serve_keep, StripArguments, KEEP_BINDINGS)
 

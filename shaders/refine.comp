@@ -1,4 +1,4 @@
-// refine: what all samples leave of the places, in boxes (docs/design.md, section 4, "exact").
+// refine: what all samples leave of the boxes (docs/design.md, section 4, "exact").
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "bodies/common/prelude.h"
@@ -17,19 +17,21 @@ ENTRY(unfold, serve_unfold, SlabArguments, UNFOLD_BINDINGS)
 
 #ifdef ENTRY_cut
 BINDINGS(StripArguments, CUT_BINDINGS)
-#include "bodies/exact/strips.h"
+#include "bodies/exact/grid.h"
+#include "bodies/exact/pieces.h"
 #include "bodies/exact/cut.h"
 ENTRY(cut, serve_cut, StripArguments, CUT_BINDINGS)
 #endif
 
 #ifdef ENTRY_keep
 BINDINGS(StripArguments, KEEP_BINDINGS)
-#include "bodies/exact/strips.h"
+#include "bodies/exact/grid.h"
+#include "bodies/exact/pieces.h"
 #include "bodies/exact/keep.h"
 ENTRY(keep, serve_keep, StripArguments, KEEP_BINDINGS)
 #endif
 
-#ifdef ENTRY_find_place_begins
+#ifdef ENTRY_find_bin_begins
 BINDINGS(ColumnArguments, FIND_BIN_BEGINS_BINDINGS)
 #include "bodies/common/find_bin_begins.h"
 ENTRY(find_bin_begins, serve_find_bin_begins, ColumnArguments, FIND_BIN_BEGINS_BINDINGS)

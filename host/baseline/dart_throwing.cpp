@@ -26,7 +26,7 @@ public:
         for (const std::uint32_t column : around(cell(dart.x, plan_.width, columns_), columns_))
             for (const std::uint32_t row : around(cell(dart.y, plan_.height, rows_), rows_))
                 for (const Sample& sample : cells_[std::size_t{column} * rows_ + row])
-                    if (portable::conflicts(sample.x, sample.y, dart.x, dart.y, plan_.period_x,
+                    if (portable::are_closer(sample.x, sample.y, dart.x, dart.y, plan_.period_x,
                                             plan_.period_y, plan_.radius_squared))
                         return false;
         return true;

@@ -39,7 +39,7 @@ void Rivals::for_each_near(std::uint32_t index, Visit visit) const {
                                         std::pair(cell_of(column, low), std::uint32_t{0}));
              it != cells_.end() && it->first <= last; ++it) {
             const Rival& other = all_[it->second];
-            if (it->second != index && portable::conflicts(at.x, at.y, other.x, other.y, 0,
+            if (it->second != index && portable::are_closer(at.x, at.y, other.x, other.y, 0,
                                                            plan_.period_y, plan_.radius_squared))
                 visit(it->second);
         }

@@ -1,4 +1,4 @@
-// Distances on the domain, torus or box, and the conflict of two samples.
+// Distances on the domain, torus or box.
 #ifndef LACUNA_PORTABLE_DISTANCE_H
 #define LACUNA_PORTABLE_DISTANCE_H
 #include "prelude.h"
@@ -44,15 +44,15 @@ LACUNA_FN u32 distance_to_stretch(u32 at, u32 begin, u32 end, u32 period) {
     return period != 0u && around < straight ? around : straight;
 }
 
-// Two points conflict when they are strictly closer than the radius.
-LACUNA_FN bool conflicts(u32 ax, u32 ay, u32 bx, u32 by, u32 period_x, u32 period_y,
+// Whether two points are strictly closer than the radius.
+LACUNA_FN bool are_closer(u32 ax, u32 ay, u32 bx, u32 by, u32 period_x, u32 period_y,
                          u64 radius_squared) {
     return squared_length(axis_distance(ax, bx, period_x), axis_distance(ay, by, period_y)) <
            radius_squared;
 }
 
 // The same where nothing wraps, in fewer steps. NO_SAMPLE counts as -1.
-LACUNA_FN bool conflicts_on_box(u32 ax, u32 ay, u32 bx, u32 by, u64 radius_squared) {
+LACUNA_FN bool are_closer_on_box(u32 ax, u32 ay, u32 bx, u32 by, u64 radius_squared) {
     i64 dx = sign_extended(ax - bx);
     i64 dy = sign_extended(ay - by);
     return dx * dx + dy * dy < to_i64(radius_squared);

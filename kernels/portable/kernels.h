@@ -34,16 +34,17 @@ struct DrawArguments {
     u32 first_item;
     u32 chunk;
     Geometry g;
-    u32 count;       // of draws, or the end of those to serve
-    u32 pass;        // of admit; elsewhere the last pass, which tells whether admission is settled;
-                     // of screen: what becomes of candidates that are covered
+    u32 first;       // of the draws to serve, which end at `count`
+    u32 count;
+    u32 pass;        // of admit
+    u32 last_pass;   // undecided[last_pass] tells whether admission is settled
+    u32 status;      // of screen: what candidates that are covered become
     u32 rows;        // of pixels in a column of them
     u32 metric;      // see metric.h
     u32 slices;      // of subtract_in_cells: an item serves every slices-th line near its samples
     u32 most_reach;  // samples that reach farther are left for the next launch
     u32 is_listed;   // 1 where the candidates to serve are those of `todo` or `survivors`, which
                      // screen fills
-    u32 first;       // of the draws to serve, which end at `count`
     u32 room;        // of reach: for visitors of blocks
 };
 LACUNA_TYPEDEF(DrawArguments)
@@ -75,22 +76,20 @@ struct SlabArguments {
 };
 LACUNA_TYPEDEF(SlabArguments)
 
-// Of kernels that cut boxes into strips, `width` wide: each box is one, or two where is_halved
-// is 1. With a radius field boxes are places of any width, see bodies/exact/strip.h.
+// Of kernels that serve active boxes, each of which is cut into 2^strip_bits strips at most: see
+// bodies/exact/strip.h.
 struct StripArguments {
     u32 first_item;
     u32 chunk;
     Geometry g;
     u32 boxes;
-    u32 is_halved;
-    u32 width;
+    u32 strip_bits;  // 0 where boxes are not halved
     u32 last_pass;
-    u32 block_bits;    // the counts of 2^block_bits strips or places have a sum of their own
+    u32 block_bits;    // the counts of 2^block_bits boxes have a sum of their own
     u32 room;          // of the new boxes
-    u32 first_recent;  // with a radius field: places are cut by the samples in their lists from
-                       // this on
-    u32 own_begin;     // boxes at other x than the own_width from there on belong to the halo
-    u32 own_width;
+    u32 first_recent;  // with lists: the first entry that is cut out of the boxes
+    u32 own_begin;     // boxes whose x is not in the own_width units from here on are of the halo,
+    u32 own_width;     // and are not cut
 };
 LACUNA_TYPEDEF(StripArguments)
 
@@ -107,8 +106,8 @@ LACUNA_END
 // clang-format off
 #define LOCATE_BINDINGS(B) B(0, READ, u32x2, spans) \
     B(1, READ, u32x4, draws) B(2, WRITE, u32x4, located) B(3, SHARED, u32, failure)
-#define LOCATE_IN_BOXES_BINDINGS(B) B(0, READ, u32, box_x) \
-    B(1, READ, u32, box_begin) B(2, READ, u32x4, draws) B(3, WRITE, u32x4, located)
+#define LOCATE_IN_BOXES_BINDINGS(B) B(0, READ, u32x4, boxes) \
+    B(1, READ, u32x4, draws) B(2, WRITE, u32x4, located)
 #define LOCATE_IN_CELLS_BINDINGS(B) B(0, READ, u32, bits) \
     B(1, READ, u32x4, draws) B(2, WRITE, u32x4, located) B(3, SHARED, u32, failure)
 #define SORT_COLUMNS_BINDINGS(B)                                                       \
@@ -148,20 +147,18 @@ LACUNA_END
     B(0, READ, u32, span_counts) B(1, READ, u32x2, spans) B(2, WRITE, u32x2, new_spans)
 #define UNFOLD_BINDINGS(B)                                                                   \
     B(0, READ, u32x2, spans) B(1, READ, u32, span_counts) B(2, BOTH, u32, counts)            \
-    B(3, READ, u32, sums) B(4, WRITE, u32, box_x) B(5, WRITE, u32, box_begin)                \
-    B(6, WRITE, u32, box_end) B(7, SHARED, u32, failure)
+    B(3, READ, u32, sums) B(4, WRITE, u32x4, boxes)                   \
+    B(5, SHARED, u32, failure)
 #define CUT_BINDINGS(B)                                                                      \
-    B(0, READ, u32, undecided) B(1, READ, u32, grid_x) B(2, READ, u32, grid_y)               \
-    B(3, READ, u32, box_x) B(4, READ, u32, box_begin) B(5, READ, u32, box_end)               \
-    B(6, SHARED, u32, failure) B(7, BOTH, u32, counts) B(8, BOTH, u32, piece_begin)          \
-    B(9, BOTH, u32, piece_end)
+    B(0, READ, u32, undecided) B(1, READ, u32x4, boxes) B(2, READ, u32, grid_x)              \
+    B(3, READ, u32, grid_y) B(4, SHARED, u32, failure) B(5, BOTH, u32, counts)               \
+    B(6, BOTH, u32x2, strip_pieces) B(7, WRITE, u32, free_lengths)
 #define KEEP_BINDINGS(B)                                                                     \
-    CUT_BINDINGS(B) B(10, READ, u32, sums) B(11, WRITE, u32, new_x)                          \
-    B(12, WRITE, u32, new_begin) B(13, WRITE, u32, new_end) B(14, WRITE, u32, free_lengths)
+    CUT_BINDINGS(B) B(8, READ, u32, sums) B(9, WRITE, u32x4, new_boxes)
 #define SCAN_BINDINGS(B) \
     B(0, BOTH, u32, counts) B(1, WRITE, u32, sums) B(2, SHARED, u32, failure)
 #define FIND_BIN_BEGINS_BINDINGS(B) \
-    B(0, READ, u32, new_x) B(1, READ, u32, total) B(2, WRITE, u32, bin_begins)
+    B(0, READ, u32x4, new_boxes) B(1, READ, u32, total) B(2, WRITE, u32, bin_begins)
 #define SUBTRACT_IN_CELLS_BINDINGS(B)                                                        \
     B(0, READ, u32, undecided) B(1, READ, u32x4, candidates) B(2, READ, u32, statuses)          \
     B(3, READ, u32, column_of) B(4, READ, u32, row_of) B(5, READ, u32, row_begins)           \
@@ -170,21 +167,14 @@ LACUNA_END
     B(11, SHARED, u32, free_lengths) B(12, READ, u32, todo) B(13, WRITE, u32, left)          \
     B(14, SHARED, u32, left_count) B(15, SHARED, u32, failure)
 
-// Mode exact with a radius field. A place is x, width, begin, end; an entry of a list x, y, radius and the
-// number of the next one. For each block lists[] has its first entry; for each place origins[] has
-// its block, and the least radius under it, with IS_EVEN where there is no other
-// (portable/radius_field.h), or 0 where that is not known. node_links are the greatest radius, and the
-// next node, first block and whole of plan/first_boxes.h. A visitor of a block is a candidate that
-// reaches it, and the number of the next visitor. pieces[] are begin and end of what is left of a
-// place and, if something inside of that is missing, of what is; or of what is left of each half,
-// and more_pieces[] of what is missing inside; or, where a place lies on unlike pixels, of what is
-// left of the strips of its left half, and more_pieces[] of its right half. uneven[] and
-// new_uneven[] are the places without IS_EVEN; strips[] and strip_radii[] have four entries for
-// each of uneven[]. several[] are the places of which there may be more pieces than that, and where
-// in uneven[] each is, if it is there. widths[] and free_lengths[] are those of the new places, for
-// the host.
+// Mode exact with a radius field. A box is x, width, begin, end; for each box origins[] has its block
+// and the least radius under it, with IS_EVEN where there is no other (portable/radius_field.h). An
+// entry of a list is x, y and radius of a sample, and the number of the next entry; lists[] has the
+// first entry for each block. node_links are the greatest radius, and the next node, first block and
+// whole of plan/first_boxes.h. A visitor of a block is a candidate that reaches it, and the number of
+// the next visitor. borders[] are split's.
 #define LOCATE_WITH_FIELD_BINDINGS(B) B(0, READ, u32, axes)                                   \
-    B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits) B(3, READ, u32x4, places)    \
+    B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits) B(3, READ, u32x4, boxes)       \
     B(4, READ, u32x2, origins) B(5, READ, u32x4, draws) B(6, WRITE, u32x4, candidates)        \
     B(7, WRITE, u32, candidate_radii) B(8, WRITE, u32, statuses) B(9, SHARED, u32, failure)
 #define SCREEN_WITH_FIELD_BINDINGS(B)                                                         \
@@ -193,7 +183,7 @@ LACUNA_END
     B(6, WRITE, u32, survivors) B(7, SHARED, u32, survivor_count) B(8, SHARED, u32, failure)
 #define REACH_BINDINGS(B)                                                                    \
     B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32, statuses)    \
-    B(3, READ, u32x4, node_places) B(4, READ, u32x4, node_links) B(5, READ, u32, node_of)    \
+    B(3, READ, u32x4, tree_boxes) B(4, READ, u32x4, node_links) B(5, READ, u32, node_of)    \
     B(6, SHARED, u32, visitor_count) B(7, SHARED, u32, visitor_heads)                        \
     B(8, WRITE, u32x2, visitors) B(9, READ, u32, survivors) B(10, READ, u32, survivor_count) \
     B(11, SHARED, u32, failure)
@@ -208,69 +198,30 @@ LACUNA_END
     B(8, BOTH, u32, lists) B(9, SHARED, u32, failure)
 #define SPLIT_BINDINGS(B)                                                                    \
     B(0, READ, u32, undecided) B(1, READ, u32, axes) B(2, READ, u32x2, radius_bounds)        \
-    B(3, READ, u32, mask_bits) B(4, READ, u32x4, places) B(5, READ, u32, uneven)             \
-    B(6, WRITE, u32x4, strips) B(7, WRITE, u32, strip_radii) B(8, SHARED, u32, failure)
-#define CUT_PLACES_BINDINGS(B)                                                               \
-    B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
-    B(3, READ, u32, lists) B(4, READ, u32x4, entries) B(5, WRITE, u32, counts)               \
-    B(6, WRITE, u32x4, pieces) B(7, WRITE, u32x2, several) B(8, SHARED, u32, list_counts)    \
-    B(9, SHARED, u32, failure)
-#define CUT_HALVES_BINDINGS(B) CUT_PLACES_BINDINGS(B) B(10, WRITE, u32x4, more_pieces)
-#define CUT_UNEVEN_BINDINGS(B)                                                               \
-    B(0, READ, u32, undecided) B(1, READ, u32, uneven) B(2, READ, u32x2, origins)            \
-    B(3, READ, u32x4, strips) B(4, READ, u32, strip_radii) B(5, READ, u32, lists)            \
-    B(6, READ, u32x4, entries) B(7, WRITE, u32, counts) B(8, WRITE, u32x4, pieces)           \
-    B(9, WRITE, u32x4, more_pieces) B(10, WRITE, u32x2, several)                             \
-    B(11, SHARED, u32, list_counts) B(12, SHARED, u32, failure)
-#define CUT_SEVERAL_BINDINGS(B)                                                              \
-    B(0, READ, u32x4, places) B(1, READ, u32x2, origins) B(2, READ, u32x4, strips)           \
-    B(3, READ, u32, strip_radii) B(4, READ, u32, lists) B(5, READ, u32x4, entries)           \
-    B(6, WRITE, u32, counts) B(7, READ, u32x2, several) B(8, READ, u32, list_counts)         \
-    B(9, SHARED, u32, failure)
-#define KEEP_PLACES_BINDINGS(B)                                                              \
-    B(0, READ, u32, undecided) B(1, READ, u32x4, places) B(2, READ, u32x2, origins)          \
-    B(3, READ, u32x4, pieces) B(4, READ, u32, counts) B(5, READ, u32, sums)                  \
-    B(6, WRITE, u32x4, new_places) B(7, WRITE, u32x2, new_origins) B(8, WRITE, u32, widths)  \
-    B(9, WRITE, u32, free_lengths) B(10, WRITE, u32, new_uneven)                             \
-    B(11, SHARED, u32, list_counts) B(12, SHARED, u32, failure)
-#define KEEP_HALVES_BINDINGS(B) KEEP_PLACES_BINDINGS(B) B(13, READ, u32x4, more_pieces)
-#define KEEP_UNEVEN_BINDINGS(B)                                                              \
-    B(0, READ, u32, undecided) B(1, READ, u32, uneven) B(2, READ, u32x2, origins)            \
-    B(3, READ, u32x4, strips) B(4, READ, u32, strip_radii) B(5, READ, u32x4, pieces)         \
-    B(6, READ, u32x4, more_pieces) B(7, READ, u32, counts) B(8, READ, u32, sums)             \
-    B(9, WRITE, u32x4, new_places) B(10, WRITE, u32x2, new_origins) B(11, WRITE, u32, widths) \
-    B(12, WRITE, u32, free_lengths) B(13, WRITE, u32, new_uneven)                            \
-    B(14, SHARED, u32, list_counts) B(15, SHARED, u32, failure)
-#define KEEP_SEVERAL_BINDINGS(B)                                                             \
-    B(0, READ, u32x4, places) B(1, READ, u32x2, origins) B(2, READ, u32x4, strips)           \
-    B(3, READ, u32, strip_radii) B(4, READ, u32, lists) B(5, READ, u32x4, entries)           \
-    B(6, READ, u32, counts) B(7, READ, u32, sums) B(8, WRITE, u32x4, new_places)             \
-    B(9, WRITE, u32x2, new_origins) B(10, WRITE, u32, widths) B(11, WRITE, u32, free_lengths) \
-    B(12, WRITE, u32, new_uneven) B(13, READ, u32x2, several)                                \
-    B(14, SHARED, u32, list_counts) B(15, SHARED, u32, failure)
-#define MEASURE_BINDINGS(B)                                                                  \
-    B(0, READ, u32, axes) B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits)        \
-    B(3, READ, u32, new_uneven) B(4, READ, u32, list_counts) B(5, READ, u32x4, new_places)   \
-    B(6, BOTH, u32x2, new_origins) B(7, READ, u32, undecided) B(8, SHARED, u32, failure)
-
+    B(3, READ, u32, mask_bits) B(4, READ, u32x4, boxes) B(5, READ, u32x2, origins)           \
+    B(6, WRITE, u32x4, borders) B(7, SHARED, u32, failure)
+#define CUT_WITH_FIELD_BINDINGS(B)                                                           \
+    B(0, READ, u32, undecided) B(1, READ, u32x4, boxes) B(2, READ, u32x2, origins)           \
+    B(3, READ, u32, lists) B(4, READ, u32x4, entries) B(5, READ, u32, axes)                  \
+    B(6, READ, u32x2, radius_bounds) B(7, READ, u32, mask_bits) B(8, READ, u32x4, borders)   \
+    B(9, SHARED, u32, failure) B(10, BOTH, u32, counts) B(11, BOTH, u32x2, strip_pieces)     \
+    B(12, WRITE, u32x2, new_origins)
+#define KEEP_WITH_FIELD_BINDINGS(B)                                                          \
+    CUT_WITH_FIELD_BINDINGS(B) B(13, READ, u32, sums) B(14, WRITE, u32x4, new_boxes)
 // All buffers, of which a kernel has those that its bindings name.
 #define LACUNA_BUFFERS(B)                                                                         \
     B(u32x4, draws) B(u32x4, located) B(u32, column_begins) B(u32, buckets) B(u32x4, candidates)  \
-    B(u32, statuses) B(u32, undecided) B(u32x2, samples) B(u32, failure) B(u32, free_lengths)        \
+    B(u32, statuses) B(u32, undecided) B(u32x2, samples) B(u32, failure) B(u32, free_lengths)     \
     B(u32x2, spans) B(u32x2, new_spans) B(u32, span_counts) B(u32, overflow) B(u32, near_begins)  \
-    B(u32, near_counts) B(u32x2, near) B(u32, grid_x) B(u32, grid_y) B(u32, box_x)                \
-    B(u32, box_begin) B(u32, box_end) B(u32, new_x) B(u32, new_begin) B(u32, new_end)             \
-    B(u32, counts) B(u32, sums) B(u32, total) B(u32, piece_begin) B(u32, piece_end)               \
-    B(u32, bin_begins) B(u32, bits) B(u32, widest) B(u32, widest_rows) B(u32, column_of)        \
+    B(u32, near_counts) B(u32x2, near) B(u32, grid_x) B(u32, grid_y) B(u32x4, boxes)              \
+    B(u32x4, new_boxes) B(u32, counts) B(u32, sums) B(u32, total) B(u32x2, strip_pieces)          \
+    B(u32, bin_begins) B(u32, bits) B(u32, widest) B(u32, widest_rows) B(u32, column_of)          \
     B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii) B(u32, pixel_reaches)                   \
     B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, left_count) B(u32, axes)             \
-    B(u32x2, radius_bounds) B(u32, mask_bits) B(u32x4, places) B(u32x2, origins)                  \
-    B(u32x4, new_places) B(u32x2, new_origins) B(u32, widths) B(u32x4, pieces)                    \
-    B(u32x4, more_pieces) B(u32x4, strips) B(u32, strip_radii) B(u32x2, several)                  \
-    B(u32, uneven) B(u32, new_uneven) B(u32, list_counts) B(u32x4, node_places)                   \
-    B(u32x4, node_links) B(u32, node_of) B(u32, visitor_count) B(u32, visitor_heads)              \
-    B(u32x2, visitors) B(u32, lists) B(u32x4, entries)                                            \
-    B(u32, entry_count) B(u32, survivors) B(u32, survivor_count)                                  \
+    B(u32x2, radius_bounds) B(u32, mask_bits) B(u32x2, origins) B(u32x2, new_origins)             \
+    B(u32x4, borders) B(u32x4, tree_boxes) B(u32x4, node_links) B(u32, node_of)    \
+    B(u32, visitor_count) B(u32, visitor_heads) B(u32x2, visitors) B(u32, lists)                  \
+    B(u32x4, entries) B(u32, entry_count) B(u32, survivors) B(u32, survivor_count)                \
     LACUNA_RELAX_BUFFERS(B)
 
 // All kernels: name, arguments, bindings.
@@ -301,15 +252,8 @@ LACUNA_END
     K(admit_with_field, DrawArguments, ADMIT_WITH_FIELD_BINDINGS)       \
     K(enlist, DrawArguments, ENLIST_BINDINGS)                         \
     K(split, StripArguments, SPLIT_BINDINGS)                          \
-    K(measure, StripArguments, MEASURE_BINDINGS)                      \
-    K(cut_places, StripArguments, CUT_PLACES_BINDINGS)                \
-    K(cut_halves, StripArguments, CUT_HALVES_BINDINGS)                \
-    K(cut_uneven, StripArguments, CUT_UNEVEN_BINDINGS)                \
-    K(cut_several, StripArguments, CUT_SEVERAL_BINDINGS)              \
-    K(keep_places, StripArguments, KEEP_PLACES_BINDINGS)              \
-    K(keep_halves, StripArguments, KEEP_HALVES_BINDINGS)              \
-    K(keep_uneven, StripArguments, KEEP_UNEVEN_BINDINGS)              \
-    K(keep_several, StripArguments, KEEP_SEVERAL_BINDINGS)            \
+    K(cut_with_field, StripArguments, CUT_WITH_FIELD_BINDINGS)        \
+    K(keep_with_field, StripArguments, KEEP_WITH_FIELD_BINDINGS)      \
     LACUNA_RELAX_KERNELS(K)
 // clang-format on
 

@@ -22,7 +22,7 @@ std::size_t conflicts_among(const Plan& plan, const std::vector<Sample>& samples
     std::size_t count = 0;
     for (std::size_t i = 0; i < samples.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            count += portable::conflicts(samples[i].x, samples[i].y, samples[j].x, samples[j].y,
+            count += portable::are_closer(samples[i].x, samples[i].y, samples[j].x, samples[j].y,
                                          plan.period_x, plan.period_y, plan.radius_squared);
     return count;
 }

@@ -81,16 +81,16 @@ TEST(NearestAndFarthestDistance, AreTheLeastAndTheMostToAnyHeightOfAStretch) {
 
 TEST(Conflicts, IsStrictAtTheRadius) {
     // 3-4-5: exactly the radius apart is allowed, one unit less is not.
-    EXPECT_FALSE(conflicts(10, 10, 13, 14, 0, 0, 25));
-    EXPECT_TRUE(conflicts(10, 10, 13, 13, 0, 0, 25));
-    EXPECT_FALSE(conflicts(0, 0, 97, 96, 100, 100, 25));
-    EXPECT_TRUE(conflicts(0, 0, 98, 96, 100, 100, 25));
+    EXPECT_FALSE(are_closer(10, 10, 13, 14, 0, 0, 25));
+    EXPECT_TRUE(are_closer(10, 10, 13, 13, 0, 0, 25));
+    EXPECT_FALSE(are_closer(0, 0, 97, 96, 100, 100, 25));
+    EXPECT_TRUE(are_closer(0, 0, 98, 96, 100, 100, 25));
 }
 
 TEST(Conflicts, HoldsAcrossTheWholeDomain) {
     const u64 diagonal_squared = 2 * (kLongestSide - 1) * (kLongestSide - 1);
-    EXPECT_FALSE(conflicts(0, 0, 0x7fffffffu, 0x7fffffffu, 0, 0, diagonal_squared));
-    EXPECT_TRUE(conflicts(0, 0, 0x7fffffffu, 0x7fffffffu, 0, 0, diagonal_squared + 1));
+    EXPECT_FALSE(are_closer(0, 0, 0x7fffffffu, 0x7fffffffu, 0, 0, diagonal_squared));
+    EXPECT_TRUE(are_closer(0, 0, 0x7fffffffu, 0x7fffffffu, 0, 0, diagonal_squared + 1));
 }
 
 TEST(ChordReach, CountsTheOffsetsThatConflict) {

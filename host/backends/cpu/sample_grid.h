@@ -71,7 +71,7 @@ public:
         bool covered = false;
         for_each_cell_near(x, x + 1, y, y + 1, [&](Sample cell) {
             covered |=
-                (cell.x != NO_SAMPLE) & portable::conflicts(cell.x, cell.y, x, y, plan_.period_x,
+                (cell.x != NO_SAMPLE) & portable::are_closer(cell.x, cell.y, x, y, plan_.period_x,
                                                             plan_.period_y, plan_.radius_squared);
         });
         return covered;

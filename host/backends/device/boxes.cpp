@@ -1,207 +1,194 @@
-// What mode exact adds on the device: the sample grid, and the boxes that refine leaves.
+// The active boxes of mode exact on a device: one cut, which counts, and one keep, which writes.
 #include "backends/device/boxes.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "backends/columns.h"
 #include "backends/device/scan.h"
-#include "portable/status.h"
 
 namespace lacuna::device {
 namespace {
 
-// Pieces beyond the number of the boxes cut; there are seldom as many.
+// Room for pieces beyond those that are expected: seldom as many are left.
 constexpr std::uint32_t kSpareRoom = 1024;
 
-// See Queue::launch.
-constexpr std::uint64_t kScreenWork = 3;
+// The work of a box, see Queue::launch.
 constexpr std::uint64_t kCutWork = 16;
 constexpr std::uint64_t kKeepWork = 4;
+constexpr std::uint64_t kSplitWork = 4;
+
+static_assert(sizeof(Rectangle) == 4 * kWord);
 
 }  // namespace
 
 Boxes::Boxes(RoundMemory& round) : round_(round) {
-    const std::uint64_t cells = std::uint64_t{round_.plan.grid_columns} * round_.plan.grid_rows;
-    Memory& m = round_.memory;
-    for (Buffer* const coordinate : {&m.grid_x, &m.grid_y}) {
-        round_.make_room(*coordinate, cells);
-        round_.queue.fill(*coordinate, NO_SAMPLE, cells);
+    round_.make_room(round_.memory.bin_begins, round_.geometry.columns + std::uint64_t{1});
+    make_room(0, 0);
+    make_room_to_count(0);
+    are_bins_ = false;
+}
+
+void Boxes::put(std::span<const Rectangle> boxes, std::span<const std::uint32_t> origins,
+                std::uint32_t width) {
+    refinement_.reset();
+    count_ = static_cast<std::uint32_t>(boxes.size());
+    width_ = width;
+    are_bins_ = true;
+    round_.put_in_room<Rectangle>(round_.memory.boxes, boxes);
+    if (has_field()) round_.put_in_room<std::uint32_t>(round_.memory.origins, origins);
+    new_boxes_.assign(boxes.begin(), boxes.end());
+    find_sizes();
+    bin_begins_.clear();
+    if (has_field()) {
+        bin_begins_ = {0, count_};
+        return;
     }
-    round_.make_room(m.bin_begins, round_.geometry.columns + std::uint64_t{1});
-    make_boxes(m.box_x, m.box_begin, m.box_end, 0);
-    make_tables(0);
+    for (const std::uint32_t line : first_lines(round_.plan, round_.geometry.columns)) {
+        const auto first = std::partition_point(boxes.begin(), boxes.end(), [&](const auto& box) {
+            return box.x / round_.plan.strip_width < line;
+        });
+        bin_begins_.push_back(static_cast<std::uint32_t>(first - boxes.begin()));
+    }
 }
 
-void Boxes::make_boxes(Buffer& x, Buffer& begin, Buffer& end, std::uint64_t count) {
-    for (Buffer* const coordinate : {&x, &begin, &end}) round_.make_room(*coordinate, count);
+std::vector<Rectangle> Boxes::get() const {
+    std::vector<Rectangle> boxes(count_);
+    round_.get<Rectangle>(round_.memory.boxes, boxes);
+    round_.queue.wait();
+    return boxes;
 }
 
-void Boxes::make_tables(std::uint64_t count) {
-    Memory& m = round_.memory;
-    for (Buffer* const table : {&m.piece_begin, &m.piece_end}) round_.make_room(*table, count);
+void Boxes::find_sizes() {
+    free_lengths_.clear();
+    widths_.clear();
+    for (const Rectangle& box : std::span(new_boxes_).first(count_)) {
+        free_lengths_.push_back(box.end - box.begin);
+        widths_.push_back(box.width);
+    }
+}
+
+void Boxes::make_room(std::uint32_t count, std::uint32_t width) {
+    count_ = count;
+    width_ = width;
+    are_bins_ = true;
+    round_.make_room(round_.memory.boxes, 4 * std::uint64_t{count});
+}
+
+void Boxes::make_room_to_count(std::uint64_t count) {
     make_room_to_scan(round_, count);
-}
-
-// ------------------------------------------------------------------------------------ the rounds
-
-void Boxes::locate() {
-    round_.launch_over_draws<kernels::locate_in_boxes>(round_.arguments(), 1);
-}
-
-// Of all parts: no sample of the round is in the grid yet.
-void Boxes::screen() {
-    portable::DrawArguments arguments = round_.arguments(STATUS_COVERED);
-    arguments.first = 0;
-    arguments.count = round_.draw_count;
-    round_.launch_over_draws<kernels::screen>(arguments, kScreenWork);
-}
-
-void Boxes::screen_again(std::uint32_t end) {
-    portable::DrawArguments arguments = round_.arguments(STATUS_REJECTED);
-    arguments.count = end;
-    round_.launch_over_draws<kernels::screen>(arguments, kScreenWork);
-}
-
-void Boxes::insert() {
-    round_.launch_over_draws<kernels::insert>(round_.arguments(), 1);
 }
 
 // ---------------------------------------------------------------------------------- refinements
 
-void Boxes::unfold(const Memory& memory, portable::SlabArguments arguments, const Slab& slab,
-                   bool is_counting) {
-    arguments.block_bits = block_bits_of_scan(round_.plan.lines);
-    arguments.is_counting = is_counting ? 1 : 0;
-    launch<kernels::unfold>(round_.queue, memory, arguments, slab.lines(),
-                            round_.geometry.capacity / (is_counting ? 8 : 4));
+std::uint32_t Boxes::strip_bits() const {
+    if (!refinement_->is_halving) return 0;
+    return has_field() ? 2 : 1;
 }
 
-void Boxes::make_room_to_count() {
-    make_tables(round_.plan.lines);
+// The samples of a round cut few boxes in two. Of the halves of uniform sets at least every second
+// is covered; with a radius field as many boxes as there were are left, or more where they lie on
+// unlike pixels.
+std::uint32_t Boxes::expected_pieces(bool halve) const {
+    const std::uint32_t more = !has_field() ? 0 : halve ? count_ : count_ / 32;
+    return count_ + more + kSpareRoom;
 }
 
-void Boxes::scan_lines() {
-    scan(round_, round_.plan.lines);
-}
-
-void Boxes::make_room_for_lines() {
-    count_ = total_.front();
-    width_ = round_.plan.strip_width;
-    Memory& m = round_.memory;
-    make_boxes(m.box_x, m.box_begin, m.box_end, count_);
-}
-
-portable::StripArguments Boxes::strip_arguments(std::uint32_t served) const {
+template <typename Kernel>
+void Boxes::launch_over_boxes(std::uint64_t work_of_box) {
     const Span own = round_.plan.own_x();
-    return {0,
-            round_.queue.chunk_of(served),
-            round_.geometry,
-            count_,
-            is_halved(),
-            new_width_,
-            kPasses - 1,
-            block_bits_of_scan(strips()),
-            new_room_,
-            0,
-            own.begin,
-            own.end - own.begin};
+    const std::uint32_t chunk = round_.queue.chunk_of(count_);
+    const portable::StripArguments arguments{.first_item = 0,
+                                             .chunk = chunk,
+                                             .g = round_.geometry,
+                                             .boxes = count_,
+                                             .strip_bits = strip_bits(),
+                                             .last_pass = kPasses - 1,
+                                             .block_bits = block_bits_of_scan(count_),
+                                             .room = refinement_->room,
+                                             .first_recent = refinement_->first_recent,
+                                             .own_begin = own.begin,
+                                             .own_width = own.end - own.begin};
+    launch<Kernel>(round_.queue, round_.memory, arguments, items_of(count_, chunk),
+                   work_of_box * chunk);
 }
 
-void Boxes::refine(bool halve) {
-    new_width_ = halve ? width_ / 2 : width_;
-    new_room_ = count_ + kSpareRoom;
-    make_tables(strips());
-    const portable::StripArguments arguments = strip_arguments(count_);
-    launch<kernels::cut>(round_.queue, round_.memory, arguments, items_of(count_, arguments.chunk),
-                         (kCutWork << is_halved()) * arguments.chunk);
-    scan(round_, strips());
+void Boxes::refine(bool halve, std::uint32_t first_recent) {
+    refinement_ = {halve, first_recent, expected_pieces(halve)};
+    Memory& m = round_.memory;
+    // Room for as many boxes as there will most likely be: their number grows for some rounds, and
+    // memory made anew is cleared page by page.
+    const std::uint64_t boxes = std::max<std::uint64_t>(count_, room_for_boxes(round_.plan));
+    round_.make_room(m.strip_pieces, 2 * boxes << strip_bits());
+    make_room_to_count(boxes);
+    make_room_for_pieces();
+    if (has_field()) {
+        round_.make_room(m.borders, halve ? 4 * boxes : 0);
+        if (halve) launch_over_boxes<kernels::split>(kSplitWork);
+        launch_over_boxes<kernels::cut_with_field>(kCutWork << strip_bits());
+    } else {
+        launch_over_boxes<kernels::cut>(kCutWork << strip_bits());
+    }
+    scan(round_, count_);
     keep();
 }
 
-void Boxes::keep() {
+void Boxes::make_room_for_pieces() {
     Memory& m = round_.memory;
-    make_boxes(m.new_x, m.new_begin, m.new_end, new_room_);
-    round_.make_room(m.free_lengths, new_room_);
-    const portable::StripArguments arguments = strip_arguments(strips());
-    launch<kernels::keep>(round_.queue, m, arguments, items_of(strips(), arguments.chunk),
-                          kKeepWork * arguments.chunk);
-    launch<kernels::find_bin_begins>(round_.queue, m, {0, kPasses - 1, round_.geometry, new_room_},
+    const std::uint64_t room =
+        std::max<std::uint64_t>(refinement_->room, room_for_boxes(round_.plan));
+    round_.make_room(m.new_boxes, 4 * room);
+    if (has_field())
+        round_.make_room(m.new_origins, 2 * room);
+    else
+        round_.make_room(m.free_lengths, room);
+}
+
+void Boxes::keep() {
+    if (has_field()) return launch_over_boxes<kernels::keep_with_field>(kKeepWork);
+    launch_over_boxes<kernels::keep>(kKeepWork);
+    launch<kernels::find_bin_begins>(round_.queue, round_.memory,
+                                     {.first_item = 0,
+                                      .last_pass = kPasses - 1,
+                                      .g = round_.geometry,
+                                      .room = refinement_->room},
                                      round_.geometry.columns + std::uint64_t{1});
 }
 
 void Boxes::start_download() {
     round_.get<std::uint32_t>(round_.memory.total, total_);
-    if (new_width_ == 0) return;
+    if (!refinement_) return;
+    if (has_field()) {
+        new_boxes_.resize(refinement_->room);
+        round_.get<Rectangle>(round_.memory.new_boxes, new_boxes_);
+        return;
+    }
     bin_begins_.resize(round_.geometry.columns + std::size_t{1});
-    free_lengths_.resize(new_room_);
+    free_lengths_.resize(refinement_->room);
     round_.get<std::uint32_t>(round_.memory.bin_begins, bin_begins_);
     round_.get<std::uint32_t>(round_.memory.free_lengths, free_lengths_);
 }
 
 bool Boxes::queue_rest() {
-    if (new_width_ == 0 || total_.front() <= new_room_) return false;
-    new_room_ = total_.front();
+    if (!refinement_ || total() <= refinement_->room) return false;
+    refinement_->room = total();
+    make_room_for_pieces();
     keep();
     return true;
 }
 
 void Boxes::end_round() {
-    if (new_width_ == 0) return;
+    if (!refinement_) return;
     Memory& m = round_.memory;
-    std::swap(m.box_x, m.new_x);
-    std::swap(m.box_begin, m.new_begin);
-    std::swap(m.box_end, m.new_end);
-    width_ = std::exchange(new_width_, 0);
-    count_ = total_.front();
-}
-
-// --------------------------------------------------------------------------------- for tests only
-
-void Boxes::snapshot(Snapshot& snapshot) {
-    const Memory& m = round_.memory;
-    const std::size_t cells = std::size_t{round_.plan.grid_columns} * round_.plan.grid_rows;
-    std::vector<std::uint32_t> grid_x(cells), grid_y(cells), x(count_), begin(count_), end(count_);
-    round_.get<std::uint32_t>(m.grid_x, grid_x);
-    round_.get<std::uint32_t>(m.grid_y, grid_y);
-    round_.get<std::uint32_t>(m.box_x, x);
-    round_.get<std::uint32_t>(m.box_begin, begin);
-    round_.get<std::uint32_t>(m.box_end, end);
-    round_.queue.wait();
-    snapshot.box_width = width_;
-    for (std::size_t i = 0; i < cells; ++i) snapshot.grid.push_back({grid_x[i], grid_y[i]});
-    for (std::size_t i = 0; i < count_; ++i) snapshot.boxes.push_back({x[i], begin[i], end[i]});
-}
-
-void Boxes::restore(const Snapshot& snapshot) {
-    const auto restore_words = [&](const Buffer& to, const auto& from, auto word_of) {
-        std::vector<std::uint32_t> words;
-        std::transform(from.begin(), from.end(), std::back_inserter(words), word_of);
-        round_.put<std::uint32_t>(to, words);
-        round_.queue.wait();
-        return words;
-    };
-    Memory& m = round_.memory;
-    restore_words(m.grid_x, snapshot.grid, [](Sample sample) { return sample.x; });
-    restore_words(m.grid_y, snapshot.grid, [](Sample sample) { return sample.y; });
-
-    new_width_ = 0;
-    width_ = snapshot.box_width;
-    count_ = static_cast<std::uint32_t>(snapshot.boxes.size());
-    make_boxes(m.box_x, m.box_begin, m.box_end, count_);
-    restore_words(m.box_x, snapshot.boxes, [](Box box) { return box.x; });
-    restore_words(m.box_begin, snapshot.boxes, [](Box box) { return box.begin; });
-    restore_words(m.box_end, snapshot.boxes, [](Box box) { return box.end; });
-    free_lengths_.clear();
-    for (const Box box : snapshot.boxes) free_lengths_.push_back(box.end - box.begin);
-    bin_begins_.clear();
-    for (const std::uint32_t line : first_lines(round_.plan, round_.geometry.columns)) {
-        const auto first =
-            std::partition_point(snapshot.boxes.begin(), snapshot.boxes.end(),
-                                 [&](Box box) { return box.x / round_.plan.strip_width < line; });
-        bin_begins_.push_back(static_cast<std::uint32_t>(first - snapshot.boxes.begin()));
-    }
+    std::swap(m.boxes, m.new_boxes);
+    std::swap(m.origins, m.new_origins);
+    if (refinement_->is_halving) width_ /= 2;
+    refinement_.reset();
+    count_ = total();
+    if (!has_field()) return;
+    bin_begins_ = {0, count_};
+    find_sizes();
 }
 
 }  // namespace lacuna::device

@@ -1,8 +1,10 @@
-// What mode exact adds on the device: the sample grid, and the boxes that refine leaves.
+// The active boxes of mode exact on a device, whichever index finds the samples near them: drawing
+// from them starts at the first refinement or, with a radius field, with the first round.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,61 +14,71 @@
 
 namespace lacuna::device {
 
-// See Places for the order of the calls.
+// See Bins for the order of the calls.
 class Boxes {
 public:
     explicit Boxes(RoundMemory& round);
 
-    // Whether there are boxes: from the first refinement on.
-    bool are_places() const { return width_ != 0; }
+    // Whether draws are made from boxes.
+    bool are_bins() const { return are_bins_; }
+    // The width of every box; not with a radius field, where widths() has it.
     std::uint32_t width() const { return width_; }
+    // The first box of each column of lines, then the number of boxes. With a radius field there is
+    // one column.
     std::span<const std::uint32_t> begins() const { return bin_begins_; }
     std::span<const std::uint32_t> free_lengths() const {
         return std::span(free_lengths_).first(count_);
     }
+    std::span<const std::uint32_t> widths() const { return std::span(widths_).first(count_); }
 
-    void locate();
-    void screen();
-    void screen_again(std::uint32_t end);
-    // The round's samples, into the grid.
-    void insert();
+    // These are the boxes now; `width` is 0 where widths differ. `origins`: see portable/kernels.h;
+    // none without a radius field. Waits.
+    void put(std::span<const Rectangle> boxes, std::span<const std::uint32_t> origins,
+             std::uint32_t width);
+    std::vector<Rectangle> get() const;
 
-    // At the first refinement: the boxes of each slab's spans are counted, all counts summed; then,
-    // after a wait, room is made and they are written.
-    void make_room_to_count();
-    void unfold(const Memory& memory, portable::SlabArguments arguments, const Slab& slab,
-                bool is_counting);
-    void scan_lines();
-    void make_room_for_lines();
+    // Makes room for `count` boxes `width` wide, which a kernel is to write.
+    void make_room(std::uint32_t count, std::uint32_t width);
+    // Makes room for the counts of `count` lines or boxes, and for their sums.
+    void make_room_to_count(std::uint64_t count);
+    std::uint32_t total() const { return total_.front(); }  // of the counts summed last
 
-    void refine(bool halve);
+    // Queues the cut: boxes are halved first where `halve` is set. With lists, samples before entry
+    // `first_recent` have been taken out of the boxes before.
+    void refine(bool halve, std::uint32_t first_recent = 0);
 
     void start_download();
     // True where more pieces were left than there was room for: they are written again.
     bool queue_rest();
     void end_round();
 
-    void snapshot(Snapshot& snapshot);
-    void restore(const Snapshot& snapshot);
-
 private:
-    // Room for so many boxes, or to count and sum what is left of so many lines or strips.
-    void make_boxes(Buffer& x, Buffer& begin, Buffer& end, std::uint64_t count);
-    void make_tables(std::uint64_t count);
+    // What refine is in the middle of.
+    struct Refinement {
+        bool is_halving;
+        std::uint32_t first_recent;
+        std::uint32_t room;  // for new boxes
+    };
+
+    bool has_field() const { return round_.plan.radius_field != nullptr; }
+    std::uint32_t strip_bits() const;
+    std::uint32_t expected_pieces(bool halve) const;
+    template <typename Kernel>
+    void launch_over_boxes(std::uint64_t work_of_box);
+    void make_room_for_pieces();
     void keep();
-    std::uint32_t is_halved() const { return new_width_ < width_ ? 1 : 0; }
-    std::uint32_t strips() const { return count_ << is_halved(); }
-    portable::StripArguments strip_arguments(std::uint32_t served) const;
+    void find_sizes();
 
     RoundMemory& round_;
+    bool are_bins_ = false;
     std::uint32_t width_ = 0;
     std::uint32_t count_ = 0;
     std::vector<std::uint32_t> bin_begins_;
     std::vector<std::uint32_t> free_lengths_;
+    std::vector<std::uint32_t> widths_;  // with a radius field
+    std::vector<Rectangle> new_boxes_;   // with a radius field, on their way down
 
-    // Of a refinement under way.
-    std::uint32_t new_width_ = 0;
-    std::uint32_t new_room_ = 0;
+    std::optional<Refinement> refinement_;
     std::array<std::uint32_t, 1> total_{};
 };
 

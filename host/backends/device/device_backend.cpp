@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "backends/device/places.h"
+#include "backends/device/bins.h"
 #include "backends/device/round_memory.h"
 #include "portable/status.h"
 
@@ -17,7 +17,7 @@ namespace {
 class DeviceBackend : public Backend {
 public:
     DeviceBackend(std::unique_ptr<Queue> queue, const Plan& plan, const Tuning& tuning)
-        : queue_(std::move(queue)), round_(plan, *queue_), places_(make_places(tuning)) {}
+        : queue_(std::move(queue)), round_(plan, *queue_), bins_(make_bins(tuning)) {}
 
     // Transfers into this object's memory may be on their way when an error ends a run.
     ~DeviceBackend() override { queue_->drain(); }
@@ -35,10 +35,10 @@ public:
     void locate(std::span<const Draw> draws) override {
         finish();
         const auto count = static_cast<std::uint32_t>(draws.size());
-        round_.upload(draws, places_->begins(), places_->part_limits(count));
+        round_.upload(draws, bins_->begins(), bins_->part_limits(count));
         for_parts([&] {
-            places_->locate(round_.draws_of_part());
-            places_->sort();
+            bins_->locate(round_.draws_of_part());
+            bins_->sort();
         });
         ends_with_ = End::none;
         has_statuses_ = are_out_ = false;
@@ -47,7 +47,7 @@ public:
 
     // Part by part: the samples of each are taken out, but for those of the last.
     void admit() override {
-        places_->screen();
+        bins_->screen();
         const bool had_statuses = has_statuses_;
         std::vector<bool> is_done(round_.parts(), false);
         for (std::uint32_t part = 0; part < round_.parts(); ++part) {
@@ -64,7 +64,7 @@ public:
     }
 
     void subtract() override {
-        if (!are_out_ || !places_->is_cut_by_take_out()) end_parts(End::subtract);
+        if (!are_out_ || !bins_->is_cut_by_take_out()) end_parts(End::subtract);
         ends_with_ = End::subtract;
         queue_end();
         settle_later();
@@ -72,7 +72,7 @@ public:
 
     void refine(bool halve) override {
         if (!are_out_) end_parts(End::take_out);
-        if (places_->queue_before_refine()) {
+        if (bins_->queue_before_refine()) {
             is_open_ = true;
             finish();
         }
@@ -87,8 +87,8 @@ public:
         finish();
         const std::uint64_t survivors = take_admitted(round_.by_order, samples_);
         if (round_.plan.tells_orders) find_orders();
-        return {samples_,          survivors, places_->free_lengths(), places_->width(),
-                places_->widths(), orders_,   places_->begins()};
+        return {samples_,        survivors, bins_->free_lengths(), bins_->width(),
+                bins_->widths(), orders_,   bins_->begins()};
     }
     std::vector<Candidate> located() override {
         finish();
@@ -99,16 +99,16 @@ public:
         finish();
         Snapshot snapshot;
         round_.snapshot(snapshot);
-        places_->snapshot(snapshot);
+        bins_->snapshot(snapshot);
         return snapshot;
     }
 
     void restore(const Snapshot& snapshot) override {
         finish();
-        places_->restore(snapshot);
+        bins_->restore(snapshot);
         const auto count = static_cast<std::uint32_t>(snapshot.candidates.size());
-        round_.restore_candidates(snapshot, places_->part_limits(count));
-        for_parts([&] { places_->sort(); });  // for the buckets' sake
+        round_.restore_candidates(snapshot, bins_->part_limits(count));
+        for_parts([&] { bins_->sort(); });  // for the buckets' sake
         round_.restore_statuses(snapshot);
         ends_with_ = End::none;
         has_statuses_ = true;
@@ -116,8 +116,8 @@ public:
     }
 
 private:
-    std::unique_ptr<Places> make_places(const Tuning& tuning) {
-        if (round_.plan.radius_field) return make_rectangles(round_);
+    std::unique_ptr<Bins> make_bins(const Tuning& tuning) {
+        if (round_.plan.radius_field) return make_field_boxes(round_);
         return round_.plan.is_cells() ? make_lattice(round_, tuning) : make_spans(round_, tuning);
     }
 
@@ -133,7 +133,7 @@ private:
     void open_part(std::uint32_t part) {
         if (round_.parts() > 1) queue_->wait();
         round_.open_part(part);
-        places_->begin_part();
+        bins_->begin_part();
     }
 
     template <typename Work>
@@ -163,24 +163,23 @@ private:
     // The part that was opened, and now and then all later ones too: most have nothing left after
     // the first few, and are done.
     void screen_again(std::uint32_t part, std::vector<bool>& is_done) {
-        if (!std::has_single_bit(part)) return places_->screen_again(round_.part.end);
-        places_->screen_again(round_.draw_count);
+        if (!std::has_single_bit(part)) return bins_->screen_again(round_.part.end);
+        bins_->screen_again(round_.draw_count);
         round_.find_done(part, is_done);
     }
 
     // Passes after the first kPasses take up what those left undecided.
     void queue_passes() {
         if (has_statuses_) round_.begin_more_passes();
-        for (std::uint32_t pass = has_statuses_ ? 1 : 0; pass < kPasses; ++pass)
-            places_->admit(pass);
+        for (std::uint32_t pass = has_statuses_ ? 1 : 0; pass < kPasses; ++pass) bins_->admit(pass);
         has_statuses_ = true;
     }
 
     // Does nothing on the device while admission is unsettled.
     void queue_end() {
-        if (ends_with_ == End::take_out) places_->take_out();
-        if (ends_with_ == End::subtract) places_->subtract();
-        if (ends_with_ == End::refine) places_->refine(halves_);
+        if (ends_with_ == End::take_out) bins_->take_out();
+        if (ends_with_ == End::subtract) bins_->subtract();
+        if (ends_with_ == End::refine) bins_->refine(halves_);
     }
 
     // What has been queued leaves something to find out at the round's end.
@@ -193,7 +192,7 @@ private:
     void finish() {
         if (!is_open_) return;
         settle(true);
-        places_->end_round();
+        bins_->end_round();
         is_open_ = false;
         ends_with_ = End::none;
     }
@@ -201,13 +200,13 @@ private:
     void settle(bool with_samples) {
         while (true) {
             round_.start_download(with_samples);
-            places_->start_download();
+            bins_->start_download();
             queue_->wait();
             round_.throw_if_failed();
             if (round_.is_unsettled()) {
                 queue_passes();
                 queue_end();
-            } else if (!places_->queue_rest()) {
+            } else if (!bins_->queue_rest()) {
                 return;
             }
         }
@@ -216,7 +215,7 @@ private:
     std::unique_ptr<Queue> queue_;
     Workers workers_{0};
     RoundMemory round_;
-    std::unique_ptr<Places> places_;
+    std::unique_ptr<Bins> bins_;
     std::vector<Sample> samples_;
     std::vector<std::uint32_t> orders_;  // where the plan asks for them
     bool is_open_ = false;               // verbs whose outcome is not known yet

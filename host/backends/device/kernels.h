@@ -64,11 +64,10 @@ static_assert(sizeof(portable::Geometry) == 64 && offsetof(portable::DrawArgumen
               offsetof(portable::SlabArguments, g) == 8 &&
               offsetof(portable::StripArguments, g) == 8 &&
               offsetof(portable::ColumnArguments, g) == 8);
-static_assert(offsetof(portable::DrawArguments, count) == 72 &&
-              offsetof(portable::DrawArguments, is_listed) == 96 &&
-              offsetof(portable::DrawArguments, room) == 104 &&
+static_assert(offsetof(portable::DrawArguments, first) == 72 &&
+              offsetof(portable::DrawArguments, room) == 112 &&
               offsetof(portable::SlabArguments, is_counting) == 108 &&
-              offsetof(portable::StripArguments, first_recent) == 96 &&
+              offsetof(portable::StripArguments, own_width) == 100 &&
               offsetof(portable::ColumnArguments, room) == 72);
 
 template <typename Kernel>

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "backends/columns.h"
+#include "backends/device/bins.h"
 #include "backends/device/cells_layout.h"
-#include "backends/device/places.h"
 #include "plan/first_free.h"
 
 namespace lacuna::device {
@@ -33,10 +33,10 @@ constexpr std::uint64_t kTurnsPerWork = 8;
 
 constexpr std::uint32_t kPartWords = 1 << 20;  // of bits on their way up
 
-class Lattice : public Places {
+class Lattice : public Bins {
 public:
     Lattice(RoundMemory& round, const Tuning& tuning)
-        : Places(round),
+        : Bins(round),
           first_lines_(first_lines(round.plan, round.geometry.columns)),
           words_(words_per_line(round.plan)),
           serves_chunks_(!round.queue.runs_in_lockstep()),
@@ -63,7 +63,7 @@ public:
     std::span<const std::uint32_t> begins() const override { return first_lines_; }
 
     PartLimits part_limits(std::uint32_t count) const override {
-        return limits_by_share(count, mean_share_, share_);
+        return limits_by_area(count, mean_disk_area_, share_);
     }
 
     void begin_part() override {
@@ -87,7 +87,7 @@ public:
 
     void sort() override {
         round_.sort();
-        round_.launch_over_draws<kernels::look_up_radii>(arguments_of(kPasses - 1), 1);
+        round_.launch_over_draws<kernels::look_up_radii>(arguments_of(), 1);
     }
 
     void screen_again(std::uint32_t end) override {
@@ -101,7 +101,8 @@ public:
         constexpr double kTurnsOfColumn = 4;
         const double near = kTurnsOfColumn * share_of_lines_ * round_.geometry.columns +
                             share_ * round_.part_count();
-        portable::DrawArguments arguments = arguments_of(pass);
+        portable::DrawArguments arguments = arguments_of();
+        arguments.pass = pass;
         arguments.chunk = round_.chunk_of_admit(chunk_of(static_cast<std::uint64_t>(near) + 16));
         round_.launch_over_draws<kernels::admit_in_cells>(arguments, RoundMemory::admit_work(pass));
     }
@@ -174,7 +175,7 @@ private:
         const double side = 2.0 * widest_ + 1;
         share_of_lines_ = std::min(side / round_.plan.lines, 1.0);
         share_ = share_of_lines_ * std::min(side / round_.plan.height, 1.0);
-        find_mean_share();
+        find_mean_disk_area();
 
         // Of a sample anywhere: samples are as dense as their reaches are short, squared.
         double density = 0;
@@ -189,7 +190,7 @@ private:
     }
 
     // Of the lattice, within the radius of a pixel with importance, on average.
-    void find_mean_share() {
+    void find_mean_disk_area() {
         constexpr double kUnitsPerStep = 256;
         double sum = 0;
         std::size_t open = 0;
@@ -200,7 +201,7 @@ private:
                 std::min(side / round_.plan.lines, 1.0) * std::min(side / round_.plan.height, 1.0);
             ++open;
         }
-        mean_share_ = sum / static_cast<double>(open);
+        mean_disk_area_ = sum / static_cast<double>(open);
     }
 
     // Into how many slices the lines near a sample are cut that reaches so far.
@@ -216,8 +217,8 @@ private:
         return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(kMostTurns / turns, 1, chunk));
     }
 
-    portable::DrawArguments arguments_of(std::uint32_t pass) const {
-        portable::DrawArguments arguments = round_.arguments(pass);
+    portable::DrawArguments arguments_of() const {
+        portable::DrawArguments arguments = round_.arguments();
         arguments.rows = round_.plan.radii->rows;
         arguments.metric = static_cast<std::uint32_t>(round_.plan.metric);
         return arguments;
@@ -233,7 +234,7 @@ private:
             std::max<std::uint64_t>(most / std::max<std::uint64_t>(items, 1), 1)));
         const std::uint64_t turns = turns_of_sample(round_.plan, usual_reach) / slices;
         round_.queue.fill(round_.memory.left_count, 0, 1);
-        portable::DrawArguments arguments = arguments_of(kPasses - 1);
+        portable::DrawArguments arguments = arguments_of();
         arguments.chunk = chunk;
         if (is_listed) arguments.first = 0;
         arguments.count = arguments.first + count;
@@ -257,13 +258,13 @@ private:
     std::uint32_t fixed_slices_ = 0;
     double share_of_lines_ = 0;  // that the widest reach spans of the lattice
     double share_ = 0;
-    double mean_share_ = 0;
+    double mean_disk_area_ = 0;
     bool is_subtracting_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<Places> make_lattice(RoundMemory& round, const Tuning& tuning) {
+std::unique_ptr<Bins> make_lattice(RoundMemory& round, const Tuning& tuning) {
     return std::make_unique<Lattice>(round, tuning);
 }
 

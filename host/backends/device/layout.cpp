@@ -123,9 +123,10 @@ std::string gigabytes(std::uint64_t bytes) {
 constexpr std::uint64_t kBytesPerDraw = 48 + 8 + 8 + 24;
 constexpr std::uint64_t kLargestPerDraw = 24;  // of one buffer: the samples near
 
-// Of a cell, and of a box and the two that it may become; in exact.
+// In exact, of a cell; and of a box: it before and after a round, the pieces of its two strips, its
+// length and its count.
 constexpr std::uint64_t kBytesPerCell = 8;
-constexpr std::uint64_t kBytesPerBox = 12 + 4 + 2 * (12 + 12);
+constexpr std::uint64_t kBytesPerBox = 2 * 16 + 2 * 8 + 2 * 4;
 // Boxes for a sample of the maximal set, at most: 0.45 to 0.5 have been seen.
 constexpr double kBoxesPerSample = 0.75;
 
@@ -139,7 +140,7 @@ Needs needs_of_lines(const Plan& plan, std::uint64_t round) {
     return {plan.lines * (line_bytes + 8) + round * kBytesPerDraw + cells * kBytesPerCell +
                 boxes * kBytesPerBox,
             std::max({line_bytes, plan.lines * std::uint64_t{4}, round * kLargestPerDraw,
-                      cells * kBytesPerCell / 2, boxes * 2 * std::uint64_t{4}})};
+                      cells * kBytesPerCell / 2, boxes * 16})};
 }
 
 // Mode cells. Of draws, located, candidates; buckets, statuses, radii, todo, left; samples.
@@ -157,13 +158,13 @@ Needs needs_of_cells(const Plan& plan, std::uint64_t round) {
             std::max({bits, pixels, lines, rows, round * kCellsLargestPerDraw})};
 }
 
-// With a radius field. Of draws, located, candidates; buckets, statuses, radii, counts; samples;
-// and the first places that each reaches. Of a place: it and its origin, before and after a round;
-// its pieces; widths, lengths and counts; and where it is in lists.
+// With a radius field. Of a draw: itself, located and candidate; bucket, status, radius and count;
+// its sample; and the blocks that it reaches. Of a box: it and its origin, before and after a
+// round; the pieces of its four strips, the borders between them, and its count.
 constexpr std::uint64_t kFieldBytesPerDraw = 48 + 16 + 8 + 10 * 8;
-constexpr std::uint64_t kFieldBytesPerPlace = 2 * (16 + 8) + 2 * 16 + 3 * 4 + 4 * 4;
+constexpr std::uint64_t kFieldBytesPerBox = 2 * (16 + 8) + 4 * 8 + 16 + 4;
 constexpr std::uint64_t kBytesPerEntry = 16;
-constexpr double kPlacesPerSample = 2.5;
+constexpr double kFieldBoxesPerSample = 2.5;
 constexpr std::uint64_t kEntriesPerSample = 3;
 
 Needs needs_of_field(const Plan& plan, std::uint64_t round) {
@@ -175,10 +176,10 @@ Needs needs_of_field(const Plan& plan, std::uint64_t round) {
                                    ? 0
                                    : std::uint64_t{radius_field.mask()->values().size()} / 3;
     const std::uint64_t entries = room_for_entries(plan) * kBytesPerEntry;
-    const std::uint64_t places = room_for_places(plan);
-    return {radii + mask + entries + places * kFieldBytesPerPlace +
+    const std::uint64_t boxes = room_for_boxes(plan);
+    return {radii + mask + entries + boxes * kFieldBytesPerBox +
                 plan.first_boxes->nodes.size() * 48 + round * kFieldBytesPerDraw,
-            std::max({radii, entries, places * 16, round * 10 * 8})};
+            std::max({radii, entries, boxes * 32, round * 10 * 8})};
 }
 
 Needs needs_of(const Plan& plan, std::uint64_t round) {
@@ -188,9 +189,9 @@ Needs needs_of(const Plan& plan, std::uint64_t round) {
 
 }  // namespace
 
-std::uint64_t room_for_places(const Plan& plan) {
-    return static_cast<std::uint64_t>(kPlacesPerSample *
-                                      static_cast<double>(plan.expected_samples));
+std::uint64_t room_for_boxes(const Plan& plan) {
+    const double of_sample = plan.radius_field ? kFieldBoxesPerSample : kBoxesPerSample;
+    return static_cast<std::uint64_t>(of_sample * static_cast<double>(plan.expected_samples));
 }
 
 std::uint64_t room_for_entries(const Plan& plan) {

@@ -5,15 +5,15 @@
 
 namespace lacuna::device {
 
-PartLimits limits_by_share(std::uint32_t count, double mean_share, double widest_share) {
+PartLimits limits_by_area(std::uint32_t count, double mean_disk_area, double widest_disk_area) {
     constexpr double kMostRivals = 64;
     constexpr std::uint32_t kFewDraws =
         1024;  // are compared all with all, however wide their radii
     PartLimits limits;
-    const double most = std::max<double>(kFewDraws, kMostTurns / widest_share);
+    const double most = std::max<double>(kFewDraws, kMostTurns / widest_disk_area);
     if (count > most) limits.most = static_cast<std::uint32_t>(most);
-    if (count > kFewDraws && count * mean_share > kMostRivals)
-        limits.first = static_cast<std::uint32_t>(std::max(kMostRivals / mean_share, 64.0));
+    if (count > kFewDraws && count * mean_disk_area > kMostRivals)
+        limits.first = static_cast<std::uint32_t>(std::max(kMostRivals / mean_disk_area, 64.0));
     return limits;
 }
 

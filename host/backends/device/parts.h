@@ -28,7 +28,7 @@ struct PartLimits {
 // share of the domain, on average and at most. The first part is so small that a candidate has few
 // others there, where those of wide radii lie beside those of small ones. All are so small that one
 // of the widest reach, which may look at all others, takes no more turns than there are.
-PartLimits limits_by_share(std::uint32_t count, double mean_share, double widest_share);
+PartLimits limits_by_area(std::uint32_t count, double mean_disk_area, double widest_disk_area);
 
 // Where the parts end, by the order of the draws, whose columns are given in that order.
 std::vector<std::uint32_t> find_part_ends(std::span<const std::uint32_t> column_of_order,

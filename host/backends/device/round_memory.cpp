@@ -89,8 +89,9 @@ void RoundMemory::open_part(std::uint32_t number) {
 }
 
 void RoundMemory::sort() {
-    launch<kernels::sort_columns>(queue, memory, {0, kPasses - 1, geometry, 0}, geometry.columns,
-                                  kSortWork * draws_per_column());
+    launch<kernels::sort_columns>(
+        queue, memory, {.first_item = 0, .last_pass = kPasses - 1, .g = geometry, .room = 0},
+        geometry.columns, kSortWork * draws_per_column());
 }
 
 void RoundMemory::begin_more_passes() {
@@ -126,9 +127,14 @@ void RoundMemory::throw_if_failed() const {
     throw ended_early(queue.device(), kJobs.at(static_cast<std::size_t>(std::countr_zero(failed))));
 }
 
-portable::DrawArguments RoundMemory::arguments(std::uint32_t pass) const {
-    return {0, queue.chunk_of(part_count()), geometry, part.end, pass, 0, 0, 0, 0, 0, part.begin,
-            0};
+portable::DrawArguments RoundMemory::arguments() const {
+    portable::DrawArguments arguments{};
+    arguments.chunk = queue.chunk_of(part_count());
+    arguments.g = geometry;
+    arguments.first = part.begin;
+    arguments.count = part.end;
+    arguments.last_pass = kPasses - 1;
+    return arguments;
 }
 
 std::vector<Candidate> RoundMemory::candidates() {

@@ -58,7 +58,7 @@ struct RoundMemory {
     void throw_if_failed() const;
 
     // Arguments of the kernels over the part's draws, and their launch.
-    portable::DrawArguments arguments(std::uint32_t pass = kPasses - 1) const;
+    portable::DrawArguments arguments() const;
     template <typename Kernel>
     void launch_over_draws(portable::DrawArguments arguments, std::uint64_t work_of_draw) {
         launch<Kernel>(queue, memory, arguments,

@@ -1,4 +1,5 @@
-// The places of modes lines and exact: the free spans of lines, in slabs, until exact refines them.
+// The bins of modes lines and exact on a device: the free spans of lines, in slabs, until exact
+// refines them into boxes.
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
@@ -6,8 +7,10 @@
 #include <vector>
 
 #include "backends/columns.h"
+#include "backends/device/bins.h"
 #include "backends/device/boxes.h"
-#include "backends/device/places.h"
+#include "backends/device/grid.h"
+#include "backends/device/scan.h"
 #include "plan/first_free.h"
 
 namespace lacuna::device {
@@ -17,10 +20,10 @@ namespace {
 constexpr std::uint64_t kLocateWork = 4;
 constexpr std::uint64_t kGrowWork = 2;
 
-class Spans : public Places {
+class Spans : public Bins {
 public:
     Spans(RoundMemory& round, const Tuning& tuning)
-        : Places(round),
+        : Bins(round),
           largest_slab_(tuning.largest_slab_bytes != 0 ? tuning.largest_slab_bytes
                                                        : round.queue.device().largest_buffer_bytes),
           first_lines_(first_lines(round.plan, round.geometry.columns)) {
@@ -32,7 +35,10 @@ public:
         round_.make_room(m.near_counts, round_.geometry.columns);
         round_.make_room(m.overflow, 1);
         round_.queue.fill(m.overflow, 0, 1);
-        if (plan.is_exact()) boxes_.emplace(round_);
+        if (plan.is_exact()) {
+            grid_.emplace(round_);
+            boxes_.emplace(round_);
+        }
         make_lines();
     }
 
@@ -47,7 +53,8 @@ public:
     }
 
     void locate(std::span<const Draw> draws) override {
-        if (has_boxes()) return boxes_->locate();
+        if (has_boxes())
+            return round_.launch_over_draws<kernels::locate_in_boxes>(round_.arguments(), 1);
         const std::uint32_t chunk = chunk_of_lines();
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
             const Range range = draws_of(slabs_[i], draws);
@@ -61,11 +68,11 @@ public:
     }
 
     void screen() override {
-        if (boxes_) boxes_->screen();
+        if (grid_) grid_->screen();
     }
 
     void screen_again(std::uint32_t end) override {
-        if (boxes_) return boxes_->screen_again(end);
+        if (grid_) return grid_->screen_again(end);
         const std::uint32_t chunk = chunk_of_lines();
         const std::uint32_t begin = round_.part.begin;
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
@@ -79,18 +86,19 @@ public:
     }
 
     void admit(std::uint32_t pass) override {
-        portable::DrawArguments arguments = round_.arguments(pass);
+        portable::DrawArguments arguments = round_.arguments();
+        arguments.pass = pass;
         arguments.chunk = round_.chunk_of_admit(round_.queue.run_of(round_.part_count()));
         round_.launch_over_draws<kernels::admit>(arguments, RoundMemory::admit_work(pass));
     }
 
     void subtract() override {
-        if (boxes_) boxes_->insert();
+        if (grid_) grid_->insert();
         cut_spans();
     }
 
     void take_out() override {
-        if (boxes_) return boxes_->insert();
+        if (grid_) return grid_->insert();
         cut_spans();
     }
     bool is_cut_by_take_out() const override { return !boxes_; }
@@ -98,22 +106,20 @@ public:
     bool queue_before_refine() override {
         if (!boxes_) throw std::logic_error("mode lines has nothing to refine");
         if (has_boxes()) return false;
-        boxes_->make_room_to_count();
-        for (std::size_t i = 0; i < slabs_.size(); ++i)
-            boxes_->unfold(memory_of(i), arguments_of(i), slabs_[i], true);
-        boxes_->scan_lines();
+        boxes_->make_room_to_count(round_.plan.lines);
+        unfold(true);
+        scan(round_, round_.plan.lines);
         return true;
     }
 
     void refine(bool halve) override {
         if (!has_boxes()) {
-            boxes_->make_room_for_lines();
-            for (std::size_t i = 0; i < slabs_.size(); ++i)
-                boxes_->unfold(memory_of(i), arguments_of(i), slabs_[i], false);
+            boxes_->make_room(boxes_->total(), round_.plan.strip_width);
+            unfold(false);
             slabs_.clear();
             spans_.clear();
         }
-        boxes_->insert();
+        grid_->insert();
         boxes_->refine(halve);
     }
 
@@ -145,8 +151,13 @@ public:
     }
 
     void snapshot(Snapshot& snapshot) override {
-        if (boxes_) boxes_->snapshot(snapshot);
-        if (has_boxes()) return;
+        if (grid_) grid_->snapshot(snapshot);
+        if (has_boxes()) {
+            snapshot.box_width = boxes_->width();
+            for (const Rectangle& box : boxes_->get())
+                snapshot.boxes.push_back({box.x, box.begin, box.end});
+            return;
+        }
         std::vector<std::uint32_t> counts(round_.plan.lines);
         round_.get<std::uint32_t>(round_.memory.span_counts, counts);
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
@@ -158,10 +169,17 @@ public:
     }
 
     void restore(const Snapshot& snapshot) override {
-        if (boxes_) boxes_->restore(snapshot);
+        if (grid_) grid_->restore(snapshot);
         slabs_.clear();
         spans_.clear();
-        if (!has_boxes()) put_spans(snapshot);
+        if (snapshot.box_width == 0) {
+            if (boxes_) boxes_.emplace(round_);
+            return put_spans(snapshot);
+        }
+        std::vector<Rectangle> boxes;
+        for (const Box box : snapshot.boxes)
+            boxes.push_back({box.x, snapshot.box_width, box.begin, box.end});
+        boxes_->put(boxes, {}, snapshot.box_width);
     }
 
 private:
@@ -172,7 +190,19 @@ private:
         return std::clamp(kMostTurns / round_.geometry.capacity, 1u, run);
     }
 
-    bool has_boxes() const { return boxes_ && boxes_->are_places(); }
+    bool has_boxes() const { return boxes_ && boxes_->are_bins(); }
+
+    // At the first refinement: the boxes of each line are counted, and once there is room for all,
+    // written.
+    void unfold(bool is_counting) {
+        for (std::size_t i = 0; i < slabs_.size(); ++i) {
+            portable::SlabArguments arguments = arguments_of(i);
+            arguments.block_bits = block_bits_of_scan(round_.plan.lines);
+            arguments.is_counting = is_counting ? 1 : 0;
+            launch<kernels::unfold>(round_.queue, memory_of(i), arguments, slabs_[i].lines(),
+                                    round_.geometry.capacity / (is_counting ? 8 : 4));
+        }
+    }
 
     // What is free at the start, with no room between lines, then spread out.
     void make_lines() {
@@ -242,8 +272,10 @@ private:
         const std::uint32_t columns = round_.geometry.columns;
         const std::uint64_t near = 3 * std::uint64_t{round_.draws_per_column()};
         round_.queue.fill(round_.memory.overflow, 0, 1);
-        launch<kernels::collect>(round_.queue, round_.memory, {0, kPasses - 1, round_.geometry, 0},
-                                 columns, near);
+        launch<kernels::collect>(
+            round_.queue, round_.memory,
+            {.first_item = 0, .last_pass = kPasses - 1, .g = round_.geometry, .room = 0}, columns,
+            near);
         const Span own = round_.plan.own_lines();
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
             portable::SlabArguments arguments = arguments_of(i);
@@ -272,6 +304,7 @@ private:
 
     std::uint64_t largest_slab_;
     std::vector<std::uint32_t> first_lines_;
+    std::optional<Grid> grid_;    // in exact
     std::optional<Boxes> boxes_;  // in exact
     std::vector<Slab> slabs_;
     std::vector<Buffer> spans_;  // of each slab; let go of at the first refinement
@@ -282,7 +315,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Places> make_spans(RoundMemory& round, const Tuning& tuning) {
+std::unique_ptr<Bins> make_spans(RoundMemory& round, const Tuning& tuning) {
     return std::make_unique<Spans>(round, tuning);
 }
 

@@ -28,7 +28,7 @@ public:
     bool is_covered(Sample place) const {
         bool covered = false;
         for_each_near(place, [&](Sample sample) {
-            covered |= portable::conflicts(sample.x, sample.y, place.x, place.y, plan_.period_x,
+            covered |= portable::are_closer(sample.x, sample.y, place.x, place.y, plan_.period_x,
                                            plan_.period_y, plan_.radius_squared);
         });
         return covered;

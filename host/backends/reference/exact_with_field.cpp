@@ -112,7 +112,7 @@ public:
         const Rectangle place{candidate.x, 1, candidate.y, candidate.y + 1};
         samples_.for_each_near(place, [&](const Sized& near) {
             const std::uint64_t least = std::min(radius, near.radius);
-            covered |= portable::conflicts(near.sample.x, near.sample.y, candidate.x, candidate.y,
+            covered |= portable::are_closer(near.sample.x, near.sample.y, candidate.x, candidate.y,
                                            plan_.period_x, plan_.period_y, least * least);
         });
         return !covered;

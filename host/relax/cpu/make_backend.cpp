@@ -57,12 +57,12 @@ public:
     void accumulate() override {}
 
     void move() override {
-        move();
+        find_moved();
         sites_.swap(moved_);
     }
 
     void rest() override {
-        move();
+        find_moved();
         const Scene scene = this->scene();
         for_chunks([&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
@@ -186,7 +186,7 @@ private:
     }
 
     // Where sites go, into moved_.
-    void move() {
+    void find_moved() {
         std::atomic<std::uint64_t> least{std::numeric_limits<std::uint64_t>::max()};
         for_chunks([&](std::size_t begin, std::size_t end) {
             std::uint64_t own_least = std::numeric_limits<std::uint64_t>::max();

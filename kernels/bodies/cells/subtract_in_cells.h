@@ -119,7 +119,7 @@ BODY void serve_sample(MEMORY const DrawArguments a, const u32x4 admitted, const
 // listed in `left` for the next launch, which takes `todo` with more slices. Does nothing while
 // admission is unsettled.
 BODY void serve_subtract_in_cells(MEMORY const DrawArguments a, const u32 item) {
-    if (AT(undecided, a.pass) != 0u) return;
+    if (AT(undecided, a.last_pass) != 0u) return;
     const u32 begin = a.first + item / a.slices * a.chunk;
     const u32 end = min(begin + a.chunk, a.count);
     for (u32 k = begin; k < end; ++k) {

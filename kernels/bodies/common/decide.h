@@ -37,8 +37,8 @@ BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate
                 const u32x4 other = AT(candidates, j);
                 if (other.y >= high) break;
                 if (other.y < low || other.w >= candidate.w) continue;
-                if (!conflicts(other.x, other.y, x, candidate.y, a.g.period_x, a.g.period_y,
-                               limit_of(ON a, i, j)))
+                if (!are_closer(other.x, other.y, x, candidate.y, a.g.period_x, a.g.period_y,
+                                limit_of(ON a, i, j)))
                     continue;
                 // A sample covers this candidate for good; an undecided one may yet.
                 const u32 status = ATOMIC_OR(statuses, j, 0u);

@@ -1,8 +1,8 @@
 // The body of insert: puts the round's samples into the sample grid. Does nothing while admission
-// is unsettled (undecided[pass] != 0).
+// is unsettled (undecided[last_pass] != 0).
 
 BODY void serve_insert(MEMORY const DrawArguments a, const u32 item) {
-    if (AT(undecided, a.pass) != 0u) return;
+    if (AT(undecided, a.last_pass) != 0u) return;
     const u32 begin = a.first + item * a.chunk;
     const u32 end = min(begin + a.chunk, a.count);
     for (u32 i = begin; i < end; ++i) {

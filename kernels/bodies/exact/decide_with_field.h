@@ -1,10 +1,10 @@
 // Whether an earlier sample of its round conflicts with a candidate with a radius field: all that
 // could are visitors of its block (bodies/exact/reach.h).
-#include "portable/distance.h"
+#include "portable/conflict.h"
 
 // As in decide.h.
 BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate) {
-    const u32 radius = AT(candidate_radii, i);
+    const Sized one = {candidate.x, candidate.y, AT(candidate_radii, i)};
     bool waits = false;
     u32 looks = 0u;
     u32 number = AT(visitor_heads, candidate.z);
@@ -14,11 +14,8 @@ BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate
         ++looks;
         const u32x4 other = AT(candidates, visitor.x);
         if (other.w >= candidate.w) continue;
-        u64 limit = min(radius, AT(candidate_radii, visitor.x));
-        limit = limit * limit;
-        if (!conflicts(other.x, other.y, candidate.x, candidate.y, a.g.period_x, a.g.period_y,
-                       limit))
-            continue;
+        const Sized before = {other.x, other.y, AT(candidate_radii, visitor.x)};
+        if (!conflicts(before, one, a.g.period_x, a.g.period_y)) continue;
         const u32 status = ATOMIC_OR(statuses, visitor.x, 0u);
         if (status == STATUS_ADMITTED) return STATUS_REJECTED + 4u * looks;
         waits = waits || status == STATUS_UNDECIDED;

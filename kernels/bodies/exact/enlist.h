@@ -2,7 +2,7 @@
 // that block. Does nothing while admission is unsettled. There is room: the host has seen to it.
 
 BODY void serve_enlist(MEMORY const DrawArguments a, const u32 item) {
-    if (AT(undecided, a.pass) != 0u) return;
+    if (AT(undecided, a.last_pass) != 0u) return;
     const u32 end = min((item + 1u) * a.chunk, a.count);
     for (u32 block = item * a.chunk; block < end; ++block) {
         const u32 head = AT(visitor_heads, block);

@@ -1,37 +1,49 @@
-// The body of keep: writes what cut left to the new boxes. Comes after strips.h.
+// The body of keep: writes the pieces that cut has counted to the new boxes. Comes after pieces.h.
 
-// What does not fit into the room is left out: the host sees the total, and asks again.
-BODY void keep_piece(MEMORY const StripArguments a, const u32 x, const u32x2 piece,
-                     const u32 place) {
-    if (place >= a.room) return;
-    AT(new_x, place) = x;
-    AT(new_begin, place) = piece.x;
-    AT(new_end, place) = piece.y;
-    AT(free_lengths, place) = piece.y - piece.x;
+// A piece that does not fit into the room is left out: the host sees the total, and asks again.
+BODY void keep_piece(MEMORY const StripArguments a, const u32 from, const Strip strip,
+                     const u32x2 piece, const u32 to) {
+    if (to >= a.room) return;
+    const u32x4 box = U32X4(strip.at.x, strip.at.y, piece.x, piece.y);
+    AT(new_boxes, to) = box;
+    keep_origin(ON from, strip, box, to);
 }
 
-// A strip's pieces go to counts[strip] + sums[strip / block] and on. Only a strip with several is
-// cut once more. Does nothing while admission is unsettled.
+// Writes the pieces of a strip that has several, which takes cutting it once more, from index `to`
+// upwards. Returns the index after the last.
+BODY u32 keep_several(MEMORY const StripArguments a, const u32 number, const Strip box,
+                      const Strip strip, const u32 to) {
+    const Near near = near_of(ON a, number, box);
+    const Pieces pieces = cut_strip(ON a, near, strip);
+    u32 next = to;
+    u32x2 piece = U32X2(pieces.low, pieces.low);
+    while (piece.y < pieces.high) {
+        piece = next_piece(ON a, near, strip, pieces, piece.y);
+        if (piece.x == piece.y) break;
+        keep_piece(ON a, number, strip, piece, next);
+        ++next;
+    }
+    return next;
+}
+
+// counts[box] + sums[box's block] is the index of the first piece of a box; its other pieces
+// follow. Does nothing while admission is unsettled.
 BODY void serve_keep(MEMORY const StripArguments a, const u32 item) {
     if (AT(undecided, a.last_pass) != 0u) return;
-    const u32 end_strip = min((item + 1u) * a.chunk, a.boxes << a.is_halved);
-    for (u32 index = item * a.chunk; index < end_strip; ++index) {
-        const u32 end = AT(piece_end, index);
-        u32 place = AT(counts, index) + AT(sums, index >> a.block_bits);
-        if (end != 0u && end != NO_SAMPLE) {
-            const u32 x = AT(box_x, index >> a.is_halved) + (index & a.is_halved) * a.width;
-            keep_piece(ON a, x, U32X2(AT(piece_begin, index), end), place);
-        }
-        if (end != NO_SAMPLE) continue;
-        const Strip box = box_at(ON a, index >> a.is_halved);
-        const Near near = near_of(ON a.g, box);
-        const Strip strip = part_of(a, box, index & a.is_halved);
-        const Rest rest = cut_strip(ON a.g, near, strip);
-        u32x2 piece = U32X2(rest.low, rest.low);
-        while (piece.y < rest.high) {
-            piece = next_piece(ON a.g, near, strip, rest, piece.y);
-            if (piece.x < piece.y) keep_piece(ON a, strip.x, piece, place);
-            ++place;
+    const u32 end_box = min((item + 1u) * a.chunk, a.boxes);
+    for (u32 number = item * a.chunk; number < end_box; ++number) {
+        const Strip box = box_at(ON a, number);
+        u32 to = AT(counts, number) + AT(sums, number >> a.block_bits);
+        for (u32 k = 0u; k < strips_of(a, box); ++k) {
+            const u32x2 piece = AT(strip_pieces, (number << a.strip_bits) + k);
+            if (piece.y == 0u) continue;
+            const Strip strip = strip_of(ON a, number, box, k);
+            if (piece.y == NO_SAMPLE) {
+                to = keep_several(ON a, number, box, strip, to);
+            } else {
+                keep_piece(ON a, number, strip, piece, to);
+                ++to;
+            }
         }
     }
     CHECK_TURNS(a.g.height, FAILED_REFINE);

@@ -5,8 +5,8 @@ BODY void serve_locate_in_boxes(MEMORY const DrawArguments a, const u32 item) {
     const u32 end = min(begin + a.chunk, a.count);
     for (u32 i = begin; i < end; ++i) {
         const u32x4 draw = AT(draws, i);
-        const u32 x = AT(box_x, draw.x);
-        AT(located, i) =
-            U32X4(x + draw.z, AT(box_begin, draw.x) + draw.y, x / a.g.strip_width, draw.w);
+        const u32x4 box = AT(boxes, draw.x);
+        const u32 x = box.x + draw.z;
+        AT(located, i) = U32X4(x, box.z + draw.y, x / a.g.strip_width, draw.w);
     }
 }

@@ -7,9 +7,9 @@ BODY void serve_locate_with_field(MEMORY const DrawArguments a, const u32 item) 
     const Grids grids = {grid_of(ON COLUMNS_OF_FIELD), grid_of(ON COLUMNS_OF_MASK)};
     for (u32 i = begin; i < end; ++i) {
         const u32x4 draw = AT(draws, i);
-        const u32x4 place = AT(places, draw.x);
-        const u32 x = place.x + draw.z;
-        const u32 y = place.z + draw.y;
+        const u32x4 box = AT(boxes, draw.x);
+        const u32 x = box.x + draw.z;
+        const u32 y = box.z + draw.y;
         AT(candidates, i) = U32X4(x, y, AT(origins, draw.x).x, draw.w);
         AT(candidate_radii, i) = radius_at(ON grids, x, y);
         AT(statuses, i) = STATUS_UNDECIDED;

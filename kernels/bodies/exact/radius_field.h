@@ -83,7 +83,7 @@ BODY Touched touched_by(const Grids grids, const u32x4 place) {
     return touched;
 }
 
-// What is left of them where the rectangle is cut: at `x` along x, at `y` along y.
+// The pixels that the part of the box on either side of `x` touches.
 BODY Touched touched_left(const Grids grids, const Touched all, const u32 x) {
     Touched touched = all;
     touched.field.y = pixel_of(grids.field.columns, x - 1u);
@@ -94,18 +94,6 @@ BODY Touched touched_right(const Grids grids, const Touched all, const u32 x) {
     Touched touched = all;
     touched.field.x = pixel_of(grids.field.columns, x);
     touched.mask.x = pixel_of(grids.mask.columns, x);
-    return touched;
-}
-BODY Touched touched_below(const Grids grids, const Touched all, const u32 y) {
-    Touched touched = all;
-    touched.field.w = pixel_of(grids.field.rows, y - 1u);
-    touched.mask.w = pixel_of(grids.mask.rows, y - 1u);
-    return touched;
-}
-BODY Touched touched_above(const Grids grids, const Touched all, const u32 y) {
-    Touched touched = all;
-    touched.field.z = pixel_of(grids.field.rows, y);
-    touched.mask.z = pixel_of(grids.mask.rows, y);
     return touched;
 }
 

@@ -3,13 +3,13 @@
 // (plan/first_boxes.h). Down the tree of blocks, as the cpu's neighbour_lists.cpp goes.
 #include "portable/distance.h"
 
-// Whether a candidate is closer to a place than both its own radius and the greatest under it.
-BODY bool is_reached(const u32x4 place, const u32 greatest, const u32x4 candidate, const u32 radius,
+// Whether a candidate is closer to a box than both its own radius and the greatest under it.
+BODY bool is_reached(const u32x4 box, const u32 greatest, const u32x4 candidate, const u32 radius,
                      const u32 period_x, const u32 period_y) {
     u64 reach = min(radius, greatest);
     reach = reach * reach;
-    return squared_length(distance_to_stretch(candidate.x, place.x, place.x + place.y, period_x),
-                          distance_to_stretch(candidate.y, place.z, place.w, period_y)) < reach;
+    return squared_length(distance_to_stretch(candidate.x, box.x, box.x + box.y, period_x),
+                          distance_to_stretch(candidate.y, box.z, box.w, period_y)) < reach;
 }
 
 // Whether all that is closer than the radius lies in [begin, end), or beyond the edge that it
@@ -25,14 +25,13 @@ BODY bool is_within(const u32 at, const u32 radius, const u32x2 part, const u32x
 // for one that lies in no block.
 BODY u32 node_around(MEMORY const DrawArguments a, const u32x4 candidate, const u32 radius) {
     if (candidate.z == NO_SAMPLE) return 0u;
-    const u32x4 all = AT(node_places, 0u);
+    const u32x4 all = AT(tree_boxes, 0u);
     u32 node = AT(node_of, candidate.z);
     while (node != 0u) {
-        const u32x4 place = AT(node_places, node);
-        if (is_within(candidate.x, radius, U32X2(place.x, place.x + place.y),
-                      U32X2(all.x, all.x + all.y), a.g.period_x) &&
-            is_within(candidate.y, radius, U32X2(place.z, place.w), U32X2(all.z, all.w),
-                      a.g.period_y))
+        const u32x4 box = AT(tree_boxes, node);
+        if (is_within(candidate.x, radius, U32X2(box.x, box.x + box.y), U32X2(all.x, all.x + all.y),
+                      a.g.period_x) &&
+            is_within(candidate.y, radius, U32X2(box.z, box.w), U32X2(all.z, all.w), a.g.period_y))
             break;
         node = AT(node_links, node).w;
     }
@@ -52,7 +51,7 @@ BODY void list_reached(MEMORY const DrawArguments a, const u32 i) {
     u32 node = root;
     while (node < end) {
         const u32x4 links = AT(node_links, node);
-        if (!is_reached(AT(node_places, node), links.x, candidate, radius, period_x, period_y)) {
+        if (!is_reached(AT(tree_boxes, node), links.x, candidate, radius, period_x, period_y)) {
             node = links.y;
             continue;
         }

@@ -9,7 +9,7 @@ BODY u32 is_covered_from(MEMORY const Geometry g, const u32 cell, const u32 x, c
                          const u32 period_x, const u32 period_y) {
     const u32 sample_x = AT(grid_x, cell);
     const bool is_near =
-        conflicts(sample_x, AT(grid_y, cell), x, y, period_x, period_y, g.radius_squared);
+        are_closer(sample_x, AT(grid_y, cell), x, y, period_x, period_y, g.radius_squared);
     return (is_near ? 1u : 0u) & (sample_x != NO_SAMPLE ? 1u : 0u);
 }
 
@@ -54,7 +54,7 @@ BODY void serve_screen(MEMORY const DrawArguments a, const u32 item) {
         if (AT(statuses, i) != STATUS_UNDECIDED) continue;
         const u32x4 candidate = AT(candidates, i);
         if (!is_covered(ON a.g, candidate.x, candidate.y)) continue;
-        AT(statuses, i) = a.pass;
-        AT(samples, candidate.w) = U32X2(NO_SAMPLE, a.pass);
+        AT(statuses, i) = a.status;
+        AT(samples, candidate.w) = U32X2(NO_SAMPLE, a.status);
     }
 }

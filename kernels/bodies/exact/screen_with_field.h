@@ -1,17 +1,15 @@
 // The body of screen with a radius field: settles the candidates that no sample may be, and those
 // that samples in the list of their block cover: those of earlier rounds or, for the later parts of
 // a round, those of earlier parts. The others are listed in survivors[], if that is asked for.
-#include "portable/distance.h"
+#include "portable/conflict.h"
 
 BODY bool is_covered(MEMORY const DrawArguments a, const u32x4 candidate, const u32 radius) {
     if (radius == 0u) return true;
+    const Sized one = {candidate.x, candidate.y, radius};
     for (u32 number = AT(lists, candidate.z); number != NO_SAMPLE;) {
         const u32x4 entry = AT(entries, number);
-        u64 limit = min(entry.z, radius);
-        limit = limit * limit;
-        if (conflicts(entry.x, entry.y, candidate.x, candidate.y, a.g.period_x, a.g.period_y,
-                      limit))
-            return true;
+        const Sized other = {entry.x, entry.y, entry.z};
+        if (conflicts(other, one, a.g.period_x, a.g.period_y)) return true;
         number = entry.w;
     }
     return false;
@@ -25,8 +23,8 @@ BODY void serve_screen_with_field(MEMORY const DrawArguments a, const u32 item) 
         if (AT(statuses, i) != STATUS_UNDECIDED) continue;
         const u32x4 candidate = AT(candidates, i);
         if (is_covered(ON a, candidate, AT(candidate_radii, i))) {
-            AT(statuses, i) = a.pass;
-            AT(samples, candidate.w) = U32X2(NO_SAMPLE, a.pass);
+            AT(statuses, i) = a.status;
+            AT(samples, candidate.w) = U32X2(NO_SAMPLE, a.status);
         } else if (a.is_listed != 0u) {
             AT(survivors, ATOMIC_ADD(survivor_count, 0, 1u)) = i;
         }

@@ -1,47 +1,26 @@
-// The strips of a place with a radius field: itself or, where places are halved, its left and its
-// right half. Most places lie on pixels that are all alike. Of each of the others there are four,
-// which split finds: the parts of its left half below and above a border of pixels, and then those
-// of its right half.
-#include "portable/radius_field.h"
+// An active box on a device, and the strips that refine cuts it into before it takes chords out.
+//
+// A box that is not halved is one strip. A halved box is two: its left and its right half. With a
+// radius field, a box on unlike pixels is up to four: each half is cut once more, along y, where a
+// border of pixels runs through it.
 
 struct Strip {
-    u32x4 at;    // empty where a place has no such strip, or no sample may go there
-    u32 radius;  // the least under it, perhaps with IS_EVEN
+    u32x4 at;      // x, width, begin, end; empty (begin == end) where no sample may lie
+    u32 radius;    // the least radius under it
+    bool is_even;  // whether all of it allows samples, and has this radius
 };
 LACUNA_TYPEDEF(Strip)
-
-// In the end of what cut_halves leaves of a half: a part inside is missing.
-#define IS_CUT_INSIDE 0x80000000u
-
-BODY u32 radius_of(const Strip strip) {
-    return strip.radius & ~IS_EVEN;
-}
 
 BODY bool is_empty(const Strip strip) {
     return strip.at.z == strip.at.w;
 }
 
-BODY bool is_even(const u32 radius) {
-    return (radius & IS_EVEN) != 0u;
-}
-
-BODY Strip whole_strip(const u32x4 place, const u32 radius) {
-    const Strip strip = {place, radius};
-    return strip;
-}
-
-// All of a place one unit wide.
-BODY Strip left_half(const u32x4 place, const u32 radius) {
-    Strip strip = {place, radius};
-    strip.at.y = max(place.y / 2u, 1u);
-    return strip;
-}
-
-BODY Strip right_half(const u32x4 place, const u32 radius) {
-    const u32 left = max(place.y / 2u, 1u);
-    Strip strip = {place, radius};
-    strip.at.x = place.x + left;
-    strip.at.y = place.y - left;
-    if (place.y == left) strip.at.w = place.z;
-    return strip;
+// Half k of a box; all of a box that is one unit wide is its left half.
+BODY u32x4 half_of(const u32x4 box, const u32 k) {
+    const u32 left = max(box.y / 2u, 1u);
+    u32x4 part = box;
+    part.x = k == 0u ? box.x : box.x + left;
+    part.y = k == 0u ? left : box.y - left;
+    part.w = part.y == 0u ? box.z : box.w;
+    return part;
 }

@@ -19,9 +19,7 @@ BODY void serve_unfold(MEMORY const SlabArguments a, const u32 item) {
         u32 begin = span.x;
         while (begin < span.y) {
             const u32 end = begin + min(span.y - begin, side - begin % side);
-            AT(box_x, next) = line * a.g.strip_width;
-            AT(box_begin, next) = begin;
-            AT(box_end, next) = end;
+            AT(boxes, next) = U32X4(line * a.g.strip_width, a.g.strip_width, begin, end);
             ++next;
             begin = end;
         }

@@ -63,7 +63,7 @@ LACUNA_FN Answers answer(Numbers q) {
     a.root = isqrt(q.n);
     a.distance = axis_distance(q.ax, q.bx, q.period_x);
     a.is_conflict =
-        conflicts(q.ax, q.ay, q.bx, q.by, q.period_x, q.period_y, q.radius_squared) ? 1u : 0u;
+        are_closer(q.ax, q.ay, q.bx, q.by, q.period_x, q.period_y, q.radius_squared) ? 1u : 0u;
     a.reach = chord_reach(a.distance, q.radius_squared);
     for (u32 window = 0u; window < 3u; ++window) {
         a.begins[window] = window_begin(window, q.ay, a.reach, q.height);

@@ -76,7 +76,7 @@ RC_GTEST_PROP(Reference, KeepsItsDistancesAndCoversEveryLine, ()) {
     if (!request.snap) return;
     for (std::size_t i = 0; i < samples.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            RC_ASSERT(!portable::conflicts(samples[i].x, samples[i].y, samples[j].x, samples[j].y,
+            RC_ASSERT(!portable::are_closer(samples[i].x, samples[i].y, samples[j].x, samples[j].y,
                                            plan.period_x, plan.period_y, plan.radius_squared));
 }
 

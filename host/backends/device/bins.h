@@ -12,12 +12,12 @@
 namespace lacuna::device {
 
 // Every call but the last few queues work on the round's memory.
-class Places {
+class Bins {
 public:
-    explicit Places(RoundMemory& round) : round_(round) {}
-    virtual ~Places() = default;
-    Places(const Places&) = delete;
-    Places& operator=(const Places&) = delete;
+    explicit Bins(RoundMemory& round) : round_(round) {}
+    virtual ~Bins() = default;
+    Bins(const Bins&) = delete;
+    Bins& operator=(const Bins&) = delete;
 
     // The first box of each column; columns + 1.
     virtual std::span<const std::uint32_t> begins() const = 0;
@@ -62,8 +62,8 @@ protected:
 };
 
 // Those of the plan's mode.
-std::unique_ptr<Places> make_spans(RoundMemory& round, const Tuning& tuning);    // lines, exact
-std::unique_ptr<Places> make_lattice(RoundMemory& round, const Tuning& tuning);  // cells
-std::unique_ptr<Places> make_rectangles(RoundMemory& round);  // exact with a radius field
+std::unique_ptr<Bins> make_spans(RoundMemory& round, const Tuning& tuning);    // lines, exact
+std::unique_ptr<Bins> make_lattice(RoundMemory& round, const Tuning& tuning);  // cells
+std::unique_ptr<Bins> make_field_boxes(RoundMemory& round);  // exact with a radius field
 
 }  // namespace lacuna::device

@@ -10,9 +10,9 @@
 
 namespace lacuna::device {
 
-class SampleLists {
+class NeighbourLists {
 public:
-    explicit SampleLists(RoundMemory& round);
+    explicit NeighbourLists(RoundMemory& round);
 
     // As if they were candidates of a round, all of them admitted.
     void enlist_kept();

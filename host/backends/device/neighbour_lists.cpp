@@ -1,5 +1,5 @@
 // Lists of samples, and of the candidates that may become samples, on a device.
-#include "backends/device/sample_lists.h"
+#include "backends/device/neighbour_lists.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -22,7 +22,8 @@ constexpr std::uint64_t kVisitsPerDraw = 8;
 
 }  // namespace
 
-SampleLists::SampleLists(RoundMemory& round) : round_(round), first_(*round.plan.first_boxes) {
+NeighbourLists::NeighbourLists(RoundMemory& round)
+    : round_(round), first_(*round.plan.first_boxes) {
     make_tree();
     Memory& m = round_.memory;
     round_.make_room(m.lists, blocks());
@@ -37,7 +38,7 @@ SampleLists::SampleLists(RoundMemory& round) : round_(round), first_(*round.plan
     round_.queue.wait();
 }
 
-void SampleLists::make_tree() {
+void NeighbourLists::make_tree() {
     Memory& m = round_.memory;
     std::vector<Rectangle> places;
     std::vector<std::uint32_t> links;
@@ -45,8 +46,8 @@ void SampleLists::make_tree() {
         places.push_back(node.place);
         links.insert(links.end(), {node.greatest, node.next, node.first, node.whole});
     }
-    round_.make_room(m.node_places, 4 * places.size());
-    round_.put<Rectangle>(m.node_places, places);
+    round_.make_room(m.tree_boxes, 4 * places.size());
+    round_.put<Rectangle>(m.tree_boxes, places);
     m.node_links = round_.copy_of(links);
     std::vector<std::uint32_t> node_of;
     for (std::uint32_t i = 0; i < blocks(); ++i) node_of.push_back(first_.blocks[i].node);
@@ -54,7 +55,7 @@ void SampleLists::make_tree() {
     round_.queue.wait();
 }
 
-void SampleLists::enlist_kept() {
+void NeighbourLists::enlist_kept() {
     const std::vector<KeptSample>& kept = round_.plan.kept;
     const auto count = static_cast<std::uint32_t>(kept.size());
     if (count == 0) return;
@@ -80,13 +81,13 @@ void SampleLists::enlist_kept() {
     round_.throw_if_failed();
 }
 
-void SampleLists::begin_survivors() {
+void NeighbourLists::begin_survivors() {
     if (!has_survivors()) return;
     round_.make_room(round_.memory.survivors, round_.draw_count);
     round_.queue.fill(round_.memory.survivor_count, 0, 1);
 }
 
-void SampleLists::list_visitors() {
+void NeighbourLists::list_visitors() {
     Memory& m = round_.memory;
     std::array<std::uint32_t, 1> visitors{};
     std::uint64_t room = kVisitsPerDraw * round_.part_count();
@@ -107,7 +108,7 @@ void SampleLists::list_visitors() {
 }
 
 // Keeps what is there. Half as many again, if the device allows so many.
-void SampleLists::make_room_for_entries(std::uint64_t count) {
+void NeighbourLists::make_room_for_entries(std::uint64_t count) {
     Buffer& entries = round_.memory.entries;
     if (4 * count <= entries.words()) return;
     std::vector<std::uint32_t> words(4 * std::size_t{entry_count_.front()});
@@ -119,7 +120,7 @@ void SampleLists::make_room_for_entries(std::uint64_t count) {
     round_.queue.wait();
 }
 
-void SampleLists::enlist() {
+void NeighbourLists::enlist() {
     if (!has_visitors_) return;
     portable::DrawArguments arguments = round_.arguments();
     arguments.count = blocks();
@@ -129,7 +130,7 @@ void SampleLists::enlist() {
                             kEnlistWork * arguments.chunk);
 }
 
-void SampleLists::start_download() {
+void NeighbourLists::start_download() {
     round_.get<std::uint32_t>(round_.memory.entry_count, entry_count_);
 }
 

@@ -1,0 +1,100 @@
+// The neighbour index where there is one radius: the sample grid. A box and a radius around it
+// reach over at most 7 x 6 cells, each of which holds one sample at most. See lists.h for the other
+// index.
+#include "bodies/exact/strip.h"
+#include "portable/bits.h"
+#include "portable/conflict.h"
+#include "portable/stretch.h"
+
+// Bits for the cells of a column, in a word that has one for each cell near a box.
+#define NEAR_SIDE 8u
+
+// The cells near a box, and which of them have a sample that may take something from it.
+struct Near {
+    Stretch columns;
+    Stretch rows;
+    u64 cells;
+};
+LACUNA_TYPEDEF(Near)
+
+// Goes through the samples near a box: the cells that it has not come to yet.
+struct Walk {
+    u64 cells;
+};
+LACUNA_TYPEDEF(Walk)
+
+BODY Strip box_at(MEMORY const StripArguments a, const u32 number) {
+    const Strip box = {AT(boxes, number), a.g.radius, true};
+    return box;
+}
+
+BODY u32 strips_of(const StripArguments a, const Strip box) {
+    return 1u << a.strip_bits;
+}
+
+BODY Strip strip_of(MEMORY const StripArguments a, const u32 number, const Strip box, const u32 k) {
+    Strip strip = box;
+    if (a.strip_bits != 0u) strip.at = half_of(box.at, k);
+    return strip;
+}
+
+BODY u32 cell_of(const Geometry g, const Near near, const u32 number) {
+    return nth_of_stretch(near.columns, number / NEAR_SIDE, g.grid_columns) * g.grid_rows +
+           nth_of_stretch(near.rows, number % NEAR_SIDE, g.grid_rows);
+}
+
+// A bit where the sample of a cell takes something from the box or from one of its strips. A chord
+// is cut at the far edge of a strip, which is no farther than the middle of the box, less 1 unit
+// where strips are one unit wide.
+BODY u64 bit_of_cell(MEMORY const Geometry g, const u32x4 box, const u32 cell, const u32 number) {
+    const u32 x = AT(grid_x, cell);
+    const u32 distance = axis_distance(x, box.x + box.y / 2u, g.period_x);
+    const u32 dx = distance - min(distance, 1u);
+    const u32 dy = distance_to_stretch(AT(grid_y, cell), box.z, box.w, g.period_y);
+    const u64 bit = x != NO_SAMPLE && squared_length(dx, dy) < g.radius_squared ? 1u : 0u;
+    return bit << number;
+}
+
+BODY Near near_of(MEMORY const StripArguments a, const u32 number, const Strip box) {
+    const Geometry g = a.g;
+    Near near;
+    near.columns = cells_near(box.at.x, box.at.x + box.at.y, g.radius, g.width, g.period_x,
+                              g.grid_side, g.grid_columns);
+    near.rows =
+        cells_near(box.at.z, box.at.w, g.radius, g.height, g.period_y, g.grid_side, g.grid_rows);
+    near.cells = 0u;
+    if (max(near.columns.count, near.rows.count) > NEAR_SIDE) ATOMIC_OR(failure, 0, FAILED_CHORDS);
+    // No branch: where samples lie cannot be foretold.
+    for (u32 i = 0u; i < near.columns.count; ++i) {
+        for (u32 j = 0u; j < near.rows.count; ++j) {
+            const u32 bit = i * NEAR_SIDE + j;
+            near.cells = near.cells | bit_of_cell(ON g, box.at, cell_of(g, near, bit), bit);
+        }
+    }
+    return near;
+}
+
+BODY Walk walk_over(const StripArguments a, const Near near) {
+    const Walk walk = {near.cells};
+    return walk;
+}
+
+BODY bool has_sample(const StripArguments a, const Walk walk) {
+    return walk.cells != 0u;
+}
+
+// x, y, radius; the fourth word serves the other index.
+BODY u32x4 sample_at(MEMORY const StripArguments a, const Near near, const Walk walk) {
+    const u32 cell = cell_of(a.g, near, lowest_bit_of_64(walk.cells));
+    return U32X4(AT(grid_x, cell), AT(grid_y, cell), a.g.radius, 0u);
+}
+
+BODY Walk walk_past(const Walk walk, const u32x4 neighbour) {
+    const Walk next = {walk.cells & (walk.cells - 1u)};
+    return next;
+}
+
+// What the host needs of a new box: all boxes have one radius and one width.
+BODY void keep_origin(MEMORY const u32 from, const Strip strip, const u32x4 box, const u32 to) {
+    AT(free_lengths, to) = box.w - box.z;
+}

@@ -1,0 +1,105 @@
+// What the samples near a box leave of a strip of it: its pieces (docs/design.md, section 4). Comes
+// after the neighbour index that finds those samples, grid.h or lists.h.
+
+// All pieces lie in [low, high). `insides` counts chords that may have cut something out between:
+// where it is 0, [low, high) is the only piece. Most chords cover an end of the strip.
+struct Pieces {
+    u32 low;
+    u32 high;
+    u32 insides;
+};
+LACUNA_TYPEDEF(Pieces)
+
+// A chord covers the strip's whole width, so it is cut at the far edge of the strip.
+BODY u32 cut_distance(const Geometry g, const Strip strip, const u32 x) {
+    const u32 middle = strip.at.y / 2u;
+    return axis_distance(x, strip.at.x + middle, g.period_x) + middle;
+}
+
+BODY u32 chord_of(const Geometry g, const Strip strip, const u32x4 neighbour) {
+    const Sized sized = {neighbour.x, neighbour.y, neighbour.z};
+    return chord(sized, cut_distance(g, strip, neighbour.x), strip.radius);
+}
+
+// Chords that stick out of a torus come in again at the other edge: see window_begin in chord.h.
+BODY u32 windows_of(const Geometry g, const Strip strip) {
+    const bool is_at_edge = strip.at.z < strip.radius || g.height - strip.at.w < strip.radius;
+    return g.period_y != 0u && is_at_edge ? 3u : 1u;
+}
+
+BODY Pieces without_chord(const Pieces all, const u32 begin, const u32 end) {
+    Pieces pieces = all;
+    if (begin >= end || end <= pieces.low || begin >= pieces.high) return pieces;
+    if (begin <= pieces.low)
+        pieces.low = min(end, pieces.high);
+    else if (end >= pieces.high)
+        pieces.high = begin;
+    else
+        ++pieces.insides;
+    return pieces;
+}
+
+// Whether one sample covers all of the strip, as most halves are covered: squared distances tell.
+BODY bool is_covered_by_one(MEMORY const StripArguments a, const Near near, const Strip strip) {
+    bool is_covered = false;
+    Walk walk = walk_over(a, near);
+    while (has_sample(a, walk) && !is_covered) {
+        const u32x4 neighbour = sample_at(ON a, near, walk);
+        walk = walk_past(walk, neighbour);
+        const u32 dy =
+            farthest_distance(to_i64(neighbour.y), to_i64(strip.at.z), to_i64(strip.at.w));
+        is_covered = squared_length(cut_distance(a.g, strip, neighbour.x), dy) <
+                     squared_limit(neighbour.z, strip.radius);
+    }
+    return is_covered;
+}
+
+// Roots are taken of the samples alone that take something from the strip.
+BODY Pieces cut_strip(MEMORY const StripArguments a, const Near near, const Strip strip) {
+    Pieces pieces = {strip.at.z, strip.at.w, 0u};
+    if (is_empty(strip)) return pieces;
+    if (is_covered_by_one(ON a, near, strip)) pieces.high = pieces.low;
+    const u32 windows = windows_of(a.g, strip);
+    Walk walk = walk_over(a, near);
+    while (has_sample(a, walk) && pieces.low < pieces.high) {
+        const u32x4 neighbour = sample_at(ON a, near, walk);
+        walk = walk_past(walk, neighbour);
+        const u32 dx = cut_distance(a.g, strip, neighbour.x);
+        const u32 dy = distance_to_stretch(neighbour.y, strip.at.z, strip.at.w, a.g.period_y);
+        if (squared_length(dx, dy) >= squared_limit(neighbour.z, strip.radius)) continue;
+        const u32 reach = chord_of(a.g, strip, neighbour);
+        for (u32 window = 0u; window < windows; ++window)
+            pieces = without_chord(pieces, window_begin(window, neighbour.y, reach, a.g.height),
+                                   window_end(window, neighbour.y, reach, a.g.height));
+    }
+    return pieces;
+}
+
+// The lowest piece that begins at `from` or above: [x, y); empty if there is none.
+BODY u32x2 next_piece(MEMORY const StripArguments a, const Near near, const Strip strip,
+                      const Pieces pieces, const u32 from) {
+    if (pieces.insides == 0u) return U32X2(from, pieces.high);
+    const u32 windows = windows_of(a.g, strip);
+    u32 begin = from;
+    while (begin < pieces.high) {
+        // Chords that cover `begin` move it up; the lowest chord above it ends the piece.
+        u32 end = pieces.high;
+        bool has_moved = false;
+        Walk walk = walk_over(a, near);
+        while (has_sample(a, walk)) {
+            const u32x4 neighbour = sample_at(ON a, near, walk);
+            walk = walk_past(walk, neighbour);
+            const u32 reach = chord_of(a.g, strip, neighbour);
+            for (u32 window = 0u; window < windows; ++window) {
+                const u32 chord_begin = window_begin(window, neighbour.y, reach, a.g.height);
+                const u32 chord_end = window_end(window, neighbour.y, reach, a.g.height);
+                if (chord_begin >= chord_end || chord_end <= begin || chord_begin >= end) continue;
+                has_moved = has_moved || chord_begin <= begin;
+                begin = chord_begin <= begin ? chord_end : begin;
+                end = chord_begin > begin ? chord_begin : end;
+            }
+        }
+        if (!has_moved) return U32X2(begin, end);
+    }
+    return U32X2(pieces.high, pieces.high);
+}

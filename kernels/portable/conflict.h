@@ -1,0 +1,40 @@
+// The conflict rule of mode exact: whether two samples are too close, and what a sample takes from
+// a line through an active box. This is the paper's metric min (4.2.1): of two radii the smaller
+// counts. With one radius for all samples both are the same.
+//
+// What a rule must keep: every point of a chord conflicts with the sample, whatever point of the
+// box it is. `box_radius` is therefore the least radius under the box.
+#ifndef LACUNA_PORTABLE_CONFLICT_H
+#define LACUNA_PORTABLE_CONFLICT_H
+#include "chord.h"
+#include "distance.h"
+
+LACUNA_BEGIN
+
+// A sample or a candidate, with the radius that the radius field has there.
+struct Sized {
+    u32 x;
+    u32 y;
+    u32 radius;
+};
+LACUNA_TYPEDEF(Sized)
+
+// The square of the distance that samples of these radii must keep.
+LACUNA_FN u64 squared_limit(u32 radius_a, u32 radius_b) {
+    u64 limit = radius_a < radius_b ? radius_a : radius_b;
+    return limit * limit;
+}
+
+LACUNA_FN bool conflicts(Sized a, Sized b, u32 period_x, u32 period_y) {
+    return are_closer(a.x, a.y, b.x, b.y, period_x, period_y, squared_limit(a.radius, b.radius));
+}
+
+// How far the chord reaches up and down from the sample's height (see chord_reach), on a line at
+// distance dx from the sample.
+LACUNA_FN u32 chord(Sized neighbour, u32 dx, u32 box_radius) {
+    return chord_reach(dx, squared_limit(neighbour.radius, box_radius));
+}
+
+LACUNA_END
+
+#endif
