@@ -18,3 +18,8 @@ BINDINGS(StripArguments, KEEP_WITH_FIELD_BINDINGS)
 #include "bodies/exact/pieces.h"
 #include "bodies/exact/keep.h"
 ENTRY(keep_with_field, serve_keep, StripArguments, KEEP_WITH_FIELD_BINDINGS)
+
+BINDINGS(StripArguments, MEASURE_BINDINGS)
+#include "bodies/exact/radius_field.h"
+#include "bodies/exact/measure.h"
+ENTRY(measure, serve_measure, StripArguments, MEASURE_BINDINGS)

@@ -168,11 +168,12 @@ LACUNA_END
     B(14, SHARED, u32, left_count) B(15, SHARED, u32, failure)
 
 // Mode exact with a radius field. A box is x, width, begin, end; for each box origins[] has its block
-// and the least radius under it, with IS_EVEN where there is no other (portable/radius_field.h). An
+// and the least radius under it, with IS_EVEN where there is no other (portable/radius_field.h), or 0 until measure has looked it
+// up. An
 // entry of a list is x, y and radius of a sample, and the number of the next entry; lists[] has the
 // first entry for each block. node_links are the greatest radius, and the next node, first block and
 // whole of plan/first_boxes.h. A visitor of a block is a candidate that reaches it, and the number of
-// the next visitor. borders[] are split's.
+// the next visitor. borders[] and strip_radii[] are split's.
 #define LOCATE_WITH_FIELD_BINDINGS(B) B(0, READ, u32, axes)                                   \
     B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits) B(3, READ, u32x4, boxes)       \
     B(4, READ, u32x2, origins) B(5, READ, u32x4, draws) B(6, WRITE, u32x4, candidates)        \
@@ -199,15 +200,19 @@ LACUNA_END
 #define SPLIT_BINDINGS(B)                                                                    \
     B(0, READ, u32, undecided) B(1, READ, u32, axes) B(2, READ, u32x2, radius_bounds)        \
     B(3, READ, u32, mask_bits) B(4, READ, u32x4, boxes) B(5, READ, u32x2, origins)           \
-    B(6, WRITE, u32x4, borders) B(7, SHARED, u32, failure)
+    B(6, WRITE, u32x4, borders) B(7, WRITE, u32x4, strip_radii) B(8, SHARED, u32, failure)
 #define CUT_WITH_FIELD_BINDINGS(B)                                                           \
     B(0, READ, u32, undecided) B(1, READ, u32x4, boxes) B(2, READ, u32x2, origins)           \
-    B(3, READ, u32, lists) B(4, READ, u32x4, entries) B(5, READ, u32, axes)                  \
-    B(6, READ, u32x2, radius_bounds) B(7, READ, u32, mask_bits) B(8, READ, u32x4, borders)   \
-    B(9, SHARED, u32, failure) B(10, BOTH, u32, counts) B(11, BOTH, u32x2, strip_pieces)     \
-    B(12, WRITE, u32x2, new_origins)
+    B(3, READ, u32, lists) B(4, READ, u32x4, entries) B(5, READ, u32x4, borders)             \
+    B(6, READ, u32x4, strip_radii) B(7, SHARED, u32, failure) B(8, BOTH, u32, counts)        \
+    B(9, BOTH, u32x2, strip_pieces) B(10, WRITE, u32x2, new_origins)
 #define KEEP_WITH_FIELD_BINDINGS(B)                                                          \
-    CUT_WITH_FIELD_BINDINGS(B) B(13, READ, u32, sums) B(14, WRITE, u32x4, new_boxes)
+    CUT_WITH_FIELD_BINDINGS(B) B(11, READ, u32, sums) B(12, WRITE, u32x4, new_boxes)
+#define MEASURE_BINDINGS(B)                                                                  \
+    B(0, READ, u32, undecided) B(1, READ, u32, axes) B(2, READ, u32x2, radius_bounds)        \
+    B(3, READ, u32, mask_bits) B(4, READ, u32x4, new_boxes) B(5, BOTH, u32x2, new_origins)   \
+    B(6, READ, u32, total) B(7, SHARED, u32, failure)
+
 // All buffers, of which a kernel has those that its bindings name.
 #define LACUNA_BUFFERS(B)                                                                         \
     B(u32x4, draws) B(u32x4, located) B(u32, column_begins) B(u32, buckets) B(u32x4, candidates)  \
@@ -219,7 +224,7 @@ LACUNA_END
     B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii) B(u32, pixel_reaches)                   \
     B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, left_count) B(u32, axes)             \
     B(u32x2, radius_bounds) B(u32, mask_bits) B(u32x2, origins) B(u32x2, new_origins)             \
-    B(u32x4, borders) B(u32x4, tree_boxes) B(u32x4, node_links) B(u32, node_of)    \
+    B(u32x4, borders) B(u32x4, strip_radii) B(u32x4, tree_boxes) B(u32x4, node_links) B(u32, node_of)    \
     B(u32, visitor_count) B(u32, visitor_heads) B(u32x2, visitors) B(u32, lists)                  \
     B(u32x4, entries) B(u32, entry_count) B(u32, survivors) B(u32, survivor_count)                \
     LACUNA_RELAX_BUFFERS(B)
@@ -254,6 +259,7 @@ LACUNA_END
     K(split, StripArguments, SPLIT_BINDINGS)                          \
     K(cut_with_field, StripArguments, CUT_WITH_FIELD_BINDINGS)        \
     K(keep_with_field, StripArguments, KEEP_WITH_FIELD_BINDINGS)      \
+    K(measure, StripArguments, MEASURE_BINDINGS)                      \
     LACUNA_RELAX_KERNELS(K)
 // clang-format on
 

@@ -17,7 +17,8 @@ constexpr std::uint32_t kSpareRoom = 1024;
 // The work of a box, see Queue::launch.
 constexpr std::uint64_t kCutWork = 16;
 constexpr std::uint64_t kKeepWork = 4;
-constexpr std::uint64_t kSplitWork = 4;
+constexpr std::uint64_t kSplitWork = 8;
+constexpr std::uint64_t kMeasureWork = 2;
 
 static_assert(sizeof(Rectangle) == 4 * kWord);
 
@@ -96,9 +97,8 @@ std::uint32_t Boxes::expected_pieces(bool halve) const {
 }
 
 template <typename Kernel>
-void Boxes::launch_over_boxes(std::uint64_t work_of_box) {
+void Boxes::launch_over_boxes(std::uint32_t count, std::uint32_t chunk, std::uint64_t work_of_box) {
     const Span own = round_.plan.own_x();
-    const std::uint32_t chunk = round_.queue.chunk_of(count_);
     const portable::StripArguments arguments{.first_item = 0,
                                              .chunk = chunk,
                                              .g = round_.geometry,
@@ -110,7 +110,7 @@ void Boxes::launch_over_boxes(std::uint64_t work_of_box) {
                                              .first_recent = refinement_->first_recent,
                                              .own_begin = own.begin,
                                              .own_width = own.end - own.begin};
-    launch<Kernel>(round_.queue, round_.memory, arguments, items_of(count_, chunk),
+    launch<Kernel>(round_.queue, round_.memory, arguments, items_of(count, chunk),
                    work_of_box * chunk);
 }
 
@@ -125,10 +125,14 @@ void Boxes::refine(bool halve, std::uint32_t first_recent) {
     make_room_for_pieces();
     if (has_field()) {
         round_.make_room(m.borders, halve ? 4 * boxes : 0);
-        if (halve) launch_over_boxes<kernels::split>(kSplitWork);
-        launch_over_boxes<kernels::cut_with_field>(kCutWork << strip_bits());
+        round_.make_room(m.strip_radii, halve ? 4 * boxes : 0);
+        if (halve)
+            launch_over_boxes<kernels::split>(count_, round_.queue.run_of(count_), kSplitWork);
+        launch_over_boxes<kernels::cut_with_field>(count_, round_.queue.chunk_of(count_),
+                                                   kCutWork << strip_bits());
     } else {
-        launch_over_boxes<kernels::cut>(kCutWork << strip_bits());
+        launch_over_boxes<kernels::cut>(count_, round_.queue.chunk_of(count_),
+                                        kCutWork << strip_bits());
     }
     scan(round_, count_);
     keep();
@@ -146,8 +150,13 @@ void Boxes::make_room_for_pieces() {
 }
 
 void Boxes::keep() {
-    if (has_field()) return launch_over_boxes<kernels::keep_with_field>(kKeepWork);
-    launch_over_boxes<kernels::keep>(kKeepWork);
+    if (has_field()) {
+        launch_over_boxes<kernels::keep_with_field>(count_, round_.queue.run_of(count_), kKeepWork);
+        const std::uint32_t room = refinement_->room;
+        launch_over_boxes<kernels::measure>(room, round_.queue.run_of(room), kMeasureWork);
+        return;
+    }
+    launch_over_boxes<kernels::keep>(count_, round_.queue.run_of(count_), kKeepWork);
     launch<kernels::find_bin_begins>(round_.queue, round_.memory,
                                      {.first_item = 0,
                                       .last_pass = kPasses - 1,

@@ -63,8 +63,9 @@ private:
     bool has_field() const { return round_.plan.radius_field != nullptr; }
     std::uint32_t strip_bits() const;
     std::uint32_t expected_pieces(bool halve) const;
+    // Serves the first `count` boxes, or new boxes, `chunk` of them an item.
     template <typename Kernel>
-    void launch_over_boxes(std::uint64_t work_of_box);
+    void launch_over_boxes(std::uint32_t count, std::uint32_t chunk, std::uint64_t work_of_box);
     void make_room_for_pieces();
     void keep();
     void find_sizes();

@@ -19,8 +19,8 @@ namespace lacuna::device {
 namespace {
 
 // The work of a draw, see Queue::launch.
-constexpr std::uint64_t kLocateWork = 2;
-constexpr std::uint64_t kScreenWork = 2;
+constexpr std::uint64_t kFieldLocateWork = 2;
+constexpr std::uint64_t kListScreenWork = 2;
 
 class FieldBoxes : public Bins {
 public:
@@ -46,7 +46,7 @@ public:
     }
 
     void locate(std::span<const Draw>) override {
-        round_.launch_over_draws<kernels::locate_with_field>(round_.arguments(), kLocateWork);
+        round_.launch_over_draws<kernels::locate_with_field>(round_.arguments(), kFieldLocateWork);
     }
     void sort() override {}
 
@@ -58,13 +58,13 @@ public:
         arguments.count = round_.draw_count;
         arguments.is_listed = lists_.has_survivors() ? 1 : 0;
         lists_.begin_survivors();
-        round_.launch_over_draws<kernels::screen_with_field>(arguments, kScreenWork);
+        round_.launch_over_draws<kernels::screen_with_field>(arguments, kListScreenWork);
     }
     void screen_again(std::uint32_t end) override {
         portable::DrawArguments arguments = round_.arguments();
         arguments.status = STATUS_REJECTED;
         arguments.count = end;
-        round_.launch_over_draws<kernels::screen_with_field>(arguments, kScreenWork);
+        round_.launch_over_draws<kernels::screen_with_field>(arguments, kListScreenWork);
     }
 
     void admit(std::uint32_t pass) override {

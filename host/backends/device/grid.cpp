@@ -8,7 +8,7 @@
 namespace lacuna::device {
 namespace {
 
-constexpr std::uint64_t kScreenWork = 3;  // of a draw, see Queue::launch
+constexpr std::uint64_t kGridScreenWork = 3;  // of a draw, see Queue::launch
 
 }  // namespace
 
@@ -25,14 +25,14 @@ void Grid::screen() {
     arguments.status = STATUS_COVERED;
     arguments.first = 0;
     arguments.count = round_.draw_count;
-    round_.launch_over_draws<kernels::screen>(arguments, kScreenWork);
+    round_.launch_over_draws<kernels::screen>(arguments, kGridScreenWork);
 }
 
 void Grid::screen_again(std::uint32_t end) {
     portable::DrawArguments arguments = round_.arguments();
     arguments.status = STATUS_REJECTED;
     arguments.count = end;
-    round_.launch_over_draws<kernels::screen>(arguments, kScreenWork);
+    round_.launch_over_draws<kernels::screen>(arguments, kGridScreenWork);
 }
 
 void Grid::insert() {

@@ -160,9 +160,9 @@ Needs needs_of_cells(const Plan& plan, std::uint64_t round) {
 
 // With a radius field. Of a draw: itself, located and candidate; bucket, status, radius and count;
 // its sample; and the blocks that it reaches. Of a box: it and its origin, before and after a
-// round; the pieces of its four strips, the borders between them, and its count.
+// round; the pieces of its four strips, the borders between them and their radii, and its count.
 constexpr std::uint64_t kFieldBytesPerDraw = 48 + 16 + 8 + 10 * 8;
-constexpr std::uint64_t kFieldBytesPerBox = 2 * (16 + 8) + 4 * 8 + 16 + 4;
+constexpr std::uint64_t kFieldBytesPerBox = 2 * (16 + 8) + 4 * 8 + 2 * 16 + 4;
 constexpr std::uint64_t kBytesPerEntry = 16;
 constexpr double kFieldBoxesPerSample = 2.5;
 constexpr std::uint64_t kEntriesPerSample = 3;

@@ -12,7 +12,7 @@ BODY void serve_cut(MEMORY const StripArguments a, const u32 item) {
         const bool is_halo = box.at.x - a.own_begin >= a.own_width;
         const Near near = near_of(ON a, number, box);
         u32 total = 0u;
-        for (u32 k = 0u; k < strips_of(a, box); ++k) {
+        for (u32 k = 0u; k < 1u << a.strip_bits; ++k) {
             const Strip strip = strip_of(ON a, number, box, k);
             Pieces pieces = {strip.at.z, k == 0u ? strip.at.w : strip.at.z, 0u};
             if (!is_halo) pieces = cut_strip(ON a, near, strip);

@@ -28,10 +28,6 @@ BODY Strip box_at(MEMORY const StripArguments a, const u32 number) {
     return box;
 }
 
-BODY u32 strips_of(const StripArguments a, const Strip box) {
-    return 1u << a.strip_bits;
-}
-
 BODY Strip strip_of(MEMORY const StripArguments a, const u32 number, const Strip box, const u32 k) {
     Strip strip = box;
     if (a.strip_bits != 0u) strip.at = half_of(box.at, k);
@@ -79,7 +75,7 @@ BODY Walk walk_over(const StripArguments a, const Near near) {
     return walk;
 }
 
-BODY bool has_sample(const StripArguments a, const Walk walk) {
+BODY bool has_sample(const StripArguments a, const Near near, const Walk walk) {
     return walk.cells != 0u;
 }
 
@@ -89,7 +85,7 @@ BODY u32x4 sample_at(MEMORY const StripArguments a, const Near near, const Walk 
     return U32X4(AT(grid_x, cell), AT(grid_y, cell), a.g.radius, 0u);
 }
 
-BODY Walk walk_past(const Walk walk, const u32x4 neighbour) {
+BODY Walk walk_past(const Near near, const Walk walk, const u32x4 neighbour) {
     const Walk next = {walk.cells & (walk.cells - 1u)};
     return next;
 }

@@ -30,20 +30,25 @@ BODY u32 keep_several(MEMORY const StripArguments a, const u32 number, const Str
 // follow. Does nothing while admission is unsettled.
 BODY void serve_keep(MEMORY const StripArguments a, const u32 item) {
     if (AT(undecided, a.last_pass) != 0u) return;
-    const u32 end_box = min((item + 1u) * a.chunk, a.boxes);
-    for (u32 number = item * a.chunk; number < end_box; ++number) {
+    const u32 end = min((item + 1u) * a.chunk, a.boxes) << a.strip_bits;
+    u32 number = NO_SAMPLE;
+    u32 to = 0u;
+    for (u32 index = item * a.chunk << a.strip_bits; index < end; ++index) {
+        // Items in lockstep look for work together.
+        while (index < end && AT(strip_pieces, index).y == 0u) ++index;
+        if (index == end) break;
+        if (index >> a.strip_bits != number) {
+            number = index >> a.strip_bits;
+            to = AT(counts, number) + AT(sums, number >> a.block_bits);
+        }
         const Strip box = box_at(ON a, number);
-        u32 to = AT(counts, number) + AT(sums, number >> a.block_bits);
-        for (u32 k = 0u; k < strips_of(a, box); ++k) {
-            const u32x2 piece = AT(strip_pieces, (number << a.strip_bits) + k);
-            if (piece.y == 0u) continue;
-            const Strip strip = strip_of(ON a, number, box, k);
-            if (piece.y == NO_SAMPLE) {
-                to = keep_several(ON a, number, box, strip, to);
-            } else {
-                keep_piece(ON a, number, strip, piece, to);
-                ++to;
-            }
+        const Strip strip = strip_of(ON a, number, box, index & (1u << a.strip_bits) - 1u);
+        const u32x2 piece = AT(strip_pieces, index);
+        if (piece.y == NO_SAMPLE) {
+            to = keep_several(ON a, number, box, strip, to);
+        } else {
+            keep_piece(ON a, number, strip, piece, to);
+            ++to;
         }
     }
     CHECK_TURNS(a.g.height, FAILED_REFINE);

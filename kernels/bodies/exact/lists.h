@@ -1,76 +1,116 @@
 // The neighbour index where radii differ: for each block of first boxes (plan/first_boxes.h) the
 // list of the samples that reach it, from the latest to the first. See grid.h for the other index.
-#include "bodies/exact/radius_field.h"
 #include "bodies/exact/strip.h"
 #include "portable/conflict.h"
+#include "portable/radius_field.h"
 
-// The number of the first entry of the list of a box's block.
+// The samples that may take something from a box: the numbers of their entries, while there are no
+// more than MOST_NEAR. Of more, all entries of the list are gone through, from `first` on.
+#define MOST_NEAR 8u
 struct Near {
     u32 first;
+    u32 count;
+    u32x4 low;   // the numbers of the last four found, the last of all in x
+    u32x4 high;  // the four before
 };
 LACUNA_TYPEDEF(Near)
 
-// Goes through the samples near a box: the number of the next entry.
+// Goes through the samples near a box: how many are left, and the number of the next entry.
 struct Walk {
+    u32 left;
     u32 number;
 };
 LACUNA_TYPEDEF(Walk)
 
-BODY Strip strip_with(const u32x4 at, const u32 radius) {
-    Strip strip = {at, radius & ~IS_EVEN, (radius & IS_EVEN) != 0u};
-    if (radius == 0u) strip.at.w = strip.at.z;
-    return strip;
+BODY bool is_even(const u32 radius) {
+    return (radius & IS_EVEN) != 0u;
 }
 
 // A box where no sample may lie, which only looking up its radius has shown, stays until it is
 // halved.
 BODY Strip box_at(MEMORY const StripArguments a, const u32 number) {
     const u32 radius = AT(origins, number).y;
-    const Strip box = {AT(boxes, number), radius & ~IS_EVEN, (radius & IS_EVEN) != 0u};
+    const Strip box = {AT(boxes, number), radius & ~IS_EVEN, is_even(radius)};
     return box;
 }
 
-BODY u32 strips_of(const StripArguments a, const Strip box) {
-    if (a.strip_bits == 0u) return 1u;
-    return box.is_even ? 2u : 4u;
+BODY u32 component(const u32x4 words, const u32 k) {
+    return k < 2u ? (k == 0u ? words.x : words.y) : (k == 2u ? words.z : words.w);
 }
 
-// Half k of a box on like pixels. Of the others, strip k of the left half, below and above a border
-// of pixels, and then of the right half: split has found the borders.
+// Half k of a box on like pixels, which has no strips 2 and 3. Of the others, strip k of the left
+// half, below and above a border of pixels, and then of the right half: split has found the
+// borders, and the radii.
 BODY Strip strip_of(MEMORY const StripArguments a, const u32 number, const Strip box, const u32 k) {
     if (a.strip_bits == 0u) return box;
     Strip strip = box;
     if (box.is_even) {
         strip.at = half_of(box.at, k);
+        if (k > 1u) strip.at.w = strip.at.z;
         return strip;
     }
-    const u32x4 cuts = AT(borders, number);
-    const u32 x = cuts.x == 0u ? box.at.x + box.at.y : cuts.x;
-    const u32 up = k < 2u ? cuts.y : cuts.z;
-    const u32 y = up == 0u ? box.at.w : up;
-    strip.at.x = k < 2u ? box.at.x : x;
-    strip.at.y = (k < 2u ? x : box.at.x + box.at.y) - strip.at.x;
+    const u32x4 borders = AT(borders, number);
+    const u32 radius = component(AT(strip_radii, number), k);
+    const u32 y = k < 2u ? borders.y : borders.z;
+    strip.at.x = k < 2u ? box.at.x : borders.x;
+    strip.at.y = (k < 2u ? borders.x : box.at.x + box.at.y) - strip.at.x;
     strip.at.z = k % 2u == 0u ? box.at.z : y;
-    strip.at.w = k % 2u == 0u ? y : box.at.w;
-    if (strip.at.y == 0u) strip.at.w = strip.at.z;
-    if (is_empty(strip)) return strip;
-    const Grids grids = {grid_of(ON COLUMNS_OF_FIELD), grid_of(ON COLUMNS_OF_MASK)};
-    return strip_with(strip.at, radius_under(under(ON grids, touched_by(grids, strip.at))));
+    strip.at.w = radius == 0u ? strip.at.z : (k % 2u == 0u ? y : box.at.w);
+    strip.radius = radius & ~IS_EVEN;
+    strip.is_even = is_even(radius);
+    return strip;
 }
 
+// Entries before first_recent have been taken out of the box already.
+BODY bool is_in_list(const StripArguments a, const u32 number) {
+    return number != NO_SAMPLE && number >= a.first_recent;
+}
+
+// The greatest of the radii of a box's strips: no sample takes more than that from one of them.
+BODY u32 greatest_radius(MEMORY const StripArguments a, const u32 number, const Strip box) {
+    if (a.strip_bits == 0u || box.is_even) return box.radius;
+    const u32x4 radii = AT(strip_radii, number);
+    return max(max(radii.x & ~IS_EVEN, radii.y & ~IS_EVEN),
+               max(radii.z & ~IS_EVEN, radii.w & ~IS_EVEN));
+}
+
+// How far away along x a sample is from every strip of the box, at least. A chord is cut at the far
+// edge of a strip, which is no nearer than the middle of a box that is halved there, less 1 unit
+// where halves are one unit wide; the strips of a box on unlike pixels may lie anywhere in it.
+BODY u32 least_distance(const StripArguments a, const Strip box, const u32 x) {
+    const u32 to_middle = axis_distance(x, box.at.x + box.at.y / 2u, a.g.period_x);
+    const u32 to_box = distance_to_stretch(x, box.at.x, box.at.x + box.at.y, a.g.period_x);
+    return box.is_even ? to_middle - min(to_middle, 1u) : to_box;
+}
+
+// Goes through the list once.
 BODY Near near_of(MEMORY const StripArguments a, const u32 number, const Strip box) {
-    const Near near = {AT(lists, AT(origins, number).x)};
+    const u32 greatest = greatest_radius(ON a, number, box);
+    Near near = {AT(lists, AT(origins, number).x), 0u, U32X4(0u, 0u, 0u, 0u),
+                 U32X4(0u, 0u, 0u, 0u)};
+    u32 next = near.first;
+    while (is_in_list(a, next)) {
+        const u32x4 entry = AT(entries, next);
+        const u32 dx = least_distance(a, box, entry.x);
+        const u32 dy = distance_to_stretch(entry.y, box.at.z, box.at.w, a.g.period_y);
+        if (squared_length(dx, dy) < squared_limit(entry.z, greatest)) {
+            near.high = U32X4(near.low.w, near.high.x, near.high.y, near.high.z);
+            near.low = U32X4(next, near.low.x, near.low.y, near.low.z);
+            ++near.count;
+        }
+        next = entry.w;
+    }
     return near;
 }
 
 BODY Walk walk_over(const StripArguments a, const Near near) {
-    const Walk walk = {near.first};
+    Walk walk = {near.count, near.low.x};
+    if (near.count > MOST_NEAR) walk.number = near.first;
     return walk;
 }
 
-// Entries before first_recent have been taken out of the box already.
-BODY bool has_sample(const StripArguments a, const Walk walk) {
-    return walk.number != NO_SAMPLE && walk.number >= a.first_recent;
+BODY bool has_sample(const StripArguments a, const Near near, const Walk walk) {
+    return near.count > MOST_NEAR ? is_in_list(a, walk.number) : walk.left != 0u;
 }
 
 // x, y, radius, and the number of the next entry.
@@ -78,19 +118,19 @@ BODY u32x4 sample_at(MEMORY const StripArguments a, const Near near, const Walk 
     return AT(entries, walk.number);
 }
 
-BODY Walk walk_past(const Walk walk, const u32x4 neighbour) {
-    const Walk next = {neighbour.w};
+BODY Walk walk_past(const Near near, const Walk walk, const u32x4 neighbour) {
+    Walk next = {walk.left - 1u, neighbour.w};
+    if (near.count > MOST_NEAR) return next;
+    const u32 index = near.count - next.left;
+    next.number = index < 4u ? component(near.low, index) : component(near.high, index - 4u);
     return next;
 }
 
 // What a new box needs besides where it lies: its block, and the least radius under it. That is the
-// strip's where the box is all of the strip, or the strip lies on like pixels; elsewhere it is
-// looked up. Looking it up for a strip on like pixels could find unlike ones beside it.
+// strip's where the box is all of the strip, or the strip lies on like pixels; elsewhere measure is
+// to look it up.
 BODY void keep_origin(MEMORY const u32 from, const Strip strip, const u32x4 box, const u32 to) {
-    u32 radius = strip.is_even ? strip.radius | IS_EVEN : strip.radius;
-    if (!strip.is_even && (box.z != strip.at.z || box.w != strip.at.w)) {
-        const Grids grids = {grid_of(ON COLUMNS_OF_FIELD), grid_of(ON COLUMNS_OF_MASK)};
-        radius = radius_under(under(ON grids, touched_by(grids, box)));
-    }
+    const bool is_whole = box.z == strip.at.z && box.w == strip.at.w;
+    const u32 radius = strip.is_even ? strip.radius | IS_EVEN : is_whole ? strip.radius : 0u;
     AT(new_origins, to) = U32X2(AT(origins, from).x, radius);
 }

@@ -43,9 +43,9 @@ BODY Pieces without_chord(const Pieces all, const u32 begin, const u32 end) {
 BODY bool is_covered_by_one(MEMORY const StripArguments a, const Near near, const Strip strip) {
     bool is_covered = false;
     Walk walk = walk_over(a, near);
-    while (has_sample(a, walk) && !is_covered) {
+    while (has_sample(a, near, walk) && !is_covered) {
         const u32x4 neighbour = sample_at(ON a, near, walk);
-        walk = walk_past(walk, neighbour);
+        walk = walk_past(near, walk, neighbour);
         const u32 dy =
             farthest_distance(to_i64(neighbour.y), to_i64(strip.at.z), to_i64(strip.at.w));
         is_covered = squared_length(cut_distance(a.g, strip, neighbour.x), dy) <
@@ -54,23 +54,38 @@ BODY bool is_covered_by_one(MEMORY const StripArguments a, const Near near, cons
     return is_covered;
 }
 
-// Roots are taken of the samples alone that take something from the strip.
+// Goes on to the next sample that takes something from the strip, from this one on. Squared
+// distances tell, so that items in lockstep take roots together, and of those samples alone.
+BODY Walk next_touching(MEMORY const StripArguments a, const Near near, const Strip strip,
+                        const Walk from) {
+    Walk walk = from;
+    bool is_touching = false;
+    while (has_sample(a, near, walk) && !is_touching) {
+        const u32x4 neighbour = sample_at(ON a, near, walk);
+        const u32 dx = cut_distance(a.g, strip, neighbour.x);
+        const u32 dy = distance_to_stretch(neighbour.y, strip.at.z, strip.at.w, a.g.period_y);
+        is_touching = squared_length(dx, dy) < squared_limit(neighbour.z, strip.radius);
+        if (!is_touching) walk = walk_past(near, walk, neighbour);
+    }
+    return walk;
+}
+
 BODY Pieces cut_strip(MEMORY const StripArguments a, const Near near, const Strip strip) {
     Pieces pieces = {strip.at.z, strip.at.w, 0u};
     if (is_empty(strip)) return pieces;
-    if (is_covered_by_one(ON a, near, strip)) pieces.high = pieces.low;
+    if (is_covered_by_one(ON a, near, strip)) {
+        pieces.high = pieces.low;
+        return pieces;
+    }
     const u32 windows = windows_of(a.g, strip);
-    Walk walk = walk_over(a, near);
-    while (has_sample(a, walk) && pieces.low < pieces.high) {
+    Walk walk = next_touching(ON a, near, strip, walk_over(a, near));
+    while (has_sample(a, near, walk) && pieces.low < pieces.high) {
         const u32x4 neighbour = sample_at(ON a, near, walk);
-        walk = walk_past(walk, neighbour);
-        const u32 dx = cut_distance(a.g, strip, neighbour.x);
-        const u32 dy = distance_to_stretch(neighbour.y, strip.at.z, strip.at.w, a.g.period_y);
-        if (squared_length(dx, dy) >= squared_limit(neighbour.z, strip.radius)) continue;
         const u32 reach = chord_of(a.g, strip, neighbour);
         for (u32 window = 0u; window < windows; ++window)
             pieces = without_chord(pieces, window_begin(window, neighbour.y, reach, a.g.height),
                                    window_end(window, neighbour.y, reach, a.g.height));
+        walk = next_touching(ON a, near, strip, walk_past(near, walk, neighbour));
     }
     return pieces;
 }
@@ -86,9 +101,9 @@ BODY u32x2 next_piece(MEMORY const StripArguments a, const Near near, const Stri
         u32 end = pieces.high;
         bool has_moved = false;
         Walk walk = walk_over(a, near);
-        while (has_sample(a, walk)) {
+        while (has_sample(a, near, walk)) {
             const u32x4 neighbour = sample_at(ON a, near, walk);
-            walk = walk_past(walk, neighbour);
+            walk = walk_past(near, walk, neighbour);
             const u32 reach = chord_of(a.g, strip, neighbour);
             for (u32 window = 0u; window < windows; ++window) {
                 const u32 chord_begin = window_begin(window, neighbour.y, reach, a.g.height);

@@ -83,20 +83,6 @@ BODY Touched touched_by(const Grids grids, const u32x4 place) {
     return touched;
 }
 
-// The pixels that the part of the box on either side of `x` touches.
-BODY Touched touched_left(const Grids grids, const Touched all, const u32 x) {
-    Touched touched = all;
-    touched.field.y = pixel_of(grids.field.columns, x - 1u);
-    touched.mask.y = pixel_of(grids.mask.columns, x - 1u);
-    return touched;
-}
-BODY Touched touched_right(const Grids grids, const Touched all, const u32 x) {
-    Touched touched = all;
-    touched.field.x = pixel_of(grids.field.columns, x);
-    touched.mask.x = pixel_of(grids.mask.columns, x);
-    return touched;
-}
-
 // The lowest level of a pyramid of which a rectangle of pixels touches at most 4 x 4 values.
 BODY Level level_over(const Grid grid, const u32x4 pixels) {
     Level level = {0u, 0u, grid.rows.pixels};
