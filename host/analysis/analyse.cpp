@@ -1,4 +1,4 @@
-// Set by set, then the means.
+// Analyses one set after the other, then takes the means.
 #include "analysis/analyse.h"
 
 #include <fmt/core.h>
@@ -26,7 +26,7 @@ Counts counts_of(std::span<const std::vector<Point>> sets) {
     return counts;
 }
 
-// Adds `values` to `sums`, of which only as many are kept as all have had.
+// Adds `values` to `sums`. `sums` is cut to the shortest length, so every entry is over all sets.
 void accumulate(std::vector<double>& sums, const std::vector<double>& values, bool is_first) {
     if (is_first) {
         sums = values;
@@ -36,7 +36,7 @@ void accumulate(std::vector<double>& sums, const std::vector<double>& values, bo
     std::transform(sums.begin(), sums.end(), values.begin(), sums.begin(), std::plus<>());
 }
 
-// What is summed over the sets.
+// Sums over the sets.
 class Distributions {
 public:
     Distributions(const Domain& domain, std::size_t sets)
@@ -49,7 +49,7 @@ public:
         is_first_ = false;
     }
 
-    // The mean over the sets, by kPairBin.
+    // The mean over the sets, in bins of kPairBin.
     std::vector<double> pair_correlation_mean() const {
         std::vector<double> mean = g_;
         for (double& value : mean) value *= share_;
@@ -86,7 +86,7 @@ private:
             is_first_ ? relative : std::min(distances_.relative_radius, relative);
     }
 
-    // From the radius, 0 where it is not known.
+    // Adds the mean of g from the radius `from` on; 0 means that the radius is unknown.
     void add_contact(const Neighbours& neighbours, double from) {
         const double to = kContactEnd * from;
         has_contact_ = has_contact_ && from > 0 && to < std::min(domain_.width, domain_.height) / 2;
@@ -103,7 +103,7 @@ private:
     std::vector<double> g_;
 };
 
-// The mean of what is known of each set; none where it is not known of all.
+// The mean over all sets; empty if it is unknown for one of them.
 class BondOrders {
 public:
     void add(const std::optional<BondOrder>& order) {
@@ -144,8 +144,8 @@ void add_distances(Analysis& analysis, std::span<const std::vector<Point>> sets,
                    std::span<const std::optional<double>> radii, const KeepGoing& keep_going) {
     BondOrders bond_orders;
     Distributions distributions(analysis.domain, sets.size());
-    double done = 0;   // sets
-    double polls = 0;  // of the set that is looked at
+    double done = 0;   // number of sets that are finished
+    double polls = 0;  // polls during the current set
     double expected_polls = 1;
     const auto poll = [&] {
         const double part = std::min(1.0, polls++ / expected_polls);
@@ -154,7 +154,7 @@ void add_distances(Analysis& analysis, std::span<const std::vector<Point>> sets,
     for (std::size_t i = 0; i < sets.size(); ++i) {
         done = static_cast<double>(i);
         polls = 0;
-        // Twice through the points for their neighbours, and once for pairs.
+        // The points are visited twice to find their neighbours, and once to count pairs.
         constexpr double kPointsAPoll = 1700;
         expected_polls = 1 + static_cast<double>(sets[i].size()) / kPointsAPoll;
         const Neighbours neighbours(sets[i], analysis.domain, poll);
@@ -171,8 +171,8 @@ void add_distances(Analysis& analysis, std::span<const std::vector<Point>> sets,
 Analysis analysed(std::span<const std::vector<Point>> sets, const Domain& domain,
                   std::span<const std::optional<double>> radii, const KeepGoing& keep_going,
                   double max_frequency) {
-    // Of the time: what the spectrum takes grows with the number of frequencies, and four fifths of
-    // it are theirs at the usual one.
+    // The times of both parts, for the progress. Four fifths of the spectrum's time are due to the
+    // number of frequencies at the usual maximal frequency; the rest does not depend on it.
     const double spectrum = 1 + std::pow(max_frequency, 2);
     constexpr double kDistances = 9;
     const double share_of_spectrum = spectrum / (spectrum + kDistances);

@@ -1,7 +1,8 @@
-// The points are sorted into cells, column by column of cells; a torus has its first columns once
-// more beyond its last, and rows of both of its edges beyond the other. Each pair is counted from
-// the point that comes first in that order, so that half the cells around a point are enough, and
-// of each of their columns those within reach are one run of points.
+// The points are sorted into cells: by column, then by row within a column. On a torus, copies of
+// the first columns follow the last one, and copies of the rows at either edge lie beyond the other
+// edge. Each pair is counted from the point that comes first in this order, so half of the cells
+// around a point suffice. In each column the points of the cells within reach are one run in
+// memory.
 #include "analysis/close_pairs.h"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -15,17 +16,17 @@
 namespace lacuna::analysis {
 namespace {
 
-// One side of the domain, cut into cells.
+// One axis of the domain, cut into cells.
 struct Side {
     double length;
     std::size_t cells;
-    std::size_t reach;  // in cells: what is farther away is so in this side alone
+    std::size_t reach;  // in cells; a larger difference along this axis alone exceeds the distance
 
     Side(double side, double distance, double most_cells) : length(side) {
-        constexpr double kCellsWithin = 4;  // the reach; with more, runs are short
+        constexpr double kCellsWithin = 4;  // with smaller cells runs are too short
         cells = static_cast<std::size_t>(
             std::clamp(std::floor(kCellsWithin * side / distance), 1.0, most_cells));
-        // A little more, for cells are told with rounding.
+        // The factor is a little over 1, because coordinates are rounded when cells are computed.
         reach =
             1 + static_cast<std::size_t>(1.000001 * distance / side * static_cast<double>(cells));
     }
@@ -65,7 +66,7 @@ public:
         std::size_t begin;
         std::size_t end;
     };
-    // The points, without images beyond the edges, in runs of not too many.
+    // The points, without the copies beyond the edges, in runs of at most kMost points.
     std::vector<Run> runs() const {
         constexpr std::size_t kMost = 256;
         std::vector<Run> runs;
@@ -78,8 +79,8 @@ public:
         return runs;
     }
 
-    // Calls visit(run) for runs of all points that come after the one at `place` and may be within
-    // the distance.
+    // Calls visit(run) for runs that contain all points that come after the one at `place` and can
+    // be within the distance.
     template <class Visit>
     void for_each_run(std::size_t place, const Visit& visit) const {
         const std::size_t column = x_.cell_of(xs_[place]);
@@ -95,7 +96,7 @@ public:
     const double* ys() const { return ys_.data(); }
 
 private:
-    // About as many cells as points in all, and no more than so many along a thin domain.
+    // Limit for the cells along a side: about one cell for each point, also in a thin domain.
     static double most_cells(std::size_t points, double side, double other) {
         const auto count = static_cast<double>(points);
         return std::clamp(std::sqrt(count) * std::sqrt(side / other), 1.0, count);
@@ -116,7 +117,7 @@ private:
         if (domain.torus && column < x_.reach) add(column + x_.cells, point.x + domain.width);
     }
 
-    // Columns farther away reach less far along theirs.
+    // The farther a column is, the fewer of its rows are within the distance.
     void find_reaches(double distance) {
         for (std::size_t i = 0; i < x_.reach; ++i) {
             const double gap = static_cast<double>(i) * x_.cell_length();
@@ -128,19 +129,19 @@ private:
 
     Side x_;
     Side y_;
-    std::size_t stride_;               // cells of a column, those beyond the edges included
-    std::vector<std::size_t> begins_;  // of the cells' points
+    std::size_t stride_;               // cells of a column, copies beyond the edges included
+    std::vector<std::size_t> begins_;  // index of the first point of each cell
     std::vector<double> xs_;
     std::vector<double> ys_;
-    std::vector<std::size_t> rows_within_;  // above and below, of the columns from the next on
+    std::vector<std::size_t> rows_within_;  // above and below: for each next column
 };
 
-// Counts by bins, with one more for what is farther away.
+// Counts pairs by bins; the last bin is for pairs that are farther apart.
 class Counter {
 public:
     Counter(double width, std::size_t bins) : width_(width), counts_(bins + 1, 0) {}
 
-    // The pairs of a point with `count` others.
+    // Counts the pairs of a point with `count` others.
     void add(double x, double y, const double* xs, const double* ys, std::size_t count) {
         for (std::size_t i = 0; i < count; i += kBlock) {
             const auto size = static_cast<Eigen::Index>(std::min<std::size_t>(kBlock, count - i));

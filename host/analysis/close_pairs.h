@@ -1,4 +1,4 @@
-// Counts of the pairs of a set by their distance.
+// Counts the pairs of a set by their distance.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -13,10 +13,10 @@
 
 namespace lacuna::analysis {
 
-// How many pairs are [i, i + 1) * width apart, for each i below `bins`, on a torus by every way
-// that is so short. The points must lie in the domain, its upper edges included, and bins * width
-// must not be over half the domain's shorter side. On all cores; polls on the calling thread.
-// Memory: 64 bytes a point and less.
+// Entry i, for i below `bins`, is the number of pairs whose distance is in [i, i + 1) * width. On a
+// torus a pair counts once for each way round that is this short. The points must lie in the
+// domain, its upper edges included, and bins * width must not exceed half the domain's shorter
+// side. Uses all cores and polls on the calling thread. Memory: at most 64 bytes a point.
 std::vector<std::uint64_t> count_close_pairs(std::span<const Point> points, const Domain& domain,
                                              double width, std::size_t bins, const Poll& poll);
 

@@ -1,4 +1,4 @@
-// What every analysis is told of a point set beside its points, and how it is watched.
+// Types that all analyses use: the domain, and the callback for progress.
 #pragma once
 
 #include <functional>
@@ -7,11 +7,11 @@
 
 namespace lacuna::analysis {
 
-// Distances wrap where it is a torus. Frequencies are those of the rectangle in both cases.
+// On a torus distances wrap. The frequencies are the rectangle's, on a torus and on a box.
 using Domain = verify::Domain;
 
-// Told on the calling thread how much of the work is done, from 0 to 1. When it says false the
-// work ends with lacuna::Cancelled.
+// Called on the calling thread with the finished fraction of the work, from 0 to 1. If it returns
+// false, the work ends with lacuna::Cancelled.
 using KeepGoing = std::function<bool(double share)>;
 
 }  // namespace lacuna::analysis

@@ -1,15 +1,15 @@
 // Sums at all frequencies at once: a non-uniform fast Fourier transform of type 1.
 //
-// Every point is spread onto the nodes of a grid near it, a discrete Fourier transform of the grid
-// is made, and what the spreading did to each frequency is divided out (Dutt & Rokhlin 1993). The
-// grid has at least twice as many nodes along an axis as there are frequencies, and the kernel is
+// Every point is spread onto the nearby nodes of a grid, the grid's discrete Fourier transform is
+// computed, and each frequency is divided by the factor that the spreading caused (Dutt & Rokhlin
+// 1993). Along each axis the grid has at least twice as many nodes as frequencies. The kernel is
 // the "exponential of semicircle" of Barnett, Magland & af Klinteberg, A Parallel Nonuniform Fast
-// Fourier Transform Library (SIAM Journal on Scientific Computing 41, 2019), kReach nodes wide:
-// what aliases then is of the order of 1e-13 of the largest sum. The transform is that of Eigen,
-// made from kissfft.
+// Fourier Transform Library (SIAM Journal on Scientific Computing 41, 2019); it is kReach nodes
+// wide, so the aliasing error is about 1e-13 of the largest sum. The transform is Eigen's, which is
+// based on kissfft.
 //
-// The grid is never whole in memory. A band of its rows is filled and transformed along x, and of
-// that only the frequencies that are asked for stay; then columns are transformed along y.
+// The grid is never in memory as a whole. A band of its rows is filled and transformed along x, and
+// only the wanted frequencies of it are kept; at last columns are transformed along y.
 #include "analysis/fast_sums.h"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -34,14 +34,14 @@ namespace {
 using Complex = std::complex<double>;
 using Transform = Eigen::FFT<double>;
 
-constexpr int kReach = 14;  // nodes along an axis that a point is spread onto
+constexpr int kReach = 14;  // number of nodes along an axis onto which a point is spread
 constexpr double kSteepness = 2.3 * kReach;
-constexpr std::size_t kBandRows = 32;     // of the grid, a task; more than kReach
-constexpr std::size_t kChunkNodes = 256;  // along x: points near each other are spread together
-constexpr std::size_t kColumns = 4;       // a task: a cache line of a row
+constexpr std::size_t kBandRows = 32;     // rows of the grid in a task; must exceed kReach
+constexpr std::size_t kChunkNodes = 256;  // along x: near points are spread together
+constexpr std::size_t kColumns = 4;       // in a task: a cache line of a row
 
-// exp(s (sqrt(1 - x^2) - 1)) at the nodes from `first` on, x being the distance from `at` over half
-// the reach.
+// The kernel exp(s (sqrt(1 - x^2) - 1)) at the nodes from `first` on, where x is the distance from
+// `at` divided by half the reach.
 using Weights = Eigen::Array<double, kReach, 1>;
 Weights weights_around(double at, double first) {
     static const Weights steps = Weights::LinSpaced(0, kReach - 1);
@@ -53,9 +53,9 @@ double first_node(double at) {
     return std::ceil(at - kReach / 2.0);
 }
 
-// 1 over the square of the kernel's Fourier transform at the frequencies 0 to `most` of a grid of
-// so many nodes. With x = cos(angle) the integrand falls to exp(-s) at both ends, so that equal
-// steps of the angle integrate it to rounding.
+// 1 / (the kernel's Fourier transform)^2 at the frequencies 0 to `most` of a grid with `nodes`
+// nodes. With x = cos(angle) the integrand falls to exp(-s) at both ends, so that equal steps of
+// the angle make the integral exact up to rounding.
 std::vector<double> corrections(int most, std::size_t nodes) {
     constexpr int kSteps = 256;
     std::vector<double> at;
@@ -76,8 +76,8 @@ std::vector<double> corrections(int most, std::size_t nodes) {
     return corrections;
 }
 
-// At least twice the frequencies from -most to most; whole bands; and a product of 2, 3 and 5, for
-// which the transform is fast.
+// Number of nodes: at least twice the number of frequencies from -most to most, a multiple of the
+// band, and a product of 2, 3 and 5, for which the transform is fast.
 std::size_t nodes_for(int most) {
     const std::size_t least = (4 * static_cast<std::size_t>(most) + 2 + kBandRows - 1) / kBandRows;
     for (std::size_t bands = least;; ++bands) {
@@ -88,7 +88,7 @@ std::size_t nodes_for(int most) {
     }
 }
 
-// The points, in nodes of the grid, sorted by the band and the chunk that they begin in.
+// The points in units of nodes, sorted by band and chunk of the first node they are spread onto.
 class Sorted {
 public:
     struct Place {
@@ -122,7 +122,7 @@ public:
         return std::span(places_).subspan(begin, begins_[(band + 1) * chunks_] - begin);
     }
 
-    // Of the first node that a point is spread onto: nodes wrap, for frequencies do.
+    // The first node onto which a point is spread. Nodes wrap, because frequencies are periodic.
     std::size_t column_of(double x) const { return wrapped(first_node(x), columns_); }
     std::size_t row_of(double y) const { return wrapped(first_node(y), rows_); }
 
@@ -141,8 +141,8 @@ private:
     std::vector<Place> places_;
 };
 
-// A band of the grid's rows. Two rows, real each, are one of complex numbers: one transform serves
-// both.
+// A band of the grid's rows. Two real rows are stored as one row of complex numbers, so that one
+// transform serves both.
 class Band {
 public:
     explicit Band(std::size_t columns)
@@ -151,7 +151,7 @@ public:
         transformed_.resize(columns);
     }
 
-    // Fills it with what points of this band, and those of the one before, are spread onto.
+    // Adds the points of this band, and the parts of the previous band's points that reach into it.
     void fill(const Sorted& sorted, std::size_t band, std::size_t bands) {
         std::fill(pairs_.begin(), pairs_.end(), Complex{});
         for (const Sorted::Place& at : sorted.of_band(band)) {
@@ -164,7 +164,7 @@ public:
         }
     }
 
-    // `into` gets the frequencies 0 to most - 1 along x of each row, row by row.
+    // Writes the frequencies 0 to most - 1 along x of each row to `into`, row by row.
     void transform(std::size_t most, Complex* into) {
         for (std::size_t pair = 0; pair < kBandRows / 2; ++pair) {
             Complex* row = &pairs_[pair * stride_];
@@ -183,12 +183,12 @@ public:
     }
 
 private:
-    // The point's nodes [begin, end) along y, onto the rows from `row` on.
+    // Spreads a point's nodes [begin, end) along y onto the rows from `row` on.
     void spread(const Sorted& sorted, const Sorted::Place& at, std::size_t row, std::size_t begin,
                 std::size_t end) {
         const Weights along_x = weights_around(at.x, first_node(at.x));
         const Weights along_y = weights_around(at.y, first_node(at.y));
-        std::array<double, kReach + 2> rows{};  // whole pairs, from row & ~1 on
+        std::array<double, kReach + 2> rows{};  // whole pairs of rows, beginning with row & ~1
         for (std::size_t i = begin; i < end; ++i)
             rows[row % 2 + i - begin] = along_y[static_cast<Eigen::Index>(i)];
         const std::size_t pairs = (row % 2 + end - begin + 1) / 2;
@@ -199,13 +199,13 @@ private:
     }
 
     std::size_t columns_;
-    std::size_t stride_;  // what reaches beyond the last column is folded back
+    std::size_t stride_;  // the nodes after the last column are added to the first ones later
     std::vector<Complex> pairs_;
     std::vector<Complex> transformed_;
     Transform transform_;
 };
 
-// Calls work(task) for all tasks in parallel, and `keep_going` between a few of them, with a share
+// Calls work(task) for all tasks in parallel. Calls `keep_going` after each batch, with progress
 // from `from` to `to`.
 template <class Work>
 void in_parallel(std::size_t tasks, const KeepGoing& keep_going, double from, double to,
@@ -219,7 +219,7 @@ void in_parallel(std::size_t tasks, const KeepGoing& keep_going, double from, do
     }
 }
 
-// Of the time.
+// The fraction of the time that the rows take, for the progress.
 constexpr double kShareOfRows = 0.7;
 
 // A few columns of the half-transformed grid.
@@ -229,14 +229,14 @@ public:
         transform_.SetFlag(Transform::Unscaled);
     }
 
-    // From `first` on, of a grid of `width` columns.
+    // Copies `count` columns from `first` on, from a grid of `width` columns.
     void gather(const Complex* grid, std::size_t width, std::size_t first, std::size_t count) {
         for (std::size_t row = 0; row < rows_; ++row)
             for (std::size_t i = 0; i < count; ++i)
                 columns_[i * rows_ + row] = grid[row * width + first + i];
     }
 
-    // Its frequencies, those below 0 at the end.
+    // The frequencies of column i; negative ones at the end.
     std::span<const Complex> transform(std::size_t i) {
         transform_.fwd(column_.data(), &columns_[i * rows_], static_cast<Eigen::Index>(rows_));
         return column_;

@@ -1,4 +1,4 @@
-// Searches in a k-d tree; on a torus also from the images of the point that is asked for.
+// Searches a k-d tree. On a torus it also searches from the images of the point.
 #include "analysis/neighbours.h"
 
 #include <algorithm>
@@ -32,15 +32,15 @@ public:
     }
 
 private:
-    // The interface that nanoflann asks of points.
+    // The interface that nanoflann requires of points.
     struct Cloud {
         std::span<const Point> points;
-        const Poll* poll;  // while the tree is built, on the calling thread: that takes long too
+        const Poll* poll;  // polled on the calling thread while the tree is built, which takes long
         mutable std::size_t looks = 0;
 
         std::size_t kdtree_get_point_count() const { return points.size(); }
         double kdtree_get_pt(std::size_t index, std::size_t axis) const {
-            constexpr std::size_t kLooksPerPoll = 1 << 20;  // some milliseconds
+            constexpr std::size_t kLooksPerPoll = 1 << 20;  // takes some milliseconds
             if (poll != nullptr && ++looks % kLooksPerPoll == 0) (*poll)();
             return axis == 0 ? points[index].x : points[index].y;
         }
@@ -84,8 +84,8 @@ std::vector<Point> Neighbours::images(Point point, double reach) const {
 
 std::vector<Neighbours::Neighbour> Neighbours::nearest(std::size_t index, std::size_t count) const {
     const std::size_t most = std::min(count, points_.size() - 1);
-    // The point itself and second images of its neighbours are found too: they may take the places
-    // of others, where few points or a thin torus bring them near.
+    // The point itself and second images of its neighbours are found too, and may displace others
+    // if points are few or the torus is thin. So the number is doubled until enough are found.
     for (std::size_t places = count + 1;; places *= 2) {
         std::vector<Neighbour> neighbours = among_nearest(index, places);
         if (neighbours.size() < most) continue;

@@ -1,4 +1,4 @@
-// Finds the points near a point, on a torus across its seams too.
+// Finds the points near a point; on a torus also across its edges.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -18,7 +18,7 @@ namespace lacuna::analysis {
 
 class Neighbours {
 public:
-    // The points must lie in the domain, its upper edges included, and outlive this.
+    // The points must lie in the domain, its upper edges included, and must outlive this object.
     Neighbours(std::span<const Point> points, const Domain& domain, Poll poll = nobody_asks);
     ~Neighbours();
     Neighbours(const Neighbours&) = delete;
@@ -29,24 +29,24 @@ public:
 
     struct Neighbour {
         std::size_t index;
-        double dx;  // to it, by the shortest way
+        double dx;  // to the neighbour, by the shortest way
         double dy;
         double distance;
     };
-    // The nearest `count` other points, nearest first; fewer where there are not so many.
+    // The nearest `count` other points, nearest first; all other points if there are fewer.
     std::vector<Neighbour> nearest(std::size_t index, std::size_t count) const;
 
-    // How many pairs are [i, i + 1) * width apart, for each i below `bins`. Their reach, bins *
-    // width, must not be over half the shorter side of a torus.
+    // Entry i, for i below `bins`, is the number of pairs whose distance is in [i, i + 1) * width.
+    // On a torus bins * width must not exceed half the shorter side.
     std::vector<std::uint64_t> count_pairs(double width, std::size_t bins) const;
 
-    // How many pairs are closer than `distance`, which has the same bound.
+    // The number of pairs closer than `distance`, which has the same limit.
     std::uint64_t pairs_closer_than(double distance) const { return count_pairs(distance, 1)[0]; }
 
-    // Calls work(index) for all points, in parallel; the calling thread polls now and then.
+    // Calls work(index) for all points, in parallel. The calling thread polls now and then.
     template <typename Work>
     void for_each_point(Work work) const {
-        constexpr std::size_t kPointsPerPoll = 4096;  // of some 5 microseconds each
+        constexpr std::size_t kPointsPerPoll = 4096;  // a point takes some 5 microseconds
         for (std::size_t begin = 0; begin < points_.size(); begin += kPointsPerPoll) {
             poll_();
             tbb::parallel_for(begin, std::min(begin + kPointsPerPoll, points_.size()), work);
@@ -59,7 +59,7 @@ private:
     // The distinct other points among the nearest `places` of all points and their images.
     std::vector<Neighbour> among_nearest(std::size_t index, std::size_t places) const;
 
-    // Where the point and those of its images are that can have neighbours within `reach`.
+    // The positions of the point and its images that can have neighbours within `reach`.
     std::vector<Point> images(Point point, double reach) const;
 
     std::span<const Point> points_;

@@ -1,4 +1,4 @@
-// Numbers out of the radial power, the pair correlation and the nearest neighbours.
+// Computes single numbers from radial power, pair correlation and nearest neighbours.
 #include "analysis/order.h"
 
 #include <math.h>  // j0, which POSIX has and C++ has not
@@ -14,7 +14,7 @@
 namespace lacuna::analysis {
 namespace {
 
-// Mean power of all frequencies below the outer edge of each annulus.
+// For each annulus, the mean power of all frequencies below its outer edge.
 std::vector<double> disk_means(const Radial& radial) {
     std::vector<double> means;
     double sum = 0;
@@ -27,7 +27,7 @@ std::vector<double> disk_means(const Radial& radial) {
     return means;
 }
 
-// Goes from 1 at 0 to 0 at 1.
+// Blackman's window: falls from 1 at 0 to 0 at 1.
 double blackman(double x) {
     const double angle = std::numbers::pi * x;
     return 0.42 + 0.5 * std::cos(angle) + 0.08 * std::cos(2 * angle);
@@ -35,7 +35,7 @@ double blackman(double x) {
 
 using Psi = std::complex<double>;
 
-// None where the six nearest may lie beyond the edge of a box.
+// Empty if one of the six nearest neighbours could lie beyond the edge of a box.
 std::optional<Psi> psi_6(const Neighbours& neighbours, std::size_t index) {
     constexpr std::size_t kBonds = 6;
     const auto nearest = neighbours.nearest(index, kBonds);

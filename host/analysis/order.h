@@ -1,5 +1,5 @@
-// What one number each says of a set: how much of the spectrum is free of noise, how far it
-// oscillates beyond, and how near the set is to a hexagonal lattice.
+// Measures of one number: how much of the spectrum is free of noise, how strongly it oscillates
+// above that, and how near the set is to a hexagonal lattice.
 #pragma once
 
 #include <cstddef>
@@ -11,37 +11,37 @@
 
 namespace lacuna::analysis {
 
-// Heck, Schloemer & Deussen, Blue Noise Sampling with Controlled Aliasing (ACM Transactions on
-// Graphics 32, 2013), as their program psa computes it. With M(f) the mean power of all frequencies
-// below f, the disk's largest f with M(f) < 0.1 that comes before M first exceeds 0.5 at or beyond
-// sqrt(count) / 2 is where aliasing of a wave of half that frequency grows noisy: f / 2 is the
-// effective Nyquist frequency. Given over sqrt(count) / 2, the Nyquist frequency of a square
-// lattice: 1 for that lattice, 0 for white noise. None when M never exceeds 0.5.
+// The effective Nyquist frequency of Heck, Schloemer & Deussen, Blue Noise Sampling with Controlled
+// Aliasing (ACM Transactions on Graphics 32, 2013), computed as their program psa does. M(f) is the
+// mean power of all frequencies below f. Let f be the largest frequency with M(f) < 0.1 before M
+// first exceeds 0.5 at or beyond sqrt(count) / 2. A wave of frequency f / 2 is where aliasing
+// begins to look noisy. The result is f / 2 over sqrt(count) / 2, a square lattice's Nyquist
+// frequency: 1 for that lattice, 0 for white noise. Empty if M never exceeds 0.5.
 std::optional<double> effective_nyquist(const Radial& radial);
 
-// Oscillations, by the same authors: 10 times the root of the mean of (P - 1)^2 over the ring of
-// frequencies from where P first comes near 1 (0.98) to ten times sqrt(count) / 2 beyond. 0 for
-// white noise. The ring reaches three times as far as the periodogram, so P comes, as in their
-// program, from the pair correlation g over distances x in mean spacings:
+// Oscillations, by the same authors: 10 times the root mean square of P - 1 over a ring of
+// frequencies. The ring begins where P first reaches 0.98 and is ten times sqrt(count) / 2 wide.
+// White noise has 0. The ring reaches three times as far as the periodogram. So P is computed, as
+// in their program, from the pair correlation g over distances x in mean spacings:
 //   P(f) = 1 + 2 pi integral of (g(x) - 1) J0(2 pi f x) w(x) x dx,
-// w being Blackman's window, which ends where g does. `g` is as of pair_correlation, better the
-// mean over several sets: noise in it adds to the oscillations. None for fewer than kLeastReach of
-// g, or when P stays under 0.98.
+// where w is Blackman's window, which ends where g does. `g` comes from pair_correlation(); a mean
+// over several sets is better, because its noise adds to the oscillations. Empty if g is shorter
+// than kLeastReach, or if P stays under 0.98.
 std::optional<double> oscillations(const std::vector<double>& g);
 constexpr double kLeastReach = 2;  // mean spacings
 
-// P at f, which is a frequency over sqrt(count), from g as above.
+// P at f, a frequency over sqrt(count), computed from g by the formula above.
 double power_from_pairs(const std::vector<double>& g, double f);
 
 // Bond-orientational order (Nelson & Halperin 1979; Steinhardt et al. 1983): psi_6 of a point is
 // the mean of exp(6 i angle) over the directions to its six nearest neighbours.
 struct BondOrder {
     double global;       // |mean of psi_6|: 1 for a hexagonal lattice, 0 without a common direction
-    double local;        // mean of |psi_6|: 1 for a hexagonal lattice; 0.37 for white noise
-    std::size_t points;  // that were looked at: on a box, those farther from its edge than from
-                         // their sixth neighbour
+    double local;        // mean of |psi_6|: 1 for a hexagonal lattice, 0.37 for white noise
+    std::size_t points;  // number of points used: on a box, points that are farther
+                         // from its edge than from their sixth neighbour
 };
-// None for fewer than seven points, or when none could be looked at.
+// Empty for fewer than seven points, or if no point could be used.
 std::optional<BondOrder> bond_order(const Neighbours& neighbours);
 
 }  // namespace lacuna::analysis

@@ -1,4 +1,4 @@
-// Counts of pairs over what independent points would have.
+// Divides counts of pairs by the counts that independent points would have.
 #include "analysis/pairs.h"
 
 #include <algorithm>
@@ -9,12 +9,13 @@
 namespace lacuna::analysis {
 namespace {
 
-// The share of pairs of independent points of the domain that are closer than `distance`, which is
-// at most half the shorter side. On a box: the area that the rectangle shares with itself shifted
-// by t is, on the mean over all directions,
+// The fraction of pairs of independent points that are closer than `distance`, which is at most
+// half the shorter side. On a box: the overlap of the domain with itself shifted by t is, on
+// average over all directions,
 //   width * height - (2 / pi) (width + height) t + t^2 / pi
-// (its isotropized set covariance, Stoyan & Stoyan 1994); times 2 pi t, integrated, over the
-// squared area. In lengths over the sides, whose products do not overflow.
+// (its isotropized set covariance, Stoyan & Stoyan 1994). This is multiplied by 2 pi t, integrated,
+// and divided by the squared area. Lengths are divided by the sides first, so that nothing
+// overflows.
 double share_closer_than(double distance, const Domain& domain) {
     const double u = distance / domain.width;
     const double v = distance / domain.height;
@@ -75,7 +76,7 @@ std::vector<double> coarser(const std::vector<double>& g, std::size_t bins) {
         double sum = 0;
         double weights = 0;
         for (std::size_t j = i * bins; j < (i + 1) * bins; ++j) {
-            const double weight = 2 * static_cast<double>(j) + 1;  // the area of a ring
+            const double weight = 2 * static_cast<double>(j) + 1;  // as the ring's area
             sum += weight * g[j];
             weights += weight;
         }

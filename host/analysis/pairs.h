@@ -1,4 +1,4 @@
-// Distances between points: to the nearest, and between all near pairs.
+// Distances between points: to the nearest point, and between all near pairs.
 #pragma once
 
 #include <cstddef>
@@ -9,33 +9,33 @@
 
 namespace lacuna::analysis {
 
-// Curves over distance are in units of the mean spacing, sqrt(area / count): sets of any count and
-// domain compare. A square lattice has its nearest neighbours at 1, a hexagonal one at 1.0746.
+// The unit of distance of all curves, sqrt(area / count), in which sets of any count and domain can
+// be compared. Nearest neighbours are 1 apart in a square lattice and 1.0746 in a hexagonal one.
 double mean_spacing(const Domain& domain, std::size_t count);
 
-// Of each point, in the domain's unit: the distance to the nearest other point. At least two
-// points. On a box, points near its edge have fewer others around them: nothing is done about that.
+// The distance from each point to the nearest other point, in the domain's unit. Needs at least two
+// points. On a box, points near an edge have fewer neighbours; this is not corrected.
 std::vector<double> nearest_distances(const Neighbours& neighbours);
 
-// The least distance over the largest that so many points can have, that of the hexagonal lattice,
-// sqrt(2 / (sqrt(3) * count / area)) (Lagae & Dutre 2008, section 4): 0 to 1 on a large torus,
-// about 0.77 for maximal Poisson-disk sets.
+// The least distance divided by the largest possible one for this number of points, which the
+// hexagonal lattice has: sqrt(2 / (sqrt(3) * count / area)) (Lagae & Dutre 2008, section 4). It is
+// 0 to 1 on a large torus, and about 0.77 for maximal Poisson-disk sets.
 double relative_radius(double least_distance, const Domain& domain, std::size_t count);
 
-// The pair correlation g: the density of pairs at a distance over that of as many independent
-// points. The entry i is the mean of g over [i, i + 1) * kPairBin mean spacings. Without bias on
-// the torus and, as the area that a shifted domain shares with itself is accounted for, on the box.
+// The pair correlation g: the density of pairs at a distance, divided by the density for as many
+// independent points. Entry i is the mean of g over [i, i + 1) * kPairBin mean spacings. It is
+// unbiased on the torus, and on the box, too, where the effect of the edges is divided out.
 constexpr double kPairBin = 0.005;
-constexpr double kPairReach = 10;  // or half the domain's shorter side, if that is less
+constexpr double kPairReach = 10;  // or half the domain's shorter side, if less
 
-// At least two points.
+// Needs at least two points.
 std::vector<double> pair_correlation(const Neighbours& neighbours);
 
-// The mean of g over the distances [from, to), in the domain's unit, `to` within half the shorter
-// side. At least two points.
+// The mean of g over the distances [from, to) in the domain's unit; `to` is at most half the
+// shorter side. Needs at least two points.
 double pair_correlation_between(const Neighbours& neighbours, double from, double to);
 
-// The entries of g, each over `bins` of before, the last few left out if they do not fill one.
+// g in wider bins: each is the mean of `bins` entries. Entries that fill no bin are dropped.
 std::vector<double> coarser(const std::vector<double>& g, std::size_t bins);
 
 }  // namespace lacuna::analysis

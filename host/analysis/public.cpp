@@ -1,4 +1,4 @@
-// The public door to the analysis.
+// The public functions for analysis.
 #include <lacuna/analysis.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ void check(std::span<const std::vector<Point>> sets, const analysis::Domain& dom
     for (std::size_t i = 0; i < sets.size(); ++i) {
         if (sets[i].empty())
             throw BadRequest("sets", std::to_string(i), "must have at least one point");
-        // As for analyse(), upper edges are inside on a torus too.
+        // As in analyse(), points may lie on the upper edges, on a torus too.
         const auto is_inside = [&](Point p) {
             return p.x >= 0 && p.x <= domain.width && p.y >= 0 && p.y <= domain.height;
         };

@@ -1,4 +1,4 @@
-// Sums over annuli.
+// Averages over annuli.
 #include "analysis/radial.h"
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 namespace lacuna::analysis {
 namespace {
 
-// Welford's running mean and sum of squared deviations: the variance of almost equal powers is
-// small beside their squares.
+// Welford's running mean and sum of squared deviations. A difference of squares would lose the
+// variance of almost equal powers to rounding.
 class Moments {
 public:
     void add(double value) {
@@ -37,7 +37,7 @@ std::size_t whole_annuli(const Spectrum& spectrum) {
     return annulus_of(reach);
 }
 
-// Calls `visit(kx, ky)` for half the plane without DC.
+// Calls `visit(kx, ky)` for the frequencies of half the plane, without DC.
 template <class Visit>
 void for_each_mode(Range range, const Visit& visit) {
     for (int kx = 0; kx <= range.kx_max; ++kx)
@@ -47,13 +47,13 @@ void for_each_mode(Range range, const Visit& visit) {
 std::optional<double> anisotropy(const Moments& powers, double rounding) {
     if (powers.count() < 2 || powers.mean() <= rounding) return std::nullopt;
     const double ratio = powers.variance() / (powers.mean() * powers.mean());
-    // Equal but for rounding: no spread to speak of.
+    // Below this ratio the powers differ by rounding only, so there is no spread to measure.
     constexpr double kLeastRatio = 1e-20;
     if (ratio <= kLeastRatio) return std::nullopt;
     return 10 * std::log10(ratio);
 }
 
-// `power_of(k)` for k = 1, 2, ... as far as there are annuli.
+// Calls `power_of(k)` for k = 1, 2, ... within the annuli.
 template <class PowerOf, class MagnitudeOf>
 std::optional<LinePower> line_power(const Spectrum& spectrum, const Radial& radial, int k_max,
                                     const MagnitudeOf& magnitude_of, const PowerOf& power_of) {
@@ -87,7 +87,7 @@ Radial radial_of(const Spectrum& spectrum) {
     const double unit = std::sqrt(spectrum.count);
     Radial radial;
     for (std::size_t a = 0; a < count; ++a) {
-        // None is empty: along the domain's longer side |k| grows by at most 1 a step.
+        // No annulus is empty: along the domain's longer side |k| grows by at most 1 a step.
         radial.annuli.push_back(
             {magnitudes[a].mean() / unit, kAnnulusWidth * static_cast<double>(a + 1) / unit,
              powers[a].mean(), powers[a].count(), anisotropy(powers[a], spectrum.rounding())});

@@ -1,4 +1,4 @@
-// A spectrum averaged around its centre: how strong each frequency is, whatever its direction, and
+// A spectrum averaged around its centre: the power of each frequency over all directions, and
 // whether all directions are alike.
 #pragma once
 
@@ -10,45 +10,45 @@
 
 namespace lacuna::analysis {
 
-// Width of an annulus in |k|: annulus a holds 2a <= |k| < 2a + 2, without DC.
+// Width of an annulus in |k|: annulus a has the frequencies with 2a <= |k| < 2a + 2, without DC.
 constexpr double kAnnulusWidth = 2;
 
 struct Annulus {
     double frequency;   // mean |k| of its frequencies, over sqrt(count)
     double outer;       // 2a + 2, over sqrt(count)
     double power;       // mean P
-    std::size_t modes;  // frequencies of half the plane
+    std::size_t modes;  // number of frequencies, in half of the plane
 
-    // Variance of P among its frequencies over its squared mean, in decibels (Ulichney 1988, Lagae
-    // & Dutre 2008). Where directions are alike P is spread like the mean of as many exponential
-    // variables as there are sets: -10 log10(sets), 0 dB for one and -10 dB for ten. None where the
-    // power, or its variance, is zero but for rounding.
+    // Anisotropy: the variance of P among these frequencies over its squared mean, in decibels
+    // (Ulichney 1988, Lagae & Dutre 2008). If all directions are alike, it is -10 log10(sets): 0 dB
+    // for one set, -10 dB for ten, because P then varies like the mean of `sets` exponential
+    // variables. Empty if the power, or its variance, is zero up to rounding.
     std::optional<double> anisotropy_db;
 };
 
 struct Radial {
-    std::vector<Annulus> annuli;  // whole ones only
+    std::vector<Annulus> annuli;  // only annuli that lie within the range
 
-    // The annulus that a frequency, |k| / sqrt(count), lies in; the last one for any beyond.
+    // The annulus of a frequency |k| / sqrt(count); the last one if the frequency is beyond it.
     const Annulus& at(double frequency) const;
 
-    const Annulus& peak() const;  // of the most power
+    const Annulus& peak() const;  // the annulus with the most power
 
-    // Over the annuli that have one, each counting as its modes: few modes scatter widely.
+    // Averaged over the annuli that have one, weighted by modes: few modes make it uncertain.
     std::optional<double> mean_anisotropy_db() const;
 };
 
 Radial radial_of(const Spectrum& spectrum);
 
-// Mean of P / (power of the annulus) along a line through the centre of the periodogram: 1 where
-// the line is like the rest. Its standard error is 1 / sqrt(modes * sets) for a set without bias.
+// The mean of P / (power of the annulus) along a line through the periodogram's centre: 1 if the
+// line is like the rest. For an unbiased set its standard error is 1 / sqrt(modes * sets).
 struct LinePower {
     double ratio;
     std::size_t modes;
 };
-// kx = 0: how evenly points fill the domain along y. None when no annulus has any power.
+// The line kx = 0: how evenly points fill the domain along y. Empty if no annulus has power.
 std::optional<LinePower> vertical_line(const Spectrum& spectrum, const Radial& radial);
-// ky = 0: along x.
+// The line ky = 0: the same along x.
 std::optional<LinePower> horizontal_line(const Spectrum& spectrum, const Radial& radial);
 
 }  // namespace lacuna::analysis

@@ -1,4 +1,4 @@
-// Lays the four panels out.
+// The layout of the plot sheet's four panels.
 #include "analysis/sheet.h"
 
 #include <fmt/core.h>
@@ -38,7 +38,7 @@ constexpr Colour kInk{0x22, 0x22, 0x22};
 constexpr Colour kCurve{0x1f, 0x4e, 0x9c};
 constexpr double kWhitePower = 3;
 
-// As large as fits into a panel, in the middle of it.
+// The largest rectangle of that shape that fits into a panel, centred.
 Rectangle fitted(const Rectangle& panel, double width, double height) {
     const double scale = std::min(panel.width / width, panel.height / height);
     return {panel.left + (panel.width - scale * width) / 2,
@@ -91,7 +91,7 @@ void draw_points(Canvas& canvas, const Analysis& analysis, std::span<const Point
     canvas.dots(positions, std::min(radius, shorter) / 3 * (box.width / domain.width), box);
 }
 
-// A pixel a frequency, from -farthest to farthest; DC is black.
+// One pixel for each frequency from -farthest to farthest; DC is black.
 drawing::Image periodogram_image(const Spectrum& spectrum, double farthest) {
     const double unit = std::sqrt(spectrum.count);
     const auto reach = [&](double step, int most) {
@@ -110,7 +110,7 @@ drawing::Image periodogram_image(const Spectrum& spectrum, double farthest) {
 void draw_periodogram(Canvas& canvas, const Analysis& analysis) {
     const Spectrum& spectrum = analysis.spectrum;
     const drawing::Image image = periodogram_image(spectrum, analysis.max_frequency);
-    // What the image covers: its outer pixels reach half a frequency farther.
+    // Half the size of the image: its outer pixels reach half a frequency beyond theirs.
     const double unit = std::sqrt(spectrum.count);
     const double x = image.width / 2.0 * spectrum.magnitude(1, 0) / unit;
     const double y = image.height / 2.0 * spectrum.magnitude(0, 1) / unit;
@@ -156,7 +156,7 @@ void draw_anisotropy(Canvas& canvas, const Analysis& analysis) {
         if (annulus.anisotropy_db) {
             curve.push_back({annulus.frequency, *annulus.anisotropy_db});
         } else {
-            draw();  // a gap
+            draw();  // leaves a gap
         }
     }
     draw();

@@ -1,4 +1,4 @@
-// The plot sheet: a set's points, its periodogram, radial power and anisotropy on one page.
+// The plot sheet: points, periodogram, radial power and anisotropy of a set on one page.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -12,9 +12,9 @@
 
 namespace lacuna::analysis {
 
-// The bytes of an svg, pdf or png file. `points` are those of the set that is shown, the first of
-// several. The same analysis gives the same bytes on every call, where the same fonts are installed
-// (DejaVu Sans, or what fontconfig takes for it). Throws files::FileError if it cannot be drawn.
+// The bytes of an svg, pdf or png file. `points` are the points that are shown; of several sets,
+// the first. The same analysis gives the same bytes on every call if the same fonts are installed
+// (DejaVu Sans, or fontconfig's substitute). Throws files::FileError if it cannot be drawn.
 std::string draw_sheet(const Analysis& analysis, std::span<const Point> points,
                        drawing::Medium medium);
 

@@ -1,8 +1,8 @@
-// Periodograms of few points as matrix products; those of many: see fast_sums.cpp.
+// Periodograms of few points as matrix products. For many points see fast_sums.cpp.
 //
-// With c and s the cosine and sine of a point's phase, exp(-i (a + b)) is made of the four products
-// c(a) c(b), s(a) s(b), s(a) c(b), c(a) s(b). Summed over the points they are one matrix product of
-// all phases in x with all phases in y, and give the sums at both (kx, ky) and (kx, -ky).
+// Let c and s be the cosine and sine of a point's phase. Then exp(-i (a + b)) is made of four
+// products: c(a) c(b), s(a) s(b), s(a) c(b), c(a) s(b). Their sums over all points are one matrix
+// product of all phases in x and all phases in y, which gives the sums at (kx, ky) and (kx, -ky).
 #include "analysis/spectrum.h"
 
 #include <fmt/core.h>
@@ -23,10 +23,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 constexpr Index kPointsPerBlock = 512;
-// Of the product, a task. Fixed, so that the order of additions does not depend on the cores.
+// Rows of the product in a task; constant, so that no core count changes the order of additions.
 constexpr Index kRowsPerTask = 96;
-// Between two sines and cosines taken afresh the phase is turned by multiplication, which loses a
-// rounding a step.
+// Every kStepsPerSeed steps sine and cosine are computed anew. In between the phase is turned by
+// multiplications, and each adds a rounding error.
 constexpr int kStepsPerSeed = 32;
 
 struct Phase {
@@ -39,7 +39,7 @@ Phase phase_of(double revolutions) {
     return {std::cos(angle), std::sin(angle)};
 }
 
-// Rows 2k and 2k + 1 of the column: cosine and sine of k revolutions of t, for k from 0 on.
+// Fills rows 2k and 2k + 1 with cosine and sine of k revolutions of t, for k = 0, 1, ...
 void fill_phases(double t, Eigen::Ref<Eigen::VectorXd> column) {
     const Phase step = phase_of(t);
     Phase phase{};
@@ -53,7 +53,7 @@ void fill_phases(double t, Eigen::Ref<Eigen::VectorXd> column) {
     }
 }
 
-// The sums of the four products over all points: row 2 kx + (0 cosine, 1 sine), column likewise.
+// Sums of the four products. Row and column: 2k for the cosine, 2k + 1 for the sine.
 class Sums {
 public:
     explicit Sums(Range range)
@@ -61,7 +61,7 @@ public:
           y_phases_(2 * (Index{range.ky_max} + 1), kPointsPerBlock),
           sums_(MatrixXd::Zero(x_phases_.rows(), y_phases_.rows())) {}
 
-    // At most kPointsPerBlock.
+    // Adds at most kPointsPerBlock points.
     void add(std::span<const Point> points, const Domain& domain) {
         const auto count = static_cast<Index>(points.size());
         tbb::parallel_for(Index{0}, count, [&](Index i) {
@@ -78,7 +78,7 @@ public:
         });
     }
 
-    // |sum|^2 at (kx, ky) and at (kx, -ky).
+    // sum|^2 at (kx, ky) and at (kx, -ky).
     struct Squares {
         double above;
         double below;
@@ -95,7 +95,7 @@ public:
     }
 
 private:
-    MatrixXd x_phases_;  // a column a point
+    MatrixXd x_phases_;  // a column for each point
     MatrixXd y_phases_;
     MatrixXd sums_;
 };

@@ -1,4 +1,4 @@
-// Dart throwing on a grid of cells as wide as the radius.
+// Dart throwing on a grid whose cells are at least as wide as the radius.
 #include "baseline/dart_throwing.h"
 
 #include <algorithm>
@@ -10,10 +10,11 @@
 namespace lacuna::baseline {
 namespace {
 
-// Apart from the samplers' streams, so that darts and samples of one seed are independent.
+// A stream of its own, so that darts and samples of one seed are independent.
 constexpr std::uint32_t kStream = 0xda27;
 
-// Samples by cell; a cell is at least as wide as the radius, so a conflict is at most one away.
+// Samples by cell. Conflicts are at most one cell away, as cells are as wide as the radius or
+// wider.
 class Cells {
 public:
     explicit Cells(const Plan& plan)
@@ -27,7 +28,7 @@ public:
             for (const std::uint32_t row : around(cell(dart.y, plan_.height, rows_), rows_))
                 for (const Sample& sample : cells_[std::size_t{column} * rows_ + row])
                     if (portable::are_closer(sample.x, sample.y, dart.x, dart.y, plan_.period_x,
-                                            plan_.period_y, plan_.radius_squared))
+                                             plan_.period_y, plan_.radius_squared))
                         return false;
         return true;
     }
@@ -41,7 +42,7 @@ private:
     static std::uint32_t cell(std::uint32_t at, std::uint32_t side, std::uint32_t count) {
         return static_cast<std::uint32_t>(std::uint64_t{at} * count / side);
     }
-    // The cell and its two neighbours, wrapped; on a box that only adds cells without conflicts.
+    // The cell and its two neighbours, wrapped. On a box the wrapped cells contain no conflicts.
     static std::array<std::uint32_t, 3> around(std::uint32_t cell, std::uint32_t count) {
         return {(cell + count - 1) % count, cell, (cell + 1) % count};
     }

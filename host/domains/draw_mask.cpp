@@ -1,10 +1,10 @@
-// Draws polygons onto a mask, a row of pixels at a time.
+// Draws polygons onto a mask, one row of pixels at a time.
 //
-// By lines of its own and not by cairo: whether a pixel's middle lies inside must be the same on
-// every machine and with every version of a library, cairo rounds corners to 1/256 of a pixel, and
-// draws no more than 32,767 pixels a side. By the even-odd rule a row is simple: each outline that
-// crosses the line through the middles of its pixels turns inside to outside for all pixels to its
-// right. Nothing is sorted, so that even 100,000 crossings a row take linear time.
+// The code does not use cairo. Whether a pixel's middle lies inside must be the same on every
+// machine and with every version of a library; cairo rounds corners to 1/256 of a pixel and draws
+// at most 32,767 pixels a side. The even-odd rule makes a row simple: where an outline crosses the
+// line through the middles of a row's pixels, all pixels to the right of it switch between inside
+// and outside. Nothing is sorted, so even 100,000 crossings a row take linear time.
 #include <fmt/core.h>
 #include <lacuna/domains.h>
 
@@ -25,25 +25,25 @@ namespace {
 
 constexpr double kMostPixelsASide = 1U << 24U;
 
-// A piece of an outline that crosses the middles of the rows [first_row, end_row), counted from the
-// bottom; in pixels.
+// A piece of an outline, in pixels. It crosses the middles of the rows [first_row, end_row), which
+// are counted from the bottom.
 struct Side {
-    double x;  // of its lower end
+    double x;  // of the lower end
     double y;
-    double slope;  // of x over y
+    double slope;  // change of x per unit of y
     std::uint32_t first_row;
     std::uint32_t end_row;
 };
 
-// The first pixel whose middle is not less than `at`. What lies below or above all is clamped, so
-// that the ends of two pieces which meet always agree.
+// The first pixel whose middle is at or above `at`. The result is clamped to the mask, so that the
+// ends of two adjoining pieces always agree.
 std::uint32_t first_middle_from(double at, std::uint32_t pixels) {
     return static_cast<std::uint32_t>(
         std::clamp(std::ceil(at - 0.5), 0.0, static_cast<double>(pixels)));
 }
 
-// From the lower to the upper end, whichever comes first in the ring, so that rings which coincide
-// cross a row at exactly the same x.
+// Always computed from the lower to the upper end, whatever the direction of the ring. So rings
+// that coincide cross a row at exactly the same x.
 Side side_between(Point lower, Point upper, std::uint32_t rows) {
     return {lower.x, lower.y, (upper.x - lower.x) / (upper.y - lower.y),
             first_middle_from(lower.y, rows), first_middle_from(upper.y, rows)};
@@ -65,8 +65,8 @@ void append_sides(const PolygonRing& ring, Point scale, std::uint32_t rows,
     }
 }
 
-// Fills the row of a mask from the sides that cross its middles, and tells whether it allows any
-// pixel. The row holds zeros.
+// Fills a row of the mask from the sides that cross its middles. Returns whether any pixel is
+// allowed. The row must hold zeros at first.
 bool fill_row(const std::vector<Side>& crossing, double middle, std::span<std::uint8_t> row) {
     const auto columns = static_cast<std::uint32_t>(row.size());
     std::uint32_t first = columns;
@@ -107,7 +107,7 @@ bool draw(std::vector<Side>& sides, Mask& mask) {
     return any;
 }
 
-// As many pixels as `edge` asks for: half of a pixel's diagonal is at most that.
+// The number of pixels at which half of a pixel's diagonal is at most `edge`.
 std::uint32_t pixels_along(double length, double edge) {
     return static_cast<std::uint32_t>(std::max(1.0, std::ceil(length / (edge * std::sqrt(2.0)))));
 }
@@ -123,7 +123,7 @@ void check_numbers(double width, double height, double edge, double most_bytes) 
     const double rows = std::ceil(height / (edge * std::sqrt(2.0)));
     const double longer = std::max(columns, rows);
     if (columns * rows <= most_bytes && longer <= kMostPixelsASide) return;
-    // A little over, since both numbers of pixels are rounded up.
+    // 1 % more than needed, because both numbers of pixels are rounded up.
     const double coarser =
         edge * 1.01 * std::max(std::sqrt(columns * rows / most_bytes), longer / kMostPixelsASide);
     throw BadRequest(

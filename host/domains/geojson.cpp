@@ -1,4 +1,4 @@
-// Polygons of GeoJSON (RFC 7946).
+// Reads polygons from GeoJSON (RFC 7946).
 #include <fmt/core.h>
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// A feature's collection, its geometry, its rings and some collections within each other.
+// The deepest nesting of collections that is read. Ordinary files need two or three.
 constexpr int kDeepestCollections = 64;
 
 class Reader {
@@ -55,7 +55,7 @@ private:
         files::refuse(inner.empty() ? name_ : fmt::format("{}: {}", name_, inner), why);
     }
 
-    // A value as it stands in the file, for messages.
+    // A value as it is written in the file, for messages.
     static std::string text_of(const Json& value) {
         if (value.is_array()) return fmt::format("an array of {}", value.size());
         if (value.is_object()) return "an object";
@@ -131,7 +131,7 @@ Polygons decode_geojson(std::string_view bytes, const std::string& name) {
     try {
         json = Json::parse(bytes);
     } catch (const Json::parse_error& error) {
-        // The library's own text repeats the file, whose bytes may be anything.
+        // The parser's own message is not used: it quotes the file, which may hold any bytes.
         files::refuse(
             name, fmt::format("byte {}: cannot be read as JSON; is the file whole?", error.byte));
     } catch (const Json::out_of_range&) {

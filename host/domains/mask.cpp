@@ -1,4 +1,4 @@
-// Masks from pictures.
+// Makes masks from pictures.
 #include <lacuna/domains.h>
 
 #include <algorithm>
@@ -16,8 +16,8 @@ Mask read_mask(const std::string& path) {
     return decode_mask(files::read_whole(path), files::name_of(path));
 }
 
-// Over black luminance is 0 where all channels are 0 or opacity is, and nowhere else: channels are
-// not negative, and each has a share in it.
+// Over a black backdrop a pixel's luminance is 0 exactly if all channels are 0 or the opacity is 0,
+// because no channel is negative and each has a positive weight.
 Mask decode_mask(std::string_view bytes, const std::string& name) {
     const pictures::Image image = pictures::decode_image(
         bytes, name, pictures::kMaxPixels, pictures::kMaxSide, pictures::Backdrop::black);

@@ -1,4 +1,4 @@
-// Curves as lines.
+// Turns curves into lines.
 #include "domains/outline.h"
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 namespace lacuna::domains {
 namespace {
 
-constexpr int kMostHalvings = 12;               // of a quarter of an ellipse
-constexpr std::size_t kMostPieces = 1U << 14U;  // of a curve
+constexpr int kMostHalvings = 12;               // for a quarter of an ellipse
+constexpr std::size_t kMostPieces = 1U << 14U;  // for one curve
 
 Point operator+(Point a, Point b) {
     return {a.x + b.x, a.y + b.y};
@@ -48,7 +48,7 @@ void Outline::move_to(Point to) {
     current_ = begin_ = to;
 }
 
-// What a path draws before it is closed, and does not come back from, is closed all the same.
+// A path that ends without being closed is closed, too.
 void Outline::close() {
     open(ring_);
     if (ring_.size() >= 3)
@@ -70,8 +70,8 @@ void Outline::line_to(Point to) {
     current_ = to;
 }
 
-// Equal steps, as many as keep the chords close: `bend` is what the curve's second derivative
-// allows to be off with one piece (Wang's formula).
+// The number of equal steps at which the chords stay within the tolerance (Wang's formula). `bend`
+// is the error with one piece, by the bound on the curve's second derivative.
 std::size_t Outline::pieces(double bend) const {
     const double wanted = std::ceil(std::sqrt(bend / tolerance_));
     return static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(kMostPieces)));
@@ -101,8 +101,8 @@ void Outline::cubic_to(Point first, Point second, Point to) {
     current_ = to;
 }
 
-// From one point of the unit circle to another, at most a quarter apart; halves are found by square
-// roots, which are the same on every machine, as sines are not.
+// Draws an arc of the unit circle of at most a quarter. Halves are found by square roots, which are
+// the same on every machine; sines are not.
 void Outline::quarter_to(const Affine& circle, Point from, Point to, int halvings) {
     if (halvings == 0) {
         add(circle.of(to));
@@ -114,7 +114,7 @@ void Outline::quarter_to(const Affine& circle, Point from, Point to, int halving
     quarter_to(circle, middle, to, halvings - 1);
 }
 
-// SVG 1.1, F.6: where the ellipse's middle is; radii that are too small to reach grow.
+// Finds the middle of the ellipse (SVG 1.1, F.6). Radii that are too small are enlarged.
 void Outline::arc_to(Ellipse ellipse, bool is_large, bool is_positive, Point to) {
     const Point from = current_;
     double rx = std::abs(ellipse.rx);
@@ -122,7 +122,7 @@ void Outline::arc_to(Ellipse ellipse, bool is_large, bool is_positive, Point to)
     if (rx == 0 || ry == 0 || from == to) return line_to(to);
     const Affine turn = turned_by(ellipse.degrees);
     const Affine back{turn.xx, turn.yx, turn.xy, turn.yy, 0, 0};
-    // Half of the way, as the circle sees it that the ellipse is of.
+    // Half of the way, in coordinates in which the ellipse is the unit circle.
     const Point way = back.of(0.5 * (to - from));
     Point half{way.x / rx, way.y / ry};
     const double reach = length(half);
@@ -136,7 +136,7 @@ void Outline::arc_to(Ellipse ellipse, bool is_large, bool is_positive, Point to)
         half = (1 / reach) * half;
     }
     const double squared = dot(half, half);
-    constexpr double kTiny = 1e-18;  // a short way on a circle so large that its arc is straight
+    constexpr double kTiny = 1e-18;  // if the way is this short on the circle, the arc is straight
     if (squared < kTiny && !is_large) return line_to(to);
     const double aside = std::sqrt(std::max(0.0, 1 - squared)) / std::sqrt(squared);
     const double side = is_large == is_positive ? -1 : 1;
@@ -147,14 +147,14 @@ void Outline::arc_to(Ellipse ellipse, bool is_large, bool is_positive, Point to)
     const Affine circle = transform_.after(shape);
 
     if (ring_.empty()) add(transform_.of(current_));
-    // A quarter's chord is off by (pi/2)^2/8 of the longer radius, a fourth of it with each
-    // halving.
+    // The chord of a quarter is off by at most (pi/2)^2/8 of the longer radius. Each halving
+    // divides that by 4.
     double off = 0.31 * (std::abs(circle.xx) + std::abs(circle.xy) + std::abs(circle.yx) +
                          std::abs(circle.yy));
     int halvings = 0;
     for (; halvings < kMostHalvings && off > tolerance_; ++halvings) off /= 4;
 
-    // An arc is large or not as its flag says, even where rounding has it otherwise.
+    // Tolerance that keeps the arc large or small as its flag says, in spite of rounding.
     constexpr double kRounding = -1e-9;
     const double direction = is_positive ? 1 : -1;
     Point at = middle - half;
@@ -168,7 +168,7 @@ void Outline::arc_to(Ellipse ellipse, bool is_large, bool is_positive, Point to)
         at = next;
     }
     quarter_to(circle, at, end, halvings);
-    ring_.back() = transform_.of(to);  // without what rounding left
+    ring_.back() = transform_.of(to);  // exactly `to`, without rounding errors
     current_ = to;
 }
 

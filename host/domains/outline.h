@@ -1,4 +1,4 @@
-// Gathers the rings of a drawing: lines and curves, transformed, curves as lines close to them.
+// Collects the rings of a drawing: transforms them, and turns curves into short lines.
 #pragma once
 
 #include <lacuna/domains.h>
@@ -8,14 +8,14 @@
 
 namespace lacuna::domains {
 
-// Takes (x, y) to (xx x + xy y + x0, yx x + yy y + y0).
+// Maps (x, y) to (xx x + xy y + x0, yx x + yy y + y0).
 struct Affine {
     double xx = 1, xy = 0, yx = 0, yy = 1, x0 = 0, y0 = 0;
 
     Point of(Point point) const {
         return {xx * point.x + xy * point.y + x0, yx * point.x + yy * point.y + y0};
     }
-    // This one after `inner`.
+    // The map that applies `inner` first and then this one.
     Affine after(const Affine& inner) const {
         const Point origin = of({inner.x0, inner.y0});
         return {xx * inner.xx + xy * inner.yx,
@@ -27,34 +27,34 @@ struct Affine {
     }
 };
 
-// Radii and turn of an ellipse, as an arc of SVG has them.
+// Radii and rotation of an ellipse, as in an arc of SVG.
 struct Ellipse {
     double rx;
     double ry;
-    double degrees;  // from the x axis to that of rx
+    double degrees;  // from the x axis to the axis of rx
 };
 
 class Outline {
 public:
-    // Lines are at most `tolerance` from the curves that they stand for, but for curves so large
-    // that this would take over 2^14 lines each.
+    // Lines are at most `tolerance` away from their curve. Only a curve so large that it would take
+    // over 2^14 lines is less accurate.
     explicit Outline(double tolerance) : tolerance_(tolerance) {}
 
     void set_transform(const Affine& transform) { transform_ = transform; }
 
-    // All in coordinates before the transform. Each begins where the one before it ended.
+    // Coordinates are given before the transform. Each piece begins where the last one ended.
     void move_to(Point to);
     void line_to(Point to);
     void quadratic_to(Point control, Point to);
     void cubic_to(Point first, Point second, Point to);
     void arc_to(Ellipse ellipse, bool is_large, bool is_positive, Point to);
-    // A ring that encloses nothing, of fewer than three points, is left out.
+    // Closes the ring. A ring of fewer than three points encloses nothing and is dropped.
     void close();
 
     Point current() const { return current_; }
     Point begin() const { return begin_; }
     std::size_t points() const { return points_; }
-    // False once a coordinate was not finite, or too large.
+    // Whether all coordinates were finite, and none too large.
     bool is_fair() const { return is_fair_; }
     std::vector<PolygonRing> take_rings();
 

@@ -1,4 +1,4 @@
-// Polygons by the extension of their file.
+// Reads polygons; the extension of the file names the format.
 #include <fmt/core.h>
 #include <lacuna/domains.h>
 
@@ -28,7 +28,7 @@ constexpr std::array<Known, 4> kFormats{{{"svg", domains::decode_svg},
                                          {"json", domains::decode_geojson},
                                          {"txt", domains::decode_rings}}};
 
-// What follows the last dot, in lower case.
+// The part of the name after the last dot, in lower case.
 std::string extension_of(const std::string& path) {
     const std::size_t dot = path.find_last_of("./");
     if (dot == std::string::npos || path[dot] != '.') return "";

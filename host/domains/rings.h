@@ -1,4 +1,4 @@
-// What readers of polygons share: which points are fair, and the list of formats.
+// What the readers of polygons have in common: limits of coordinates, and the list of formats.
 #pragma once
 
 #include <lacuna/domains.h>
@@ -10,7 +10,7 @@
 
 namespace lacuna::domains {
 
-// Far beyond any domain, and so small that products of two are still finite.
+// Far beyond any domain, and small enough that products of two coordinates are finite.
 inline constexpr double kLargest = 1e100;
 inline constexpr std::string_view kFair = "both must be finite numbers between -1e100 and 1e100";
 
@@ -18,10 +18,10 @@ inline bool is_fair(Point point) {
     return std::abs(point.x) <= kLargest && std::abs(point.y) <= kLargest;
 }
 
-// Files may ask for more by repeating a little: `use` in SVG does.
+// Most points of a drawing. Small files can ask for more by repetition: `use` in SVG does it.
 inline constexpr std::size_t kMostPoints = 20'000'000;
 
-// A ring as files write it may end where it began: the last point goes.
+// In a file the last point of a ring may repeat the first one; it is removed.
 inline void open(PolygonRing& ring) {
     while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
 }

@@ -1,4 +1,4 @@
-// Rings as text: a point a line, with a blank line or a comment between two rings.
+// Reads rings from text: a point on each line, and a blank line or a comment between two rings.
 #include <fmt/core.h>
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 namespace lacuna::domains {
 namespace {
 
-// Gathers rings, and knows the line that each began at.
+// Collects rings, and remembers the line at which each began.
 class Rings {
 public:
     explicit Rings(const std::string& name) : name_(name) {}

@@ -1,4 +1,4 @@
-// The outlines of an SVG drawing. XML is pugixml's, which knows no entities of a file's own.
+// Reads the outlines of an SVG drawing. pugixml ignores entities that a file defines.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -23,10 +23,10 @@ namespace lacuna::domains {
 namespace {
 
 constexpr int kDeepest = 200;
-constexpr double kTolerance = 0x1p-20;             // of the page's longer side
-constexpr std::size_t kMostElements = 10'000'000;  // counted again wherever they are used
+constexpr double kTolerance = 0x1p-20;             // in lengths of the page's longer side
+constexpr std::size_t kMostElements = 10'000'000;  // an element counts each time it is used
 
-// Without the prefix of a namespace.
+// The name without a namespace prefix.
 std::string_view local_name(const char* name) {
     const std::string_view all = name;
     const std::size_t colon = all.find(':');
@@ -40,7 +40,7 @@ struct Page {
     double height;
 };
 
-// In px, which is 1/96 of an inch.
+// A length in px, which is 1/96 of an inch.
 std::optional<double> pixels_of(std::string_view text) {
     constexpr std::array<std::pair<std::string_view, double>, 7> kUnits{{{"", 1},
                                                                          {"px", 1},
@@ -66,7 +66,7 @@ public:
     }
 
     Polygons draw(pugi::xml_node root) {
-        // y goes down on the page.
+        // The y axis is reversed, because y points down on an SVG page.
         const Affine upright{1, 0, 0, -1, -page_.left, page_.top + page_.height};
         draw_children(root, upright, 0);
         Polygons polygons{outline_.take_rings(), page_.width, page_.height};
@@ -82,7 +82,7 @@ private:
         files::refuse(fmt::format("{}: {}", name_, what), why);
     }
 
-    // What `use` may name.
+    // Records the elements by their id, for `use`.
     void remember(pugi::xml_node root) {
         struct Walker : pugi::xml_tree_walker {
             std::map<std::string_view, pugi::xml_node>* by_id = nullptr;
@@ -127,7 +127,7 @@ private:
         if (kind == "use") return draw_used(node, transform, depth);
         outline_.set_transform(transform);
         draw_shape(node, kind);
-        outline_.move_to({0, 0});  // ends what a path left open
+        outline_.move_to({0, 0});  // ends a path that is still open
         if (!outline_.is_fair())
             refuse(node,
                    "reaches too far: coordinates must be finite numbers between -1e100 and "
@@ -159,7 +159,7 @@ private:
         --depth_of_use_;
     }
 
-    // A length in user units.
+    // An attribute's length in user units.
     double number(pugi::xml_node node, const char* key, double otherwise) const {
         const pugi::xml_attribute attribute = node.attribute(key);
         if (!attribute) return otherwise;

@@ -1,4 +1,4 @@
-// Path data, lists of points and transforms of SVG.
+// Reads SVG's path data, lists of points and transforms.
 #include "domains/svg_path.h"
 
 #include <fmt/core.h>
@@ -19,7 +19,7 @@
 namespace lacuna::domains {
 namespace {
 
-// How many numbers a command takes; none for a letter that is none.
+// The number of arguments of a command; empty if the letter is no command.
 std::optional<std::size_t> arguments_of(char command) {
     switch (command) {
         case 'z':
@@ -60,7 +60,7 @@ public:
             if (!take_numbers(*count, lower(command) == 'a')) return expected("a number");
             draw(lower(command), command == lower(command));
             if (outline_.points() > kMostPoints) return std::nullopt;  // the caller refuses it
-            // What follows the first point of a move are lines.
+            // Further points after the first point of a move are the ends of lines.
             if (command == 'm') command = 'l';
             if (command == 'M') command = 'L';
         }
@@ -87,13 +87,13 @@ private:
         return true;
     }
 
-    // The point at numbers i and i + 1.
+    // The point whose coordinates are numbers_[i] and numbers_[i + 1].
     Point point(std::size_t i, bool is_relative) const {
         const Point from = is_relative ? outline_.current() : Point{0, 0};
         return {from.x + numbers_[i], from.y + numbers_[i + 1]};
     }
 
-    // The other control point's mirror image, or where it would be if there was none.
+    // Mirrors the previous command's last control point; the current point if it had none.
     Point mirrored(char one, char other) const {
         const Point at = outline_.current();
         if (previous_ != one && previous_ != other) return at;
@@ -146,8 +146,8 @@ private:
     SvgWords words_;
     Outline& outline_;
     std::array<double, 7> numbers_{};
-    Point control_{};    // the last one of the previous command
-    char previous_ = 0;  // command, in lower case
+    Point control_{};    // the last control point of the previous command
+    char previous_ = 0;  // the previous command, in lower case
     bool has_moved_ = false;
 };
 
@@ -172,8 +172,8 @@ std::optional<Affine> affine_of(std::string_view name, const std::vector<double>
 
 }  // namespace
 
-// Quarters are exact, so that drawings which are turned by them stay as they were; other angles are
-// the C library's.
+// Multiples of 90 degrees are exact, so that they change no digit of a drawing. Other angles use
+// the C library's sine and cosine.
 Affine turned_by(double degrees) {
     const double quarters = std::fmod(degrees, 360) / 90;
     if (quarters == std::floor(quarters)) {

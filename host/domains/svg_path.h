@@ -1,5 +1,5 @@
-// The attributes of SVG that draw: path data, lists of points and transforms (SVG 1.1, chapters 7
-// and 8).
+// Reads the attributes that draw in SVG: path data, lists of points and transforms (SVG 1.1,
+// chapters 7 and 8).
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace lacuna::domains {
 
-// Each returns what is wrong with the text, in words that follow "path 3: ", or nothing.
+// Each returns an error message that can follow "path 3: ", or nothing if the text is right.
 std::optional<std::string> draw_path(std::string_view data, Outline& outline);
 std::optional<std::string> draw_points(std::string_view points, Outline& outline);
 std::optional<std::string> read_transform(std::string_view text, Affine& transform);
 
-// By an angle, as in rotate(degrees); exact for quarters.
+// A rotation by an angle, as in rotate(degrees); exact for multiples of 90.
 Affine turned_by(double degrees);
 
 }  // namespace lacuna::domains

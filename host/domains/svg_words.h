@@ -1,5 +1,5 @@
-// Numbers as attributes of SVG list them: parted by blanks, a comma, or by nothing where a sign or
-// a point tells.
+// Reads the numbers in SVG's attributes. They are separated by blanks or a comma, or by nothing
+// where a sign or a point begins the next number.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ public:
     std::size_t position() const { return all_.size() - rest_.size(); }
     std::string_view rest() const { return rest_; }
 
-    // The letter that comes next, if one does.
+    // Takes the next character if it is a letter.
     std::optional<char> take_letter() {
         skip_blanks();
         if (rest_.empty() || !is_letter(rest_.front())) return std::nullopt;
@@ -30,7 +30,7 @@ public:
         return letter;
     }
 
-    // Takes a character that must be there; false where it is not.
+    // Takes the expected character; false if another one is there.
     bool take(char wanted) {
         skip_blanks();
         if (!rest_.starts_with(wanted)) return false;
@@ -38,10 +38,10 @@ public:
         return true;
     }
 
-    // The number that comes next, behind a comma or not; finite or not, as it is written.
+    // Takes the next number and a comma before it. The number need not be finite.
     std::optional<double> take_number() {
         skip_comma();
-        // Letters of from_chars' own, as in inf and nan, are not SVG's.
+        // from_chars also reads inf and nan, which SVG does not allow.
         const std::size_t digit = rest_.find_first_not_of("+-.");
         if (digit == std::string_view::npos || rest_[digit] < '0' || rest_[digit] > '9')
             return std::nullopt;
@@ -50,7 +50,7 @@ public:
         return number;
     }
 
-    // A flag of an arc, which needs nothing around it.
+    // Takes a flag of an arc, 0 or 1, which may stand without separators.
     std::optional<bool> take_flag() {
         skip_comma();
         if (!rest_.starts_with('0') && !rest_.starts_with('1')) return std::nullopt;
@@ -59,7 +59,7 @@ public:
         return flag;
     }
 
-    // A word of letters, maybe none.
+    // Takes a word of letters, which may be empty.
     std::string_view take_word() {
         skip_comma();
         std::size_t count = 0;

@@ -1,4 +1,4 @@
-// Cairo's surfaces and contexts as owners, its errors as exceptions, its output as a string.
+// Owners for cairo's surfaces and contexts; cairo's errors as exceptions, its output as a string.
 #pragma once
 
 #include <cairo.h>
@@ -32,7 +32,7 @@ inline Surface checked(cairo_surface_t* created) {
     return surface;
 }
 
-// Cairo's write callback. No exception may cross cairo, which is C.
+// Cairo calls this to write. Cairo is a C library, so no exception may pass through it.
 inline cairo_status_t append_to_string(void* closure, const unsigned char* data,
                                        unsigned int length) noexcept {
     try {

@@ -1,4 +1,4 @@
-// Canvases drawn by cairo, pdf and png, and which canvas is for which format.
+// The canvases that cairo draws, pdf and png, and the choice of the canvas for a format.
 #include "drawing/canvas.h"
 
 #include <cairo-pdf.h>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kPixelsPerPoint = 2;
 
-// In opaque grey. Cairo wants rows that it aligns itself.
+// The image in opaque grey. Cairo demands its own alignment of rows.
 Surface surface_of(const Image& image) {
     Surface surface =
         drawing::checked(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height));
@@ -50,7 +50,7 @@ void set_clip(cairo_t* context, const Rectangle& box) {
     cairo_clip(context);
 }
 
-// Keeps cairo's state as it was for the time it lives.
+// Saves cairo's state and restores it in the destructor.
 class Saved {
 public:
     explicit Saved(cairo_t* context) : context_(context) { cairo_save(context); }
@@ -84,7 +84,7 @@ public:
     }
 
     void dots(std::span<const Position> centres, double radius, const Rectangle& clip) override {
-        // In one stroke: keeps the working memory of cairo, and of viewers, small.
+        // A stroke this short keeps the working memory of cairo, and of viewers, small.
         constexpr std::size_t kDotsPerStroke = 4096;
         const Saved saved(context_.get());
         set_clip(context_.get(), clip);
@@ -156,13 +156,13 @@ private:
                 static_cast<int>(std::lround(height * kPixelsPerPoint))));
         Surface surface = drawing::checked(
             cairo_pdf_surface_create_for_stream(drawing::append_to_string, &bytes_, width, height));
-        // Cairo would write the time of day, and no two files would be equal.
+        // Otherwise cairo would write the time of day, and two files would never be equal.
         cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
                                        "2000-01-01T00:00:00Z");
         return surface;
     }
 
-    // A circle in pdf, as some viewers draw lines of no length as ovals; such a line in png.
+    // In a pdf a dot is a circle, as some viewers draw lines of length 0 as ovals; in a png a line.
     void add_dot(Position centre, double radius) {
         if (is_pdf_) {
             cairo_new_sub_path(context_.get());
@@ -190,7 +190,7 @@ private:
     }
 
     bool is_pdf_;
-    std::string bytes_;  // before the surface, which writes into it
+    std::string bytes_;  // declared before the surface, which writes into it
     Surface surface_;
     Context context_;
 };

@@ -1,4 +1,4 @@
-// SVG as text.
+// Writes SVG as text.
 #include "drawing/canvas_svg.h"
 
 #include <fmt/core.h>
@@ -19,9 +19,9 @@ std::string hex_of(Colour colour) {
 }
 
 std::string base64_of(const std::string& bytes) {
-    // Four letters for three bytes, and the zero that OpenSSL adds.
+    // Base64 takes four letters for three bytes, and OpenSSL adds a zero at the end.
     std::string letters((bytes.size() + 2) / 3 * 4 + 1, '\0');
-    // Both are arrays of bytes; OpenSSL calls them unsigned.
+    // The casts are safe: both are arrays of bytes, which OpenSSL declares unsigned.
     const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(letters.data()),
                                        reinterpret_cast<const unsigned char*>(bytes.data()),
                                        static_cast<int>(bytes.size()));
@@ -59,7 +59,7 @@ public:
     }
 
     void dots(std::span<const Position> centres, double radius, const Rectangle& clip) override {
-        // Lines of no length with round caps: a tenth of the bytes of circles.
+        // Lines of almost no length with round caps take a tenth of the bytes of circles.
         add("<path clip-path=\"url(#{})\" fill=\"none\" stroke=\"black\" stroke-linecap=\"round\" "
             "stroke-width=\"{:.4g}\" d=\"",
             clip_for(clip), 2 * radius);

@@ -1,4 +1,4 @@
-// Canvases that write SVG themselves: see canvas.h.
+// A canvas that writes SVG without cairo: see canvas.h.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,8 @@
 
 namespace lacuna::drawing {
 
-// Not by cairo, whose SVG numbers the surfaces of the whole process, so that a second call gives
-// other bytes, and whose text is outlines that cannot be searched or edited.
+// Cairo is not used for two reasons. It numbers the surfaces of the whole process, so a second call
+// gives other bytes; and its text is outlines, which nobody can search or edit.
 std::unique_ptr<Canvas> make_svg_canvas(double width, double height);
 
 // The bytes of the image as a PNG file. Throws files::FileError.

@@ -1,4 +1,4 @@
-// Counts the dots of a picture by its darkness and its pixels.
+// Derives a number of dots from a picture's darkness and its number of pixels.
 #include "drawing/dot_count.h"
 
 #include <algorithm>

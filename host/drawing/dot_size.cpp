@@ -1,4 +1,4 @@
-// Dots that cover as much as is wanted.
+// Dot sizes at which the ink covers as much paper as the importance asks for.
 #include "drawing/dot_size.h"
 
 #include <algorithm>
@@ -12,15 +12,15 @@
 namespace lacuna::drawing {
 namespace {
 
-// How much wider dots must be where they overlap, for importance 0.55, 0.60, ... 1: measured on
-// maximal sets of constant fields in mode cells (m = 10, six sets of 6,600 points, coverage on
-// 1500 x 1500 places; the last one covers 99 %).
+// The factor by which dots must be wider because they overlap, for importance 0.55, 0.60, ... 1.
+// Measured on maximal sets of constant fields in mode cells: m = 10, six sets of 6,600 points,
+// coverage at 1500 x 1500 positions. At the last factor 99 % are covered.
 constexpr std::array kWider{1.0, 1.002, 1.009, 1.015, 1.025, 1.051, 1.072, 1.110, 1.172, 1.299};
-// The same of relaxed sets (15 iterations, six sets of 6,600 points on the torus), which overlap
-// later.
+// The same factor for relaxed sets, whose dots overlap less. Measured on the torus: 15 iterations,
+// six sets of 6,600 points.
 constexpr std::array kWiderRelaxed{1.0, 1.0, 1.0, 1.001, 1.003, 1.007, 1.015, 1.029, 1.058, 1.120};
 constexpr double kFirst = 0.55, kStep = 0.05;
-// Few sizes make short files: no dot is off by more than half of this share.
+// The factors are rounded to multiples of this, because few distinct sizes make short files.
 constexpr double kSizeStep = 0.01;
 
 double wider_at(double importance, Spread spread) {
@@ -32,7 +32,7 @@ double wider_at(double importance, Spread spread) {
     return std::round(exact / kSizeStep) * kSizeStep;
 }
 
-// The pixel, of so many along `side`, that a coordinate lies in.
+// The index of the pixel at a coordinate, where `side` is divided into `pixels` pixels.
 std::size_t pixel_of(double coordinate, double side, std::uint32_t pixels) {
     const auto place = static_cast<std::int64_t>(coordinate / side * pixels);
     return static_cast<std::size_t>(std::clamp<std::int64_t>(place, 0, pixels - std::int64_t{1}));

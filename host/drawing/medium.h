@@ -1,4 +1,4 @@
-// What a picture is drawn as.
+// The formats of pictures.
 #pragma once
 
 namespace lacuna::drawing {

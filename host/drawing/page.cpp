@@ -44,7 +44,7 @@ files::Dots dots_of(const files::PointSet& set, const Style& style) {
 
 double dot_diameter(const files::PointSet& set) {
     if (set.radius > 0) return set.radius / 3 * 2;
-    // The radius is not known: dots as large as those of a maximal set of as many points.
+    // The radius is unknown: dots get the size that they have in a maximal set with as many points.
     constexpr double kMaximalCountTimesSquaredRadius = 0.69656;
     const auto count = static_cast<double>(std::max<std::size_t>(set.points.size(), 1));
     const double radius =

@@ -1,4 +1,4 @@
-// Where dots lie on a page, and in which strokes they are drawn.
+// The positions of dots on a page, and the strokes in which they are drawn.
 #pragma once
 
 #include <algorithm>
@@ -11,35 +11,35 @@
 
 namespace lacuna::drawing {
 
-// In one stroke: keeps the working memory of cairo, and of viewers, small.
+// Most dots in one stroke: a low number keeps the working memory of cairo, and of viewers, small.
 inline constexpr std::size_t kDotsPerStroke = 4096;
 
-// The page's sides, and the domain's units turned into the page's, y upwards.
+// The page's sides, and the map from the domain's units to the page's; y points upwards.
 struct Page {
     double width;
     double height;
     double scale;
-    double left;    // of the domain
-    double bottom;  // of the domain, counted from the page's top
+    double left;    // the domain's left edge
+    double bottom;  // the domain's lower edge, counted from the page's top
     double x_of(Point point) const { return left + point.x * scale; }
     double y_of(Point point) const { return bottom - point.y * scale; }
 };
 
-// The page in units of which so many make a point, 1/72 inch.
+// The page. A point, 1/72 inch, has `units_per_point` of its units.
 Page page_of(const files::PointSet& set, const Style& style, double units_per_point);
 
-// The diameter of dots where each has the same.
+// The diameter of the dots if all have the same.
 double dot_diameter(const files::PointSet& set);
 
-// Calls `stroke(points, diameter)` for dots of one size, a stroke's worth at a time.
+// Calls `stroke(points, diameter)` for dots of one size, at most kDotsPerStroke at a time.
 template <class Stroke>
 void for_each_stroke(std::span<const Point> points, double diameter, const Stroke& stroke) {
     for (std::size_t begin = 0; begin < points.size(); begin += kDotsPerStroke)
         stroke(points.subspan(begin, std::min(kDotsPerStroke, points.size() - begin)), diameter);
 }
 
-// The same for all dots: in their order, or size by size, smallest first, and in their order among
-// those of a size.
+// The same for all dots of a set: in their order if all have one size; otherwise size by size, the
+// smallest first, and within a size in their order.
 template <class Stroke>
 void for_each_stroke(const files::PointSet& set, const Style& style, const Stroke& stroke) {
     if (style.diameters.empty()) return for_each_stroke(set.points, dot_diameter(set), stroke);

@@ -1,4 +1,4 @@
-// Pictures of point sets: pdf and png, drawn by cairo, and the choice of the medium.
+// Point sets as pdf and png, drawn by cairo, and the choice of the format.
 #include "drawing/picture.h"
 
 #include <cairo-pdf.h>
@@ -19,7 +19,7 @@
 namespace lacuna::drawing {
 namespace {
 
-// A white page, and black to draw with.
+// Makes the page white and sets black as the colour to draw with.
 Context make_context(cairo_surface_t* surface) {
     Context context(cairo_create(surface));
     check(cairo_status(context.get()));
@@ -29,10 +29,10 @@ Context make_context(cairo_surface_t* surface) {
     return context;
 }
 
-// Circles, as some viewers draw lines of no length as ovals.
+// Dots are circles here, because some viewers draw lines of length 0 as ovals.
 void fill_circles(cairo_t* context, const files::PointSet& set, const Style& style,
                   const Page& page) {
-    // Of the radius. Cairo then makes every circle of four curves; a small one would have two.
+    // In radii. With this tolerance cairo makes every circle of four curves, small circles too.
     constexpr double kTolerance = 1e-3;
     for_each_stroke(set, style, [&](std::span<const Point> dots, double diameter) {
         const double radius = diameter * page.scale / 2;
@@ -51,7 +51,7 @@ std::string draw_pdf(const files::PointSet& set, const Style& style) {
     std::string bytes;
     const Surface surface = checked(
         cairo_pdf_surface_create_for_stream(append_to_string, &bytes, page.width, page.height));
-    // Cairo would write the time of day, and no two files would be equal.
+    // Otherwise cairo would write the time of day, and two files would never be equal.
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
                                    "2000-01-01T00:00:00Z");
     if (set.origin != nullptr) {
@@ -63,13 +63,13 @@ std::string draw_pdf(const files::PointSet& set, const Style& style) {
         tell(CAIRO_PDF_METADATA_KEYWORDS, seed_text(*set.origin));
     }
     fill_circles(make_context(surface.get()).get(), set, style, page);
-    // Cairo writes most of the document only now.
+    // Checked after this call, because cairo writes most of the document only now.
     cairo_surface_finish(surface.get());
     check(cairo_surface_status(surface.get()));
     return bytes;
 }
 
-// Lines of no length with round caps, which cairo draws faster than circles.
+// Dots are lines of length 0 with round caps here: cairo draws them faster than circles.
 void stroke_dots(cairo_t* context, const files::PointSet& set, const Style& style,
                  const Page& page) {
     cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
@@ -89,8 +89,8 @@ std::string draw_png(const files::PointSet& set, const Style& style) {
     const auto pixels = [](double side) {
         return std::max(1, static_cast<int>(std::lround(side)));
     };
-    // A surface of alpha alone becomes a grey PNG, a third of the size: opaque is white, and to
-    // clear is to draw black.
+    // Cairo turns a surface that has only alpha into a grey PNG, which is a third as long. In it
+    // opaque is white, and clearing draws black.
     const Surface surface = checked(
         cairo_image_surface_create(CAIRO_FORMAT_A8, pixels(page.width), pixels(page.height)));
     const Context context = make_context(surface.get());

@@ -11,35 +11,34 @@
 namespace lacuna::drawing {
 
 inline constexpr double kMillimetresPerInch = 25.4;
-inline constexpr double kPointsPerInch = 72;  // as PostScript and PDF have them
+inline constexpr double kPointsPerInch = 72;  // in PostScript and PDF
 
-// A sheet of paper. The domain is drawn as large as the margins allow, in the middle.
+// A sheet of paper. The domain is centred and as large as the margins allow.
 struct Sheet {
     double width_mm;
     double height_mm;
     double margin_mm = 0;
 };
 
-// What a picture looks like, beyond what the set tells.
+// Options of a picture that do not depend on the set.
 struct Style {
-    std::optional<Sheet> sheet;    // none: the domain alone, 512 points along its longer side
-    double pixels_per_inch = 144;  // of png
-    std::span<const double> diameters{};  // of each dot, in the domain's units; empty: as
-                                          // files::PointSet has it
-    // For a plotter's pen: dots are drawn in their order, not size by size, and an svg has no
-    // background, which a plotter would take for a shape.
+    std::optional<Sheet> sheet;    // none: the page is the domain, its longer side 512 points
+    double pixels_per_inch = 144;  // only for png
+    std::span<const double> diameters{};  // of each dot, in the domain's units; empty: all equal
+    // For a plotter's pen. Dots are drawn in their order, not size by size; an svg has no
+    // background, because a plotter would take it for a shape.
     bool for_a_pen = false;
 };
 
-// How large a unit of the domain becomes.
+// The length of a unit of the domain on the page.
 double millimetres_per_unit(const files::PointSet& set, const Style& style);
 
-// The dots as they are drawn, for files that have columns for them.
+// The dots' sizes and positions on the page, for file formats with columns for them.
 files::Dots dots_of(const files::PointSet& set, const Style& style);
 
-// The bytes of an svg, pdf or png file: encode() for these three formats. With a sheet, an svg is
-// in mm and has no background either. Dots are lines of at most 0.01 mm or pt with round caps in an
-// svg and filled circles in a pdf; a png tells its resolution. The same set gives the same bytes on
+// The bytes of an svg, pdf or png file: encode() for these formats. In an svg, dots are lines of at
+// most 0.01 mm or pt with round caps; in a pdf they are filled circles. With a sheet, an svg is in
+// mm and has no background. A png records its resolution. The same set gives the same bytes on
 // every call. Throws files::FileError with cairo's reason.
 std::string draw(const files::PointSet& set, Medium medium, const Style& style = {});
 

@@ -15,7 +15,7 @@
 namespace lacuna::drawing {
 namespace {
 
-// In Dublin Core, which Inkscape and others show.
+// The set's origin in Dublin Core, which Inkscape and other programs show.
 std::string svg_metadata(const files::Origin& origin) {
     return fmt::format(
         "<metadata>\n<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
@@ -49,12 +49,12 @@ std::string program_text(const files::Origin& origin) {
     return fmt::format("Lacuna {}", origin.version);
 }
 
-// Not by cairo: its SVG numbers the surfaces of the whole process, so that a second call gives
-// other bytes, and it is twice as long. Dots are lines with round caps: a tenth of the bytes of
+// Cairo is not used: it numbers the surfaces of the whole process, so a second call gives other
+// bytes, and its file is twice as long. Dots are lines with round caps: a tenth of the bytes of
 // circles.
 std::string draw_svg(const files::PointSet& set, const Style& style) {
-    // Programs for plotters drop lines of no length. A line so long, in mm or pt, and no longer
-    // than this share of the diameter, looks as round as a point.
+    // Programs for plotters drop lines of length 0. A line of at most 0.01 mm or pt, and at most a
+    // tenth of the diameter, still looks as round as a point.
     constexpr double kLongestLine = 0.01, kLargestShare = 0.1;
     const bool is_sheet = style.sheet.has_value();
     const Page page = page_of(set, style, is_sheet ? kMillimetresPerInch / kPointsPerInch : 1);

@@ -1,4 +1,4 @@
-// The svg among the pictures of point sets, apart from cairo, which pages of the web lack.
+// Point sets as svg, without cairo, which the web page does not have.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace lacuna::drawing {
 
-// The bytes of the file: draw() for an svg.
+// The bytes of the file: draw() for svg.
 std::string draw_svg(const files::PointSet& set, const Style& style);
 
-// What svg and pdf tell of a set's origin.
+// The texts about a set's origin in svg and pdf.
 std::string seed_text(const files::Origin& origin);
 std::string program_text(const files::Origin& origin);
 

@@ -33,7 +33,7 @@ std::vector<double> ticks_of(double from, double to, int wanted) {
     std::vector<double> ticks;
     constexpr double kRounding = 1e-9;
     for (double i = std::ceil(from / step - kRounding); i * step <= to + kRounding * step; ++i)
-        ticks.push_back(i * step + 0.0);  // never -0
+        ticks.push_back(i * step + 0.0);  // + 0.0 turns -0 into 0
     return ticks;
 }
 
@@ -99,7 +99,7 @@ void Plot::draw_curve(std::span<const Point> curve, const Pen& pen) {
 
 void Plot::draw_level(double y, const std::string& words) {
     draw_curve(std::array<Point, 2>{Point{x_.from, y}, Point{x_.to, y}}, {kReference, 0.8, true});
-    // In the upper corner, where it hides no curve.
+    // The words stand in the upper corner, where they hide no curve.
     if (words.empty()) return;
     const double base = box_.top + kTextSize + 4;
     canvas_.line(std::array<Position, 2>{Position{box_.left + 6, base - 3},

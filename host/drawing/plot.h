@@ -15,26 +15,26 @@ struct Axis {
     std::string label;
 };
 
-// Round numbers (1, 2 or 5 times a power of ten apart) from `from` to `to`, about `wanted` of them.
+// About `wanted` numbers between `from` and `to`, spaced by 1, 2 or 5 times a power of ten.
 std::vector<double> ticks_of(double from, double to, int wanted);
 
-// Faint lines at the ticks.
+// Whether there are faint lines at the ticks.
 enum class Grid { drawn, none };
 
-// With a true minus, as wide as a digit, in place of a leading hyphen.
+// `number` with a leading hyphen replaced by a true minus sign, which is as wide as a digit.
 std::string with_minus(const std::string& number);
 
 class Plot {
 public:
-    // `box` is the frame: labels stand outside of it.
+    // `box` is the frame: labels are outside it.
     Plot(Canvas& canvas, const Rectangle& box, Axis x, Axis y);
 
-    // The frame, ticks, their numbers, the labels and a title above.
+    // Draws the frame, ticks, numbers and labels, and a title above.
     void draw_axes(const std::string& title, Grid grid = Grid::drawn);
 
-    // Through positions in the axes' units, cut off at the frame.
+    // Draws a curve through positions in the axes' units, cut off at the frame.
     void draw_curve(std::span<const Point> curve, const Pen& pen);
-    // Dashed, over the whole width; unless empty, the words stand in the upper left corner.
+    // Draws a dashed line over the whole width. `words`, if any, stand in the upper left corner.
     void draw_level(double y, const std::string& words);
 
     const Rectangle& box() const { return box_; }

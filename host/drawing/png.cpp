@@ -20,7 +20,7 @@ void append_big_endian(std::string& bytes, std::uint32_t value) {
         bytes.push_back(static_cast<char>((value >> shift) & 0xffU));
 }
 
-// Length, type, data and the checksum of the last two.
+// The chunk: length, type, data, and a checksum of the type and the data.
 std::string chunk_of(double pixels_per_inch) {
     constexpr double kInchesPerMetre = 1000 / kMillimetresPerInch;
     constexpr std::string_view kType = "pHYs";
@@ -35,7 +35,7 @@ std::string chunk_of(double pixels_per_inch) {
     std::string chunk;
     append_big_endian(chunk, static_cast<std::uint32_t>(checked.size() - kType.size()));
     chunk += checked;
-    // An array of bytes; zlib calls them unsigned.
+    // The cast is safe: it is an array of bytes, which zlib declares unsigned.
     append_big_endian(
         chunk, static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(checked.data()),
                                                 static_cast<uInt>(checked.size()))));
@@ -47,7 +47,7 @@ std::string chunk_of(double pixels_per_inch) {
 std::string png_of(cairo_surface_t* image, double pixels_per_inch) {
     std::string bytes;
     check(cairo_surface_write_to_png_stream(image, append_to_string, &bytes));
-    constexpr std::size_t kEndOfHeader = 8 + 25;  // the signature, and IHDR, which comes first
+    constexpr std::size_t kEndOfHeader = 8 + 25;  // the signature, then IHDR
     bytes.insert(kEndOfHeader, chunk_of(pixels_per_inch));
     return bytes;
 }

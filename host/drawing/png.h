@@ -1,4 +1,4 @@
-// Cairo's images as PNG files that tell their resolution.
+// Turns cairo's images into PNG files that record their resolution.
 #pragma once
 
 #include <cairo.h>

@@ -1,4 +1,4 @@
-// Text as XML has it.
+// Escapes text for XML.
 #include "drawing/xml.h"
 
 #include <string>

@@ -1,4 +1,4 @@
-// Text as XML and UTF-8 have it.
+// Text for XML and in UTF-8.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace lacuna::drawing {
 
-// The text with what is not UTF-8 replaced by U+FFFD, as names of files may hold any bytes.
+// The text as UTF-8. Invalid bytes become U+FFFD, because file names may hold any bytes.
 std::string in_utf8(std::string_view text);
 
-// The same, where XML takes it for text: <, & and control characters replaced.
+// The same for XML: also replaces <, & and control characters.
 std::string in_xml(std::string_view text);
 
 }  // namespace lacuna::drawing

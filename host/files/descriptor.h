@@ -27,7 +27,7 @@ public:
     }
     int number() const { return number_; }
 
-    // Some file systems say only now that the disk is full.
+    // Some file systems report a full disk only here, when the file is closed.
     void close(const std::string& path) {
         if (::close(std::exchange(number_, -1)) != 0 && errno != EINTR) fail_to_write(path, errno);
     }

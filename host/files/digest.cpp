@@ -1,4 +1,4 @@
-// The SHA-256 of a point set, which names its bytes whatever the format of the file.
+// The SHA-256 of a point set's coordinates: it does not depend on the file's format.
 #include <fmt/core.h>
 #include <openssl/evp.h>
 
@@ -15,7 +15,7 @@
 namespace lacuna::files {
 namespace {
 
-// OpenSSL is called for this many points at once: a call costs more than a point.
+// Number of points given to OpenSSL at once, because one call costs more than hashing one point.
 constexpr std::size_t kPointsPerUpdate = 4096;
 
 void check(int openssl_result, const char* call) {

@@ -1,4 +1,4 @@
-// The format .csv: `x,y` a line below a header.
+// The format .csv: a header line, then `x,y` on each line.
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@
 namespace lacuna::files {
 namespace {
 
-// Words, neither of which is a number: `x,y` and the like.
+// Whether the line is a header: two or more words, of which none is a number, such as `x,y`.
 bool is_header(std::string_view line) {
     const std::size_t comma = line.find(',');
     if (comma == std::string_view::npos) return false;
@@ -42,7 +42,7 @@ std::string encode_dots(const PointSet& set) {
     return bytes;
 }
 
-// What follows x and y in a file with the header `x,y,...`: numbers of other columns.
+// The line up to its second comma: the columns after x and y are dropped.
 std::string_view without_other_columns(std::string_view line) {
     const std::size_t first = line.find(',');
     const std::size_t second = first == std::string_view::npos ? first : line.find(',', first + 1);
@@ -68,8 +68,8 @@ SetsOfFile decode_csv(std::string_view bytes, const std::string& name) {
     for (std::size_t number = 1; !bytes.empty(); ++number) {
         std::string_view line = take_line(bytes);
         if (is_skipped(line)) continue;
-        // A third coordinate must not be lost: other columns are passed over only behind `x,y,`
-        // and a name that is not z.
+        // Other columns are skipped only if the header begins with `x,y,` and the next name does
+        // not begin with z: a third coordinate must not be lost.
         if (may_be_header && line.starts_with("x,y,") && !line.starts_with("x,y,z")) {
             has_other_columns = true;
             may_be_header = false;

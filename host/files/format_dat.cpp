@@ -1,5 +1,5 @@
-// The format .dat of UTK, the Uni(corn|form) tool kit, which is only read: `x y` a line, and a line
-// that begins with # ends a set.
+// The format .dat of UTK, the Uni(corn|form) tool kit: `x y` on each line, and a line that begins
+// with # ends a set. Files of this format are read, never written.
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -18,7 +18,7 @@ SetsOfFile decode_dat(std::string_view bytes, const std::string& name) {
     for (std::size_t number = 1; !bytes.empty(); ++number) {
         const std::string_view line = take_line(bytes);
         if (is_skipped(line)) {
-            // A blank line ends nothing; neither does a # before the first point of a set.
+            // A blank line does not end a set. A # before the first point of a set does not either.
             const bool ends_set = line.find('#') != std::string_view::npos;
             if (ends_set && !sets.back().empty()) sets.emplace_back();
             continue;

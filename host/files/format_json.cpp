@@ -1,5 +1,5 @@
-// The format .json, written and read as a stream: a tree of millions of values would take
-// gigabytes.
+// The format .json. It is written and read as a stream, because a tree of millions of values would
+// take gigabytes of memory.
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
@@ -35,7 +35,7 @@ struct JsonHeader {
     bool has_scale = false;
 };
 
-// Follows the nesting: an optional object, whose key "points" holds an array, of pairs.
+// Takes the parser's events: an array of pairs, or an object whose key "points" holds one.
 class PointsHandler : public nlohmann::json_sax<Json> {
 public:
     explicit PointsHandler(const std::string& name) : name_(name) {}
@@ -47,7 +47,7 @@ public:
         return std::move(points_);
     }
 
-    // Of an object; what is not there, or 0, is not known.
+    // What the outermost object says. A member is empty if its key is missing or its value is 0.
     const JsonHeader& header() const { return header_; }
 
     bool null() override { return scalar("null"); }
@@ -115,7 +115,7 @@ public:
         return true;
     }
 
-    // The library's own text repeats the file, whose bytes may be anything.
+    // The parser's own message is not used: it quotes the file, which may hold any bytes.
     bool parse_error(std::size_t position, const std::string& token,
                      const Json::exception&) override {
         refuse(name_, fmt::format("byte {}: {} cannot be read as JSON; is the file whole?",
@@ -123,7 +123,7 @@ public:
     }
 
 private:
-    // The depth inside the array of points; inside a point it is one more.
+    // The nesting depth between two points. Inside a point the depth is one more.
     int points_depth() const { return in_object_ ? 2 : 1; }
     bool is_in_points() const { return !in_object_ || key_ == "points"; }
 
@@ -172,17 +172,17 @@ private:
     std::vector<Point> points_;
     JsonHeader header_;
     std::optional<std::uint64_t> count_;
-    std::string key_;         // of the outermost object
-    std::string key_within_;  // of an object one deeper
+    std::string key_;         // the current key of the outermost object
+    std::string key_within_;  // the current key of an object inside it
     Point point_{};
-    std::size_t numbers_ = 0;  // of the point so far
+    std::size_t numbers_ = 0;  // how many numbers of the current point were read
     int depth_ = 0;
     bool in_object_ = false;
     bool has_points_ = false;
 };
 
-// The shortest digits that give back `value`, with ".0" after whole numbers: readers which tell 1
-// from 1.0 then see a float, and -0.0 keeps its sign.
+// Appends the shortest digits that read back as `value`. Whole numbers get ".0", so that readers
+// which distinguish 1 from 1.0 see a float, and -0.0 keeps its sign.
 void append_json_number(std::string& bytes, double value) {
     const std::size_t begin = bytes.size();
     fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{}"), value);
@@ -190,7 +190,7 @@ void append_json_number(std::string& bytes, double value) {
 }
 
 void append_origin(std::string& bytes, const Origin& origin) {
-    // The command may hold a file's name, whose bytes need not be UTF-8.
+    // The command may contain a file name, and file names need not be valid UTF-8.
     const std::string command = Json(origin.command).dump(-1, ' ', false, kReplaceBadBytes);
     bytes += fmt::format(
         ",\"boundary\":\"{}\",\"mode\":\"{}\",\"seed\":{},\"maximal\":{},"

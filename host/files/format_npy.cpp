@@ -1,4 +1,4 @@
-// The format .npy of NumPy: N x 2 numbers.
+// The format .npy of NumPy: an array of N x 2 numbers.
 #include <fmt/core.h>
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace lacuna::files {
 namespace {
 
 constexpr int kColumns = 2;        // x and y
-constexpr int kColumnsOfDots = 6;  // and radius, x_mm, y_mm and radius_mm
+constexpr int kColumnsOfDots = 6;  // also radius, x_mm, y_mm and radius_mm
 
 template <class Number>
 std::vector<Point> load_points(std::string_view data, const NpyHeader& header,
@@ -28,7 +28,7 @@ std::vector<Point> load_points(std::string_view data, const NpyHeader& header,
     if (count != whole || data.size() % (columns * sizeof(Number)) != 0)
         refuse(name, fmt::format("{} bytes of data: {} points of {} bytes each are announced",
                                  data.size(), count, columns * sizeof(Number)));
-    // In units of numbers: from one point to the next, and from x to y.
+    // Distances in the array, counted in numbers: from one point to the next, and from x to y.
     const std::size_t step = header.fortran_order ? 1 : columns;
     const std::size_t to_y = header.fortran_order ? whole : 1;
     std::vector<Point> points(whole);
@@ -46,7 +46,7 @@ std::vector<Point> load_points(std::string_view data, const NpyHeader& header,
 
 // NumPy's .npy format, version 1.0: magic, version, length of the header, header, data.
 std::string npy_header(std::size_t count, int columns) {
-    constexpr std::size_t kAlignment = 64;  // of the data, so that a reader may map the file
+    constexpr std::size_t kAlignment = 64;  // the data's, so that a reader may map it
     constexpr std::size_t kBeforeText = 10;
     std::string text = fmt::format(
         "{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", count, columns);

@@ -1,5 +1,5 @@
-// The format .ply: a header that lists elements and their properties, then the elements, as text or
-// binary.
+// The format .ply: a header lists elements and their properties; then the elements follow, as text
+// or binary.
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ using ply::Property;
 using ply::Rest;
 using ply::Type;
 
-// Which of the vertex' properties are x and y.
+// The indices of x and y among the properties of a vertex.
 struct Axes {
     std::size_t x;
     std::size_t y;
@@ -47,7 +47,7 @@ Axes axes_of(const Element& vertex, const std::string& name) {
     return {find("x"), find("y")};
 }
 
-// Reads elements one by one, each into `values`, one for each property and 0 for a list.
+// Reads elements one by one into `values`: one number for each property, and 0 for a list.
 class ElementReader {
 public:
     ElementReader(Rest& rest, const Element& element, bool is_binary)
@@ -123,10 +123,10 @@ private:
     Rest& rest_;
     const Element& element_;
     bool is_binary_;
-    std::string_view line_;  // what is left of the element's line, in text
+    std::string_view line_;  // the part of the element's line that was not read yet, in text
 };
 
-// Elements without properties take no bytes: there may be any number of them to skip.
+// Elements without properties take no bytes, so a loop over them could run for ever.
 void skip(Rest& rest, const Element& element, bool is_binary) {
     if (is_binary && element.properties.empty()) return;
     std::vector<double> values(element.properties.size());

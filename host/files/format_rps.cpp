@@ -1,5 +1,5 @@
-// The format .rps of PSA, Schloemer & Deussen's point set analysis, which is only read: x y x y ...
-// as float32, little-endian.
+// The format .rps of PSA, Schloemer & Deussen's point set analysis: x y x y ... as float32,
+// little-endian. Files of this format are read, never written.
 #include <fmt/core.h>
 
 #include <cstddef>

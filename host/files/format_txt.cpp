@@ -1,5 +1,5 @@
-// The format .txt: `x y` a line, 17 significant digits. Read are also PSA's files, whose first line
-// is the count.
+// The format .txt: `x y` on each line, with 17 significant digits. PSA's files are read as well:
+// their first line is the number of points.
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@
 namespace lacuna::files {
 namespace {
 
-// One whole number alone.
+// The whole number that the line consists of, if it does.
 std::optional<std::uint64_t> count_of(std::string_view line) {
     skip_blanks(line);
     std::uint64_t count = 0;
@@ -38,7 +38,7 @@ bool is_bare_separator(std::string_view line) {
     return line.empty();
 }
 
-// Finds what could be the end of a set in a file that can hold but one.
+// Looks for a line that UTK would take for the end of a set: a .txt file can hold only one set.
 class Separator {
 public:
     void see(std::string_view line, std::size_t number, bool has_points) {
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    std::size_t at_ = 0;  // the first such line
+    std::size_t at_ = 0;  // number of the first such line; 0: none was seen
 };
 
 }  // namespace

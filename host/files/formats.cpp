@@ -1,4 +1,4 @@
-// The table of formats, and finding one in it.
+// The table of formats, and the search for a format by its name.
 #include "files/formats.h"
 
 #include <lacuna/lacuna.h>
@@ -16,7 +16,7 @@
 
 namespace lacuna::files {
 
-// Each format's own file, format_txt.cpp and so on, has these.
+// Each of these functions stands in its format's file: encode_txt in format_txt.cpp.
 std::string encode_txt(const PointSet& set);
 std::string encode_csv(const PointSet& set);
 std::string encode_npy(const PointSet& set);

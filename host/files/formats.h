@@ -1,5 +1,5 @@
-// The formats of point files: what each is called, and what writes and reads it. formats.cpp has
-// the table, which is the one place that lists them.
+// The formats of point files: their names, readers and writers. The table in formats.cpp is the
+// only list of them.
 #pragma once
 
 #include <functional>
@@ -17,11 +17,11 @@ struct SetsOfFile;
 
 struct Format {
     std::string_view extension;  // with its dot, in lower case
-    // The bytes of a file; null for a format that is only read.
+    // Returns the bytes of a file; null for a format that is only read.
     std::string (*encode)(const PointSet& set) = nullptr;
-    // The sets of a file, whose name messages give; null for a format that is only written.
+    // Returns the sets in the file called `name`; null for a format that is only written.
     SetsOfFile (*decode)(std::string_view bytes, const std::string& name) = nullptr;
-    // Of a picture, which is to be seen and cannot be read.
+    // Set if the format is a picture, which can be written but not read.
     std::optional<drawing::Medium> medium{};
 
     std::string_view name() const { return extension.substr(1); }
@@ -29,15 +29,15 @@ struct Format {
 
 std::span<const Format> formats();
 
-// By its name, such as csv, or by the extension of a path, in any case; null if there is none.
+// Finds a format by its name, such as csv, or by a path's extension. Case is ignored; null if none.
 const Format* find_format(std::string_view name);
 const Format* find_format_of(const std::string& path);
 
-// The format to write `path` in: what its extension names; "-" (standard output) is txt.
-// Throws BadRequest("output", path, ...) listing the extensions that can be written.
+// The format in which to write `path`, by its extension; "-" (standard output) is txt.
+// Throws BadRequest("output", path, ...), which lists the extensions that can be written.
 const Format& format_of(const std::string& path);
 
-// The extensions of the formats that `is_wanted`, with a blank between two, as messages list them.
+// The extensions of the formats for which `is_wanted` is true, separated by blanks, for messages.
 std::string extensions(const std::function<bool(const Format&)>& is_wanted);
 std::string written_extensions();
 std::string read_extensions();

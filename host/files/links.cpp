@@ -1,4 +1,4 @@
-// Follows links, also those to files that are not there.
+// Follows symbolic links, also links to files that do not exist.
 #include "files/links.h"
 
 #include <cerrno>
@@ -10,7 +10,7 @@
 namespace lacuna::files {
 
 std::string behind_links(const std::string& path) {
-    constexpr int kMaximalLinks = 40;  // the kernel's own limit
+    constexpr int kMaximalLinks = 40;  // the same limit as the kernel's
     std::filesystem::path target = path;
     std::error_code error;
     for (int i = 0; i < kMaximalLinks; ++i) {

@@ -1,4 +1,4 @@
-// The bytes of a float64 as files and digests hold them: lowest first, on any machine.
+// The bytes of a float64 in files and digests: the lowest byte first, on any machine.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// A new file beside the older one, then a rename.
+// Writes a new file beside the older one, then renames it.
 #include "files/new_file.h"
 
 #include <cerrno>
@@ -15,13 +15,13 @@ namespace lacuna::files {
 namespace {
 
 std::string name_beside(const std::filesystem::path& target) {
-    // Cut, because the longer name must fit into the system's 255 bytes too.
+    // Limit for the user's part of the name: with a dot and a suffix it must fit into 255 bytes.
     constexpr std::size_t kMaximalLength = 200;
     const std::string name = target.filename().string().substr(0, kMaximalLength);
     return (target.parent_path() / ("." + name + ".XXXXXX")).string();
 }
 
-// The permissions that a shell's `> file` would give.
+// The permissions that a file gets from a shell's `> file`.
 mode_t permissions_of_a_new_file() {
     const mode_t mask = ::umask(S_IRWXG | S_IRWXO);
     ::umask(mask);
@@ -31,7 +31,7 @@ mode_t permissions_of_a_new_file() {
 mode_t permissions_for(const std::string& path) {
     const std::optional<struct stat> older = status_of(path);
     if (!older) return permissions_of_a_new_file();
-    // A rename would replace even a file that is write-protected.
+    // Checked because a rename would replace even a file that is write-protected.
     if (::access(path.c_str(), W_OK) != 0) fail_to_write(path, errno);
     return older->st_mode & 0777U;
 }
@@ -75,9 +75,9 @@ NewFile::~NewFile() {
 }
 
 void NewFile::put_in_place() {
-    // May fail: some file systems know no permissions, and the points matter more.
+    // A failure is ignored: some file systems have no permissions, and the points matter more.
     static_cast<void>(::fchmod(descriptor_.number(), permissions_));
-    // Else a crash after the rename could leave an empty file in place of the older one.
+    // Without fsync a crash after the rename could leave an empty file instead of the older one.
     if (::fsync(descriptor_.number()) != 0) fail_to_write(path_, errno);
     descriptor_.close(path_);
     if (::rename(name_.c_str(), target_.c_str()) != 0) fail_to_write(path_, errno);

@@ -11,15 +11,15 @@
 
 namespace lacuna::files {
 
-// What is at `path` behind all links, if anything is. Throws FileError.
+// The status of the file to which `path` leads through all links, if it exists. Throws FileError.
 std::optional<struct stat> status_of(const std::string& path);
 
-// Lies beside the file that it is to replace, for a rename cannot cross file systems, under a name
-// of its own, and is gone at the end unless it was put in place. Messages name `path`, which is
-// what the user called it. Throws FileError.
+// A file with a temporary name that can replace the file at `path`. It lies in the same directory,
+// because a rename cannot cross file systems. The destructor deletes it unless it was put in place.
+// Messages name `path`. Throws FileError.
 class NewFile {
 public:
-    // Refuses a path where there is a file that cannot be written.
+    // Throws FileError if a file exists at `path` and is write-protected.
     explicit NewFile(const std::string& path);
     NewFile(const NewFile&) = delete;
     NewFile& operator=(const NewFile&) = delete;
@@ -28,7 +28,7 @@ public:
     const std::string& name() const { return name_; }
     int descriptor() const { return descriptor_.number(); }
 
-    // Puts it, as it is on the disk, in place of what was there, whose permissions it takes over.
+    // Flushes the bytes to the disk, then replaces the older file and takes over its permissions.
     void put_in_place();
 
 private:

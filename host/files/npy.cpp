@@ -1,4 +1,4 @@
-// The header of .npy files.
+// Reads and writes the header of .npy files.
 #include "files/npy.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 namespace lacuna::files {
 namespace {
 
-constexpr std::size_t kLongestHeader = 10000;  // NumPy's own limit
+constexpr std::size_t kLongestHeader = 10000;  // the same limit as NumPy's
 
 // Reads the header, a Python dictionary such as
 // {'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }
@@ -24,7 +24,7 @@ class HeaderReader {
 public:
     explicit HeaderReader(std::string_view text) : rest_(text) {}
 
-    // Nothing if it is not such a dictionary, with each of the three keys once.
+    // Empty if the text is not such a dictionary with each of the three keys exactly once.
     std::optional<NpyHeader> read() {
         NpyHeader header;
         unsigned keys = 0;
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    // The bit of the key read, 0 for none.
+    // Returns the bit that stands for the key it read, or 0 if it read none.
     unsigned read_entry(NpyHeader& header) {
         std::string_view key;
         if (!take_string(key) || !take(":")) return 0;
@@ -80,7 +80,7 @@ private:
             std::uint64_t side = 0;
             if (take_number(rest_, side) != std::errc{}) return false;
             shape.push_back(side);
-            take("L");  // of Python 2
+            take("L");  // Python 2 writes a long integer as 3L
             if (!take(",") && !rest_.starts_with(')')) return false;
         }
         return true;
@@ -94,7 +94,7 @@ private:
     std::string_view rest_;
 };
 
-// Takes magic, version, length and header from `bytes`, and leaves the data.
+// Removes magic, version, length and header from `bytes`; the data remains. Returns the header.
 std::string_view take_text(std::string_view& bytes, const std::string& name) {
     if (!bytes.starts_with(kNpyMagic))
         refuse(name, "not a .npy file: it must begin with \\x93NUMPY");

@@ -12,16 +12,16 @@ namespace lacuna::files {
 inline constexpr std::string_view kNpyMagic = "\x93NUMPY";
 
 struct NpyHeader {
-    std::string_view descr;  // the type of the numbers, such as <f8; part of the bytes read
+    std::string_view descr;  // type of the numbers, such as <f8; a view of the bytes that were read
     bool fortran_order = false;
     std::vector<std::uint64_t> shape;
 };
 
-// Takes magic, version, length and header of versions 1.0 to 3.0 from `bytes`, and leaves the
-// data. Throws FileError, in which `name` stands for the file.
+// Removes magic, version, length and header (versions 1.0 to 3.0) from `bytes`, so that the data
+// remains. Throws FileError, in which `name` stands for the file.
 NpyHeader take_npy_header(std::string_view& bytes, const std::string& name);
 
-// Of so many rows of as many columns of doubles, version 1.0.
+// The header, version 1.0, of an array of doubles with `count` rows and `columns` columns.
 std::string npy_header(std::size_t count, int columns);
 
 // The shape as Python prints it: (3, 2) or (3,).

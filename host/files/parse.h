@@ -1,4 +1,4 @@
-// What readers of files share: refusals, lines, words and numbers.
+// Helpers for the readers of files: refusals, lines, words and numbers.
 #pragma once
 
 #include <fmt/core.h>
@@ -29,7 +29,7 @@ inline std::string excerpt(std::string_view text) {
     return fmt::format("{:?}{}", text.substr(0, kLongest), is_long ? "..." : "");
 }
 
-// The next line, without its end; takes it from `rest`.
+// Removes the next line from `rest` and returns it without its line end.
 inline std::string_view take_line(std::string_view& rest) {
     const std::size_t end = rest.find('\n');
     std::string_view line = rest.substr(0, end);
@@ -42,7 +42,7 @@ inline void skip_blanks(std::string_view& text) {
     while (text.starts_with(' ') || text.starts_with('\t')) text.remove_prefix(1);
 }
 
-// The next word, up to a blank or the end; takes it and the blanks around it from `rest`.
+// Removes the next word and the blanks around it from `rest`. A word ends at a blank.
 inline std::string_view take_word(std::string_view& rest) {
     skip_blanks(rest);
     const std::string_view word = rest.substr(0, rest.find_first_of(" \t"));
@@ -51,7 +51,7 @@ inline std::string_view take_word(std::string_view& rest) {
     return word;
 }
 
-// The number that `rest` begins with; takes it from there if there is one.
+// Reads the number at the beginning of `rest`. If there is one, it is removed from `rest`.
 template <class Number>
 std::errc take_number(std::string_view& rest, Number& number) {
     std::string_view digits = rest;
@@ -61,7 +61,7 @@ std::errc take_number(std::string_view& rest, Number& number) {
     return error;
 }
 
-// The number at the front of `bytes`, in the byte order given, on any machine.
+// The number at the beginning of `bytes`, which are in the given byte order.
 template <class Number>
 Number load(std::string_view bytes, std::endian order) {
     std::array<char, sizeof(Number)> own{};

@@ -30,7 +30,7 @@ inline std::size_t size_of(Type type) {
 struct Property {
     std::string_view name;
     Type type;
-    std::optional<Type> length;  // of a list
+    std::optional<Type> length;  // the type of a list's length; empty if the property is no list
 };
 
 struct Element {
@@ -44,10 +44,10 @@ struct Header {
     std::vector<Element> elements;
 };
 
-// What is left of a file, and for messages where that begins.
+// The part of a file that was not read yet, and where it begins, for messages.
 struct Rest {
     std::string_view bytes;
-    std::size_t line = 0;  // number of the line taken last
+    std::size_t line = 0;  // number of the line that was taken last
     const std::string& name;
 
     std::string_view take_line() {
@@ -59,7 +59,7 @@ struct Rest {
     }
 };
 
-// Takes the header, up to end_header. Throws FileError.
+// Removes the header, up to end_header, from `rest`. Throws FileError.
 Header read_header(Rest& rest);
 
 }  // namespace lacuna::files::ply

@@ -1,4 +1,4 @@
-// Point files and pictures, named by their extension; a file appears whole or not at all.
+// Point files and pictures. The extension names the format, and a file appears whole or not at all.
 #pragma once
 
 #include <lacuna/files.h>
@@ -17,78 +17,78 @@
 
 namespace lacuna::files {
 
-// Where a set comes from: .json, .svg and .pdf tell it.
+// How a set was made: .json, .svg and .pdf record it.
 struct Origin {
-    std::string version;  // of the program
+    std::string version;  // version of the program
     std::string command;  // a command line that makes the same set
     Boundary boundary = Boundary::box;
     Mode mode = Mode::exact;
     std::uint64_t seed = 0;
-    bool maximal = false;      // whether no room is left
-    std::string options = {};  // a JSON object of all that decides the points
+    bool maximal = false;      // whether no further sample fits
+    std::string options = {};  // a JSON object of all options that the points depend on
 };
 
-// The sizes of a set's dots and its place on paper, for those who draw it themselves: .csv, .npy,
-// .ply and .json have them.
+// The sizes of the dots and their position on the page, for programs that draw them themselves.
+// They are written to .csv, .npy, .ply and .json.
 struct Dots {
-    std::vector<double> radii;  // of each point, in the domain's units
+    std::vector<double> radii;  // radius of each point's dot, in the domain's units
     double millimetres_per_unit = 0;
-    double left_mm = 0;    // of the domain, from the left edge of the page
-    double bottom_mm = 0;  // from its lower edge
+    double left_mm = 0;    // from the left edge of the page to the domain
+    double bottom_mm = 0;  // from the lower edge of the page to the domain
 
-    // x, y and the radius of a dot, on the page, y upwards.
+    // A dot's centre and radius on the page, in millimetres; y points upwards.
     double x_mm(Point point) const { return left_mm + point.x * millimetres_per_unit; }
     double y_mm(Point point) const { return bottom_mm + point.y * millimetres_per_unit; }
     double radius_mm(std::size_t index) const { return radii[index] * millimetres_per_unit; }
 };
 
-// A set of points with what a picture needs to know of it.
+// A set of points, and what is needed to draw it.
 struct PointSet {
     std::span<const Point> points;
-    double width = 1;  // of the domain
+    double width = 1;  // width of the domain
     double height = 1;
-    // Least distance; dots are drawn with a third of it as their radius. 0: not known; dots are
-    // then as large as those of a maximal set of as many points.
+    // Least distance; a dot's radius is a third of it. 0 means unknown: then dots are as large as
+    // in a maximal set with the same number of points.
     double radius = 0;
-    const Origin* origin = nullptr;  // null: not known
+    const Origin* origin = nullptr;  // null: unknown
     const Dots* dots = nullptr;      // null: not wanted
 };
 
 using lacuna::ClosedPipe;
 using lacuna::FileError;
 
-// ASCII only: what the locale takes for a letter must not change which file is meant.
+// Converts ASCII letters only: the locale must not change which file is meant.
 char lower_case(char c);
 
-// The bytes of a file of that format.
-//   txt   `x y` a line, 17 significant digits, so that reading gives back the same doubles
+// The bytes of a file in the given format.
+//   txt   `x y` on each line, 17 significant digits, so that reading gives back the same doubles
 //   csv   the same with a header line `x,y`
 //   npy   NumPy 1.0 header, N x 2 float64, little-endian, C order
 //   ply   ASCII, vertex x y z as double, z = 0
-//   json  {"width":..., "height":..., "radius":..., what the origin tells, "count":...,
+//   json  {"width":..., "height":..., "radius":..., the members of Origin, "count":...,
 //         "points":[[x,y],...]}
+//   svg, pdf, png   black dots on white, y upwards; longer side 1024 pixels (png) or 512 points
 // With dots, csv, npy and ply have the columns x, y, (z,) radius, x_mm, y_mm and radius_mm, and
 // json has "dots" before the points.
-//   svg, pdf, png: black dots on white, y upwards; longer side 1024 pixels (png) or 512 points
 // The same set gives the same bytes on every call. Throws FileError if a picture cannot be drawn.
 inline std::string encode(const PointSet& set, const Format& format) {
     return format.encode(set);
 }
 
 // Writes `bytes` to `path` ("-": standard output), whole or not at all: into a new file beside it,
-// then a rename. An older file of that name is untouched until then and hands on its permissions.
-// Links are followed. What is not a regular file (a device, a pipe) and what descriptor_named()
-// knows is written into instead.
-// Throws FileError, and ClosedPipe when whoever read from a pipe has gone.
+// then a rename. Until the rename an older file stays as it is; the new one gets its permissions.
+// Links are followed. Devices, pipes and the paths that descriptor_named() knows are written to
+// directly, without a rename.
+// Throws FileError, or ClosedPipe when the reader of a pipe has gone.
 void write_whole(const std::string& path, std::string_view bytes);
 
-// The descriptor that /dev/stdout, /dev/stderr, /dev/fd/N or /proc/self/fd/N names.
+// The number of the descriptor that /dev/stdout, /dev/stderr, /dev/fd/N or /proc/self/fd/N names.
 std::optional<int> descriptor_named(const std::string& path);
 
-// SHA-256, in hex, of the points as little-endian float64 x0 y0 x1 y1 ...: what --report prints
-// and what tests pin.
+// SHA-256, in hex, of the points as little-endian float64 x0 y0 x1 y1 ...: the value that --report
+// prints and that tests compare.
 std::string sha256_of(std::span<const Point> points);
-// The same of points that come in parts.
+// The same hash when the points arrive in parts.
 class Sha256OfPoints {
 public:
     Sha256OfPoints();
@@ -97,7 +97,7 @@ public:
     Sha256OfPoints& operator=(const Sha256OfPoints&) = delete;
 
     void add(std::span<const Point> points);
-    std::string hex();  // once, at the end
+    std::string hex();  // call it once, after the last add()
 
 private:
     struct State;

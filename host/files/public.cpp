@@ -1,4 +1,4 @@
-// The public door to point files.
+// The public functions for point files.
 #include <lacuna/files.h>
 
 #include "files/formats.h"

@@ -1,4 +1,4 @@
-// The one set of a file.
+// Reads a file that must hold one set.
 #include "files/read_points.h"
 
 #include <fmt/core.h>

@@ -11,11 +11,11 @@
 
 namespace lacuna::files {
 
-// The points of the file, in its order: what read_sets() reads, where it is one set. Throws
-// FileError as read_sets() does, and for several sets.
+// The points of the file, in the file's order. Throws FileError where read_sets() does, and if the
+// file holds several sets.
 std::vector<Point> read_points(const std::string& path);
 
-// The same for bytes that have been read. `name` stands for the file in messages.
+// The same for the bytes of a file. `name` stands for the file in messages.
 std::vector<Point> decode(std::string_view bytes, const Format& format, const std::string& name);
 
 }  // namespace lacuna::files

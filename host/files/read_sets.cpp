@@ -1,4 +1,4 @@
-// Which reader a file of sets is for.
+// Chooses the reader for a file of sets.
 #include "files/read_sets.h"
 
 #include <fmt/core.h>
@@ -31,7 +31,7 @@ SetsOfFile read_sets(const std::string& path) {
     const Format* const format = path == "-" ? find_format("txt") : find_format_of(path);
     if (format == nullptr)
         refuse(path, "not a point file: the extension must be one of " + read_extensions());
-    refuse_picture(*format, path);  // before it is read
+    refuse_picture(*format, path);  // before the file is read
     return decode_sets(read_whole(path), *format, name_of(path));
 }
 

@@ -1,5 +1,5 @@
-// Reads files that hold one point set or several, and what they tell of the domain: this program's
-// formats, and those of other programs that analyse point sets.
+// Reads files that hold one or several point sets, and what they say about the domain: this
+// program's formats, and formats of other programs that analyse point sets.
 #pragma once
 
 #include <fmt/core.h>
@@ -20,34 +20,33 @@ namespace lacuna::files {
 
 struct SetsOfFile {
     std::vector<std::vector<Point>> sets;
-    std::optional<double> width;  // of the domain: of a .json file that tells it, with the height
+    std::optional<double> width;  // width of the domain; only in .json, together with the height
     std::optional<double> height;
-    std::optional<double> radius;  // likewise, as all below
+    std::optional<double> radius;  // only in .json, as all members below
     std::optional<Boundary> boundary;
     std::optional<std::string> mode;
-    std::optional<bool> maximal;  // whether no room is left
-    bool has_scale = false;       // its options have one: radii follow a picture
+    std::optional<bool> maximal;  // whether no further sample fits
+    bool has_scale = false;       // whether the options have a scale: then radii follow a picture
 };
 
-// Formats by extension; "-" is standard input, as txt:
-//   txt   `x y` a line; blank lines and lines that begin with # are skipped. Where the first line
-//         is one whole number N, as PSA writes it, N points follow
-//   csv   `x,y` a line, likewise, and a first line of words is a header
+// The format is chosen by the extension; "-" is standard input, as txt:
+//   txt   `x y` on each line; blank lines and lines that begin with # are skipped. If the first
+//         line is a single whole number N, as in PSA's files, N points must follow
+//   csv   `x,y` on each line; comments and blank lines as in txt; a first line of words is a header
 //   npy   versions 1.0 to 3.0; N x 2, '<f8' or '<f4', C or Fortran order
 //   ply   ascii or binary_little_endian; x and y of the element vertex, float or double
 //   json  {"points": [[x, y], ...], ...} or the array alone
 //   rps   PSA's binary files: x y x y ... as float32, little-endian
-//   dat   UTK's text files: `x y` or `x<TAB>y` a line; a line that begins with # ends a set
+//   dat   UTK's text files: `x y` or `x<TAB>y` on each line; a line that begins with # ends a set
 // PSA is Schloemer & Deussen's point set analysis, UTK the Uni(corn|form) tool kit.
-//
-// Whatever could mean two things is refused: in a .txt a line of # alone between points (UTK's end
-// of a set, but a comment here), and a count that is not that of the lines.
-// Throws FileError in one line: the file, the place in it, what is there and what should be. NaN
-// and infinity are refused, and so are pictures. Sets may be empty only where the file holds no
-// point.
+// Ambiguous files are refused: a .txt file with a bare # on a line between points (the end of a set
+// for UTK, a comment here), or whose count differs from the number of points. NaN, infinity and
+// pictures are refused, too. A set may be empty only if the whole file has no point.
+// Throws FileError with one line: the file, the position in it, what was found and what was
+// expected.
 SetsOfFile read_sets(const std::string& path);
 
-// The same for bytes that have been read. `name` stands for the file in messages.
+// The same for the bytes of a file. `name` stands for the file in messages.
 SetsOfFile decode_sets(std::string_view bytes, const Format& format, const std::string& name);
 
 // ------------------------------------------------------------------------ for the formats' readers

@@ -27,7 +27,7 @@ namespace {
            fmt::format("has more than {} bytes, which a file to be read may have at most", most));
 }
 
-// Until its end, which a pipe does not tell beforehand.
+// Reads until the end, because the size of a pipe is not known beforehand.
 std::string read_all(int descriptor, const std::string& name, std::uint64_t most) {
     constexpr std::size_t kFirstRoom = std::size_t{1} << 16U;
     struct stat status {};

@@ -1,4 +1,4 @@
-// The bytes of a file: the counterpart of write_whole.
+// Reads all bytes of a file: the counterpart of write_whole.
 #pragma once
 
 #include <cstdint>
@@ -6,15 +6,15 @@
 
 namespace lacuna::files {
 
-// What a file may have at most: a quarter of this machine's memory, since what is made of the bytes
-// takes as much again, or twice.
+// The largest size of a file that is read: a quarter of this machine's memory, since the values
+// made from its bytes take as much memory again, or twice.
 std::uint64_t most_bytes();
 
 // All bytes of the file, or of standard input for "-". Throws FileError with the system's reason,
-// and for more than `most`: a pipe or a device, such as /dev/zero, need not end.
+// or if there are more than `most` bytes: a pipe or a device, such as /dev/zero, may never end.
 std::string read_whole(const std::string& path, std::uint64_t most = most_bytes());
 
-// What messages call `path`: itself, or "standard input" for "-".
+// The name of `path` in messages: the path itself, or "standard input" for "-".
 std::string name_of(const std::string& path);
 
 }  // namespace lacuna::files

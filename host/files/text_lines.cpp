@@ -1,4 +1,4 @@
-// Lines of two numbers.
+// Reads and writes lines of two numbers.
 #include "files/text_lines.h"
 
 #include <fmt/core.h>
@@ -13,9 +13,9 @@
 namespace lacuna::files {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // as some spreadsheets write it
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of some spreadsheets
 
-// Takes what stands between two numbers; false if it is not there.
+// Removes the separator between two numbers from `rest`; false if there is none.
 bool take_separator(std::string_view& rest, Between between) {
     const std::size_t before = rest.size();
     skip_blanks(rest);
@@ -28,7 +28,7 @@ bool take_separator(std::string_view& rest, Between between) {
 
 }  // namespace
 
-// A line of text with two numbers of 17 significant digits is seldom longer.
+// A line of text with two numbers of 17 significant digits is rarely longer.
 constexpr std::size_t kUsualBytesPerLine = 48;
 
 std::string with_room_for(std::string header, std::size_t lines) {

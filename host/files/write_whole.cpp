@@ -22,7 +22,7 @@
 namespace lacuna::files {
 namespace {
 
-// Whether `path` is a link, such as /dev/stdout, to what standard output goes to.
+// Whether `path` is a link, such as /dev/stdout, to the file that standard output is written to.
 bool links_to_standard_output(const std::string& path, const struct stat& status) {
     struct stat standard_output {};
     std::error_code error;
@@ -31,7 +31,7 @@ bool links_to_standard_output(const std::string& path, const struct stat& status
            std::filesystem::is_symlink(path, error);
 }
 
-// A device or a pipe keeps what it is given: there is nothing to rename.
+// A device or a pipe cannot be replaced by a rename, so the bytes are written to it directly.
 void write_into(const std::string& path, std::string_view bytes) {
     Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
     if (descriptor.number() < 0) fail_to_write(path, errno);

@@ -1,4 +1,4 @@
-// The readers of the several formats, and what they share.
+// The readers of the picture formats, and what they have in common.
 #pragma once
 
 #include <fmt/core.h>
@@ -18,13 +18,13 @@ struct Encoded {
     std::string_view bytes;
     const std::string& name;
     std::uint64_t max_pixels;
-    std::uint64_t max_aspect;  // of the longer side to the shorter
+    std::uint64_t max_aspect;  // most that the longer side may be, in lengths of the shorter
     Backdrop backdrop = Backdrop::white;
 
     [[noreturn]] void refuse(const std::string& why) const { files::refuse(name, why); }
 };
 
-// In pixels; what a file says, before it is checked.
+// The size in pixels that a file states, before it is checked.
 struct Size {
     std::uint64_t columns;
     std::uint64_t rows;
@@ -32,18 +32,18 @@ struct Size {
     std::uint64_t pixels() const { return columns * rows; }
 };
 
-// What parts the words of a text header.
+// The characters that separate the words of a text header.
 inline constexpr std::string_view kBlanks = " \t\n\v\f\r";
 
-// A pixel as messages name it.
+// A pixel's position in messages.
 inline std::string place(std::size_t row, std::size_t column) {
     return fmt::format("row {}, column {} (from 0, top left)", row, column);
 }
 
-// Refuses a picture without pixels, and one over the limits.
+// Refuses a picture without pixels or over the limits.
 void check_size(const Encoded& file, Size size);
 
-// A picture with room for its luminance. Takes memory: check the size first.
+// A picture with memory for its luminance. Check the size first, because it decides the memory.
 Image make_image(const Encoded& file, Size size);
 
 Image decode_png(const Encoded& file);

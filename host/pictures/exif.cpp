@@ -1,4 +1,4 @@
-// Exif's orientation, found and applied.
+// Finds Exif's orientation and applies it.
 #include "pictures/exif.h"
 
 #include <bit>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kUpright = 1;
 
-// Exif is a TIFF file without a picture. Numbers beyond its end are 0.
+// Exif data is a TIFF file without a picture. Reading beyond its end gives 0.
 class Tiff {
 public:
     explicit Tiff(std::string_view bytes)
@@ -32,7 +32,7 @@ private:
     std::endian order_;
 };
 
-// Where in the stored picture the pixel lies that is seen at (x, y).
+// The position in the stored picture of the pixel that is seen at (x, y).
 std::pair<std::size_t, std::size_t> stored_at(std::size_t x, std::size_t y, const Image& stored,
                                               int orientation) {
     const std::size_t right = stored.columns - 1;

@@ -1,4 +1,4 @@
-// Which way up a photograph is, as the camera noted it in Exif.
+// The orientation of a photograph, which the camera stores in Exif.
 #pragma once
 
 #include <string_view>
@@ -8,8 +8,7 @@
 namespace lacuna::pictures {
 
 // The tag Orientation (0x0112; Exif 2.32, section 4.6.4, and TIFF 6.0, page 36) in the bytes of an
-// APP1 marker: 1 to 8. 1, upright, where there is none that can be read: what is around the
-// pixels may be broken.
+// APP1 marker: 1 to 8. It is 1, upright, if none can be read: broken metadata is no error.
 int orientation_of(std::string_view app1);
 
 // The picture turned and mirrored so that its orientation is 1.

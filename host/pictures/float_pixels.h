@@ -1,4 +1,4 @@
-// Luminance of pictures in floats: checked number by number, white found at the end.
+// Luminance of pictures in floats. Each number is checked; white is found after the last one.
 #pragma once
 
 #include <fmt/core.h>
@@ -16,7 +16,7 @@ namespace lacuna::pictures {
 
 class FloatPixels {
 public:
-    // Takes the memory: check the size first.
+    // Allocates the memory, so the size must have been checked.
     FloatPixels(const Encoded& file, Size size, bool has_alpha)
         : file_(file), image_(make_image(file, size)), alpha_(has_alpha ? size.pixels() : 0) {}
 
@@ -42,7 +42,7 @@ public:
     }
 
 private:
-    // In this form grey gives itself, to the last bit, and nothing overflows.
+    // Written like this, a grey pixel keeps its value to the last bit, and nothing overflows.
     static double luminance(std::span<const double> channels) {
         const double green = channels[1];
         return green + 0.2126 * (channels[0] - green) + 0.0722 * (channels[2] - green);
@@ -55,7 +55,7 @@ private:
 
     const Encoded& file_;
     Image image_;
-    std::vector<double> alpha_;  // empty: opaque
+    std::vector<double> alpha_;  // empty: all pixels are opaque
 };
 
 }  // namespace lacuna::pictures

@@ -1,5 +1,5 @@
-// Radiance HDR: three mantissas and a common exponent a pixel, usually in runs.
-// After freadcolrs and oldreadcolrs in Radiance's src/common/color.c.
+// Radiance HDR: each pixel has three mantissas and a common exponent, usually run-length coded.
+// Follows freadcolrs and oldreadcolrs in Radiance's src/common/color.c.
 #include <fmt/core.h>
 
 #include <array>
@@ -36,7 +36,7 @@ std::optional<Size> take_size(std::string_view line) {
 
 struct Header {
     Size size{};
-    bool is_xyz = false;  // Y, the luminance, stands where green would
+    bool is_xyz = false;  // Y, the luminance, is stored in the channel of green
 };
 
 Header take_header(std::string_view& rest, const Encoded& file) {
@@ -60,14 +60,14 @@ Header take_header(std::string_view& rest, const Encoded& file) {
     return header;
 }
 
-// Reads row by row.
+// Reads a picture row by row.
 class RowReader {
 public:
     RowReader(const Encoded& file, std::string_view bytes) : file_(file), rest_(bytes) {}
 
     void read(std::size_t y, std::span<Pixel> row) {
         y_ = y;
-        // Bytes that no pixel begins with, as the mantissas of one are never all so small.
+        // The mark of a row of channels. No pixel has mantissas this small, so none begins with it.
         if (row.size() >= 8 && row.size() < 0x8000 && rest_.size() >= 4 && byte(0) == 2 &&
             byte(1) == 2 && byte(2) < 0x80)
             read_by_channel(row);
@@ -86,7 +86,7 @@ private:
         if (rest_.size() < count) refuse("is cut off");
     }
 
-    // Each channel in runs of its own.
+    // Reads a row in which each channel is run-length coded separately.
     void read_by_channel(std::span<Pixel> row) {
         if (row.size() != byte(2) * 256U + byte(3)) refuse("is of another width than the picture");
         rest_.remove_prefix(4);
@@ -94,7 +94,7 @@ private:
             for (std::size_t x = 0; x < row.size();) x += read_run(row.subspan(x), channel);
     }
 
-    // Reads some equal or some different numbers; how many.
+    // Reads a run of equal numbers, or several different ones. Returns how many.
     std::size_t read_run(std::span<Pixel> row, std::size_t channel) {
         constexpr std::size_t kEqual = 128;
         need(2);
@@ -108,8 +108,8 @@ private:
         return count;
     }
 
-    // Pixel by pixel; 1, 1, 1, n repeats the last one n times, or n * 256^k times as the k-th such
-    // in a row.
+    // Reads a row pixel by pixel. The pixel 1, 1, 1, n repeats the previous pixel n times. If such
+    // pixels follow each other, the k-th of them, from k = 0, repeats it n * 256^k times.
     void read_by_pixel(std::span<Pixel> row) {
         unsigned shift = 0;
         for (std::size_t x = 0; x < row.size();) {
@@ -134,7 +134,7 @@ private:
     std::size_t y_ = 0;
 };
 
-// Mantissas are in units of 1/256.
+// The mantissas are in units of 1/256.
 std::array<double, 3> to_doubles(const Pixel& pixel) {
     if (pixel[3] == 0) return {};
     const double unit = std::ldexp(1.0, int{pixel[3]} - (128 + 8));
@@ -147,7 +147,7 @@ Image decode_hdr(const Encoded& file) {
     std::string_view rest = file.bytes;
     const Header header = take_header(rest, file);
     check_size(file, header.size);
-    // A row takes a pixel or more, of four bytes.
+    // A row takes at least one pixel, which has four bytes.
     if (header.size.rows > rest.size() / 4)
         file.refuse(fmt::format("not a whole Radiance HDR: {} bytes cannot hold {} x {} pixels",
                                 rest.size(), header.size.columns, header.size.rows));

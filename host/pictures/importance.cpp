@@ -1,4 +1,4 @@
-// Importance of a picture's luminance.
+// Turns a picture's luminance into importance.
 #include "pictures/importance.h"
 
 #include <fmt/core.h>
@@ -33,8 +33,8 @@ struct Levels {
     double white;
 };
 
-// Half a percent of the pixels are at most as dark, and half a percent at least as light. Those of
-// a picture of one tone are as they were.
+// The levels that half a percent of the pixels do not exceed, and half a percent do not fall below.
+// A picture of a single tone is not stretched.
 Levels auto_levels_of(const Image& image) {
     constexpr std::size_t kOneIn = 200;
     std::vector<double> values = image.luminance;

@@ -1,4 +1,4 @@
-// JPEG, by libjpeg-turbo.
+// Reads JPEG with libjpeg-turbo.
 #include <cstdio>  // for jpeglib.h, which does not include what it needs
 
 #include <jpeglib.h>
@@ -25,11 +25,11 @@
 namespace lacuna::pictures {
 namespace {
 
-// Progressive pictures have some ten scans; each costs as much as the first, in few bytes.
+// About ten scans are usual. A scan of a few bytes takes as long to decode as the first.
 constexpr int kMaxScans = 100;
 
-// Warnings that leave the pixels whole. All others tell of missing or damaged data, which libjpeg
-// would fill with grey.
+// Whether the pixels are whole in spite of the warning. The other warnings report missing or
+// damaged data, which libjpeg would fill with grey.
 bool is_harmless(int warning) {
     return warning == JWRN_EXTRANEOUS_DATA || warning == JWRN_TOO_MUCH_DATA ||
            warning == JWRN_ADOBE_XFORM || warning == JWRN_JFIF_MAJOR;
@@ -66,14 +66,14 @@ public:
         guarded([&] { jpeg_start_decompress(&jpeg_); });
         Image image = make_image(file_, size());
         read_rows(image);
-        const int turn = orientation();  // before the markers are let go
+        const int turn = orientation();  // read before libjpeg frees the markers
         guarded([&] { jpeg_finish_decompress(&jpeg_); });
         return upright(std::move(image), turn);
     }
 
 private:
-    // Calls `step`, which libjpeg may leave at any point when something is wrong: it must hold
-    // nothing that would have to be destroyed.
+    // Calls `step`, which libjpeg leaves by longjmp on an error. So `step` must not hold anything
+    // that has a destructor.
     template <class Step>
     void guarded(const Step& step) {
         if (setjmp(where_) != 0)
@@ -121,12 +121,12 @@ private:
         if (space != JCS_GRAYSCALE && space != JCS_RGB && space != JCS_YCbCr && !is_cmyk())
             file_.refuse(fmt::format("a JPEG of {} colour components: must be grey, RGB or CMYK",
                                      jpeg_.num_components));
-        // No limit could be told below, and hardly any program writes it.
+        // Refused: the check below would have no limit for it, and hardly any program writes it.
         if (jpeg_.arith_code != FALSE)
             file_.refuse("a JPEG in arithmetic coding: must be Huffman coded");
     }
 
-    // Before memory is taken: a block of a scan takes one bit or more.
+    // Called before memory is allocated. A block of a scan takes at least one bit.
     void check_that_pixels_fit() const {
         std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
         for (const jpeg_component_info& component :
@@ -138,8 +138,8 @@ private:
                                      file_.bytes.size(), size().columns, size().rows));
     }
 
-    // Cyan, magenta, yellow and black to red, green and blue, in place, three bytes a pixel.
-    // Adobe's files, which nearly all are, hold paper instead of ink. Without a printer's profile.
+    // Converts a row of cyan, magenta, yellow and black to red, green and blue, in place, without a
+    // printer's profile. Nearly all files are Adobe's, which hold 255 - ink.
     void without_ink(std::vector<JSAMPLE>& row) const {
         const bool has_paper = jpeg_.saw_Adobe_marker != FALSE;
         const auto paper = [&](JSAMPLE value) {

@@ -1,4 +1,4 @@
-// Netpbm's PGM and PPM, in text (P2, P3) and in bytes (P5, P6).
+// Netpbm's PGM and PPM, as text (P2, P3) and as bytes (P5, P6).
 #include <fmt/core.h>
 
 #include <cstddef>
@@ -15,13 +15,13 @@
 namespace lacuna::pictures {
 namespace {
 
-// The words of a header, or of a picture in text.
+// Takes words from a header, or from a picture in text.
 class Words {
 public:
     Words(const Encoded& file, std::string_view bytes) : file_(file), rest_(bytes) {}
 
-    // Takes the number that comes next, after blanks and comments, which go from # to the line's
-    // end. `name` is called for messages.
+    // Skips blanks and comments, which go from # to the line's end, and takes the next number.
+    // `name` is called for messages.
     template <class Name>
     std::uint64_t take(std::uint64_t most, const Name& name) {
         skip();
@@ -64,7 +64,7 @@ struct Layout {
 };
 
 Image read_text(const Encoded& file, Words words, const Layout& layout) {
-    // Each sample takes a digit and, but for the last, a blank.
+    // Each sample takes at least one digit, and a blank between two samples.
     const std::uint64_t samples = layout.samples_a_row() * layout.size.rows;
     if (2 * samples - 1 > words.rest().size())
         file.refuse(fmt::format("{} bytes of pixels cannot hold {} samples ({} x {} of {})",
@@ -87,7 +87,7 @@ Image read_text(const Encoded& file, Words words, const Layout& layout) {
     return image;
 }
 
-// Only a maxval that is not the largest number of its bytes leaves numbers over it.
+// Only needed if maxval is not the largest number that its bytes can hold.
 void check_samples(const Encoded& file, const unsigned char* bytes, std::size_t y,
                    const Layout& layout, bool is_wide) {
     if (layout.max == 255 || layout.max == 65535) return;
@@ -129,7 +129,7 @@ Image decode_netpbm(const Encoded& file) {
     const Layout layout{{columns, rows}, kind == '2' || kind == '5' ? 1U : 3U, max};
     check_size(file, layout.size);
     if (kind == '2' || kind == '3') return read_text(file, words, layout);
-    // One blank ends the header; the next byte may be a pixel that looks like one.
+    // Exactly one blank ends the header: the next byte may be a pixel with the value of a blank.
     return read_bytes(file, words.rest().substr(words.rest().empty() ? 0 : 1), layout);
 }
 

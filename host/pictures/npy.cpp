@@ -1,4 +1,4 @@
-// Pictures as NumPy arrays, in .npy.
+// Reads pictures from NumPy arrays in .npy files.
 #include "files/npy.h"
 
 #include <fmt/core.h>
@@ -22,12 +22,12 @@
 namespace lacuna::pictures {
 namespace {
 
-// NumPy's bool: a byte, 0 or 1.
+// NumPy's bool: one byte, 0 or 1.
 struct Bool {
     std::uint8_t byte;
 };
 
-// IEEE 754's binary16: a sign, 5 bits of exponent and 10 of fraction.
+// IEEE 754's binary16: a sign, 5 bits of exponent and 10 bits of fraction.
 struct Half {
     std::uint16_t bits;
 };
@@ -51,13 +51,13 @@ double value_of(Half half) {
     return (half.bits & 0x8000U) != 0 ? -value : value;
 }
 
-// Whole numbers over 2^53 lose their last digits, which no tone has.
+// Whole numbers over 2^53 lose their last digits, which do not matter for a tone.
 template <class Number>
 double value_of(Number value) {
     return static_cast<double>(value);
 }
 
-// Numbers of the array by row, column and channel.
+// An array's numbers, found by row, column and channel.
 template <class Number>
 class Array {
 public:
@@ -77,7 +77,7 @@ public:
 private:
     std::string_view data_;
     std::endian order_;
-    std::size_t row_step_;  // in numbers, as the other steps
+    std::size_t row_step_;  // steps are counted in numbers
     std::size_t column_step_;
     std::size_t channel_step_;
 };

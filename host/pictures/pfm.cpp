@@ -1,4 +1,4 @@
-// PFM: floats after three lines of text, rows from the bottom up.
+// PFM: three lines of text, then floats; the lowest row comes first.
 #include <fmt/core.h>
 
 #include <array>
@@ -17,7 +17,7 @@
 namespace lacuna::pictures {
 namespace {
 
-// Takes the next word, and the one blank that ends it: after the last word the floats begin.
+// Takes the next word and exactly one blank after it: after the last word the floats begin.
 std::string_view take_word(std::string_view& rest) {
     const std::size_t begin = rest.find_first_not_of(kBlanks);
     rest.remove_prefix(begin == std::string_view::npos ? rest.size() : begin);
@@ -38,7 +38,7 @@ Number take(std::string_view& rest, const Encoded& file, std::string_view what) 
     return number;
 }
 
-// The sign is the byte order.
+// The sign of the scale factor says the byte order.
 std::endian take_order(std::string_view& rest, const Encoded& file) {
     const auto scale = take<double>(rest, file, "the scale factor");
     if (!std::isfinite(scale) || scale == 0)

@@ -1,4 +1,4 @@
-// PNG, by libpng.
+// Reads PNG with libpng.
 #include <fmt/core.h>
 #include <png.h>
 
@@ -21,7 +21,7 @@
 namespace lacuna::pictures {
 namespace {
 
-// What libpng last complained of. Of plain bytes: libpng leaves its callbacks by longjmp.
+// The last message of libpng. It has no destructor: libpng leaves its callbacks by longjmp.
 class Complaint {
 public:
     void set(const char* text) { std::strncpy(text_.data(), text, text_.size() - 1); }
@@ -44,8 +44,8 @@ public:
         }
         png_set_read_fn(png_, this, read);
         png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // check_size has its own
-        // Nothing but the pixels, their palette and transparency counts: profiles and texts, which
-        // could be large when unpacked, are passed over.
+        // Only pixels, palette and transparency are read. Profiles and texts are skipped, because
+        // they could be large when unpacked.
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     }
     PngReader(const PngReader&) = delete;
@@ -58,7 +58,8 @@ public:
         check_that_pixels_fit();
         int passes = 1;
         guarded([&] {
-            // To 8 or 16 bits a channel; what a palette or a transparent colour says, as channels.
+            // Expands pixels to 8 or 16 bits a channel; palette and transparent colour become
+            // channels.
             png_set_expand(png_);
             passes = png_set_interlace_handling(png_);
             png_read_update_info(png_, info_);
@@ -73,8 +74,8 @@ public:
     }
 
 private:
-    // Calls `step`, which libpng may leave at any point when something is wrong: it must hold
-    // nothing that would have to be destroyed.
+    // Calls `step`, which libpng leaves by longjmp on an error. So `step` must not hold anything
+    // that has a destructor.
     template <class Step>
     void guarded(const Step& step) {
         if (setjmp(png_jmpbuf(png_)) != 0)
@@ -101,11 +102,11 @@ private:
         return {png_get_image_width(png_, info_), png_get_image_height(png_, info_)};
     }
 
-    // Where the format wants it, in the first chunk, so that a bad size is told in our words.
+    // Reads the size from the first chunk, as the format demands, for a message of our own.
     void check_announced_size() const {
         constexpr std::size_t kColumns = 16;
         constexpr std::size_t kRows = 20;
-        if (file_.bytes.size() < kRows + 4) return;  // libpng tells that the file ends
+        if (file_.bytes.size() < kRows + 4) return;  // libpng reports that the file is too short
         const auto number = [&](std::size_t at) {
             return std::uint64_t{
                 files::load<std::uint32_t>(file_.bytes.substr(at), std::endian::big)};
@@ -113,7 +114,7 @@ private:
         check_size(file_, {number(kColumns), number(kRows)});
     }
 
-    // Before memory is taken: deflate packs at most 1032 bytes into one.
+    // Called before memory is allocated. Deflate packs at most 1032 bytes into one.
     void check_that_pixels_fit() const {
         check_size(file_, size());
         constexpr std::uint64_t kHighestRatio = 1032;

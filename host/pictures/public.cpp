@@ -1,4 +1,4 @@
-// The public door to pictures.
+// The public functions for pictures.
 #include <lacuna/pictures.h>
 
 #include "pictures/image.h"

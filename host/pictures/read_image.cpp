@@ -1,4 +1,4 @@
-// Which format a picture has, by its first bytes, and how large it may be.
+// Finds the format of a picture by its first bytes, and checks its size.
 #include "pictures/image.h"
 
 #include <fmt/core.h>
@@ -40,7 +40,7 @@ constexpr std::array<Known, 14> kFormats{{{"\x89PNG\r\n\x1a\n", decode_png},
                                           {"#?RGBE", decode_hdr},
                                           {files::kNpyMagic, decode_npy}}};
 
-// Formats that are not read, so that the message can name them.
+// Known formats that are not read; the message names them.
 struct Unread {
     std::size_t at;
     std::string_view magic;

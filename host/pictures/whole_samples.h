@@ -1,4 +1,4 @@
-// Luminance of samples of 8 or 16 bits, in whole numbers up to one last division.
+// Luminance of samples of 8 or 16 bits, in whole numbers until one last division.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +10,26 @@
 
 namespace lacuna::pictures {
 
-// ITU-R BT.709-6, item 3.2, times 10000.
+// The weights of ITU-R BT.709-6, item 3.2, times 10000.
 inline constexpr std::int32_t kRed = 2126;
 inline constexpr std::int32_t kGreen = 7152;
 inline constexpr std::int32_t kBlue = 722;
 inline constexpr std::int32_t kAll = kRed + kGreen + kBlue;
 
-// At most 10000 * 65535: fits into 32 bits.
+// The sum is at most 10000 * 65535, which fits into 32 bits.
 inline std::int32_t weighted(std::int32_t red, std::int32_t green, std::int32_t blue) {
     return kRed * red + kGreen * green + kBlue * blue;
 }
 
-// `weighted` out of kAll * max, at opacity alpha / max over the backdrop.
+// Composites `weighted`, out of kAll * max, over the backdrop, at opacity alpha / max.
 inline double over(Backdrop backdrop, std::int64_t weighted, std::int64_t alpha, std::int64_t max) {
     const std::int64_t behind = backdrop == Backdrop::white ? kAll * max : 0;
     return static_cast<double>(weighted * alpha + behind * (max - alpha)) /
            static_cast<double>(kAll * max * max);
 }
 
-// Fills a row of luminance. `at(column, channel)` is a sample, 0 to max; channels: 1 grey, 2 grey
-// and alpha, 3 red, green and blue, 4 these and alpha.
+// Fills a row of luminance. `at(column, channel)` returns a sample, 0 to max. 1 channel is grey, 2
+// are grey and alpha, 3 are red, green and blue, 4 also alpha.
 template <unsigned kChannels, class At>
 void fill_row(std::span<double> row, std::int32_t max, Backdrop backdrop, const At& at) {
     const double whole = max;
@@ -48,8 +48,8 @@ void fill_row(std::span<double> row, std::int32_t max, Backdrop backdrop, const 
     }
 }
 
-// Calls `use` with the number of channels as a constant, so that the compiler can make a loop over
-// pixels of its own for each.
+// Calls `use` with the number of channels as a constant, so that the compiler makes a separate loop
+// over pixels for each number.
 template <class Use>
 void with_channels(unsigned channels, const Use& use) {
     switch (channels) {
@@ -64,8 +64,8 @@ void with_channels(unsigned channels, const Use& use) {
     }
 }
 
-// Fills a row from samples as most formats have them: side by side, in bytes or, if they are wide,
-// in pairs of bytes, the higher one first.
+// Fills a row from samples that lie side by side, as in most formats: each is one byte or, if
+// is_wide, two bytes with the higher one first.
 inline void fill_row_from(const unsigned char* bytes, unsigned channels, bool is_wide,
                           std::span<double> row, std::int32_t max,
                           Backdrop backdrop = Backdrop::white) {

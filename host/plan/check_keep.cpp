@@ -1,4 +1,4 @@
-// Whether points that are to be kept may be: where they lie, and how far apart.
+// Checks the points that a request keeps: where they lie, and how far apart.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,10 +16,10 @@
 namespace lacuna {
 namespace {
 
-// Of the longer side: what borders of pixels are off by in whole units, and a little more.
+// Tolerance of a pixel's border, relative to the longer side: a little over the rounding to units.
 constexpr double kRounding = 0x1p-28;
 
-// Calls `use` with the index of every pixel that the point may be taken to lie on.
+// Calls `use` with the index of every pixel on which the point may be said to lie.
 template <class Use>
 void for_pixels_at(const Request& request, Point point, std::uint32_t columns, std::uint32_t rows,
                    const Use& use) {
@@ -69,8 +69,8 @@ double distance_between(const Request& request, Point a, Point b) {
     return std::sqrt(dx * dx + dy * dy);
 }
 
-// The points whose radius is at least `least`, each in a cell of twice that side or more. While
-// they keep their distance few share a cell: the first two that do not end the work.
+// Holds the points whose radius is at least `least`, in cells at least twice that wide. Points that
+// keep their distance rarely share a cell, and the first two that are too close end the check.
 class Cells {
 public:
     Cells(const Request& request, std::span<const double> radii, double least)
@@ -80,7 +80,7 @@ public:
           rows_(cells_along(request.height, 2 * least)),
           next_(radii.size()) {}
 
-    // Throws BadRequest where the point is too close to one that was added.
+    // Throws BadRequest if the point is too close to a point that was added.
     void add(std::uint32_t index) {
         const Point point = request_.keep[index];
         const std::uint64_t column = cell_of(point.x / request_.width, columns_);
@@ -95,14 +95,14 @@ public:
 private:
     static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-    // At least as wide as asked for; no more than 2^30, which is narrower than any radius.
+    // Cells are at least `side` wide. There are at most 2^30, which are narrower than any radius.
     static std::uint64_t cells_along(double length, double side) {
         return static_cast<std::uint64_t>(std::clamp(std::floor(length / side), 1.0, 0x1p30));
     }
     static std::uint64_t cell_of(double share, std::uint64_t cells) {
         return std::min(static_cast<std::uint64_t>(share * static_cast<double>(cells)), cells - 1);
     }
-    // A cell and those beside it, around the edges of a torus, each once.
+    // The cell and its neighbours, each once; on a torus across the edges, too.
     std::set<std::uint64_t> around(std::uint64_t cell, std::uint64_t cells) const {
         const bool wraps = request_.boundary == Boundary::torus;
         std::set<std::uint64_t> near{cell};
@@ -132,7 +132,7 @@ private:
     std::span<const double> radii_;
     std::uint64_t columns_;
     std::uint64_t rows_;
-    std::unordered_map<std::uint64_t, std::uint32_t> first_;  // of a cell: the last one added
+    std::unordered_map<std::uint64_t, std::uint32_t> first_;  // by cell: the last point added
     std::vector<std::uint32_t> next_;
 };
 
@@ -166,11 +166,11 @@ void check_kept_place(const Request& request, std::size_t index) {
         refuse("must lie where the field is not 0");
 }
 
-// Two points of which the smaller radius lies in [2^l, 2^(l+1)) are both among those of 2^l or
-// more, and found in cells of 2^(l+1): each power of two that occurs takes a look at all of those.
+// If the smaller radius of two points lies in [2^l, 2^(l+1)), both have a radius of at least 2^l,
+// and cells of width 2^(l+1) find the pair. So all points of at least 2^l are checked for each l.
 void check_kept_distances(const Request& request) {
     const double size = request.field == nullptr ? *request.radius : *request.scale;
-    if (!std::isfinite(size) || size <= 0) return;  // which the plan refuses
+    if (!std::isfinite(size) || size <= 0) return;  // the plan refuses such a size
     const std::vector<double> radii = radii_of(request);
     std::set<int> levels;
     for (const double radius : radii) levels.insert(std::ilogb(radius));

@@ -1,4 +1,4 @@
-// What a request may ask for.
+// Checks the options of a request.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLargestAspect = 1000.0;
 constexpr std::uint32_t kMostLinesPerRadius = 1000;
-constexpr std::uint64_t kMostRoundSize = std::uint64_t{1} << 31;  // draws have numbers of 32 bits
+constexpr std::uint64_t kMostRoundSize = std::uint64_t{1} << 31;  // draws have 32-bit numbers
 
 // A program may cast any number to an enum.
 void check_enums(const Request& request) {
@@ -30,19 +30,19 @@ void check_enums(const Request& request) {
 }
 
 void check_round_size(const Request& request) {
-    constexpr double kBytesPerDraw = 96;  // draws, candidates, statuses, and room to sort them
+    constexpr double kBytesPerDraw = 96;  // draw, candidate, status, and memory to sort them
     const std::string value = std::to_string(request.round_size);
     if (request.uniform_x && request.round_size > 1)
         throw BadRequest("round-size", value,
                          "must be 1 with uniform-x, whose draws cannot be thinned");
     if (request.round_size > kMostRoundSize)
         throw BadRequest("round-size", value, "must be at most " + std::to_string(kMostRoundSize));
-    if (request.backend == "reference") return;  // takes one draw at a time
+    if (request.backend == "reference") return;  // the reference takes one draw at a time
     refuse_more_memory(request, "round-size", value,
                        kBytesPerDraw * static_cast<double>(request.round_size));
 }
 
-// What a field asks for beside a scale or a count.
+// Checks the options of a request with a field, except scale and count.
 void check_field(const Request& request) {
     const std::string mode(name_of(request.mode));
     if (request.field == nullptr) {
@@ -71,7 +71,7 @@ void check_importance(const Field& field) {
                          std::to_string(field.columns) + "x" + std::to_string(field.rows) +
                              " with " + std::to_string(field.importance.size()) + " values",
                          "needs columns * rows values, at least one");
-    // In one pass, without a branch: there may be 2^28 pixels.
+    // One pass without a branch, because there may be 2^28 pixels.
     bool is_fine = true;
     bool is_zero = true;
     for (const double one : field.importance) {

@@ -1,4 +1,4 @@
-// What a request may say of where samples lie: the mask and the border.
+// Checks a request's mask and border.
 #include <algorithm>
 #include <cstddef>
 #include <string>

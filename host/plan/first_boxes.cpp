@@ -1,4 +1,4 @@
-// Halving, along the longer side or the border of pixels next to its middle.
+// Halves boxes along their longer side, or at the border of pixels nearest to its middle.
 #include "plan/first_boxes.h"
 
 #include <algorithm>
@@ -11,23 +11,23 @@
 namespace lacuna {
 namespace {
 
-// Work is shared out evenly enough when no region has more than one place in so many; and one of
-// fewer places than kFewPlaces is not worth sharing out.
+// A region is work for one thread and has at most 1/kRegions of the boxes, so that work is even. A
+// region of fewer than kFewPlaces boxes is not cut further, because that would save no time.
 constexpr std::uint32_t kRegions = 96;
 constexpr std::uint32_t kFewPlaces = 128;
 
-// Places are at most so many of the least radius under them long, over the plan's lines_per_radius.
-// Of shorter ones more are cut, and of longer ones more is drawn that is covered already.
+// A box is at most kRadii / lines_per_radius of the least radius under it long. With shorter boxes
+// there are more to cut; with longer ones more draws fall into covered space.
 constexpr std::uint32_t kRadii = 2;
-// And blocks so many. For shorter ones samples are listed more often; in lists of longer ones every
-// look takes longer.
+// A block is at most kRadiiOfBlock of the least radius long. With shorter blocks a sample is in
+// more lists; with longer ones each list takes longer to search.
 constexpr std::uint32_t kRadiiOfBlock = 6;
 
 class Halving {
 public:
     explicit Halving(const Plan& plan)
         : radius_field_(*plan.radius_field), pieces_(plan.lines_per_radius) {
-        // About as many as there are places; memory that is not used is not touched.
+        // Reserves about as many as there will be boxes. Memory that stays unused is never touched.
         const std::size_t places = plan.maximal_samples;
         first_.places.reserve(places);
         ask_for_large_pages(first_.places.data(), places);
@@ -52,7 +52,8 @@ public:
         } else {
             cut_in_two(place, under, [&](const Rectangle& part) { cut(part, node); });
         }
-        // Of a large rectangle it may show in its parts only that none of it is allowed.
+        // If nothing in a large box is allowed, this may show in its parts only: its nodes are
+        // removed.
         if (block == blocks())
             first_.nodes.resize(node);
         else

@@ -1,6 +1,6 @@
-// The places of a plan with a radius field before the first sample: rectangles that hold all that
-// is allowed, not much longer than the least radius under them; and the tree of cuts that led to
-// blocks of a few of them.
+// The first boxes of a plan with a radius field. They contain every position where a sample may
+// lie, and are not much longer than the least radius under them. Also the tree of cuts, from the
+// domain down to blocks of a few boxes.
 #pragma once
 
 #include <cstdint>
@@ -12,27 +12,27 @@
 namespace lacuna {
 
 struct FirstBoxes {
-    // What was cut, each before its parts.
+    // A box of the tree. A node comes before its parts.
     struct Node {
         Rectangle place;
-        std::uint32_t greatest;  // radius under it
-        std::uint32_t next;      // the first node after it and its parts
-        std::uint32_t first;     // of the blocks in it
-        std::uint32_t whole;     // the node that it is a part of, or itself
+        std::uint32_t greatest;  // the largest radius under it
+        std::uint32_t next;      // the first node after this one and its parts
+        std::uint32_t first;     // the first block in it
+        std::uint32_t whole;     // the node of which it is a part, or itself
     };
-    // A few places, not much longer together than one: what samples are listed for.
+    // A few boxes that together are not much longer than one: each block has a list of samples.
     struct Block {
-        std::uint32_t first;        // of its places
-        std::uint32_t even_radius;  // the one under all of it, or 0
+        std::uint32_t first;        // the first of its boxes
+        std::uint32_t even_radius;  // the radius, if it is the same under all of the block, or 0
         std::uint32_t node;
     };
 
     std::vector<Rectangle> places;
-    std::vector<Block> blocks;  // and one past the last, where the places end
-    std::vector<Node> nodes;    // those without parts are those of blocks
+    std::vector<Block> blocks;  // the last entry only marks the end of the boxes
+    std::vector<Node> nodes;    // nodes without parts belong to blocks
 
     std::uint32_t block_count() const { return static_cast<std::uint32_t>(blocks.size()) - 1; }
-    // Calls visit(place, block), by number, for places from the first of `block` up to `end`.
+    // Calls visit(box, block) with the numbers of all boxes from the first of `block` up to `end`.
     template <typename Visit>
     void for_each_place(std::uint32_t block, std::uint32_t end, Visit visit) const {
         for (std::uint32_t place = blocks[block].first; place < end; ++place) {
@@ -41,8 +41,8 @@ struct FirstBoxes {
         }
     }
 
-    // Nodes that do not overlap and hold all places, to share out the work by; and the first place
-    // in each, then the number of places.
+    // Nodes that do not overlap and together contain all boxes; each is a unit of work for threads.
+    // `begins` has the first box of each, then the number of boxes.
     std::vector<std::uint32_t> regions;
     std::vector<std::uint32_t> begins;
 };

@@ -1,4 +1,4 @@
-// What is free before the first sample.
+// Computes what is free before the first sample.
 #include "plan/first_free.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace lacuna {
 namespace {
 
-// In cells, lines above one column of pixels are alike; in the other modes all are.
+// In cells, lines above one column of pixels have equal spans; in the other modes all have.
 bool is_like_the_line_below(const Plan& plan, std::uint32_t line) {
     return !plan.is_cells() || plan.radii->column_of[line] == plan.radii->column_of[line - 1];
 }
@@ -28,7 +28,7 @@ std::vector<Span> first_spans(const Plan& plan, std::uint32_t line) {
         const Span above = {map.row_begins[first], map.row_begins[row]};
         while (row < map.rows && radii[row] == 0) ++row;
         if (above.begin == above.end) continue;
-        // Rows of pixels may be so low that no lattice point lies above those of no importance.
+        // Rows of pixels without importance may be so low that no lattice point lies on them.
         if (!spans.empty() && spans.back().end == above.begin)
             spans.back().end = above.end;
         else

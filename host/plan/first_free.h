@@ -1,5 +1,5 @@
-// What is free before the first sample, in spans, lengths and bits. All of it follows from
-// first_spans: a new rule about where samples may lie changes that function alone.
+// The free space before the first sample, as spans, lengths and bits. All of it comes from
+// first_spans(): a new rule about where samples may lie changes that function alone.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace lacuna {
 
-// The stretches of the line where samples may lie: sorted, apart, none empty. In cells those above
-// pixels of some importance; in the other modes the whole height.
+// The spans of the line where samples may lie: sorted, separate, none empty. In cells these are the
+// parts above pixels with importance; in the other modes the whole height.
 std::vector<Span> first_spans(const Plan& plan, std::uint32_t line);
 
-// The total length of every line's.
+// For each line the total length of its spans.
 std::vector<std::uint32_t> first_free_lengths(const Plan& plan);
 
-// The free length of every place and, with a radius field, its width.
+// The free length of every bin and, with a radius field, the width of every box.
 struct FirstFree {
     explicit FirstFree(const Plan& plan);
 
@@ -24,8 +24,8 @@ struct FirstFree {
     std::vector<std::uint32_t> widths;
 };
 
-// The same as bits of the lines [first_line, end_line), as Snapshot::bits has them: each line in an
-// even number of words of 32 bits, the lowest y in the lowest bit of the first.
+// The free space of the lines [first_line, end_line) as bits, in the format of Snapshot::bits. Each
+// line has an even number of 32-bit words; the lowest y is the lowest bit of the first word.
 std::vector<std::uint32_t> first_bits(const Plan& plan, std::uint32_t first_line,
                                       std::uint32_t end_line);
 std::uint32_t words_per_line(const Plan& plan);

@@ -1,4 +1,4 @@
-// The points that are there already, which a request keeps.
+// Checks the points that a request keeps: samples that exist already.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -7,13 +7,13 @@
 
 namespace lacuna {
 
-// That a point lies in the domain, where samples may. One within 2^-28 of the longer side of the
-// border of two pixels may count for either, for so far off may a set be that was made in whole
-// units. Throws BadRequest that names it.
+// Checks that a point lies in the domain, on a pixel where samples may lie. A point within 2^-28 of
+// the longer side of a pixel's border counts for both pixels, because a set that was made in whole
+// units may be that far off. Throws BadRequest that names the point.
 void check_kept_place(const Request& request, std::size_t index);
 
-// That no two kept points are closer than their limit, the smaller of their radii; for a request
-// that was checked, and has a radius or a scale. Throws BadRequest that names both.
+// Checks that no two kept points are closer than the smaller of their radii. The request was
+// checked before, and has a radius or a scale. Throws BadRequest that names both points.
 void check_kept_distances(const Request& request);
 
 }  // namespace lacuna

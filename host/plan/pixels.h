@@ -1,5 +1,4 @@
-// Where the pixels of a picture lie on the plane, and what all of a rectangle of them have in
-// common.
+// The position of a picture's pixels in the domain, and values over rectangles of pixels.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +11,7 @@
 
 namespace lacuna {
 
-// A rectangle of the plane: [x, x + width) times [begin, end), in grid units.
+// An axis-parallel rectangle, often a box: [x, x + width) times [begin, end), in grid units.
 struct Rectangle {
     std::uint32_t x;
     std::uint32_t width;
@@ -21,7 +20,7 @@ struct Rectangle {
     friend bool operator==(const Rectangle&, const Rectangle&) = default;
 };
 
-// An axis cut into so many pixels, equally long to a unit. At most 2^30 units and 2^30 pixels long.
+// An axis that is cut into pixels, equally long to a unit. At most 2^30 units and 2^30 pixels.
 class PixelAxis {
 public:
     PixelAxis(std::uint32_t length, std::uint32_t pixels);
@@ -30,11 +29,11 @@ public:
     std::uint32_t pixel_of(std::uint32_t at) const {
         return static_cast<std::uint32_t>(at * scale_ >> shift_);
     }
-    // The first unit of a pixel; of pixel number pixels(), the length of the axis. Where there are
-    // more pixels than units, some pixels have none.
+    // The first unit of a pixel. The pixel number pixels() gives the length of the axis. If there
+    // are more pixels than units, some pixels have no unit.
     std::uint32_t begin_of(std::uint32_t pixel) const { return begins_[pixel]; }
 
-    // What pixel_of and begin_of compute with, for devices.
+    // The numbers with which pixel_of and begin_of compute, for devices.
     unsigned shift() const { return shift_; }
     std::uint64_t scale() const { return scale_; }
     const std::vector<std::uint32_t>& begins() const { return begins_; }
@@ -42,11 +41,11 @@ public:
 private:
     std::uint32_t pixels_;
     unsigned shift_;
-    std::uint64_t scale_;  // pixels a unit, times 2^shift_, rounded up: between 2^33 and 2^34
+    std::uint64_t scale_;  // pixels per unit, times 2^shift_, rounded up: between 2^33 and 2^34
     std::vector<std::uint32_t> begins_;
 };
 
-// The first and last of the pixels that a stretch of an axis touches.
+// The first and the last pixel that an interval of an axis touches.
 struct PixelRange {
     std::uint32_t first;
     std::uint32_t last;
@@ -56,12 +55,12 @@ inline PixelRange pixels_of(const PixelAxis& axis, std::uint32_t begin, std::uin
     return {axis.pixel_of(begin), axis.pixel_of(end - 1)};
 }
 
-// A value for each pixel, and for squares of 2 x 2 pixels, of 4 x 4 and so on what merge(a, b)
-// makes of theirs. merge must not mind the order, nor that a value comes twice.
+// A value for each pixel, and for squares of 2 x 2 pixels, 4 x 4 and so on the merged value of
+// their pixels. merge(a, b) must not depend on the order, nor on repeated values.
 template <typename Value, Value (*merge)(Value, Value)>
 class Pyramid {
 public:
-    // Values stand column by column.
+    // `values` holds the pixels column by column.
     Pyramid(std::uint32_t columns, std::uint32_t rows, std::vector<Value> values,
             const Poll& poll = nobody_asks) {
         levels_.push_back({columns, rows, std::move(values)});
@@ -69,7 +68,7 @@ public:
     }
 
     const std::vector<Value>& values() const { return levels_.front().values; }
-    // Calls visit(std::span<const Value>) of each level, from the pixels' own on.
+    // Calls visit(std::span<const Value>) for each level, beginning with the single pixels.
     template <typename Visit>
     void for_each_level(Visit visit) const {
         for (const Level& level : levels_) visit(std::span<const Value>(level.values));
@@ -77,8 +76,8 @@ public:
     Value at(std::uint32_t column, std::uint32_t row) const {
         return levels_.front().at(column, row);
     }
-    // What all of a rectangle of pixels, and perhaps some around it, have in common: of the
-    // smallest squares of which it touches at most 4 x 4.
+    // The merged value of a rectangle of pixels, and perhaps of some around it: it merges the
+    // smallest squares of which at most 4 x 4 cover the rectangle.
     Value over(PixelRange columns, PixelRange rows) const {
         unsigned shift = 0;
         while ((columns.last >> shift) - (columns.first >> shift) >= kMost ||

@@ -19,11 +19,11 @@ namespace lacuna {
 namespace {
 
 constexpr double kLongerSideUnits = 2147483648.0;   // 2^31
-constexpr std::uint32_t kExactLinesPerRadius = 6;   // the fastest: docs/speed.md
-constexpr std::uint32_t kPlacesPerRadius = 1;       // with a radius field
-constexpr std::uint32_t kPaperLinesPerRadius = 30;  // section 5.1
+constexpr std::uint32_t kExactLinesPerRadius = 6;   // measured to be the fastest: docs/speed.md
+constexpr std::uint32_t kPlacesPerRadius = 1;       // boxes instead of lines, with a radius field
+constexpr std::uint32_t kPaperLinesPerRadius = 30;  // the paper's section 5.1
 
-// Of maximal sets in a box: N r^2 over the area, and the width of the edge's effect in radii.
+// Maximal sets in a box: N r^2 over the area, and the width of the effect of the edge in radii.
 constexpr double kBoxDensity = 0.69655;
 constexpr double kBoxEdge = 0.666;
 
@@ -39,16 +39,16 @@ double memory_limit(const Request& request) {
     return static_cast<double>(machine_memory_bytes());
 }
 
-// What a run holds at its peak: the spans of every line, and points in grid and user units with the
-// growth of their vectors.
+// Memory that a run needs at its peak: the spans of every line, and points in grid and user units
+// with the growth of their vectors.
 double memory_needed(const Request& request, double radius, double points) {
     constexpr double kBytesPerSpan = 8, kBytesPerPoint = 48;
     const double lines = std::ceil(lines_per_radius(request) * request.width / radius);
     const double spans = most_spans(request.height / radius);
     const double all = expected_count(request.width, request.height, request.boundary, radius);
     if (!request.limit) return lines * spans * kBytesPerSpan + points * kBytesPerPoint;
-    // Each sample parts a line's spans at most once more; exact has a grid of cells, whose diagonal
-    // is a radius, whatever the limit.
+    // Each sample adds at most one span to a line. Exact also has the sample grid, whose cells have
+    // a radius as their diagonal, whatever the limit.
     constexpr double kBytesPerCell = 8;
     const double fewer = std::min(spans, static_cast<double>(*request.limit) + 8);
     const double cells = 2 * (request.width / radius) * (request.height / radius);
@@ -87,7 +87,7 @@ void check_radius(const Request& request) {
                              ", the longer side / 2^20, or the grid's units run out");
 }
 
-// The larger root q = 1 / r of density * (W q + edge) (H q + edge) = count.
+// Solves density * (W q + edge) (H q + edge) = count for q = 1 / r and takes the larger root.
 double radius_expecting(const Request& request, double count) {
     if (request.boundary == Boundary::torus)
         return std::sqrt(kTorusDensity * request.width * request.height / count);
@@ -143,7 +143,7 @@ double expected_count(double width, double height, Boundary boundary, double rad
 
 double radius_for_count(const Request& request, int attempt) {
     const double count = static_cast<double>(*request.count);
-    // Lines lose some points of the true maximum, in proportion to the width of their strips.
+    // In mode lines a set has fewer points than a maximal one, in proportion to the strips' width.
     const double loss = request.mode == Mode::exact ? 1 : 1 + 0.2 / lines_per_radius(request);
     const double wanted =
         (count + 4 * kCountDeviation * std::sqrt(count)) * loss * std::pow(1.05, attempt);
@@ -174,7 +174,8 @@ Plan make_plan(const Request& request) {
     const bool torus = request.boundary == Boundary::torus;
     Plan plan{};
 
-    // Section 4.1: L = ceil(m W / r) lines, the strips equally wide and their centres whole.
+    // Section 4.1: L = ceil(m W / r) lines. Strips are equally wide, their centres are whole
+    // numbers.
     const double lines = std::ceil(lines_per_radius(request) * request.width / radius);
     const double strip = kLongerSideUnits * (request.width / longer) / lines;
     plan.lines = static_cast<std::uint32_t>(lines);
@@ -187,7 +188,7 @@ Plan make_plan(const Request& request) {
     plan.unit_x = request.width / plan.width;
     plan.unit_y = request.height / plan.height;
 
-    // Rounded up by at least 2^-10 units, which is more than doubles lose on the way back.
+    // The radius is rounded up by at least 2^-10 units: more than doubles lose when converted back.
     const double units = radius / std::min(plan.unit_x, plan.unit_y);
     plan.radius = static_cast<std::uint32_t>(units + 1.0 / 1024) + 1;
     plan.radius_squared = std::uint64_t{plan.radius} * plan.radius;

@@ -1,5 +1,5 @@
-// The plan of mode cells: a lattice as fine as the least radius asks for, and the radius map on it
-// (section 4.2).
+// The plan of mode cells: a lattice that is fine enough for the least radius, and the radius map on
+// it (section 4.2).
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,21 +13,20 @@ namespace lacuna {
 namespace {
 
 constexpr double kMostLatticeSteps = 1 << 17;  // along a side: squares of radii fit 64 bits
-// The share of samples that a lattice of m steps to the radius loses, times m: measured with
-// constant fields, m from 3 to 40 (docs/cells.md).
+// A lattice of m steps per radius loses this fraction / m of the samples. Measured with constant
+// fields, m from 3 to 40 (docs/cells.md).
 constexpr double kLatticeLoss = 0.47;
 
-// The first attempt at a count makes room for kSpare times as many points. Attempt n, counted from
-// 0, makes room for kSpare to the power of 1 + n (n + 1) / 2 times as many.
+// At attempt n, counted from 0, there is room for kSpare^(1 + n (n + 1) / 2) times the count.
 constexpr double kSpare = 1.015;
 
 std::uint32_t cells_per_radius(const Request& request) {
     return request.lines_per_radius.value_or(kCellsPerRadius);
 }
 
-// Samples to be expected at a least radius of 1: the density times the integral of the importance
-// in units of the greatest (docs/design.md, section 5), less what the lattice loses where radii are
-// small.
+// Expected samples at a least radius of 1: the density times the integral of the importance in
+// units of the greatest (docs/design.md, section 5). The lattice's loss where radii are small is
+// subtracted.
 double samples_at_radius_one(const Request& request, const FieldSums& sums) {
     const double sum =
         sums.shares - kLatticeLoss / cells_per_radius(request) * sums.shares_and_half;
@@ -41,7 +40,7 @@ std::string short_text(double value) {
     return out.str();
 }
 
-// What a run holds at its peak: a bit for each lattice point, the map, and points.
+// Memory that a run needs at its peak: a bit for each lattice point, the map, and points.
 double memory_of_lattice(const Request& request, double lattice_points, double points) {
     constexpr double kBytesPerPixel = 12, kBytesPerPoint = 64;
     const auto pixels = static_cast<double>(request.field->importance.size());
@@ -54,8 +53,8 @@ struct LatticeOfPlan {
     double height;
 };
 
-// Section 4.2: m / r_min lines, and the same step along y, as nearly as the height allows. Where
-// the whole height is less than half a step, steps are as long as the height.
+// Section 4.2: m / r_min lines. The step along y is nearly the same, so that the height is a whole
+// number of steps. If the height is less than half a step, steps are as long as the height.
 LatticeOfPlan lattice_of(const Request& request, const FieldSums& sums, double scale) {
     LatticeOfPlan lattice{scale / std::sqrt(sums.greatest), 0, 0};
     lattice.lines =
@@ -82,7 +81,7 @@ void check_lattice(const Request& request, const std::string& option, const std:
                        memory_of_lattice(request, lattice.lines * lattice.height, samples));
 }
 
-// The scale, if it may be used for a request for a count.
+// The scale, after a check that a request for a count may use it.
 double checked_scale(const Request& request, const FieldSums& sums, std::uint64_t count,
                      double scale) {
     check_lattice(request, "count", std::to_string(count), lattice_of(request, sums, scale),
@@ -111,8 +110,8 @@ double scale_for_count(const Request& request, const FieldSums& sums, std::uint6
 
 double scale_for_count(const Request& request, const FieldSums& sums, std::uint64_t count,
                        const Request& pilot, std::uint64_t pilot_count, int attempt) {
-    // As many more as lattices of these steps differ by, where the field is smooth. A pilot of none
-    // fell between all pixels of importance.
+    // The pilot's lattice is coarser, which is corrected as in a smooth field. A pilot without
+    // points has a lattice that missed all pixels with importance, and counts as half a point.
     const double finer = samples_at_radius_one(request, sums) / samples_at_radius_one(pilot, sums);
     const double maximal = std::max(static_cast<double>(pilot_count), 0.5) * finer;
     const auto least = static_cast<double>(count);

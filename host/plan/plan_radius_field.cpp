@@ -1,5 +1,5 @@
-// The plan of mode exact with a radius field: with a field, a mask, a border or points that are
-// kept (docs/design.md, section 4, "exact with a field").
+// The plan of mode exact with a radius field: for a field, a mask, a border or kept points
+// (docs/design.md, section 4, "exact with a radius field").
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,8 +15,8 @@
 namespace lacuna {
 namespace {
 
-// The integral of the importance over the places where samples may lie, as a share of the whole
-// domain at the greatest importance.
+// The integral of the importance where samples may lie, as a fraction of a domain that has the
+// greatest importance everywhere.
 double share_of(const Request& request, double greatest, const Poll& poll) {
     const Field* const field = request.field;
     const Mask* const mask = request.mask;
@@ -29,7 +29,7 @@ double share_of(const Request& request, double greatest, const Poll& poll) {
                         [&](std::size_t i) { sum += field->importance[i] / greatest; });
         return inside * sum / static_cast<double>(field->importance.size());
     }
-    // Of each pixel of the mask, the importance in its middle.
+    // For each pixel of the mask, the importance at its middle is taken.
     const auto middle_in = [](std::size_t i, std::size_t count, std::size_t pixels) {
         return (2 * i + 1) * pixels / (2 * count);
     };
@@ -55,7 +55,7 @@ double greatest_of(const Request& request) {
     return *std::max_element(request.field->importance.begin(), request.field->importance.end());
 }
 
-// Where samples lie in the domain: as far from its edges as the border says, computed from the
+// The part of the domain inside the border. Distances from the edges are computed from the
 // coordinates that the user gets.
 RadiusField::Shape shape_of(const Request& request, double unit_x, double unit_y,
                             std::uint32_t width, std::uint32_t height) {
@@ -81,12 +81,12 @@ RadiusField::Shape shape_of(const Request& request, double unit_x, double unit_y
             !request.keep.empty()};
 }
 
-// A point that is kept may lie where no sample may, beside the border of two pixels of which it
-// counts for either (check_kept_place): its radius is then the field's there, or on the nearest
-// place of the field that has one.
+// The radius of a kept point. It may lie on a pixel where no sample may, if that pixel's border is
+// near and the other side is allowed (check_kept_place). Then the radius of the nearest position
+// that has one is taken.
 std::uint32_t radius_of_kept(const RadiusField& radius_field, Sample at) {
     std::uint32_t radius = radius_field.radius_at(at.x, at.y);
-    constexpr std::uint32_t kFarthest = 8;  // 2^-28 of the longer side, and all that was rounded
+    constexpr std::uint32_t kFarthest = 8;  // 2^-28 of the longer side, plus rounding
     for (std::uint32_t far = 0; radius == 0 && far <= kFarthest; ++far) {
         const auto around = [far](const PixelAxis& axis, std::uint32_t middle) {
             const std::uint32_t end = axis.begin_of(axis.pixels());
@@ -99,8 +99,8 @@ std::uint32_t radius_of_kept(const RadiusField& radius_field, Sample at) {
     return radius;
 }
 
-// The largest whole numbers below the coordinates, or one above where no sample may lie there: the
-// pixel beside it is the point's.
+// The coordinates rounded down, or up if no sample may lie there: then the point belongs to the
+// pixel on the other side.
 std::vector<KeptSample> kept_on(const Plan& plan, std::span<const Point> points) {
     std::vector<KeptSample> kept;
     kept.reserve(points.size());
@@ -142,7 +142,7 @@ void check_size(const Request& request, const std::string& option, const std::st
 double radius_field_scale_for_count(const Request& request, double count, const Poll& poll) {
     const double greatest = greatest_of(request);
     const double share = share_of(request, greatest, poll);
-    // A field so small that one sample covers all of it.
+    // Limit for an importance so low that a single sample covers the whole domain.
     const double most = 2 * std::hypot(request.width, request.height);
     const double radius =
         std::min(most, std::sqrt(kTorusDensity * share * request.width * request.height / count));

@@ -11,7 +11,7 @@
 namespace lacuna {
 namespace {
 
-// Of the pixels first + 1 to last, the begin of the one in the middle; 0 where there is none.
+// The border in the middle of all borders of pixels between begin and end; 0 if there is none.
 std::uint32_t middle_border(const PixelAxis& axis, std::uint32_t begin, std::uint32_t end) {
     const auto [first, last] = pixels_of(axis, begin, end);
     return first == last ? 0 : axis.begin_of(first + (last - first + 1) / 2);
@@ -44,9 +44,9 @@ RadiusField::Radii RadiusField::merge_radii(Radii a, Radii b) {
 
 std::vector<RadiusField::Radii> RadiusField::radii_of(const Field* field, double scale,
                                                       const Shape& shape, const Poll& poll) {
-    // A radius beyond the diagonal covers everything already. Rounded up by at least 2^-10 units,
-    // more than doubles lose on the way back; and by two more where a sample that is kept lies up
-    // to a unit away from where it was given, along both axes.
+    // A radius beyond the diagonal covers everything, so it is cut there. It is rounded up by at
+    // least 2^-10 units, more than doubles lose when converted back; and by two more units if there
+    // are kept samples, because their coordinates may be off by a unit along both axes.
     const double most = std::ceil(std::hypot(shape.width, shape.height));
     const std::uint32_t more = shape.has_kept ? 3 : 1;
     const auto radius_of = [&](double importance) -> Radii {
@@ -57,7 +57,7 @@ std::vector<RadiusField::Radii> RadiusField::radii_of(const Field* field, double
     };
     if (field == nullptr) return {radius_of(1)};
     std::vector<Radii> radii(field->importance.size());
-    // So many columns at a time: what is written of them stays in the cache from row to row.
+    // Columns in a tile: the values that are written stay in the cache from row to row.
     constexpr std::uint32_t kTile = 64;
     const std::uint32_t columns = field->columns;
     const std::uint32_t rows = field->rows;

@@ -1,6 +1,6 @@
-// The radius field of a plan in mode exact whose radii differ or where not all of the domain is
-// allowed: what radius each place asks for, as a field says it, and where samples may go, as a mask
-// does (docs/design.md, section 4, "exact with a field").
+// The radius field of a plan in mode exact: the radius at each position, from a field, and where
+// samples may go, from a mask and a border (docs/design.md, section 4, "exact with a radius
+// field").
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -15,35 +15,35 @@ namespace lacuna {
 
 struct Sample;
 
-// The longer side of a domain with a radius field: the squares of its diagonal then fit 62 bits,
-// and a radius that is longer than the diagonal 31.
+// Units along the longer side of a domain with a radius field. With 2^30 the square of its diagonal
+// fits into 62 bits, and a radius longer than the diagonal into 31.
 inline constexpr std::uint32_t kRadiusFieldUnits = std::uint32_t{1} << 30;
 
-// No radius is less, with a radius field or elsewhere: with fewer units to a radius, rounding it up
-// would show; and 1000 lines a radius need 2 units each.
+// The least radius with or without a radius field. With fewer units to a radius the rounding would
+// show; and 1000 lines a radius need 2 units each.
 inline constexpr double kSmallestRadius = 1.0 / (1 << 20);  // of the longer side
 
 // What lies under a rectangle, and perhaps a little around it.
 struct Under {
-    std::uint32_t least;     // of the radii of its places that are allowed; 0: none is
-    std::uint32_t greatest;  // the same
-    bool is_even;            // all of it is allowed, and has this radius
+    std::uint32_t least;     // least radius where samples may lie; 0: nowhere
+    std::uint32_t greatest;  // greatest radius where samples may lie
+    bool is_even;            // samples may lie everywhere, with one radius
 };
 
 class RadiusField {
 public:
-    // Of the radii that are not 0; all is 0 where there are none. The words are those that kernels
-    // read (portable/radius_field.h).
+    // Least and greatest of the radii that are not 0; both are 0 if there are none. Kernels read
+    // the same words (portable/radius_field.h).
     struct Radii {
         std::uint32_t least;
-        std::uint32_t greatest_and_zeros;  // whether there are any
+        std::uint32_t greatest_and_zeros;  // the greatest, and a bit: whether some radii are 0
         std::uint32_t greatest() const;
         bool are_mixed() const;
     };
     static Radii merge_radii(Radii a, Radii b);
     using RadiusPyramid = Pyramid<Radii, merge_radii>;
 
-    // How much of pixels is allowed.
+    // Whether none, some or all of an area is allowed.
     static constexpr std::uint8_t kNone = 0, kSome = 1, kAll = 2;
     static std::uint8_t merge_allowed(std::uint8_t a, std::uint8_t b) { return a == b ? a : kSome; }
     using Allowed = Pyramid<std::uint8_t, merge_allowed>;
@@ -51,12 +51,12 @@ public:
     struct Shape {
         std::uint32_t width;  // of the domain
         std::uint32_t height;
-        double unit;          // the user's units for one grid unit, the smaller of two
+        double unit;          // the user's units for one grid unit, the smaller one
         std::uint32_t low_x;  // samples lie in [low_x, high_x) times [low_y, high_y)
         std::uint32_t high_x;
         std::uint32_t low_y;
         std::uint32_t high_y;
-        bool has_kept;  // samples that were placed by others
+        bool has_kept;  // whether there are kept samples
     };
 
     // Without a field the radius is `scale` everywhere.
@@ -64,10 +64,10 @@ public:
                 const Poll& poll = nobody_asks);
 
     const Shape& shape() const { return shape_; }
-    // Of all places that are allowed.
+    // The least radius where samples may lie.
     std::uint32_t least_radius() const { return least_radius_; }
 
-    // 0 where no sample may go.
+    // The radius at a position; 0 if no sample may lie there.
     std::uint32_t radius_at(std::uint32_t x, std::uint32_t y) const {
         if (mask_ && mask_->at(mask_columns_->pixel_of(x), mask_rows_->pixel_of(y)) == kNone)
             return 0;
@@ -75,12 +75,12 @@ public:
     }
     Under under(const Rectangle& place) const;
 
-    // Where to cut the place in two: along a border of pixels near its middle where it lies on
-    // unlike ones, or else, along x, in its middle. 0 where it is not to be cut.
+    // Where to halve a box: at a border of pixels near its middle if it lies on unlike pixels,
+    // otherwise in the middle along x. 0 means that the box is not cut on this axis.
     std::uint32_t cut_x(const Rectangle& place) const;
     std::uint32_t cut_y(const Rectangle& place) const;
 
-    // What all this is found with, for devices. The mask's are null where there is none.
+    // The data that these functions use, for devices. The mask's are null if there is no mask.
     const PixelAxis& columns() const { return columns_; }
     const PixelAxis& rows() const { return rows_; }
     const RadiusPyramid& radii() const { return radii_; }

@@ -1,4 +1,4 @@
-// Radii from importance, and how far each place must look.
+// Computes radii from importance, and how far away conflicts can be.
 #include "plan/radius_map.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kUnitsPerStep = 256;
 
-// Entry i of `count` lies under the middle of entry index_of(i) of `cells`.
+// For `count` steps along an axis of `cells` pixels: the pixel under the middle of each step.
 std::vector<std::uint32_t> nearest(std::uint32_t count, std::uint32_t cells) {
     std::vector<std::uint32_t> index(count);
     for (std::uint32_t i = 0; i < count; ++i)
@@ -24,7 +24,7 @@ std::vector<std::uint32_t> nearest(std::uint32_t count, std::uint32_t cells) {
     return index;
 }
 
-// Rounded up.
+// The radius in lattice steps, rounded up.
 std::uint32_t steps_of(std::uint32_t radius) {
     return radius / kUnitsPerStep + (radius % kUnitsPerStep != 0 ? 1 : 0);
 }
@@ -38,15 +38,15 @@ RadiusMap::RadiusMap(const Field& field, double scale, Metric metric, std::uint3
       radii(field.importance.size()),
       column_of(nearest(lines, columns)),
       row_of(nearest(height, rows)) {
-    // A radius beyond twice the diagonal blocks everything already, whatever it is averaged with.
+    // A radius beyond twice the diagonal blocks everything, even averaged with a small one.
     const double most = 2 * (std::hypot(lines, height) + 1);
     const auto radius_of = [&](double importance) -> std::uint32_t {
         if (importance <= 0) return 0;
-        // Rounded up by at least 2^-10 of a unit, more than doubles lose on the way back.
+        // Rounded up by at least 2^-10 of a unit: more than doubles lose when converted back.
         const double steps = std::min(scale / std::sqrt(importance) / step, most);
         return static_cast<std::uint32_t>(steps * kUnitsPerStep + 1.0 / 1024) + 1;
     };
-    // So many columns at a time: what is written of them stays in the cache from row to row.
+    // Columns in a tile: the values that are written stay in the cache from row to row.
     constexpr std::uint32_t kTile = 64;
     const auto fill_tile = [&](std::size_t tile) {
         const std::uint32_t first = static_cast<std::uint32_t>(tile) * kTile;
@@ -67,8 +67,8 @@ RadiusMap::RadiusMap(const Field& field, double scale, Metric metric, std::uint3
 }
 
 // With min no conflict is farther than a sample's own radius. With mean and max a larger radius
-// nearby reaches here: radii are sorted into classes that double, each with blocks as wide as its
-// largest radius, so that what reaches here lies in the nine blocks around.
+// nearby reaches farther. So radii are classed by powers of two. Each class has blocks as wide as
+// its largest radius: one that reaches a pixel is in the nine blocks around it.
 void RadiusMap::find_reaches(Metric metric, bool wraps, const Poll& poll) {
     reaches.resize(radii.size());
     std::uint64_t classes = 0;  // bit i: there are radii of i bits
@@ -82,7 +82,7 @@ void RadiusMap::find_reaches(Metric metric, bool wraps, const Poll& poll) {
     const auto height = static_cast<double>(row_of.size());
     for (unsigned bits = 1; bits < static_cast<unsigned>(std::bit_width(classes)); ++bits) {
         if ((classes >> bits & 1) == 0) continue;
-        // The class of radii below 2^bits, and its blocks in pixels.
+        // The class of radii below 2^bits; its blocks in pixels.
         const double block_steps = static_cast<double>(std::uint64_t{1} << bits) / kUnitsPerStep;
         const auto side = [&](double pixels, double steps) {
             return static_cast<std::uint32_t>(
@@ -104,7 +104,7 @@ void RadiusMap::find_reaches(Metric metric, bool wraps, const Poll& poll) {
         };
         for_each_polled(columns, poll, gather_column, rows);
 
-        // On a torus the last block may be cut short: look one farther.
+        // On a torus the last block may be shorter than the others, so one more is searched.
         const std::int64_t around = wraps ? 2 : 1;
         std::vector<std::uint32_t> dilated(largest.size(), 0);
         const auto other = [&](std::int64_t index, std::int64_t count) {
@@ -133,7 +133,7 @@ void RadiusMap::find_reaches(Metric metric, bool wraps, const Poll& poll) {
     }
 }
 
-// Counted by class, then listed from the widest class down.
+// Rows are counted by class, then listed from the widest class down.
 void RadiusMap::find_widest_rows(const Poll& poll) {
     widest_rows.resize(radii.size());
     std::array<std::uint32_t, RADIUS_CLASSES> next{};

@@ -1,5 +1,5 @@
-// The radius map of mode cells (section 4.2): a radius for every pixel, in whole numbers, and where
-// the pixels lie on the lattice.
+// The radius map of mode cells (section 4.2): a whole-number radius for every pixel, and the
+// position of the pixels on the lattice.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -11,26 +11,26 @@
 namespace lacuna {
 
 struct RadiusMap {
-    // The map of `field` at scale g, for a lattice of lines x height points with the given steps in
-    // the user's units. Radii are rounded up. Pixels of no importance have radius 0.
+    // The map of `field` at scale g, for a lattice of lines x height points whose step is given in
+    // the user's units. Radii are rounded up. Pixels without importance have radius 0.
     RadiusMap(const Field& field, double scale, Metric metric, std::uint32_t lines,
               std::uint32_t height, double step, bool wraps, const Poll& poll = nobody_asks);
 
     std::uint32_t columns;  // pixels
     std::uint32_t rows;     // pixels
-    // Column by column, from the bottom up: of pixel (c, r) at c * rows + r.
+    // Both by pixel: pixel (c, r), counted from below, is at c * rows + r.
     std::vector<std::uint32_t> radii;    // in 1/256 of a lattice step: portable/metric.h
-    std::vector<std::uint32_t> reaches;  // in lattice steps: no conflict is as far, with any sample
+    std::vector<std::uint32_t> reaches;  // in lattice steps: conflicts are nearer, with any sample
 
-    // For the metrics mean and max, where the widest open pixel of a line tells how far away a
-    // sample may still block something on it. widest_rows[c * rows + i] is a row of pixel column c:
-    // the rows stand in descending order of their radii's classes (radius_class in
-    // portable/metric.h), and the rows of one class in any order. Empty for the metric min.
+    // For the metrics mean and max: the widest open pixel of a line limits how far away a sample
+    // can block points on it. widest_rows[c * rows + i] is a row of pixel column c. The rows are
+    // ordered by class (radius_class in portable/metric.h), the largest radii first, in any order
+    // within a class. Empty for the metric min.
     std::vector<std::uint32_t> widest_rows;
 
-    std::vector<std::uint32_t> column_of;   // the pixel column of each line
-    std::vector<std::uint32_t> row_of;      // the pixel row of each lattice row
-    std::vector<std::uint32_t> row_begins;  // the first lattice row of each pixel row; rows + 1
+    std::vector<std::uint32_t> column_of;   // pixel column of each line
+    std::vector<std::uint32_t> row_of;      // pixel row of each lattice row
+    std::vector<std::uint32_t> row_begins;  // first lattice row of each pixel row; rows + 1
 
     std::uint32_t pixel_at(std::uint32_t x, std::uint32_t y) const {
         return column_of[x] * rows + row_of[y];

@@ -1,4 +1,4 @@
-// Candidates and their statuses, exchanged across the borders of a strip.
+// Exchanges candidates and their statuses across the borders of a strip.
 #include "ranks/border.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ Border::Border(const Strip& strip, Ranks& ranks, std::uint32_t depth)
       rivals_(strip.plan) {
     const Plan& plan = strip.plan;
     const auto columns = static_cast<std::uint32_t>(first_lines_.size() - 1);
-    // Rounds of a size that was asked for may crowd, and then much depends on much.
+    // Rounds of a size that the user chose may be crowded, with long chains of dependence.
     if (plan.round_size != 0) depth = columns;
     low_depth_ = strip.has_low_neighbour() ? std::min(depth, columns) : 0;
     high_depth_ = strip.has_high_neighbour() ? std::min(depth, columns) : 0;
@@ -38,9 +38,9 @@ Border::Border(const Strip& strip, Ranks& ranks, std::uint32_t depth)
     }
 }
 
-// ------------------------------------------------------------------------------------- the places
+// ------------------------------------------------------------------------------------- the bins
 
-// The halo's are its lines or, in boxes, each line's rows of the sample grid.
+// The halo's bins: its lines or, in boxes, each line's rows of the sample grid.
 std::size_t Border::low_places() const {
     return std::size_t{strip_.plan.halo.low} * (are_boxes_ ? strip_.plan.grid_rows : 1);
 }
@@ -53,7 +53,7 @@ std::span<const std::uint32_t> Border::own_lengths(std::span<const std::uint32_t
     return lengths.subspan(low_places(), lengths.size() - low_places() - high_places());
 }
 
-// The draw that puts a guest where it is.
+// The draw that produces a guest's position.
 Draw Border::draw_of(const Rival& guest) const {
     const Plan& plan = strip_.plan;
     const std::uint32_t line = guest.x / plan.strip_width;
@@ -85,7 +85,7 @@ Span Border::unseen() const {
             first_lines_[columns - high_depth_] * strip_.plan.strip_width};
 }
 
-// Locates near_, and takes up what no earlier sample covers.
+// Locates the draws near_, and adds the candidates that no earlier sample covers to the rivals.
 template <typename IsCovered>
 void Border::take(Backend& backend, const Marginal& marginal, IsCovered is_covered) {
     rivals_.clear();
@@ -149,7 +149,7 @@ std::vector<std::byte> Border::pack(std::span<const std::uint32_t> candidates, b
     return {bytes.begin(), bytes.end()};
 }
 
-// What came across the low border, or the high one.
+// Adds the candidates that came across the low border, or the high one.
 void Border::add_received(std::vector<std::uint32_t>& indices, std::span<const std::byte> bytes,
                           bool is_low) {
     std::vector<Sent> all(bytes.size() / sizeof(Sent));
@@ -161,7 +161,7 @@ void Border::add_received(std::vector<std::uint32_t>& indices, std::span<const s
     }
 }
 
-// With what was received; false where more than was looked at may decide what was sent.
+// Finds all rivals. False if candidates that were not located could decide one that was sent.
 bool Border::find_rivals(Span unseen) {
     add_received(low_received_, received_.low, true);
     add_received(high_received_, received_.high, false);
@@ -183,8 +183,8 @@ void Border::list_sent() {
     list(high_sent_, [&](std::uint32_t x) { return is_near_high(x); });
 }
 
-// Each pass tells the statuses of what was sent and not yet decided, in the order in which it was
-// sent; both sides then leave what is decided out.
+// In each pass both sides send the statuses of all candidates that were sent and are not yet
+// decided, in the order in which they were sent. Then both drop the decided ones from their lists.
 void Border::exchange_statuses() {
     const auto statuses_of = [&](std::vector<std::uint32_t>& sent) {
         std::vector<std::byte> statuses;

@@ -1,4 +1,4 @@
-// What becomes of a round's candidates near a strip's borders, where it depends on the neighbours'.
+// Decides the candidates near a strip's borders, which depend on the neighbours' candidates.
 #pragma once
 
 #include <cstddef>
@@ -16,54 +16,53 @@
 
 namespace lacuna {
 
-// Each round, before its draws are located for good, those near the borders are located alone. Of
-// their candidates that no earlier sample covers, the ones within a radius of a border go to the
-// neighbour there. A candidate's status depends on the earlier ones within its radius, on this side
-// or on the other: each rank decides what it can, tells the other, and so on, pass by pass, until
-// all statuses are known. The neighbours' samples then join the round as draws in the halo, guests,
-// ahead of the rank's own, so that the backend rejects what they cover: that is not admitted in any
-// case, for no two samples conflict.
+// In each round the draws near the borders are located first. A candidate within a radius of a
+// border that no earlier sample covers is sent to the neighbour there. Its status depends on
+// earlier candidates within its radius, on either side. Each rank decides what it can and sends the
+// statuses, pass by pass, until all are known. The neighbours' samples then join the round as
+// guests: draws in the halo, ahead of the rank's own draws. The backend rejects what guests cover,
+// which would not be admitted anyway, because no two samples conflict.
 class Border {
 public:
-    // Looks so many columns (backends/columns.h) of the plan into the strip: what decides a status
-    // lies one or two columns away. Where it does not, the strip is looked at as a whole, which
-    // takes time and memory, in that round alone.
+    // Locates draws in this many columns (backends/columns.h) from each border: usually a status
+    // depends on candidates one or two columns away. If one depends on more, all columns are
+    // located, which takes time and memory in that round alone.
     static constexpr std::uint32_t kDepth = 9;
     Border(const Strip& strip, Ranks& ranks, std::uint32_t depth = kDepth);
 
-    // The round's draws in the backend's places: the guests, then `own`, the marginal's last.
-    // Valid until the next call.
+    // Returns the round's draws for the backend: the guests, then `own`, the marginal's last draws,
+    // with places shifted by the halo. Valid until the next call.
     std::span<const Draw> settle(Backend& backend, const Marginal& marginal,
                                  std::span<const Draw> own);
-    // The first orders of these draws are the guests', so many.
+    // The number of guests. Guests have the first orders of the draws.
     std::uint32_t guests() const { return guests_; }
 
-    // What the round came to, and whether its places are boxes.
+    // Takes the round's result, and whether its bins are boxes.
     void note(const Round& round, bool are_boxes);
-    // The free lengths of the strip's own places, of all places'.
+    // The part of the free lengths that belongs to the strip without its halo.
     std::span<const std::uint32_t> own_lengths(std::span<const std::uint32_t> lengths) const;
 
-    // Over all rounds.
+    // Counts over all rounds.
     struct Tally {
-        std::uint64_t samples = 0;        // own ones within a radius of a border
-        std::uint64_t sent = 0;           // candidates
-        std::uint64_t messages = 0;       // to both neighbours
-        std::uint64_t most_messages = 0;  // in a round
-        std::uint64_t whole_looks = 0;    // rounds in which the strip was looked at as a whole
+        std::uint64_t samples = 0;        // own samples within a radius of a border
+        std::uint64_t sent = 0;           // candidates that were sent
+        std::uint64_t messages = 0;       // messages to both neighbours
+        std::uint64_t most_messages = 0;  // most messages in one round
+        std::uint64_t whole_looks = 0;    // rounds in which all columns were located
     };
     const Tally& tally() const { return tally_; }
 
 private:
-    // A candidate on its way: how far from the border that it is sent across.
+    // A candidate as it is sent; `distance` is its distance from the border.
     struct Sent {
         std::uint32_t distance;
         std::uint32_t y;
         std::uint32_t number;
     };
 
-    std::size_t low_places() const;  // in the halo
+    std::size_t low_places() const;  // bins in the halo
     std::size_t high_places() const;
-    // Of x in the strip: whether something there may conflict with something across the border.
+    // Whether a candidate at x in the strip may conflict with one across the border.
     bool is_near_low(std::uint32_t x) const {
         return strip_.has_low_neighbour() && x - own_.begin < strip_.plan.radius;
     }
@@ -89,23 +88,23 @@ private:
 
     const Strip& strip_;
     Ranks& ranks_;
-    Span own_;                                // x
-    std::vector<std::uint32_t> first_lines_;  // of each column
+    Span own_;                                // an interval of x
+    std::vector<std::uint32_t> first_lines_;  // first line of each column
     std::vector<std::uint32_t> bin_begins_;
     bool are_boxes_ = false;
-    // So many columns at either end are looked at; low_depth_ is all of them where that is most.
+    // Numbers of columns at either end that are located. If that is all columns, low_depth_ is.
     std::uint32_t low_depth_, high_depth_;
     std::unique_ptr<BorderGrid> low_grid_, high_grid_;
 
-    std::vector<Draw> near_;  // those looked at; then with orders of their own
+    std::vector<Draw> near_;  // the located draws; first the marginal's orders, later their own
     std::vector<std::uint32_t> near_numbers_;
     Rivals rivals_;
-    std::vector<std::uint32_t> low_sent_, high_sent_;  // among the rivals, by number
+    std::vector<std::uint32_t> low_sent_, high_sent_;  // indices of rivals, ordered by number
     std::vector<std::uint32_t> low_received_, high_received_;
     Sides received_;
     std::vector<Draw> draws_;
     std::uint32_t guests_ = 0;
-    std::uint64_t messages_ = 0;  // of the round
+    std::uint64_t messages_ = 0;  // in this round
     Tally tally_;
 };
 

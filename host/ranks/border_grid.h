@@ -1,4 +1,4 @@
-// The samples near a border, for looking up whether one covers a place.
+// Finds whether a sample near a border covers a position.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace lacuna {
 
-// Of the plan's samples those with x in a stretch.
+// A grid of the plan's samples whose x lies in an interval.
 class BorderGrid {
 public:
     BorderGrid(const Plan& plan, Span x) : x_(x), plan_(plan_of(plan, x)), grid_(plan_) {
@@ -19,12 +19,12 @@ public:
     BorderGrid& operator=(const BorderGrid&) = delete;
 
     bool holds(std::uint32_t x) const { return x >= x_.begin && x < x_.end; }
-    // Leaves those out that it does not hold.
+    // Inserts the samples whose x lies in the interval.
     void insert(std::span<const Sample> samples) {
         for (const Sample sample : samples)
             if (holds(sample.x)) grid_.insert({sample.x - x_.begin, sample.y});
     }
-    // Whether a sample that it holds is closer than the radius.
+    // Whether one of these samples is closer than the radius.
     bool is_covered(std::uint32_t x, std::uint32_t y) const {
         return grid_.is_covered(x - x_.begin, y);
     }

@@ -1,5 +1,5 @@
-// THE LOOP of generate.cpp on a strip: what is global are the marginal's total, what lies below it,
-// and the counts that decide how rounds go on.
+// THE LOOP of generate.cpp on a strip. Global are only the marginal's total, the part of it below
+// this strip, and the counts that decide how rounds continue.
 #include "ranks/generate_on_ranks.h"
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 namespace lacuna {
 namespace {
 
-// What the ranks add up after each round.
+// Numbers that are summed over the ranks after each round.
 struct Sums {
-    std::uint64_t total = 0;  // weight of all places
+    std::uint64_t total = 0;  // weight of all bins
     std::uint64_t places = 0;
     std::uint64_t survivors = 0;
     std::uint64_t admitted = 0;
-    std::uint64_t cancelled = 0;  // ranks that were told to stop
+    std::uint64_t cancelled = 0;  // ranks whose observer cancelled
 
     void add_up(Ranks& ranks) {
         std::array<std::uint64_t, 5> all{total, places, survivors, admitted, cancelled};
@@ -32,7 +32,7 @@ struct Sums {
     }
 };
 
-// The rank's own samples of a round, without its guests, and their draws' numbers.
+// The rank's own samples of a round, without guests, and the numbers of their draws.
 class OwnSamples {
 public:
     explicit OwnSamples(const Strip& strip) : strip_(strip) {}
@@ -54,7 +54,7 @@ private:
     std::vector<std::uint32_t> numbers_;
 };
 
-// The rounds of one rank. Whoever is told to stop goes on until all know of it.
+// The rounds of one rank. A cancelled rank continues until all ranks know that it is cancelled.
 class Rounds {
 public:
     Rounds(const Plan& plan, const Strip& strip, Backend& backend, Ranks& ranks, Sink& sink,
@@ -139,7 +139,7 @@ private:
     RoundPolicy policy_;
     Border border_;
     OwnSamples own_;
-    std::vector<std::uint32_t> all_free_;  // lengths, for the first round
+    std::vector<std::uint32_t> all_free_;  // for the first round
     Sums sums_;
     OutcomeOnRanks outcome_;
 };

@@ -1,4 +1,4 @@
-// The loop of generate.h, made by several ranks together: the same samples for any number of them.
+// The loop of generate.h, run by several ranks together. Any number of them gives the same samples.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -14,17 +14,17 @@
 
 namespace lacuna {
 
-// Where the samples of a round go that one rank has made.
+// Receives the samples of each round that this rank made.
 class Sink {
 public:
     virtual ~Sink() = default;
 
-    // Samples of this plan follow; what was taken before, if anything, is void.
+    // Samples of `plan` follow; samples that were taken before are void.
     virtual void begin(const Plan& plan) = 0;
-    // The samples, in units of the domain, of some of the round's draws, so many in all, and the
-    // draws' numbers, which ascend. All ranks' samples of a round come after those of the rounds
-    // before it, in the order of their numbers; those beyond the plan's limit are not wanted. Every
-    // rank calls it once a round, with what it has.
+    // Takes this rank's samples of a round, in units of the domain, and the ascending numbers of
+    // their draws; the round has `draws` draws. Over all ranks a round's samples are ordered by
+    // number, and rounds follow each other. Samples beyond the plan's limit are to be dropped.
+    // Every rank calls it once in each round, even without samples.
     virtual void take(std::span<const Sample> samples, std::span<const std::uint32_t> numbers,
                       std::uint32_t draws) = 0;
 };
@@ -34,14 +34,14 @@ struct OutcomeOnRanks {
     std::uint64_t rounds = 0;
     std::uint64_t draws = 0;
     bool maximal = false;
-    // Of this rank alone.
-    std::uint64_t own_samples = 0;  // before the limit
+    // The next two are this rank's alone.
+    std::uint64_t own_samples = 0;  // may exceed the limit
     Border::Tally border;
 };
 
-// Every rank calls it with its own strip of the plan and a backend for that. Observers hear of all
-// ranks' samples; any of them cancels the run of all. `depth`: see Border. Throws Cancelled,
-// DeviceError, and what the sink throws.
+// Every rank calls it with its strip of the plan and a backend for the strip. Observers get the
+// counts of all ranks, and any of them can cancel all ranks. `depth`: see Border. Throws Cancelled,
+// DeviceError, and exceptions of the sink.
 OutcomeOnRanks generate_on_ranks(const Plan& plan, const Strip& strip, Backend& backend,
                                  Ranks& ranks, Sink& sink, Observer& observer,
                                  std::uint32_t depth = Border::kDepth);

@@ -1,5 +1,4 @@
-// What the library knows of other processes that make the same set: MPI's in mpi/, threads in
-// tests.
+// The interface to other processes that make the same set: MPI in mpi/, threads in tests.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +8,13 @@
 
 namespace lacuna {
 
-// Bytes for the neighbour on either side, or from it: the ranks stand in a ring.
+// Bytes for the two neighbours, or from them. The ranks form a ring.
 struct Sides {
     std::vector<std::byte> low;
     std::vector<std::byte> high;
 };
 
-// Every rank makes the same calls in the same order; each waits for what the others have to give.
+// Every rank makes the same calls in the same order; each call waits for the other ranks.
 class Ranks {
 public:
     virtual ~Ranks() = default;
@@ -23,12 +22,12 @@ public:
     virtual std::uint32_t rank() const = 0;
     virtual std::uint32_t count() const = 0;
 
-    // Sends to both neighbours, and returns what they sent here. Of two ranks each is the other's
-    // neighbour on both sides.
+    // Sends to both neighbours, and returns what they sent. If there are two ranks, each is the
+    // other's neighbour on both sides.
     virtual Sides exchange(const Sides& sent) = 0;
-    // The sums over all ranks, in place.
+    // Replaces the values by their sums over all ranks.
     virtual void sum(std::span<std::uint64_t> values) = 0;
-    // The sum over the ranks below this one.
+    // Returns the sum over all ranks below this one.
     virtual std::uint64_t sum_below(std::uint64_t value) = 0;
 };
 

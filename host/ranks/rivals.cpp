@@ -1,4 +1,4 @@
-// Statuses that follow from one another.
+// Decides candidates whose statuses depend on each other.
 #include "ranks/rivals.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ std::uint32_t Rivals::add(const Rival& rival) {
     return static_cast<std::uint32_t>(all_.size() - 1);
 }
 
-// Cells are squares as wide as the radius, column by column.
+// Cells are squares as wide as the radius, numbered column by column.
 std::uint64_t Rivals::cell_of(std::uint32_t column, std::uint32_t y) const {
     return std::uint64_t{column} << 32 | y / plan_.radius;
 }
@@ -40,7 +40,7 @@ void Rivals::for_each_near(std::uint32_t index, Visit visit) const {
              it != cells_.end() && it->first <= last; ++it) {
             const Rival& other = all_[it->second];
             if (it->second != index && portable::are_closer(at.x, at.y, other.x, other.y, 0,
-                                                           plan_.period_y, plan_.radius_squared))
+                                                            plan_.period_y, plan_.radius_squared))
                 visit(it->second);
         }
     };
@@ -50,8 +50,8 @@ void Rivals::for_each_near(std::uint32_t index, Visit visit) const {
     for (std::uint32_t i = column - std::min(column, 1u); i <= column + 1; ++i) {
         visit_rows(i, at.y - std::min(at.y, r), std::min(at.y + r, height - 1));
         if (plan_.period_y == 0) continue;
-        // What sticks out at one end of a torus reaches in at the other. On a low one a candidate
-        // may be visited twice.
+        // On a torus the disk continues at the other end of the column. If the torus is low, a
+        // candidate may be visited twice.
         if (at.y < r) visit_rows(i, height - std::min(height, r - at.y), height - 1);
         if (height - at.y <= r) visit_rows(i, 0, std::min(r - (height - at.y), height - 1));
     }
@@ -95,7 +95,7 @@ std::span<const std::uint32_t> Rivals::earlier_of(std::size_t found) const {
     return std::span(earlier_).subspan(found_[found].first_rival, end - found_[found].first_rival);
 }
 
-// One look at each, the earliest first, is enough: none depends on a later one.
+// A single pass in the order of draws is enough, because no candidate depends on a later one.
 void Rivals::decide() {
     for (const std::uint32_t found : by_number_) {
         Rival& rival = all_[found_[found].index];

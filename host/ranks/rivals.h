@@ -1,5 +1,5 @@
-// Candidates of one round that may decide each other's statuses, on both sides of a strip's
-// borders.
+// Candidates of one round, on both sides of a strip's borders, that may decide each other's
+// statuses.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ namespace lacuna {
 struct Rival {
     std::uint32_t x;
     std::uint32_t y;
-    std::uint32_t number;  // of its draw in the round: lower numbers take precedence
-    bool is_own;           // or a neighbour's, who tells its status
+    std::uint32_t number;  // of its draw in the round: lower numbers have precedence
+    bool is_own;           // otherwise a neighbour's, which sends its status
     std::uint32_t status;  // portable/status.h: undecided, admitted or rejected
 };
 
@@ -31,17 +31,17 @@ public:
     const Rival& operator[](std::uint32_t index) const { return all_[index]; }
     std::size_t size() const { return all_.size(); }
 
-    // Finds what the statuses of these depend on, and so on: earlier own candidates within a
-    // radius, up to those of the neighbours. False where that reaches into the stretch of x from
-    // which no own candidates were added.
+    // Finds the candidates on which the statuses of `wanted` depend: earlier candidates within a
+    // radius, from these in turn, until a neighbour's are met. False if the search reaches the
+    // interval `unseen` of x, from which no candidates of this rank were added.
     bool find(std::span<const std::uint32_t> wanted, Span unseen);
-    // Decides all own ones found whose statuses follow from those decided so far.
+    // Decides the found candidates of this rank whose statuses follow from the known ones.
     void decide();
 
 private:
     struct Found {
         std::uint32_t index;
-        std::uint32_t first_rival;  // in earlier_; they end where the next one's begin
+        std::uint32_t first_rival;  // in earlier_; ends where the next one's begin
     };
     void sort_into_cells();
     // Visits all candidates that conflict with this one.
@@ -52,11 +52,11 @@ private:
 
     const Plan& plan_;
     std::vector<Rival> all_;
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> cells_;  // and indices, sorted
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> cells_;  // pairs of cell and index, sorted
     std::vector<char> is_found_;
     std::vector<Found> found_;
     std::vector<std::uint32_t> earlier_;
-    std::vector<std::uint32_t> by_number_;  // of found_
+    std::vector<std::uint32_t> by_number_;  // indices in found_
 };
 
 }  // namespace lacuna

@@ -1,4 +1,4 @@
-// From the request to the ranks' strips.
+// From a request to the ranks' strips.
 #include "ranks/sample_on_ranks.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace lacuna {
 namespace {
 
-// The request for a radius and a limit that stands for one for a count; see sample.cpp.
+// Replaces a count by a radius and a limit; see sample.cpp.
 Request sized_for(const Request& request, int attempt) {
     Request sized = request;
     if (!request.count) return sized;

@@ -1,4 +1,4 @@
-// lacuna::sample for ranks: each calls it with the same request, and serves its strip.
+// lacuna::sample for ranks. Every rank calls it with the same request and makes its strip.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -13,19 +13,19 @@ namespace lacuna {
 
 struct ResultOnRanks {
     OutcomeOnRanks outcome;
-    double radius = 0;  // asked for, or chosen for a count
+    double radius = 0;  // the request's, or chosen for its count
     std::uint32_t lines_per_radius = 0;
-    std::string backend;  // this rank's
+    std::string backend;  // the backend of this rank
     std::string device;
 };
 
-// Throws BadRequest for what is wrong with any request, and for what ranks do not make.
+// Throws BadRequest if the request is wrong, or asks for something that ranks cannot make.
 void check_request_on_ranks(const Request& request);
-// So many can share the set: each takes a strip two radii wide or more.
+// Most ranks for the request: each needs a strip at least two radii wide.
 std::uint32_t most_ranks(const Request& request);
 
-// The request was checked, and the ranks are no more than that. Throws FailedTogether where one of
-// them has no such backend, and what generate_on_ranks throws.
+// Needs a checked request and at most most_ranks() ranks. Throws FailedTogether if one of them does
+// not have the backend, and what generate_on_ranks throws.
 ResultOnRanks sample_on_ranks(const Request& request, Ranks& ranks, Sink& sink, Observer& observer);
 
 }  // namespace lacuna

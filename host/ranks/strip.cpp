@@ -1,4 +1,4 @@
-// The sharing out of a plan's lines.
+// Divides a plan's lines among the ranks.
 #include "ranks/strip.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Failing together: what one rank cannot do, none goes on with.
+// Failing together: if one rank fails at something, all ranks stop there.
 #pragma once
 
 #include <array>
@@ -9,13 +9,13 @@
 
 namespace lacuna {
 
-// Thrown by all ranks at once. `own` is what this one has thrown, or none: another has.
+// Thrown by all ranks at once. `own` is this rank's exception; null if only other ranks failed.
 struct FailedTogether {
     std::exception_ptr own;
 };
 
-// Calls work() on every rank, which may not call the others, and throws FailedTogether on all of
-// them where it throws on one.
+// Calls work() on every rank. work() must not call other ranks. If it throws on one rank, all ranks
+// throw FailedTogether.
 template <typename Work>
 void together(Ranks& ranks, Work work) {
     std::exception_ptr own;

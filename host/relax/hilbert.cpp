@@ -1,4 +1,4 @@
-// The order of sites along Hilbert's curve.
+// Orders sites along Hilbert's curve.
 #include "relax/hilbert.h"
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 namespace lacuna::relaxing {
 namespace {
 
-// Where a place lies along Hilbert's curve through the square of 2^30 units.
+// The rank of a position on Hilbert's curve through the square of 2^30 units.
 std::uint64_t hilbert_rank(std::uint32_t x, std::uint32_t y) {
     std::uint64_t rank = 0;
     for (std::uint32_t side = 1u << 29; side > 0; side /= 2) {

@@ -1,4 +1,4 @@
-// The order of sites along Hilbert's curve.
+// Orders sites along Hilbert's curve.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace lacuna::relaxing {
 
-// Indices of the sites, so that those near each other are near each other in memory.
+// Returns the sites' indices in an order in which near sites are near in memory.
 std::vector<std::uint32_t> hilbert_order(std::span<const Site> sites, const Poll& poll);
 
 }  // namespace lacuna::relaxing

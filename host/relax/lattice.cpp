@@ -1,4 +1,4 @@
-// Chooses the lattice: pixels cut so finely that a sample has enough lattice points.
+// Chooses the lattice: pixels are cut so finely that each sample has enough lattice points.
 #include "relax/lattice.h"
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 namespace lacuna::relaxing {
 namespace {
 
-// Lattice points that a sample has on average, at least: of importance, and without a field.
+// Least mean number of lattice points for a sample, counting points with importance only.
 constexpr double kPointsOfField = 24;
 constexpr double kPointsWithoutField = 64;
 
-// What portable/power.h asks for.
+// Limits of portable/power.h.
 constexpr double kMostPoints = 2147483648;  // 2^31
 constexpr double kMostOfSide = 2097152;     // 2^21
 constexpr double kMostPointsTimesSide = 0x1p46;
@@ -27,8 +27,8 @@ struct Cut {
     double y;
 };
 
-// How finely pixels of `aspect`, width over height, are cut for at least so many lattice points a
-// pixel: into pieces as nearly square as can be.
+// Cuts pixels of `aspect`, width over height, into at least points_per_pixel pieces that are as
+// square as possible.
 Cut cut_of(double aspect, double points_per_pixel) {
     const double stretch = std::max(aspect, 1 / aspect);
     const auto longer_cut = [&](double shorter_cut) {
@@ -39,7 +39,7 @@ Cut cut_of(double aspect, double points_per_pixel) {
     return aspect >= 1 ? Cut{longer_cut(cut), cut} : Cut{cut, longer_cut(cut)};
 }
 
-// In units: the shorter step has 256.
+// The length of a step in units; the shorter one of the two steps has 256.
 std::uint32_t step_of(double step, double other) {
     return static_cast<std::uint32_t>(
         std::lround(std::max(1.0, step / other) * double{kUnitsPerStep}));
@@ -50,7 +50,7 @@ std::uint64_t pixels_of_importance(const Field& field) {
         field.importance.begin(), field.importance.end(), [](double one) { return one > 0; }));
 }
 
-// In 65535ths of the greatest importance, rounded; at least 1 where there is any.
+// Importance in 65535ths of the greatest, rounded; at least 1 if it is not 0.
 std::vector<std::uint16_t> masses_of(const Field& field, const Poll& poll) {
     const double greatest = *std::max_element(field.importance.begin(), field.importance.end());
     std::vector<std::uint16_t> masses;
@@ -75,7 +75,7 @@ bool fits(const Field& field, const Cut& cut) {
            columns * rows * longer <= kMostPointsTimesSide;
 }
 
-// As finely as wanted, or as is possible.
+// The cut that is wanted, or the finest one that fits the limits.
 Cut possible_cut(const Field& field, double aspect, double points_per_pixel) {
     for (double wanted = points_per_pixel;; wanted /= 2) {
         const Cut cut = cut_of(aspect, wanted);
@@ -108,7 +108,7 @@ portable::RelaxLattice numbers_of(const Field& field, const Cut& cut, const Rela
     return numbers;
 }
 
-// Of one axis, from the user's coordinate. An upper edge that wraps is the lower one.
+// Converts a user's coordinate on one axis. An upper edge that wraps becomes the lower one.
 std::uint32_t unit_of(double coordinate, double side, std::uint32_t length, bool wraps) {
     const auto unit = static_cast<std::uint32_t>(coordinate / side * length);
     return unit < length ? unit : wraps ? 0 : length - 1;
@@ -133,7 +133,7 @@ Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions&
     lattice.points = pixels_of_importance(importance) * points_per_pixel;
     numbers.samples = static_cast<std::uint32_t>(points);
     numbers.mean_mass = mass / points;
-    // A quarter of a sample's mean area, as for one that owns much too little (eta / 2).
+    // A quarter of a site's mean area, the step of a site with much too little mass (eta / 2).
     numbers.lonely_step =
         lattice.points * numbers.step_x * numbers.step_y / (4 * std::uint64_t{points}) + 1;
     lattice.unit_x = options.width / (numbers.columns * numbers.step_x);
@@ -148,7 +148,7 @@ std::vector<Site> sites_of(std::span<const Point> points, const Lattice& lattice
     std::vector<Site> sites(points.size());
     for_each_polled(points.size(), poll, [&](std::size_t i) {
         const Point& point = points[i];
-        // Also false for what is no number.
+        // This condition is also false for NaN.
         if (!(point.x >= 0 && point.x <= options.width && point.y >= 0 &&
               point.y <= options.height))
             throw BadRequest("points", "(" + shortest(point.x) + ", " + shortest(point.y) + ")",

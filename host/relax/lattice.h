@@ -1,5 +1,4 @@
-// The lattice that points are relaxed on: a request turned into whole numbers (docs/design.md,
-// section 9).
+// The lattice on which points are relaxed: a request in whole numbers (docs/design.md, section 9).
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -12,7 +11,7 @@
 
 namespace lacuna::relaxing {
 
-// A sample that is being relaxed. Places and weights: see portable/power.h.
+// A sample during relaxation. Units of position and weight: see portable/power.h.
 struct Site {
     std::uint32_t x;
     std::uint32_t y;
@@ -20,7 +19,7 @@ struct Site {
     friend bool operator==(const Site&, const Site&) = default;
 };
 
-// What a sample owns: accumulated from the lattice points of importance that are its own.
+// Sums over the lattice points with importance that are assigned to one site.
 struct Share {
     std::uint64_t points;
     std::uint64_t mass;
@@ -29,7 +28,7 @@ struct Share {
     friend bool operator==(const Share&, const Share&) = default;
 };
 
-// Where its lattice points' mass puts a sample; where it is, without any.
+// The site at its centre of mass, or where it was if it has no mass.
 inline Site moved_to_centre(const portable::RelaxLattice& numbers, Site site, const Share& share) {
     if (share.mass == 0) return site;
     site.x = portable::centre_of_mass(share.moment_x, share.mass, site.x, numbers.step_x,
@@ -42,11 +41,10 @@ inline Site moved_to_centre(const portable::RelaxLattice& numbers, Site site, co
 // Equal lattices and sites give equal sites on every backend.
 struct Lattice {
     portable::RelaxLattice numbers;
-    std::uint64_t points = 0;  // of importance
-    std::vector<std::uint16_t>
-        mass;  // of each pixel's lattice points, row by row from the lowest y
+    std::uint64_t points = 0;         // number of lattice points with importance
+    std::vector<std::uint16_t> mass;  // of each pixel's points, row by row from the lowest y
 
-    // The user's units for one unit.
+    // The length of a unit, in the user's units.
     double unit_x;
     double unit_y;
 
@@ -54,19 +52,19 @@ struct Lattice {
         return mass[std::size_t{row / numbers.cut_y} * numbers.pixel_columns +
                     column / numbers.cut_x];
     }
-    // Of the lattice point around a place.
+    // The mass of the lattice point at a site's position.
     std::uint32_t mass_under(const Site& site) const {
         return mass_at(site.x / numbers.step_x, site.y / numbers.step_y);
     }
     Point to_user(const Site& site) const { return {site.x * unit_x, site.y * unit_y}; }
 };
 
-// For so many points, at least one. Throws BadRequest.
+// A lattice for `points` points, at least one. Throws BadRequest.
 Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions& options,
                      const Poll& poll = nobody_asks);
 
-// Where points start: on distinct spots as long as there are any. Throws BadRequest for one that
-// lies outside of the domain.
+// The starting positions. No two are equal as long as there are free positions. Throws BadRequest
+// if a point lies outside the domain.
 std::vector<Site> sites_of(std::span<const Point> points, const Lattice& lattice,
                            const RelaxOptions& options, const Poll& poll = nobody_asks);
 

@@ -1,5 +1,4 @@
-// A radix sort: it can be left after any number of elements, which std::sort cannot, and takes less
-// time than that.
+// A radix sort. Unlike std::sort it can stop after any number of elements, and it is faster here.
 #include "relax/ranked.h"
 
 #include <array>
@@ -13,7 +12,7 @@ void sort_by_rank(std::vector<Ranked>& all, const Poll& poll) {
     std::vector<Ranked> sorted(all.size());
     for (unsigned shift = 0; shift < kRankBits; shift += kBits) {
         const auto digit = [&](const Ranked& one) { return (one.rank >> shift) % kDigits; };
-        std::array<std::size_t, kDigits> next{};  // place of the next one of each digit
+        std::array<std::size_t, kDigits> next{};  // where the next element with this digit goes
         for_each_polled(all.size(), poll, [&](std::size_t i) { ++next[digit(all[i])]; });
         if (!all.empty() && next[digit(all.front())] == all.size()) continue;
         std::size_t before = 0;

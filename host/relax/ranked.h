@@ -1,4 +1,4 @@
-// Sorts sites by a number of 64 bits, with leave to stop.
+// Sorts sites by a 64-bit number; the sort can be cancelled.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ struct Ranked {
     std::uint32_t index;
 };
 
-// By rank; what has equal ranks stays in the order given.
+// Sorts by rank; elements of equal rank keep their order.
 void sort_by_rank(std::vector<Ranked>& all, const Poll& poll);
 
 }  // namespace lacuna::relaxing

@@ -1,4 +1,4 @@
-// Relaxation written to be read, never to be fast: every lattice point looks at every sample.
+// Relaxation written to be read, never to be fast: every lattice point tries every site.
 #include "relax/reference.h"
 
 #include <algorithm>
@@ -103,7 +103,7 @@ private:
                                                          numbers_.rows, numbers_.period_y);
     }
 
-    // Among the sample's own lattice points, or among all where it has none: the nearest.
+    // Moves to the nearest lattice point: of the site's own ones, or of all if it has none.
     void go_to_importance(std::uint32_t i) {
         const Site from{sites_[i].x, sites_[i].y, 0};
         std::uint64_t least = kFarther;

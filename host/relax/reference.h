@@ -1,4 +1,4 @@
-// Relaxation written to be read, never to be fast: every lattice point looks at every sample.
+// Relaxation written to be read, never to be fast: every lattice point tries every site.
 #pragma once
 
 #include <memory>

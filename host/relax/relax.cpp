@@ -1,4 +1,4 @@
-// lacuna::relax: assign, accumulate, move, as often as asked for (docs/design.md, section 9).
+// lacuna::relax repeats assign, accumulate and move (docs/design.md, section 9).
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -44,7 +44,7 @@ double variation(const std::vector<Share>& shares) {
     return std::sqrt(std::max(0.0, squares * count / (sum * sum) - 1));
 }
 
-// An iteration, or the last, told to the observer verb by verb.
+// Runs an iteration, or the last move, and reports each verb to the observer.
 class Iterations {
 public:
     Iterations(RelaxBackend& backend, Observer& observer, std::uint64_t points,
@@ -95,8 +95,8 @@ private:
     std::uint32_t done_ = 0;
 };
 
-// All iterations; returns where the sites end. Looks of which nothing but numbers comes are done
-// after that, from the same weights and without them.
+// Runs all iterations and returns the final sites. Measurements that do not affect the result come
+// after them: with the final weights, and with all weights 0.
 std::vector<Site> iterate(Iterations& run, RelaxBackend& backend, const RelaxOptions& options,
                           Relaxed& relaxed) {
     Evenness evenness{};

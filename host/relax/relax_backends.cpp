@@ -1,4 +1,4 @@
-// The list of backends that relax points, in order of preference.
+// The list of backends for relaxation, in order of preference.
 #include "relax/relax_backends.h"
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// The backends that relax points, and the choice among them.
+// The backends for relaxation, and the choice among them.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ struct Chosen {
     std::unique_ptr<RelaxBackend> backend;
 };
 
-// As options.backend says, or the environment's LACUNA_BACKEND where that is "auto". The lattice
-// must outlive the backend. Throws BadRequest and Unavailable.
+// The backend that options.backend names; "auto" means LACUNA_BACKEND of the environment, otherwise
+// cpu. The lattice must outlive the backend. Throws BadRequest and Unavailable.
 Chosen make_relax_backend(const RelaxOptions& options, const Lattice& lattice,
                           std::span<const Site> sites, const Poll& poll = nobody_asks);
 

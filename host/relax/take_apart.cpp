@@ -1,4 +1,4 @@
-// Sites on one spot go to free spots around it.
+// Moves sites that have the same position to free positions nearby.
 #include "relax/take_apart.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace lacuna::relaxing {
 namespace {
 
-// Offset i of a spiral around (0, 0): ring after ring.
+// Offset i of a spiral around (0, 0), ring after ring.
 struct Offset {
     std::int64_t x;
     std::int64_t y;
@@ -21,7 +21,7 @@ struct Offset {
 Offset spiral(std::uint64_t i) {
     if (i == 0) return {0, 0};
     std::int64_t ring = 1;
-    std::int64_t before = 1;  // offsets of smaller rings
+    std::int64_t before = 1;  // number of offsets in smaller rings
     while (before + 8 * ring <= static_cast<std::int64_t>(i)) before += 8 * ring++;
     const std::int64_t along = static_cast<std::int64_t>(i) - before;
     const std::int64_t side = along / (2 * ring);
@@ -38,7 +38,7 @@ std::uint64_t key(std::int64_t x, std::int64_t y) {
 
 class Spots {
 public:
-    // `places` are the keys of all sites, sorted.
+    // `places` are the keys of all sites' positions, sorted.
     Spots(const portable::RelaxLattice& numbers, const std::vector<Ranked>& places)
         : places_(places),
           width_(std::int64_t{numbers.columns} * numbers.step_x),
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    // False where some site is.
+    // Returns false if a site is already there.
     bool take(std::uint64_t spot) {
         const auto place = std::lower_bound(
             places_.begin(), places_.end(), spot,
@@ -76,8 +76,8 @@ private:
     std::int64_t width_;
     std::int64_t height_;
     bool wraps_;
-    std::set<std::uint64_t> taken_;                 // by those that were moved
-    std::map<std::uint64_t, std::uint64_t> tried_;  // offsets around each crowded spot
+    std::set<std::uint64_t> taken_;                 // by sites that were moved
+    std::map<std::uint64_t, std::uint64_t> tried_;  // offsets tried, by crowded position
 };
 
 }  // namespace
@@ -93,7 +93,7 @@ void take_apart(std::vector<Site>& sites, const portable::RelaxLattice& numbers,
         if (places[i].rank == places[i - 1].rank) again.push_back({places[i].index, 0});
     sort_by_rank(again, poll);
     Spots spots(numbers, places);
-    constexpr std::size_t kBetweenPolls = 256;  // their way grows with the crowd
+    constexpr std::size_t kBetweenPolls = 256;  // a site's search grows with the crowd
     for (std::size_t i = 0; i < again.size(); ++i) {
         if (i % kBetweenPolls == 0) poll();
         spots.move_away(sites[again[i].rank]);

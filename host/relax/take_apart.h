@@ -1,4 +1,4 @@
-// Sites on one spot go to free spots around it.
+// Moves sites that have the same position to free positions nearby.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace lacuna::relaxing {
 
-// Sites on one spot would stay together for ever, as one of them owns all that is nearest to both:
-// those after the first, by index, go to the nearest free spots around it, a unit apart.
+// Sites at one position would stay together for ever: one of them gets all lattice points near it.
+// So all but the first, by index, move to the nearest free positions, a unit apart.
 void take_apart(std::vector<Site>& sites, const portable::RelaxLattice& numbers, const Poll& poll);
 
 }  // namespace lacuna::relaxing

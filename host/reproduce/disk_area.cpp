@@ -1,4 +1,4 @@
-// Sums chords and counts lattice points.
+// Sums chords, and counts lattice points.
 #include "reproduce/disk_area.h"
 
 #include <cmath>
@@ -34,7 +34,7 @@ double area_by_lines(std::uint32_t m, double offset) {
 double area_by_cells(std::uint32_t m, double offset_x, double offset_y) {
     double points = 0;
     for_each_chord(m, offset_x, [&](double half) {
-        // Whole numbers in (offset_y - half, offset_y + half).
+        // The whole numbers in (offset_y - half, offset_y + half).
         points += std::ceil(offset_y + half) - std::floor(offset_y - half) - 1;
     });
     return points / disk_area(m);

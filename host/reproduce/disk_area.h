@@ -1,15 +1,15 @@
-// A disk's area as it is seen by lines, or by a lattice: what figure 3 measures.
+// A disk's area as measured by lines, or by a lattice: figure 3 shows both.
 #pragma once
 
 #include <cstdint>
 
 namespace lacuna::reproduce {
 
-// Of a disk of radius m, its centre `offset` (0 to 1) to the right of a line, with lines 1 apart:
-// the sum of the chords over the disk's area. This is what mode lines takes from the marginal.
+// The sum of the chords over the disk's area, for a disk of radius m whose centre is `offset` (0 to
+// 1) to the right of a line, with lines 1 apart. Mode lines takes this from the marginal.
 double area_by_lines(std::uint32_t m, double offset);
 
-// The lattice points within the disk, its rim left out, over its area: likewise for mode cells.
+// The number of lattice points inside the disk over its area: what mode cells takes.
 double area_by_cells(std::uint32_t m, double offset_x, double offset_y);
 
 }  // namespace lacuna::reproduce

@@ -26,7 +26,7 @@ Request request_of(const Step& step, Metric metric, const Field& field) {
 
 double missing(std::span<const Point> points, const Step& step) {
     const double radius = step.dense_radius;
-    const double far = 4 * radius * std::sqrt(kContrast);  // no trace of the edge from here on
+    const double far = 4 * radius * std::sqrt(kContrast);  // beyond this the edge has no effect
     double near_edge = 0;
     double far_from_edge = 0;
     for (const Point& point : points) {

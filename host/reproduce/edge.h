@@ -1,4 +1,4 @@
-// What a conflict metric does along the edge of a step in importance: figures 2 and 6 as a number.
+// The effect of a conflict metric along a step in importance: figures 2 and 6 as a number.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -9,20 +9,20 @@
 
 namespace lacuna::reproduce {
 
-// Importance 1 on the left half of a torus of 2 x 1, 1/10 on the right: two edges of length 1.
+// A torus of 2 x 1 with importance 1 on the left half and 1/10 on the right: two edges of length 1.
 struct Step {
     double dense_radius = 0.012;
     std::uint32_t m = 10;
 };
 
-// A mean over sets, with its standard error.
+// A mean over several sets, and its standard error.
 struct Mean {
     double value;
     double error;  // 0 for one set
 };
 
-// Samples that the dense side lacks within one of its radii of the edge, against its density far
-// from the edge, per radius of edge. Below 0: that it has too many.
+// Samples missing on the dense side within one of its radii of the edge, compared to its density
+// far away, for each radius of edge length. Below 0 there are too many.
 Mean missing_along_edge(const Step& step, Metric metric, std::uint32_t runs, Work& work);
 
 }  // namespace lacuna::reproduce

@@ -1,9 +1,9 @@
-// Figure 3: how well lines, and a lattice, know the area of a disk.
+// Figure 3: the error of a disk's area when it is measured by lines, or by a lattice.
 //
 // The paper defines the error as the "percentage of absolute error between the exact and
-// approximate circle areas", averaged over 10,000 samples, and gives it as curves over m, without
-// a figure in print. Here a sample lies anywhere between two lines (section 4.1 interpolates x),
-// or between four lattice points. What is taken from the paper is what it says of the curves.
+// approximate circle areas", averaged over 10,000 samples. It draws curves over m but prints no
+// numbers. Here a sample lies anywhere between two lines (section 4.1 interpolates x), or between
+// four lattice points. The statements that the paper makes about its curves are checked.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -21,10 +21,10 @@ namespace {
 
 constexpr std::uint32_t kLargestM = 60;
 constexpr std::uint64_t kFig3Samples = 10'000;
-constexpr std::uint32_t kStream = 0xf163;  // of random numbers, apart from the samplers'
+constexpr std::uint32_t kStream = 0xf163;  // a stream of random numbers that no sampler uses
 
 struct Curves {
-    std::vector<double> lines;  // percent; entry i is of m = i + 1
+    std::vector<double> lines;  // percent; entry i is for m = i + 1
     std::vector<double> cells;
     double lines_at(std::uint32_t m) const { return lines[m - 1]; }
     double cells_at(std::uint32_t m) const { return cells[m - 1]; }
@@ -53,7 +53,7 @@ Curves measure(const Setting& setting) {
     return curves;
 }
 
-// The slope of log(error) against log(m), from m = 5 on, by least squares.
+// The slope of log(error) against log(m) for m >= 5, by least squares.
 double exponent_of(const std::vector<double>& errors) {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (std::size_t i = 4; i < errors.size(); ++i) {

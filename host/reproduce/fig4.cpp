@@ -1,10 +1,10 @@
-// Figure 4: how m bends the spectrum. r = 0.01 on the torus, means of 10 runs.
+// Figure 4: the effect of m on the spectrum. r = 0.01 on the torus, means of 10 runs.
 //
-// The paper's row at the top is dart throwing stopped at 6,400 samples, whose spectrum differs from
-// that of a maximal set. What m does is told apart from that here: sets of mode lines are held
-// against mode exact, dart throwing carried on until no room is left. How far a spectrum is off
-// another is the root of the mean of (P / P of exact - 1)^2 over all frequencies of |k| r <= 1.6,
-// P being the mean power of an annulus, less what two groups of exact sets are apart by chance.
+// The paper's top row is dart throwing that stopped at 6,400 samples, whose spectrum differs from a
+// maximal set's. To separate this from the effect of m, sets of mode lines are compared with mode
+// exact, which equals dart throwing until no room is left. The distance of two spectra is the root
+// mean square of P / P of exact - 1 over all frequencies with |k| r <= 1.6, where P is the mean
+// power of an annulus. From it, the distance of two groups of exact sets is taken off as chance.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -28,11 +28,11 @@ struct Row {
     analysis::Analysis analysis;
 };
 
-// In this order.
+// The rows of the figure, in its order.
 struct Rows {
     Row darts;
     Row exact;
-    Row again;  // exact with other seeds: what of a distance is chance
+    Row again;  // exact with other seeds: their distance is chance
     std::vector<Row> lines;
 };
 
@@ -52,7 +52,7 @@ Rows make(const Setting& setting) {
     rows.exact = {"Exact", analysed(make_sets(request, runs, work))};
     request.seed = runs;
     rows.again = {"Exact, other seeds", analysed(make_sets(request, runs, work))};
-    // As section 4.1 says it: x interpolated.
+    // x is interpolated, as section 4.1 says.
     request.seed = 0;
     request.mode = Mode::lines;
     for (const std::uint32_t m : kLines) {
@@ -101,13 +101,13 @@ std::string draw(const Rows& rows, drawing::Medium medium) {
     return canvas->finish();
 }
 
-// What is left of a distance beyond chance.
+// The part of a distance that chance does not explain.
 double degradation(const Row& row, const Rows& rows, double chance) {
     const double all = distance(row.analysis, rows.exact.analysis);
     return std::sqrt(std::max(0.0, all * all - chance * chance));
 }
 
-// As it would be for 10 runs: without direction it is -10 log10(runs).
+// The anisotropy converted to 10 runs: if no direction is preferred, it is -10 log10(runs).
 double anisotropy_of(const Row& row) {
     return *row.analysis.radial.mean_anisotropy_db() +
            10 * std::log10(static_cast<double>(row.analysis.sets) / kFig4Runs);

@@ -1,8 +1,8 @@
-// Figure 5: sets that are not maximal, with lines picked by the cdf and uniformly.
+// Figure 5: sets that are not maximal; lines are picked by the cdf, or uniformly.
 //
-// r = 0.01 on the torus, 6,000 of approximately 6,900 samples. Uniform-x biases the density along
-// x, which shows in the periodogram where ky = 0. The paper's picture has this line upright, so
-// that its axes must be the other way round; here kx is drawn upwards too.
+// r = 0.01 on the torus, 6,000 of about 6,900 samples. Uniform-x makes the density along x uneven,
+// which shows in the periodogram at ky = 0. In the paper's picture this line is upright, so its
+// axes must be exchanged; here kx is drawn upwards, too.
 #include <fmt/core.h>
 
 #include <limits>
@@ -54,7 +54,7 @@ std::string draw(std::span<const Method> methods, drawing::Medium medium) {
 Reproduction fig5(const Setting& setting) {
     Work work(setting, 2.0 * setting.runs.value_or(kFig5Runs));
     const std::array methods{make(setting, false, work), make(setting, true, work)};
-    // Of a set without bias the line's power over the rest is 1, give or take this.
+    // Without bias the line's power over the rest is 1, within this standard error.
     const auto& line = *methods[0].analysis.horizontal_line;
     const double error = 1 / std::sqrt(static_cast<double>(line.modes * methods[0].analysis.sets));
     constexpr double kInfinite = std::numeric_limits<double>::infinity();

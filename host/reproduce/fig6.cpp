@@ -1,7 +1,7 @@
 // Figure 6: the max, mean and min conflict metrics on one importance field.
 //
-// The paper's field is not given in numbers. The picture's is shapes.h, 10 : 1; what the caption
-// says of the metrics is measured on a straight edge of the same contrast, see edge.h.
+// The paper's field is not given in numbers. The picture shows shapes.h, 10 : 1; the caption's
+// claims about the metrics are measured on a straight edge of the same contrast, see edge.h.
 #include <fmt/core.h>
 
 #include <array>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t kFig6Runs = 40;
 constexpr double kScale = 0.012;
-constexpr std::array kMetrics{Metric::max, Metric::mean, Metric::min};  // in the paper's order
+constexpr std::array kMetrics{Metric::max, Metric::mean, Metric::min};  // in the order of the paper
 
 std::string draw(const Field& field, Work& work, drawing::Medium medium) {
     constexpr double kSide = 280;

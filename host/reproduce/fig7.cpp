@@ -1,7 +1,7 @@
-// Figure 7: an image stippled with 20,000 dots of one size, min-conflict metric, m = 30.
+// Figure 7: an image drawn with 20,000 dots of one size, min-conflict metric, m = 30.
 //
-// The paper's images are Kopf et al.'s; any image can be given here. The other methods of the
-// figure, Balzer's and Kopf's, are not Lacuna's to make.
+// The paper uses images of Kopf et al.; any image can be given here. The figure's other methods, by
+// Balzer and by Kopf, are not part of Lacuna.
 #include "drawing/picture.h"
 #include "reproduce/reproduce.h"
 #include "reproduce/stipple.h"
@@ -35,7 +35,7 @@ Reproduction fig7(const Setting& setting) {
                  {"threads", 1}};
     made.medium = drawing::Medium::png;
     const Sides sides = sides_of(image);
-    // A third of the radius told is drawn: dots of 1/800 of the longer side.
+    // A dot's radius is a third of the radius given, so dots have 1/800 of the longer side.
     made.picture =
         drawing::draw({few.points[0], sides.width, sides.height, 3.0 / 800}, made.medium);
     return made;

@@ -1,8 +1,8 @@
-// Figure 8: what maximality and what the min-conflict metric bring. 20,000 dots each.
+// Figure 8: the benefits of maximality and of the min-conflict metric. 20,000 dots each.
 //
-// (a) min, (b) max, (c) min with radii for some 22,000 dots, of which the first 20,000 are kept, so
-// that the set is not maximal. The paper's image is not free; here it is shapes.h, 50 : 1. How good
-// a set is, is told by tone_error (stipple.h), 32 squares across.
+// (a) min; (b) max; (c) min with radii for about 22,000 dots, of which the first 20,000 are kept,
+// so that the set is not maximal. The paper's image is not free, so shapes.h is used with contrast
+// 50 : 1. The quality of a set is tone_error (stipple.h) with 32 squares across.
 #include <fmt/core.h>
 
 #include <array>
@@ -34,7 +34,7 @@ Version make(const Field& field, std::string name, std::uint64_t dots, Metric me
     return {std::move(name), std::move(points), error};
 }
 
-// The bars, enlarged.
+// Draws the four bars of the field, enlarged.
 std::string draw(std::span<const Version> versions, drawing::Medium medium) {
     constexpr Rectangle kPart{0.3, 0.06, 0.5, 0.36};  // of the unit square, y upwards
     constexpr double kWidth = 250;

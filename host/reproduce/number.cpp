@@ -1,4 +1,4 @@
-// Numbers as lines of text.
+// Formats numbers as lines of text.
 #include "reproduce/number.h"
 
 #include <fmt/core.h>
@@ -10,7 +10,7 @@
 namespace lacuna::reproduce {
 namespace {
 
-// Six digits, and whole numbers whole.
+// Six digits; whole numbers without decimals.
 std::string text_of(double value) {
     return fmt::format("{:.6g}", value);
 }

@@ -1,4 +1,4 @@
-// Draws the parts.
+// Draws the parts of the pictures.
 #include "reproduce/picture.h"
 
 #include <fmt/core.h>

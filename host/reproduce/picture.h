@@ -1,4 +1,4 @@
-// What the pictures of several items share: a page, legends, periodograms, fields and dots.
+// Parts that several items' pictures use: page, legends, periodograms, fields and dots.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -33,17 +33,17 @@ struct Key {
     std::string words;
     Pen pen;
 };
-// In the upper left corner of the box, or the upper right one, a line a key.
+// Draws a line for each key in the upper left corner of the box, or in the upper right one.
 void draw_legend(Canvas& canvas, const Rectangle& box, std::span<const Key> keys,
                  Anchor corner = Anchor::start);
 
-// A title above a box.
+// Draws a title above a box.
 void draw_title(Canvas& canvas, const Rectangle& box, const std::string& title);
 
-// Whether the middle of the frequencies has kx to the right, as is usual, or upwards.
+// Whether the periodogram has kx to the right, as usual, or upwards.
 enum class Turned { no, yes };
-// Up to `farthest` sqrt(count), black at 0 to white at three times the power of white noise. A
-// pixel is the mean of `block` x `block` frequencies, fewer at the rim.
+// Draws frequencies up to `farthest` sqrt(count). Power 0 is black; three times white noise's is
+// white. A pixel is the mean of `block` x `block` frequencies, fewer at the rim.
 void draw_periodogram(Canvas& canvas, const Rectangle& box, const analysis::Spectrum& spectrum,
                       double farthest, int block, Turned turned = Turned::no);
 
@@ -52,13 +52,13 @@ void draw_radial_power(Canvas& canvas, const Rectangle& box, const std::string& 
 void draw_anisotropy(Canvas& canvas, const Rectangle& box, const std::string& title,
                      const analysis::Analysis& analysis, Colour colour);
 
-// What is wanted, dark where dense.
+// Draws the importance; dark is dense.
 void draw_field(Canvas& canvas, const Rectangle& box, const Field& field);
-// All dots of one radius, in the domain's unit.
+// Draws all dots with one radius, in the domain's unit.
 void draw_dots(Canvas& canvas, const Rectangle& box, std::span<const Point> points, double width,
                double height, double radius);
 
-// On the torus of side 1. Counts for nothing in `work`, of which it is a small share.
+// Analyses sets on the torus of side 1. It is a small part of the work, and adds nothing to `work`.
 analysis::Analysis analyse_on_torus(std::span<const std::vector<Point>> sets, double radius,
                                     Work& work);
 

@@ -1,4 +1,4 @@
-// The list of what can be reproduced, and its files.
+// The list of all items, and how their files are written.
 #include "reproduce/reproduce.h"
 
 #include <array>

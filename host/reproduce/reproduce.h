@@ -1,4 +1,4 @@
-// The tables and figures of Kalantari & Sen (2011), made anew and held against the paper.
+// The tables and figures of Kalantari & Sen (2011), made again and compared with the paper.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -19,19 +19,19 @@
 namespace lacuna::reproduce {
 
 struct Setting {
-    std::optional<std::uint32_t> runs;      // sets a mean is taken of, >= 1; unset: each its own
-    std::optional<double> smallest_radius;  // rows of the tables with a smaller one are left out
-    const Field* image = nullptr;           // for the items that need one; aspect as its pixels
-    // Told by one thread at a time, the calling one or another, how much is done, from 0 to 1.
-    // When it says false the work ends with lacuna::Cancelled.
+    std::optional<std::uint32_t> runs;      // sets for each mean, >= 1; unset: the item's default
+    std::optional<double> smallest_radius;  // rows of the tables with a smaller radius are left out
+    const Field* image = nullptr;           // for items that need one; its pixels give the aspect
+    // Called by one thread at a time, not always the caller's, with the finished fraction, 0 to 1.
+    // If it returns false, the work ends with lacuna::Cancelled.
     std::function<bool(double share)> keep_going = [](double) { return true; };
 };
 
 struct Reproduction {
     std::vector<Number> numbers;
-    nlohmann::ordered_json data;  // what the picture shows
-    drawing::Medium medium;       // of the picture: svg or png
-    std::string picture;          // its bytes
+    nlohmann::ordered_json data;  // the data that the picture shows
+    drawing::Medium medium;       // format of the picture: svg or png
+    std::string picture;          // the picture's bytes
 };
 
 struct Item {
@@ -41,13 +41,13 @@ struct Item {
     Reproduction (*make)(const Setting& setting);
 };
 
-// table1, table2, fig3 to fig8: each in a file of its name.
+// table1, table2, fig3 to fig8: each has a file of that name.
 std::span<const Item> items();
 
-// The .json file of an item: its numbers and its data. The same but for times on every call.
+// The .json file of an item: its numbers and data. Except for times it is the same on every call.
 std::string json_of(const Item& item, const Reproduction& reproduction);
 
-// Throw Cancelled; fig7 BadRequest too, where so many dots do not fit the image.
+// These throw Cancelled. fig7 also throws BadRequest, if the image has no room for its dots.
 Reproduction table1(const Setting& setting);
 Reproduction table2(const Setting& setting);
 Reproduction fig3(const Setting& setting);

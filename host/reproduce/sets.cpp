@@ -1,4 +1,4 @@
-// Sets on all cores.
+// Makes sets on all cores.
 #include "reproduce/sets.h"
 
 #include <tbb/parallel_for.h>
@@ -28,7 +28,7 @@ double mean(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-// `make(seed)` returns the points of one set.
+// Makes one set for each seed. `make(seed)` returns the points of one set.
 template <class Make>
 Sets make_each(std::uint64_t first_seed, std::uint32_t runs, Work& work, double cost,
                const Make& make) {

@@ -1,4 +1,4 @@
-// Many sets of one request, seed by seed, several at once, and how much of all work is done.
+// Makes sets of one request with many seeds, several at once, and tracks the progress.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -12,14 +12,14 @@
 
 namespace lacuna::reproduce {
 
-// How much is done of a total, in any unit. Threads may share one.
+// The work that is done of a total, in any unit. Several threads may use one object.
 class Work {
 public:
     Work(const Setting& setting, double total) : setting_(setting), total_(total) {}
 
-    // Throws Cancelled.
+    // Adds finished work. Throws Cancelled.
     void add(double done);
-    // False once the work is to end.
+    // Returns false when the work must end.
     bool keep_going();
 
 private:
@@ -32,22 +32,22 @@ private:
 
 struct Sets {
     std::vector<std::vector<Point>> points;
-    std::vector<double> seconds;  // of each set, made by one thread
+    std::vector<double> seconds;  // for each set, by one thread
 
     double mean_count() const;
     double mean_seconds() const;
 };
 
-// The sets of the seeds first_seed, first_seed + 1, ..., each by one thread, as many at once as
-// there are cores; `cost` is what each adds to what is done. The points do not depend on the number
-// of cores. Throws as sample() does.
+// Makes sets with the seeds first_seed, first_seed + 1, ... Each is made by one thread, with one
+// thread on each core. Each adds `cost` to the work. The points do not depend on the number of
+// cores. Throws as sample() does.
 Sets make_sets(const Request& request, std::uint32_t runs, Work& work, double cost = 1);
 
-// The first `count` darts that stick of dart throwing, likewise.
+// The same with dart throwing: the first `count` darts that are kept.
 Sets throw_sets(const Request& request, std::uint64_t count, std::uint32_t runs, Work& work,
                 double cost = 1);
 
-// A request in mode lines on the unit square, as the paper's tables agree with: on the lines.
+// The request that agrees with the paper's tables: mode lines on the unit square, x on the lines.
 Request lines_request(double radius, Boundary boundary);
 
 }  // namespace lacuna::reproduce

@@ -1,4 +1,4 @@
-// Draws the shapes pixel by pixel.
+// Draws the shapes, pixel by pixel.
 #include "reproduce/shapes.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ double importance_at(double x, double y, double background) {
     const bool in_a_bar = std::any_of(
         kBars.begin(), kBars.end(), [=](const Bar& bar) { return x > bar.left && x < bar.right; });
     if (y > 0.08 && y < 0.4 && in_a_bar) return 1;
-    // Even steps of the logarithm, from the radius field at the left to 1 at the right.
+    // The ramp: logarithmic, from the background's importance at the left to 1 at the right.
     constexpr double kLeft = 0.62, kRight = 0.92;
     if (x > kLeft && x < kRight && y > 0.52 && y < 0.88)
         return std::pow(background, (kRight - x) / (kRight - kLeft));

@@ -5,8 +5,8 @@
 
 namespace lacuna::reproduce {
 
-// On the unit square: a disk, four bars that grow thinner to the right and a ramp, of importance 1
-// (the ramp from `background` to 1), on a background of importance `background`.
+// On the unit square: a disk, four bars, the thinner the farther right, and a ramp. Disk and bars
+// have importance 1, the ramp goes from `background` to 1, and all else has `background`.
 Field shapes(double background);
 
 }  // namespace lacuna::reproduce

@@ -1,4 +1,4 @@
-// Stipples, and their tones counted by squares.
+// Makes dots for an image, and compares tones by counting dots in squares.
 #include "reproduce/stipple.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ Sets stipple(const Field& image, std::uint64_t dots, Metric metric, Work& work, 
 double tone_error(const Field& image, std::span<const Point> dots, std::uint32_t across) {
     const Sides sides = sides_of(image);
     std::vector<double> shares(std::size_t{across} * across);
-    // Whole squares that the domain does not reach stay 0 and add nothing.
+    // Squares outside the domain stay 0 and add nothing.
     const auto add = [&](double x, double y, double share) {
         const auto square = [&](double at) {
             return std::min(across - 1, static_cast<std::uint32_t>(at * across));

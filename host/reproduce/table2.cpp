@@ -3,8 +3,8 @@
 
 namespace lacuna::reproduce {
 
-// Gamito's row is left out: the paper says that his program makes no maximal sets here, so that
-// nothing of Lacuna's has its counts.
+// Gamito's row is left out: the paper says that his program makes no maximal sets here, so no
+// method of Lacuna has comparable counts.
 Reproduction table2(const Setting& setting) {
     static const std::array rows{
         PublishedRow{
@@ -16,7 +16,7 @@ Reproduction table2(const Setting& setting) {
         PublishedRow{
             "Dunbar", Way::exact, {0.0952, 1.747, 6.726, 162.6}, {278.7, 6973, 27889, 696507}},
     };
-    // The paper gives none; as near to the maximal count as Table 1's.
+    // The paper gives no count of darts. This one is as near to the maximal count as in Table 1.
     return reproduce_table(setting, Boundary::torus, rows, {0.01, 6861, std::nullopt});
 }
 

@@ -1,4 +1,4 @@
-// Makes the sets of a table, way by way, and compares them row by row.
+// Makes the sets of a table for each method, and compares them row by row.
 #include "reproduce/tables.h"
 
 #include <fmt/core.h>
@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The paper's is 100. A count's standard deviation is under 0.03 % at the smallest radius.
+// Runs by radius; the paper's is 100. A count's deviation is under 0.03 % at the smallest radius.
 constexpr std::array<std::uint32_t, 4> kTableRuns{100, 100, 20, 2};
 
 struct Measured {
@@ -26,7 +26,7 @@ struct Measured {
     std::uint32_t runs;
 };
 
-// By way, and by index in kRadii.
+// For each way, the measurements by index in kRadii.
 using Measurements = std::map<Way, std::vector<Measured>>;
 
 std::string_view name_of(Way way) {
@@ -37,7 +37,7 @@ std::string_view name_of(Way way) {
 Request request_of(Way way, double radius, Boundary boundary) {
     Request request = lines_request(radius, boundary);
     request.uniform_x = way == Way::uniform_x;
-    // Rounds of one are what uniform-x runs in anyway, and the reference is faster at them.
+    // Uniform-x runs in rounds of one draw anyway, and the reference is the fastest at these.
     if (request.uniform_x) request.backend = "reference";
     if (way == Way::exact) {
         request.mode = Mode::exact;
@@ -52,7 +52,7 @@ std::size_t radii_of(const Setting& setting) {
         std::count_if(kRadii.begin(), kRadii.end(), [=](double r) { return r >= smallest; }));
 }
 
-// Microseconds a sample, about.
+// Approximate microseconds for a sample.
 double cost_of(Way way) {
     return way == Way::uniform_x ? 30 : 2;
 }
@@ -122,7 +122,7 @@ void draw_times(Canvas& canvas, const Rectangle& box, std::span<const PublishedR
         std::vector<Point> curve;
         for (std::size_t i = 0; i < radii; ++i)
             curve.push_back({std::log10(measured[i].samples), std::log10(measured[i].seconds)});
-        // The colour of the first row that it is held against.
+        // The curve has the colour of the first row that it is compared with.
         const auto row = std::find_if(rows.begin(), rows.end(),
                                       [&](const PublishedRow& p) { return p.way == way; });
         keys.push_back({std::string(name_of(way)),

@@ -1,4 +1,4 @@
-// Running sums, sorted random bits, and the walk that makes draws of them.
+// Running sums, random bits in sorted order, and the walk that turns them into draws.
 #include "rounds/marginal.h"
 
 #include <algorithm>
@@ -13,35 +13,28 @@
 namespace lacuna {
 namespace {
 
-// One running sum for so many places: a cache line of lengths is as fast to walk as to skip.
+// Bins for each running sum. Walking along a cache line of lengths is as fast as skipping it.
 constexpr std::size_t kBlock = 16;
-
-// About so many draws are sorted at a time: they stay in the cache of a core.
+// About 2^kPartBits draws are sorted at a time, so that they stay in a core's cache.
 constexpr unsigned kPartBits = 12;
-
-// Draws are shared out in chunks: of kLeastChunk draws or more, which take 0.1 ms, and no more than
-// about kMostChunks of them, for each counts the draws of all parts.
+// Draws go to threads in chunks of 2^12 or more, which take 0.1 ms; in few, as each counts all
+// parts.
 constexpr std::uint32_t kLeastChunk = std::uint32_t{1} << 12;
 constexpr std::uint32_t kMostChunks = 64;
-
 constexpr std::uint64_t kAllBits = ~std::uint64_t{0};
-
-// The bits of so many draws are made at a time.
-constexpr std::uint32_t kRun = 256;
-
-// So many sums take about a millisecond.
+constexpr std::uint32_t kRun = 256;  // draws whose random bits are made at a time
+// Number of sums between two polls: they take about a millisecond.
 constexpr std::size_t kPollEvery = std::size_t{1} << 14;
 
 std::uint64_t bits_of(const Draw& draw) {
     return std::uint64_t{draw.place} << 32 | draw.rank;
 }
 
-// So many of the bits, after the highest `skipped`.
+// `count` of the draw's bits, after the highest `skipped` ones.
 std::size_t highest(const Draw& draw, unsigned count, unsigned skipped = 0) {
     return bits_of(draw) << skipped >> 32 >> (32 - count);
 }
 
-// Counts become the places where what is counted begins.
 void sum_before(std::vector<std::uint32_t>& counts) {
     std::uint32_t sum = 0;
     for (std::uint32_t& count : counts) sum += std::exchange(count, sum);
@@ -49,7 +42,7 @@ void sum_before(std::vector<std::uint32_t>& counts) {
 
 }  // namespace
 
-// Eq. 1; with uniform-x, 1 while the place has any free length.
+// Eq. 1. With uniform-x the weight is 1 if the bin has any free length, otherwise 0.
 std::uint64_t Marginal::weight_of(std::size_t place) const {
     if (plan_.uniform_x) return std::min(lengths_[place], 1u);
     return widths_.empty() ? lengths_[place] : std::uint64_t{widths_[place]} * lengths_[place];
@@ -71,7 +64,7 @@ void Marginal::rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_
     }
 }
 
-// Inverts the cdf at weights that ascend.
+// Inverts the cdf at ascending weights.
 class Marginal::Walk {
 public:
     explicit Walk(const Marginal& marginal)
@@ -81,7 +74,7 @@ public:
           bits_(marginal.bits_),
           share_(marginal.share_) {}
 
-    // The same numbers as the reference's, up to the walk along the place's free length.
+    // Finds bin and rank. Like the reference, but the walk along the bin's free spans comes later.
     void invert(Draw& draw) {
         const std::uint64_t c = weight_of(draw);
         seek(c);
@@ -92,7 +85,7 @@ public:
         draw.rank = static_cast<std::uint32_t>(rank);
     }
 
-    // The weight is an area: what c exceeds the sum before the place by is one of its points.
+    // Weights are areas: the excess of c over the sum before the bin is a point of its area.
     void invert_areas(Draw& draw) {
         const std::uint64_t c = weight_of(draw);
         seek(c);
@@ -118,12 +111,12 @@ public:
     }
 
 private:
-    // That the draw's bits tell, within the share.
+    // The weight within this CdfShare to which the draw's bits belong.
     std::uint64_t weight_of(const Draw& draw) const {
         return scaled((bits_of(draw) >> bits_.shift) + bits_.first, share_.total) - share_.before;
     }
-    // To the block that weight c falls into. Gallops: the next one is near when draws are many,
-    // and far when they are few.
+    // Goes to the block that contains weight c, with steps that double: it is near if there are
+    // many draws, and far if there are few.
     void seek(std::uint64_t c) {
         if (sums_[block_ + 1] > c) return;
         std::size_t step = 2;
@@ -143,7 +136,7 @@ private:
     std::size_t block_ = 0;
 };
 
-// With random bits in place of place and rank.
+// A draw that holds its random bits instead of bin and rank.
 Draw Marginal::drawn(const RandomBits& random, std::uint64_t first_number,
                      std::uint32_t number) const {
     const std::uint64_t for_offset =
@@ -155,7 +148,7 @@ Draw Marginal::drawn(const RandomBits& random, std::uint64_t first_number,
             static_cast<std::uint32_t>(offset), number};
 }
 
-// Calls visit(number, random bits) for those of the draws [begin, end) that fall into the share.
+// Calls visit(number, random bits) for the draws [begin, end) that fall into the CdfShare.
 template <typename Visit>
 void Marginal::for_each_drawn(std::uint64_t first_number, Span numbers, Visit visit) const {
     const std::uint64_t width = bits_.last - bits_.first;
@@ -164,7 +157,7 @@ void Marginal::for_each_drawn(std::uint64_t first_number, Span numbers, Visit vi
     for (std::uint32_t begin = numbers.begin; begin < numbers.end;) {
         const std::uint32_t size = std::min(kRun, numbers.end - begin);
         random_run(plan_.seed, first_number + begin, std::span(run).first(size));
-        // Which of them fall into the share cannot be foretold: no branch.
+        // No branch, because nothing predicts which draws fall into the CdfShare.
         std::uint32_t count = 0;
         for (std::uint32_t i = 0; i < size && width == kAllBits; ++i) visit(begin + i, run[i]);
         for (std::uint32_t i = 0; i < size && width != kAllBits; ++i) {
@@ -176,8 +169,8 @@ void Marginal::for_each_drawn(std::uint64_t first_number, Span numbers, Visit vi
     }
 }
 
-// Leaves the draws of each part together, in their order, not inverted: counted chunk by chunk,
-// then made once more where they belong, which takes less time than to keep them would.
+// Groups the draws by part, each part in the order of the draws, not yet inverted. Chunks are
+// counted first; then the bits are made a second time, which is faster than storing them.
 void Marginal::draw_bits(std::uint64_t first_number, std::uint32_t count) {
     const std::uint64_t expected = scaled(bits_.last - bits_.first, count);
     const auto width = static_cast<unsigned>(std::bit_width(expected + 1));
@@ -224,7 +217,6 @@ void Marginal::draw_bits(std::uint64_t first_number, std::uint32_t count) {
     });
 }
 
-// Counts become the places where what is counted begins.
 void Marginal::find_ends(std::size_t chunks) {
     const std::size_t parts = std::size_t{1} << part_bits_;
     part_ends_.resize(parts);
@@ -238,7 +230,7 @@ void Marginal::find_ends(std::size_t chunks) {
     }
 }
 
-// Sorts a part by the next highest bits, then by all, and walks along the cdf.
+// Sorts a part by its next highest bits, then by all bits, and walks along the cdf.
 void Marginal::invert_part(std::uint64_t first_number, std::span<Draw> part) const {
     struct Scratch {
         std::vector<Draw> sorted;
@@ -280,7 +272,7 @@ std::span<const Draw> Marginal::invert(std::uint64_t first_number, std::uint32_t
             const std::uint32_t begin = part == 0 ? 0 : part_ends_[part - 1];
             invert_part(first_number, std::span(draws_).subspan(begin, part_ends_[part] - begin));
         });
-    if (plan_.uniform_x)  // whose ranks do not ascend with the bits
+    if (plan_.uniform_x)  // ranks of uniform-x do not ascend with the bits
         insertion_sort(std::span(draws_), [](const Draw& a, const Draw& b) {
             return a.place != b.place ? a.place < b.place : a.rank < b.rank;
         });
@@ -291,8 +283,7 @@ std::uint32_t Marginal::number_of(std::uint32_t order) const {
     return numbers_.empty() ? order : numbers_[order];
 }
 
-// c = scaled(bits, total) lies in the share from the least bits that reach its begin to the last
-// that do not reach its end.
+// Finds the random bits for which scaled(bits, total) lies in the CdfShare.
 void Marginal::find_bits(CdfShare share) {
     __extension__ using Wide = unsigned __int128;
     const auto least = [&](std::uint64_t c) {

@@ -1,5 +1,5 @@
-// The marginal F_X (section 3, Eq. 1) as running sums of the places' free lengths, and its
-// inversion (Eq. 2): draws are sorted first, so that one walk along the sums inverts them all.
+// The marginal F_X (section 3, Eq. 1) as running sums of the bins' free lengths or areas, and its
+// inversion (Eq. 2). Draws are sorted first, so that one walk along the sums inverts all of them.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 
 namespace lacuna {
 
-// Of several marginals that share one cdf, which places are this one's: their weights follow
-// `before` others, in `total`.
+// The part of a cdf that belongs to one of several marginals. The cdf's weight is `total`, and
+// `before` of it precedes this marginal's bins.
 struct CdfShare {
     std::uint64_t before;
     std::uint64_t total;
@@ -24,33 +24,33 @@ struct CdfShare {
 
 class Marginal {
 public:
-    // The workers share out all but the running sums. `poll` is called now and then while these are
-    // made, and may throw to end that.
+    // The workers do everything in parallel except the running sums. While these are made, `poll`
+    // is called now and then; it may throw to end the work.
     Marginal(const Plan& plan, Workers& workers, std::function<void()> poll)
         : plan_(plan), workers_(workers), poll_(std::move(poll)) {}
 
-    // New running sums, from the free length of every place, all of one width, unless bin_widths
-    // tells that of each. The lengths and widths are read again by invert: they must stay until
-    // then.
+    // Makes new running sums from the free length of every bin. All bins are `bin_width` wide,
+    // unless bin_widths has the width of each. invert() reads lengths and widths again, so they
+    // must live until then.
     void rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t bin_width,
                  std::span<const std::uint32_t> bin_widths = {});
 
-    // Total weight of the places: their free length, or their area where widths differ, or, with
-    // uniform-x, how many have any.
+    // Total weight of the bins: the sum of their free lengths, or of their areas if widths differ.
+    // With uniform-x it is the number of bins with free length.
     std::uint64_t total() const { return sums_.back(); }
 
-    // Draws first_number, first_number + 1, ... of the plan's seed, `count` of them, inverted from
-    // one cdf and sorted by place and rank. Valid until the next call. total() must not be 0.
+    // Inverts `count` draws of the plan's seed, first_number, first_number + 1, ..., from one cdf.
+    // They are sorted by bin and rank, and valid until the next call. total() must not be 0.
     std::span<const Draw> invert(std::uint64_t first_number, std::uint32_t count);
-    // Of the same draws those that fall into the share, if any. Their orders are 0, 1, ...
+    // The same, but only the draws that fall into the share, if any. Their orders are 0, 1, ...
     std::span<const Draw> invert(std::uint64_t first_number, std::uint32_t count, CdfShare share);
-    // Which of the `count` draws the one of so high an order is.
+    // The number, among the `count` draws, of the draw with this order.
     std::uint32_t number_of(std::uint32_t order) const;
 
 private:
     class Walk;
-    // Random bits that fall into the share: those from first to last. A draw has their distance
-    // from the first, shifted left as far as the last allows.
+    // The random bits that fall into the share are first to last. A draw stores their distance from
+    // `first`, shifted left by `shift`, as far as the range allows.
     struct Bits {
         std::uint64_t first = 0;
         std::uint64_t last = 0;
@@ -71,15 +71,15 @@ private:
     std::span<const std::uint32_t> lengths_;
     std::uint32_t bin_width_ = 0;
     std::span<const std::uint32_t> widths_;
-    std::vector<std::uint64_t> sums_ = {0};  // sums_[block]: all blocks of places below it
+    std::vector<std::uint64_t> sums_ = {0};  // sums_[i]: weight of all bins before block i
     CdfShare share_{};
     Bits bits_;
-    // A draw's place and rank hold its random bits until it is inverted.
-    std::vector<Draw> draws_;               // by part: by the highest bits
-    std::vector<std::uint32_t> numbers_;    // by order; none where all draws are in the share
-    unsigned part_bits_ = 0;                // how many those are
-    std::vector<std::uint32_t> part_ends_;  // in draws_
-    // Of each chunk of numbers, for each part: how many draws, then where in draws_ the next goes.
+    // Until a draw is inverted, its place and rank hold its random bits.
+    std::vector<Draw> draws_;               // grouped by part, the highest bits
+    std::vector<std::uint32_t> numbers_;    // by order; empty if all draws are in the share
+    unsigned part_bits_ = 0;                // number of bits that select a part
+    std::vector<std::uint32_t> part_ends_;  // index in draws_
+    // For each chunk and part: the number of draws; later the index in draws_ of the next one.
     std::vector<std::uint32_t> chunk_ends_;
 };
 

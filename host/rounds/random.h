@@ -12,7 +12,7 @@ struct RandomBits {
     std::uint64_t second;
 };
 
-// Philox 4x32-10 of counter (index, stream) under key `seed`.
+// Philox 4x32-10 of counter (index, stream) with key `seed`.
 inline RandomBits random_bits(std::uint64_t seed, std::uint64_t index, std::uint32_t stream = 0) {
     const auto low = [](std::uint64_t a) { return static_cast<std::uint32_t>(a); };
     const auto high = [](std::uint64_t a) { return static_cast<std::uint32_t>(a >> 32); };
@@ -23,8 +23,8 @@ inline RandomBits random_bits(std::uint64_t seed, std::uint64_t index, std::uint
     return {join(words[0], words[1]), join(words[2], words[3])};
 }
 
-// A whole number in [0, range), from 64 random bits. The probability of any interval is off by
-// less than 2^-64.
+// A whole number in [0, range), from 64 random bits. The probability of any interval has an error
+// of less than 2^-64.
 inline std::uint64_t scaled(std::uint64_t bits, std::uint64_t range) {
     __extension__ using Wide = unsigned __int128;
     return static_cast<std::uint64_t>(Wide{bits} * range >> 64);

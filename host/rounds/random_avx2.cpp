@@ -1,5 +1,5 @@
-// Philox 4x32-10 (Salmon et al. 2011) of several counters at once, in the words of AVX2, by way of
-// Highway, which includes this file once more: see backends/cpu/vectors_avx2.cpp.
+// Philox 4x32-10 (Salmon et al. 2011) for several counters at once, with AVX2 instructions through
+// Highway, which includes this file a second time: see backends/cpu/vectors_avx2.cpp.
 #include "rounds/random_avx2.h"
 
 #if defined(__x86_64__)
@@ -18,8 +18,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Each word of a counter has the lower half of a lane of 64 bits, because products have both. What
-// stands in the upper half never counts.
+// Each word of a counter is the lower half of a 64-bit lane, because a product takes 64 bits. The
+// upper half is ignored.
 using Lanes = hn::ScalableTag<std::uint64_t>;
 constexpr Lanes kLanes;
 using Lane = hn::Vec<Lanes>;
@@ -44,7 +44,7 @@ HWY_INLINE Lane joined(Lane low, Lane high) {
     return hn::Or(hn::And(low, hn::Set(kLanes, 0xFFFFFFFF)), hn::ShiftLeft<32>(high));
 }
 
-// Two vectors of counters, so that one is multiplied while the other waits.
+// Works on two vectors of counters, so that one is multiplied while the other waits.
 HWY_INLINE void fill_block(std::uint64_t seed, std::uint64_t first, RandomBits* run) {
     const Lane zero = hn::Zero(kLanes);
     const auto counters_from = [&](std::uint64_t index) {
@@ -92,7 +92,7 @@ namespace lacuna {
 
 const RandomRun* avx2_random_run() {
 #if defined(__x86_64__)
-    // What Highway asks of a processor before it uses AVX2 there.
+    // The features that Highway requires of a processor for its AVX2 code.
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
         __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma"))
         return &N_AVX2::kRun;

@@ -1,4 +1,4 @@
-// Random bits in plain C++, and the choice of the fastest.
+// Random bits in plain C++, and the choice of the fastest version.
 #include "rounds/random_run.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
-// The random bits of draws that follow one another, in the vectors of the processor at hand.
+// The random bits of consecutive draws, with the vector instructions of the processor.
 //
-// Once in plain C++, a call of random_bits each, and once in the words of AVX2 (random_avx2.cpp),
-// with the same bits.
+// There are two versions with the same bits: plain C++, which calls random_bits for each draw, and
+// AVX2 (random_avx2.cpp).
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct RandomRun {
     void (*fill)(std::uint64_t seed, std::uint64_t first, std::span<RandomBits> run);
 };
 
-// Those that this processor has, the fastest first; the last is the plain one.
+// The versions that this processor can run, the fastest first; the last one is plain C++.
 std::span<const RandomRun* const> all_random_runs();
 
 inline void random_run(std::uint64_t seed, std::uint64_t first, std::span<RandomBits> run) {

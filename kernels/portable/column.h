@@ -1,12 +1,12 @@
-// Columns: runs of neighbouring lines at least as wide as the radius, so that all that touches a
-// line lies in its own column or the one on either side. Work is binned and shared out by column.
+// Columns: runs of neighbouring lines, at least as wide as the radius. All samples that touch a
+// line lie in its own column or a neighbouring one. Columns are the units in which work is divided.
 #ifndef LACUNA_PORTABLE_COLUMN_H
 #define LACUNA_PORTABLE_COLUMN_H
 #include "stretch.h"
 
 LACUNA_BEGIN
 
-// The first line of a column; that of column `columns` is `lines`.
+// The first line of a column. For column number `columns` it is `lines`.
 LACUNA_FN u32 first_line_of_column(u32 column, u32 lines, u32 columns) {
     u64 scaled = column;
     return to_u32((scaled * lines + columns - 1u) / columns);
@@ -29,11 +29,10 @@ LACUNA_FN Stretch columns_of_stretch(Stretch near, u32 lines, u32 columns) {
     return touched;
 }
 
-// A column's `count` candidates are sorted by y by way of `count` buckets, and found by their
-// height again: bucket_of tells the bucket of a height below `height`. All buckets are equally
-// high. Heights are shifted up until `height` fills 32 bits, and then scaled by a multiplication,
-// because devices take long to divide: of the `count` buckets at least the lower half has heights,
-// the others none.
+// A column's `count` candidates are sorted by y with `count` buckets, and looked up by height
+// later. bucket_of is the bucket of a height below `height`; all buckets are equally high. Heights
+// are shifted up until `height` fills 32 bits and then scaled by a multiplication, because devices
+// divide slowly. So at least the lower half of the buckets is in use, and the others stay empty.
 LACUNA_FN u32 bucket_of(u32 y, u32 count, u32 height) {
     u64 scaled = y << leading_zeros(height);
     return to_u32(scaled * count >> 32u);

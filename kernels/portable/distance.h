@@ -5,22 +5,22 @@
 
 LACUNA_BEGIN
 
-// Distance of a and b on one axis. The axis wraps after `period` units; 0: it does not wrap.
+// The distance of a and b on one axis. The axis wraps after `period` units; 0: it does not wrap.
 LACUNA_FN u32 axis_distance(u32 a, u32 b, u32 period) {
     u32 straight = a > b ? a - b : b - a;
     u32 around = period - straight;
     return period != 0u && around < straight ? around : straight;
 }
 
-// At most 2^63 for coordinates of at most 2^31.
+// At most 2^63 if the coordinates are at most 2^31.
 LACUNA_FN u64 squared_length(u32 dx, u32 dy) {
     u64 x = dx;
     u64 y = dy;
     return x * x + y * y;
 }
 
-// The distance of y from the nearest of the heights [begin, end), and from the farthest: below
-// 2^32, also where heights are those of an image outside the domain.
+// The distance from y to the nearest of the heights [begin, end), and to the farthest. Below 2^32,
+// also if the heights belong to an image outside the domain.
 LACUNA_FN u32 nearest_distance(i64 y, i64 begin, i64 end) {
     i64 below = begin - y;
     i64 above = y - (end - 1);
@@ -34,8 +34,8 @@ LACUNA_FN u32 farthest_distance(i64 y, i64 begin, i64 end) {
     return to_u32(to_begin > to_last ? to_begin : to_last);
 }
 
-// The distance of `at` from the nearest of [begin, end) on an axis that wraps after `period` units,
-// or not.
+// The distance from `at` to the nearest of [begin, end) on an axis that wraps after `period` units;
+// 0: it does not wrap.
 LACUNA_FN u32 distance_to_stretch(u32 at, u32 begin, u32 end, u32 period) {
     u32 last = end - 1u;
     u32 straight = at < begin ? begin - at : at > last ? at - last : 0u;
@@ -46,7 +46,7 @@ LACUNA_FN u32 distance_to_stretch(u32 at, u32 begin, u32 end, u32 period) {
 
 // Whether two points are strictly closer than the radius.
 LACUNA_FN bool are_closer(u32 ax, u32 ay, u32 bx, u32 by, u32 period_x, u32 period_y,
-                         u64 radius_squared) {
+                          u64 radius_squared) {
     return squared_length(axis_distance(ax, bx, period_x), axis_distance(ay, by, period_y)) <
            radius_squared;
 }

@@ -1,4 +1,4 @@
-// What a kernel tells of when it could not finish its work.
+// Flags that a kernel raises if it could not finish its work.
 #ifndef LACUNA_PORTABLE_FAILURE_H
 #define LACUNA_PORTABLE_FAILURE_H
 #include "prelude.h"
@@ -9,14 +9,14 @@
 #define FAILED_COLLECT 8u
 #define FAILED_SUBTRACT 16u
 #define FAILED_REFINE 32u
-#define FAILED_CHORDS 64u   // more chords near a box than there is room for
-#define FAILED_ASSIGN 128u  // of relax
+#define FAILED_CHORDS 64u   // more chords near a box than there is memory for
+#define FAILED_ASSIGN 128u  // a kernel of relax
 
 LACUNA_BEGIN
 
-// Lavapipe grants an invocation 65,535 turns in all its loops together, and then leaves each loop
-// after one turn without a word. This loop takes two, whatever `number` is: at the end of a kernel
-// it tells whether all loops before it came to their natural end.
+// Lavapipe grants an invocation 65,535 turns in all its loops together. After that it leaves each
+// loop after one turn, without an error. This loop takes two turns, whatever `number` is: at the
+// end of a kernel it shows whether all loops before it ran to their end.
 LACUNA_FN bool has_turns_left(u32 number) {
     u32 rest = number | 0x80000000u;
     while (rest != 0u) rest = rest >> 16;

@@ -1,4 +1,4 @@
-// Integer square root, exact: any estimate, then corrected by comparing whole numbers.
+// The exact integer square root: any estimate, corrected by comparing whole numbers.
 #ifndef LACUNA_PORTABLE_ISQRT_H
 #define LACUNA_PORTABLE_ISQRT_H
 #include "prelude.h"

@@ -1,7 +1,7 @@
-// The kernels' arguments and buffers, each named once for the host, OpenCL C and GLSL.
+// The kernels' arguments and buffers, each declared once for the host, OpenCL C and GLSL.
 //
 // A kernel X takes one struct of arguments and the buffers of X_BINDINGS: (number, access, type,
-// name). `first_item` is the first item of a launch, and `chunk` how many of its units of work an
+// name). `first_item` is the first item of a launch. `chunk` is the number of units of work that an
 // item serves: many on a processor, 1 on a graphics card.
 #ifndef LACUNA_PORTABLE_KERNELS_H
 #define LACUNA_PORTABLE_KERNELS_H
@@ -9,56 +9,56 @@
 
 LACUNA_BEGIN
 
-// What kernels need of the plan.
+// The part of the plan that kernels need.
 struct Geometry {
     u64 radius_squared;
     u32 radius;
     u32 width;
     u32 height;
-    u32 period_x;  // the domain's width where it wraps, or 0
-    u32 period_y;  // its height where it wraps, or 0
+    u32 period_x;  // the domain's width if it wraps, otherwise 0
+    u32 period_y;  // the domain's height if it wraps, otherwise 0
     u32 lines;
     u32 strip_width;
     u32 columns;
-    u32 capacity;  // spans that a line has room for, or words of its bits
-    u32 is_exact;  // 1 in mode exact, or 0
+    u32 capacity;  // most spans of a line, or the number of words of its bits
+    u32 is_exact;  // 1 in mode exact, otherwise 0
     u32 chord_margin;
-    u32 grid_side;  // of the sample grid's cells, see plan/plan.h
+    u32 grid_side;  // width of the sample grid's cells, see plan/plan.h
     u32 grid_columns;
     u32 grid_rows;
 };
 LACUNA_TYPEDEF(Geometry)
 
-// Of kernels that serve the round's draws or candidates.
+// Arguments of kernels that serve the round's draws or candidates.
 struct DrawArguments {
     u32 first_item;
     u32 chunk;
     Geometry g;
-    u32 first;       // of the draws to serve, which end at `count`
+    u32 first;  // the draws to serve are [first, count)
     u32 count;
-    u32 pass;        // of admit
-    u32 last_pass;   // undecided[last_pass] tells whether admission is settled
-    u32 status;      // of screen: what candidates that are covered become
-    u32 rows;        // of pixels in a column of them
+    u32 pass;        // only in admit
+    u32 last_pass;   // admission is finished if undecided[last_pass] is 0
+    u32 status;      // in screen: the new status of candidates that are covered
+    u32 rows;        // number of pixels in a column of pixels
     u32 metric;      // see metric.h
-    u32 slices;      // of subtract_in_cells: an item serves every slices-th line near its samples
-    u32 most_reach;  // samples that reach farther are left for the next launch
-    u32 is_listed;   // 1 where the candidates to serve are those of `todo` or `survivors`, which
+    u32 slices;      // in subtract_in_cells: an item serves every slices-th line near its samples
+    u32 most_reach;  // samples that reach farther wait for the next launch
+    u32 is_listed;   // 1: the candidates to serve are listed in `todo` or `survivors`, which
                      // screen fills
-    u32 room;        // of reach: for visitors of blocks
+    u32 room;        // in reach: most visitors of blocks
 };
 LACUNA_TYPEDEF(DrawArguments)
 
-// Of kernels that serve columns of lines, one an item.
+// Arguments of kernels that serve columns of lines. An item serves one column.
 struct ColumnArguments {
     u32 first_item;
     u32 last_pass;
     Geometry g;
-    u32 room;  // of the new boxes
+    u32 room;  // most new boxes
 };
 LACUNA_TYPEDEF(ColumnArguments)
 
-// Of kernels that serve the lines [first_line, end_line), whose spans one slab holds.
+// Arguments of kernels that serve the lines [first_line, end_line), whose spans are in one slab.
 struct SlabArguments {
     u32 first_item;
     u32 chunk;
@@ -66,27 +66,27 @@ struct SlabArguments {
     u32 first_line;
     u32 end_line;
     u32 slab_begin;  // the slab's first line
-    u32 to_begin;    // of grow: the first line of the slab that spans are moved to
-    u32 larger;      // of grow: the capacity there
-    u32 first_draw;  // of locate: the draws of these lines are [first_draw, end_draw)
+    u32 to_begin;    // in grow: the first line of the slab to which spans are moved
+    u32 larger;      // in grow: the capacity of that slab
+    u32 first_draw;  // in locate: the draws on these lines are [first_draw, end_draw)
     u32 end_draw;
-    u32 last_pass;    // of subtract
-    u32 block_bits;   // of unfold: the counts of 2^block_bits lines have a sum of their own
-    u32 is_counting;  // of unfold: 1 where boxes are only counted
+    u32 last_pass;    // in subtract
+    u32 block_bits;   // in unfold: counts are summed in blocks of 2^block_bits lines
+    u32 is_counting;  // in unfold: 1 if boxes are only counted
 };
 LACUNA_TYPEDEF(SlabArguments)
 
-// Of kernels that serve active boxes, each of which is cut into 2^strip_bits strips at most: see
+// Arguments of kernels that serve active boxes. A box is cut into at most 2^strip_bits strips: see
 // bodies/exact/strip.h.
 struct StripArguments {
     u32 first_item;
     u32 chunk;
     Geometry g;
     u32 boxes;
-    u32 strip_bits;  // 0 where boxes are not halved
+    u32 strip_bits;  // 0 if boxes are not halved
     u32 last_pass;
-    u32 block_bits;    // the counts of 2^block_bits boxes have a sum of their own
-    u32 room;          // of the new boxes
+    u32 block_bits;    // counts are summed in blocks of 2^block_bits boxes
+    u32 room;          // most new boxes
     u32 first_recent;  // with lists: the first entry that is cut out of the boxes
     u32 own_begin;     // boxes whose x is not in the own_width units from here on are of the halo,
     u32 own_width;     // and are not cut
@@ -95,14 +95,14 @@ LACUNA_TYPEDEF(StripArguments)
 
 struct ScanArguments {
     u32 first_item;
-    u32 count;  // of values
-    u32 block;  // so many an item
+    u32 count;  // number of values
+    u32 block;  // values for each item
 };
 LACUNA_TYPEDEF(ScanArguments)
 
 LACUNA_END
 
-// The bindings of each kernel. A draw is place, rank, offset, order; a candidate x, y, line, order.
+// The bindings of each kernel. A draw is bin, rank, offset, order; a candidate x, y, line, order.
 // clang-format off
 #define LOCATE_BINDINGS(B) B(0, READ, u32x2, spans) \
     B(1, READ, u32x4, draws) B(2, WRITE, u32x4, located) B(3, SHARED, u32, failure)
@@ -167,13 +167,13 @@ LACUNA_END
     B(11, SHARED, u32, free_lengths) B(12, READ, u32, todo) B(13, WRITE, u32, left)          \
     B(14, SHARED, u32, left_count) B(15, SHARED, u32, failure)
 
-// Mode exact with a radius field. A box is x, width, begin, end; for each box origins[] has its block
-// and the least radius under it, with IS_EVEN where there is no other (portable/radius_field.h), or 0 until measure has looked it
-// up. An
-// entry of a list is x, y and radius of a sample, and the number of the next entry; lists[] has the
-// first entry for each block. node_links are the greatest radius, and the next node, first block and
-// whole of plan/first_boxes.h. A visitor of a block is a candidate that reaches it, and the number of
-// the next visitor. borders[] and strip_radii[] are split's.
+// Mode exact with a radius field. A box is x, width, begin, end. For each box origins[] has its
+// block and the least radius under it, with IS_EVEN if it is the only one
+// (portable/radius_field.h), or 0 until measure has looked it up. An entry of a list has x, y and
+// radius of a sample, and the number of the next entry; lists[] has the first entry for each block.
+// tree_boxes and tree_links are the nodes of plan/first_boxes.h: a link has the greatest radius,
+// next node, first block and whole. A visitor of a block is a candidate that reaches it, and the
+// number of the next visitor. The kernel split writes borders[] and strip_radii[].
 #define LOCATE_WITH_FIELD_BINDINGS(B) B(0, READ, u32, axes)                                   \
     B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits) B(3, READ, u32x4, boxes)       \
     B(4, READ, u32x2, origins) B(5, READ, u32x4, draws) B(6, WRITE, u32x4, candidates)        \
@@ -184,7 +184,7 @@ LACUNA_END
     B(6, WRITE, u32, survivors) B(7, SHARED, u32, survivor_count) B(8, SHARED, u32, failure)
 #define REACH_BINDINGS(B)                                                                    \
     B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32, statuses)    \
-    B(3, READ, u32x4, tree_boxes) B(4, READ, u32x4, node_links) B(5, READ, u32, node_of)    \
+    B(3, READ, u32x4, tree_boxes) B(4, READ, u32x4, tree_links) B(5, READ, u32, node_of)    \
     B(6, SHARED, u32, visitor_count) B(7, SHARED, u32, visitor_heads)                        \
     B(8, WRITE, u32x2, visitors) B(9, READ, u32, survivors) B(10, READ, u32, survivor_count) \
     B(11, SHARED, u32, failure)
@@ -213,7 +213,7 @@ LACUNA_END
     B(3, READ, u32, mask_bits) B(4, READ, u32x4, new_boxes) B(5, BOTH, u32x2, new_origins)   \
     B(6, READ, u32, total) B(7, SHARED, u32, failure)
 
-// All buffers, of which a kernel has those that its bindings name.
+// All buffers. A kernel has the buffers that its bindings name.
 #define LACUNA_BUFFERS(B)                                                                         \
     B(u32x4, draws) B(u32x4, located) B(u32, column_begins) B(u32, buckets) B(u32x4, candidates)  \
     B(u32, statuses) B(u32, undecided) B(u32x2, samples) B(u32, failure) B(u32, free_lengths)     \
@@ -224,7 +224,7 @@ LACUNA_END
     B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii) B(u32, pixel_reaches)                   \
     B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, left_count) B(u32, axes)             \
     B(u32x2, radius_bounds) B(u32, mask_bits) B(u32x2, origins) B(u32x2, new_origins)             \
-    B(u32x4, borders) B(u32x4, strip_radii) B(u32x4, tree_boxes) B(u32x4, node_links) B(u32, node_of)    \
+    B(u32x4, borders) B(u32x4, strip_radii) B(u32x4, tree_boxes) B(u32x4, tree_links) B(u32, node_of)    \
     B(u32, visitor_count) B(u32, visitor_heads) B(u32x2, visitors) B(u32, lists)                  \
     B(u32x4, entries) B(u32, entry_count) B(u32, survivors) B(u32, survivor_count)                \
     LACUNA_RELAX_BUFFERS(B)

@@ -1,7 +1,7 @@
-// The names that the portable headers use, in C++, OpenCL C and GLSL.
+// Defines the names that portable headers use, for C++, OpenCL C and GLSL.
 //
-// A portable header holds arithmetic on whole numbers: values in, values out. The square root
-// estimate below is the only float, and isqrt.h corrects it exactly.
+// A portable header has functions on whole numbers: values in, values out. The only float is the
+// estimate of a square root below, which isqrt.h corrects exactly.
 #ifndef LACUNA_PORTABLE_PRELUDE_H
 #define LACUNA_PORTABLE_PRELUDE_H
 
@@ -83,14 +83,14 @@ typedef long i64;
 #define count_bits(a) uint(bitCount(a))
 #define leading_zeros(a) uint(31 - findMSB(a))
 #define LACUNA_FLOAT_ROOT
-// By halves: processors that convert 32 bits at a time are many times faster so.
+// In two halves: this is many times faster on processors that convert 32 bits at a time.
 #define float_of(n) (float(uint((n) >> 32)) * 4294967296.0f + float(uint(n)))
 #define floor_of(x) uint(x)
 #endif
 
 #ifdef LACUNA_FLOAT_ROOT
-// 24 bits from the first root, the rest from one Newton step on the exact residual. At least 1, to
-// divide by.
+// The first root has 24 correct bits; one Newton step on the exact residual gives the rest. 1 is
+// added so that the division is safe.
 LACUNA_FN u64 sqrt_estimate(u64 n) {
     float root = sqrt(float_of(n)) + 1.0f;
     u64 whole = floor_of(root);

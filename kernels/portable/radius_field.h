@@ -1,10 +1,10 @@
-// A radius field as kernels hold it: the words of its tables, which plan/radius_field.h fills.
+// The tables in which kernels find a radius field; plan/radius_field.h fills them.
 #ifndef LACUNA_PORTABLE_RADIUS_FIELD_H
 #define LACUNA_PORTABLE_RADIUS_FIELD_H
 #include "prelude.h"
 
-// The table `axes` begins with the axes of a field's pixels and, where there is a mask, of its
-// pixels; without one they have none. Then come the begins of their pixels.
+// The table `axes` begins with the axes of the field's pixels and of the mask's pixels. Without a
+// mask its axes have 0 pixels. Then come the begins of all pixels.
 #define COLUMNS_OF_FIELD 0u
 #define ROWS_OF_FIELD 1u
 #define COLUMNS_OF_MASK 2u
@@ -14,30 +14,30 @@
 #define AXIS_PIXELS 0u
 #define AXIS_SHIFT 1u
 #define AXIS_SCALE 2u   // two words, the lower one first
-#define AXIS_BEGINS 4u  // where the begins of its pixels are in the table
+#define AXIS_BEGINS 4u  // index in the table of the begins of its pixels
 #define AXIS_WORDS 5u
 
-// What of pixels is allowed, in two bits.
+// Whether none, some or all of an area is allowed, in two bits.
 #define ALLOWED_NONE 0u
 #define ALLOWED_SOME 1u
 #define ALLOWED_ALL 2u
 #define ALLOWED_PER_WORD 16u
 
-// The greatest radius of pixels shares a word with this bit, which tells that some of them have
-// none.
+// The greatest radius of pixels shares a word with this bit. It is set if some of these pixels have
+// no radius, because no sample may lie there.
 #define HAS_ZEROS 0x80000000u
 
 // The words of list_counts[]: how long new_uneven[] and several[] are.
 #define OF_NEW_UNEVEN 0u
 #define OF_SEVERAL 1u
 
-// The least radius under a place shares a word with this bit, which tells that all of the place is
-// allowed and has that radius.
+// The least radius under a box shares a word with this bit. It is set if samples may lie everywhere
+// in the box, and all with this radius.
 #define IS_EVEN 0x80000000u
 
 LACUNA_BEGIN
 
-// Values are at most 2^30, the scale at most 2^34.
+// `at` is at most 2^30, the scale at most 2^34.
 LACUNA_FN u32 pixel_at(u32 at, u32 scale_low, u32 scale_high, u32 shift) {
     u64 scale = scale_high;
     scale = (scale << 32) + scale_low;
@@ -45,7 +45,7 @@ LACUNA_FN u32 pixel_at(u32 at, u32 scale_low, u32 scale_high, u32 shift) {
     return to_u32(wide * scale >> shift);
 }
 
-// Of two values of a pyramid. One less than no radius is the most.
+// 0 means "no radius". Subtracting 1 wraps it to the largest value: it never wins the minimum.
 LACUNA_FN u32 least_of_radii(u32 a, u32 b) {
     u32 less_a = a - 1u;
     u32 less_b = b - 1u;

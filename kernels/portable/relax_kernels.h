@@ -1,49 +1,49 @@
-// The kernels of relax: arguments and buffers, as those of kernels.h.
+// The kernels of relax: arguments and buffers, in the form of kernels.h.
 #ifndef LACUNA_PORTABLE_RELAX_KERNELS_H
 #define LACUNA_PORTABLE_RELAX_KERNELS_H
 #include "power.h"
 
 LACUNA_BEGIN
 
-// Of kernels that serve a batch of units, squares of side x side leaves: tiles, or single leaves. A
-// leaf has 8 x 8 lattice points.
+// Arguments of kernels that serve a batch of units: squares of side x side leaves, which are tiles
+// or single leaves. A leaf has 8 x 8 lattice points.
 struct LeafArguments {
     u32 first_item;
     u32 chunk;
     RelaxLattice lattice;
-    u32 first_unit;    // of the batch
-    u32 count;         // of units in it
-    u32 side;          // of a unit, in leaves
-    u32 unit_columns;  // of the lattice
+    u32 first_unit;    // index of the batch's first unit
+    u32 count;         // number of units in the batch
+    u32 side;          // leaves along a unit's side
+    u32 unit_columns;  // units along a row of the lattice
     u32 leaf_columns;
-    u32 depth;       // of the tree of sites
-    u32 is_telling;  // of assign_crowded: 1 where owners are written down
+    u32 depth;       // level of the root of the tree over the sites
+    u32 is_telling;  // in assign_crowded: 1 if owners are written down
 };
 LACUNA_TYPEDEF(LeafArguments)
 
-// Of kernels that serve the samples' sites, or the nodes of a level over them.
+// Arguments of kernels that serve the sites, or the nodes of a level of the tree.
 struct SiteArguments {
     u32 first_item;
     u32 chunk;
     RelaxLattice lattice;
     u32 level;
-    u32 level_begin;  // where it is stored
+    u32 level_begin;  // index at which the level begins
 };
 LACUNA_TYPEDEF(SiteArguments)
 
 LACUNA_END
 
-// Of a tile, in leaves: its list of rivals is short enough for a leaf to look at all of it.
+// Leaves along a tile's side. At this size each leaf can look at the tile's whole list of rivals.
 #define TILE_SIDE 4u
-// A unit has room for so many rivals, a leaf for so many that may win in it, and slots so many of
-// everything. A leaf that needs more, or is in a unit that does, is left for later.
+// Most rivals of a unit, and most of them that may win in one leaf; each unit has a slot of this
+// size. A leaf that exceeds a limit, or whose unit does, is processed later.
 #define RIVAL_ROOM 256u
 #define WINNER_ROOM 64u
 #define CROWDED 0xffffffffu
 
-// A site is x, y, weight; a rival is by how much it lags behind another in its unit, and its order
-// among ties. A rival's id is its site and image, 16 site + 3 y + x. Hints are of all leaves of the
-// lattice, `winners` numbers of rivals.
+// A site is x, y and weight. A rival is its lag behind another rival of its unit, and its order
+// among ties; its id, 16 site + 3 y + x, names site and image. Hints are for all leaves of the
+// lattice; `winners` are numbers of rivals.
 // clang-format off
 #define LEVEL_SITES_BINDINGS(B)                                                    \
     B(0, BOTH, u32x4, sites) B(1, BOTH, u32x4, node_boxes)                          \

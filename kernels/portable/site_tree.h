@@ -1,10 +1,10 @@
-// The tree of boxes around sites that lie near each other, each with the least weight in it: which
-// sites can win a leaf, 8 x 8 lattice points (docs/design.md, section 9).
+// A tree of boxes around near sites, each with the least weight in it. It finds the sites that can
+// win a leaf of 8 x 8 lattice points (docs/design.md, section 9).
 //
-// Sites come in an order in which neighbours are near each other: they are level 0. Node i of level
-// 1, 2, ... has the children 8 i .. 8 i + 7 of the level below, as far as there are so many; level
-// `depth` has one node, the root. From the root on each level is stored with room for 8 times as
-// many nodes as the one above it.
+// Level 0 is the sites, in an order in which near sites are near each other. Node i of level 1, 2,
+// ... has the children 8 i .. 8 i + 7 of the level below, as far as they exist. Level `depth` has
+// one node, the root. Levels are stored from the root down, each with memory for 8 times as many
+// nodes as the level above it.
 #ifndef LACUNA_PORTABLE_SITE_TREE_H
 #define LACUNA_PORTABLE_SITE_TREE_H
 #include "prelude.h"
@@ -13,13 +13,13 @@ LACUNA_BEGIN
 
 #define LEAF_SIDE 8u
 
-// A number of 64 bits as devices keep it: two words, the lower first.
+// Devices store a 64-bit number as two words, the lower one first.
 LACUNA_FN u64 join_words(u32 low, u32 high) {
     u64 wide = high;
     return wide << 32 | low;
 }
 
-// A node or site: `begin` is where its level is stored.
+// A node or site; `begin` is the index at which its level begins.
 struct Cursor {
     u32 level;
     u32 index;
@@ -41,7 +41,7 @@ LACUNA_FN Cursor below_cursor(Cursor at) {
     return to;
 }
 
-// The next that is no child: past the root, on level depth + 1, when there is none.
+// The next node that is no child. If there is none, it lies beyond the root, on level depth + 1.
 LACUNA_FN Cursor next_cursor(Cursor at, u32 samples, u32 depth) {
     Cursor to = at;
     while (to.level <= depth &&
@@ -54,7 +54,7 @@ LACUNA_FN Cursor next_cursor(Cursor at, u32 samples, u32 depth) {
     return to;
 }
 
-// Places, both ends included. Signed: an image of the domain sees them outside of itself.
+// A rectangle, both ends included. Signed: seen from an image of the domain it may lie outside.
 struct Rect {
     i32 left;
     i32 bottom;
@@ -73,7 +73,7 @@ LACUNA_FN u32 farther_end(i32 at, i32 begin, i32 last) {
     return to_u32(far);
 }
 
-// The least power that any site inside of `low` .. `high` with a weight of at least `weight` has
+// The least power that a site inside `low` .. `high`, with a weight of at least `weight`, has
 // anywhere in the box.
 LACUNA_FN u64 least_power(i32 low_x, i32 low_y, i32 high_x, i32 high_y, u64 weight, Rect box) {
     u64 dx = interval_gap(low_x, high_x, box.left, box.right);
@@ -81,16 +81,16 @@ LACUNA_FN u64 least_power(i32 low_x, i32 low_y, i32 high_x, i32 high_y, u64 weig
     return dx * dx + dy * dy + weight;
 }
 
-// The power that a site has in the box's worst corner.
+// The power of a site in the box's worst corner.
 LACUNA_FN u64 worst_power(i32 x, i32 y, u64 weight, Rect box) {
     u64 dx = farther_end(x, box.left, box.right);
     u64 dy = farther_end(y, box.bottom, box.top);
     return dx * dx + dy * dy + weight;
 }
 
-// A site that may win a leaf, (dx, dy) from its lowest lattice point: its power less |p|^2 at
-// lattice point (u, v) is at - 2 (u step_x dx + v step_y dy). Of two rivals, the difference is
-// exact, and no square is left.
+// A site that may win a leaf. (dx, dy) is its position relative to the leaf's lowest lattice point.
+// Its power minus |p|^2 at lattice point (u, v) is at - 2 (u step_x dx + v step_y dy). The
+// difference of two rivals is exact and contains no square.
 struct Rival {
     i64 at;
     i32 dx;
@@ -98,7 +98,7 @@ struct Rival {
 };
 LACUNA_TYPEDEF(Rival)
 
-// `at` is below 2^63 for a power below 2^62 in the leaf.
+// `at` is below 2^63 if the power in the leaf is below 2^62.
 LACUNA_FN Rival rival_of(i32 dx, i32 dy, u64 weight) {
     i64 x = dx;
     i64 y = dy;
@@ -109,8 +109,8 @@ LACUNA_FN Rival rival_of(i32 dx, i32 dy, u64 weight) {
     return rival;
 }
 
-// By how much a rival is behind another, as a rule: in lattice point (u, v) at + u along_x + v
-// along_y.
+// How far a rival is behind another: at + u along_x + v along_y in lattice point (u, v). May be
+// negative.
 struct Lag {
     i64 at;
     i64 along_x;
@@ -130,8 +130,8 @@ LACUNA_FN Lag lag_of(Rival rival, Rival other, u32 step_x, u32 step_y) {
     return lag;
 }
 
-// Whether it stays below 2^29 in all lattice points up to (most, most): then 32 bits hold it there,
-// and the difference of two, wherever in the area each of its two terms is.
+// Whether the lag stays below 2^29 in all lattice points up to (most, most). Then 32 bits hold it,
+// and also the difference of two lags whose terms are taken at different points.
 LACUNA_FN bool is_short(Lag lag, u32 most) {
     i64 limit = 1 << 29;
     i64 at = lag.at < 0 ? -lag.at : lag.at;
@@ -141,8 +141,8 @@ LACUNA_FN bool is_short(Lag lag, u32 most) {
     return at < limit && (along_x + along_y) * wide < limit - at;
 }
 
-// Whether `other` fails to beat `rival` somewhere in a leaf of this size in units, from its first
-// to its last lattice points: where they differ most lies in a corner.
+// Whether `rival` beats or equals `other` somewhere in a leaf of this size in units, from first to
+// last lattice points. The difference is largest in a corner.
 LACUNA_FN bool can_win(Rival rival, Rival other, u32 width, u32 height) {
     u64 x = rival.dx > other.dx ? to_u32(rival.dx) - to_u32(other.dx) : 0u;
     u64 y = rival.dy > other.dy ? to_u32(rival.dy) - to_u32(other.dy) : 0u;
@@ -150,9 +150,9 @@ LACUNA_FN bool can_win(Rival rival, Rival other, u32 width, u32 height) {
     return rival.at - other.at <= to_i64(wins * 2u);
 }
 
-// What a mass at the leaf's lowest lattice point on an axis, `low`, adds to a moment: see
-// moment_offset in power.h. The site's image `image` is 0, 1 or 2: a period below, the site itself,
-// a period above. May wrap: only sums are more than 0.
+// The moment that a mass of 1 at the leaf's lowest lattice point on an axis, `low`, adds: see
+// moment_offset in power.h. `image` is 0 for a period below, 1 for the site itself, 2 for a period
+// above. The result may wrap; the sums that contain it do not.
 LACUNA_FN u64 leaf_offset(u32 low, u32 at, u32 step, u32 count, u32 image) {
     u64 offset = low + count - at / step;
     u64 period = count;

@@ -1,11 +1,11 @@
-// Stretches of an axis: what is near a place, on an axis that may wrap around.
+// Stretches: runs of lines, columns or cells on an axis that may wrap.
 #ifndef LACUNA_PORTABLE_STRETCH_H
 #define LACUNA_PORTABLE_STRETCH_H
 #include "prelude.h"
 
 LACUNA_BEGIN
 
-// Lines, columns or cells: first + 0, 1, ... modulo their number.
+// Lines, columns or cells first + 0, 1, ..., modulo their number on the axis.
 struct Stretch {
     u32 first;
     u32 count;
@@ -13,8 +13,8 @@ struct Stretch {
 LACUNA_TYPEDEF(Stretch)
 
 // The cells of an axis, each `side` units long, that are at most `reach` units from [begin, end).
-// The axis is `length` units or `cells` cells long, and wraps where `wraps` is not 0: then the
-// first cell may come twice, at the end again.
+// The axis has `length` units and `cells` cells, and wraps if `wraps` is not 0. If it wraps, the
+// first cell may occur twice, the second time at the end.
 LACUNA_FN Stretch cells_near(u32 begin, u32 end, u32 reach, u32 length, u32 wraps, u32 side,
                              u32 cells) {
     u64 around = reach;
@@ -31,12 +31,12 @@ LACUNA_FN Stretch cells_near(u32 begin, u32 end, u32 reach, u32 length, u32 wrap
     return near;
 }
 
-// The lines, or columns, at most `reach` from one of so many, each once.
+// The lines, or columns, at most `reach` away from line `at`, each once; the axis has `length`.
 LACUNA_FN Stretch stretch_around(u32 at, u32 reach, u32 length, u32 wraps) {
     return cells_near(at, at + 1u, reach, length, wraps, 1u, length);
 }
 
-// The i-th of a stretch, of `length` in all.
+// Element i of a stretch on an axis with `length` elements.
 LACUNA_FN u32 nth_of_stretch(Stretch stretch, u32 i, u32 length) {
     u32 at = stretch.first + i;
     return at < length ? at : at - length;

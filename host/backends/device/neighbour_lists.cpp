@@ -48,7 +48,7 @@ void NeighbourLists::make_tree() {
     }
     round_.make_room(m.tree_boxes, 4 * places.size());
     round_.put<Rectangle>(m.tree_boxes, places);
-    m.node_links = round_.copy_of(links);
+    m.tree_links = round_.copy_of(links);
     std::vector<std::uint32_t> node_of;
     for (std::uint32_t i = 0; i < blocks(); ++i) node_of.push_back(first_.blocks[i].node);
     m.node_of = round_.copy_of(node_of);

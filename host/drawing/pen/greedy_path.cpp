@@ -1,5 +1,5 @@
-// Greedy matching: edges grow into pieces of path, and the ends of pieces are matched again until
-// one piece is left.
+// Greedy matching: shortest edges first join dots to pieces of a path. Then the ends of the pieces
+// are matched again, until there is one piece.
 #include "drawing/pen/greedy_path.h"
 
 #include <algorithm>
@@ -13,9 +13,9 @@ namespace lacuna::pen {
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
-// Two ends of a piece see each other, which is of no use: the more, the fewer rounds.
+// Nearest ends looked at. Some are the other end of the same piece and useless; more, fewer rounds.
 constexpr std::size_t kNearEnds = 8;
-// That each end brings in, of 8 near ones: 4.7 on photographs.
+// Expected number of edges for each end, of its 8 nearest: 4.7 were measured on photographs.
 constexpr std::size_t kUsualEdges = 5;
 
 struct Edge {
@@ -28,14 +28,14 @@ struct Edge {
     }
 };
 
-// Paths in the making.
+// The pieces of the path while it grows.
 class Pieces {
 public:
     explicit Pieces(std::size_t count) : links_(count, {kNone, kNone}), other_end_(count) {
         std::iota(other_end_.begin(), other_end_.end(), 0U);
     }
 
-    // Joins the pieces that a and b are ends of, if they are ends, and of two.
+    // Joins the pieces that end at a and b, unless one is no end or both end the same piece.
     void join(std::uint32_t a, std::uint32_t b) {
         if (!is_end(a) || !is_end(b) || other_end_[a] == b) return;
         const std::uint32_t far_a = other_end_[a], far_b = other_end_[b];
@@ -45,7 +45,7 @@ public:
         other_end_[far_b] = far_a;
     }
 
-    // In rising order.
+    // The ends of all pieces, in increasing order.
     std::vector<std::uint32_t> ends() const {
         std::vector<std::uint32_t> all;
         for (std::uint32_t i = 0; i < links_.size(); ++i)
@@ -53,7 +53,7 @@ public:
         return all;
     }
 
-    // The spots along the piece that `end` is an end of.
+    // The spots of a piece in order, beginning at its end `end`.
     std::vector<std::uint32_t> walk(std::uint32_t end) const {
         std::vector<std::uint32_t> order;
         order.reserve(links_.size());
@@ -73,12 +73,12 @@ private:
     }
 
     std::vector<std::array<std::uint32_t, 2>> links_;
-    std::vector<std::uint32_t> other_end_;  // of the piece, where one is an end
+    std::vector<std::uint32_t> other_end_;  // the other end of the piece; valid for ends only
 };
 
 void join_nearest(std::span<const Spot> spots, std::span<const std::uint32_t> ends,
                   const Neighbours& neighbours, Pieces& pieces) {
-    // Of two ends that are near each other, the first one brings in the edge.
+    // If two ends are among each other's nearest, only the first one adds the edge.
     const auto is_near = [&](std::uint32_t i, std::size_t j) {
         const std::span<const std::uint32_t> near = neighbours.of(j);
         return std::find(near.begin(), near.end(), i) != near.end();
@@ -102,8 +102,8 @@ std::vector<std::uint32_t> greedy_path(std::span<const Spot> spots, const Neighb
     Pieces pieces(spots.size());
     std::vector<std::uint32_t> ends = pieces.ends();
     join_nearest(spots, ends, neighbours, pieces);
-    // One piece has two ends. The nearest end of another piece is among any end's nearest, so that
-    // every round joins some.
+    // Stop when there is one piece, which has two ends. Each round joins at least two pieces,
+    // because an end's nearest ends include one of another piece.
     for (ends = pieces.ends(); ends.size() > 2; ends = pieces.ends()) {
         std::vector<Spot> at;
         at.reserve(ends.size());

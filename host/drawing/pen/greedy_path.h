@@ -1,4 +1,4 @@
-// A first path through the dots: shortest edges first.
+// A first path through the dots, built from the shortest edges.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace lacuna::pen {
 
-// The spots in the order of a path that has been made by taking the shortest edges first, among
-// those to near spots: each spot gets two, no circle is closed. `neighbours` are of all spots.
+// Orders the spots along a path: takes the shortest edges between neighbours first, at most two for
+// a spot and without closing a circle. `neighbours` has the lists of all spots.
 std::vector<std::uint32_t> greedy_path(std::span<const Spot> spots, const Neighbours& neighbours);
 
 }  // namespace lacuna::pen

@@ -1,4 +1,4 @@
-// Nearest dots, by nanoflann.
+// Finds nearest dots with nanoflann.
 #include "drawing/pen/neighbours.h"
 
 #include <oneapi/tbb/blocked_range.h>
@@ -13,8 +13,8 @@
 namespace lacuna::pen {
 namespace {
 
-// What nanoflann asks of a set of points. Its doubles hold the spots' whole numbers, and squares
-// of their distances, exactly.
+// The interface that nanoflann expects of a set of points. Its doubles hold the whole numbers of
+// the spots, and the squares of their distances, exactly.
 struct Cloud {
     std::span<const Spot> spots;
 
@@ -45,7 +45,7 @@ Neighbours::Neighbours(std::span<const Spot> spots, std::size_t most)
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             const std::array<double, 2> at{cloud.kdtree_get_pt(i, 0), cloud.kdtree_get_pt(i, 1)};
             tree.knnSearch(at.data(), found.size(), found.data(), distances.data());
-            // Without itself; where many dots lie on one spot it may not be among them.
+            // Removes the spot itself. If many dots lie on one spot, it may not be in the list.
             const auto self = std::find(found.begin(), found.end() - 1, i);
             std::rotate(self, self + 1, found.end());
             std::copy_n(found.begin(), each_, &all_[i * each_]);

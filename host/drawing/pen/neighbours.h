@@ -1,4 +1,4 @@
-// The nearest dots of every dot, from a k-d tree.
+// The nearest dots of every dot, found with a k-d tree.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace lacuna::pen {
 
-// Lists of equal length, one a spot.
+// Lists of equal length, one for each spot.
 class Neighbours {
 public:
-    // The `most` nearest of each spot, nearest first and without itself; all others if there are
-    // fewer. Works on all cores.
+    // Lists the `most` nearest spots of each spot, nearest first and without the spot itself; all
+    // other spots if there are fewer. Uses all cores.
     Neighbours(std::span<const Spot> spots, std::size_t most);
 
     std::span<const std::uint32_t> of(std::size_t spot) const {

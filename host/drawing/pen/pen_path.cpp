@@ -1,4 +1,4 @@
-// Pen paths: a greedy path, improved around every dot whose neighbourhood has changed.
+// Pen paths: a greedy path is improved around every dot whose neighbourhood changed.
 #include "drawing/pen/pen_path.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace lacuna::pen {
 namespace {
 
-constexpr double kUnits = 1 << 25;  // along the longer side: spots.h
+constexpr double kUnits = 1 << 25;  // number of units along the longer side; see spots.h
 constexpr std::size_t kNeighbours = 8;
 constexpr std::size_t kBetweenAsking = 1024;
 
@@ -36,7 +36,7 @@ std::vector<Spot> spots_of(std::span<const Point> points) {
     return spots;
 }
 
-// Where a spot lies along Hilbert's curve through the square of 2^26 units.
+// The rank of a spot on Hilbert's curve through the square of 2^26 units.
 std::uint64_t hilbert_rank(Spot spot) {
     std::uint64_t rank = 0;
     for (std::int64_t side = std::int64_t{1} << 25; side > 0; side /= 2) {
@@ -68,7 +68,7 @@ std::vector<Item> picked(std::span<const Item> items, std::span<const std::uint3
     return all;
 }
 
-// Improves around every spot, and again around those that a move has touched.
+// Improves the path around every spot, and again around each spot that a move changed.
 std::vector<std::uint32_t> improved(std::span<const Spot> spots, const Neighbours& neighbours,
                                     const std::function<bool()>& may_go_on) {
     Tour tour(spots, neighbours);
@@ -97,7 +97,7 @@ std::vector<std::uint32_t> improved(std::span<const Spot> spots, const Neighbour
 std::vector<std::uint32_t> pen_path(std::span<const Point> points,
                                     const std::function<bool()>& may_go_on) {
     if (points.empty()) return {};
-    // Near dots lie near in memory: this, and the path itself, are worth a factor of three.
+    // Sorted, near dots lie near in memory: the search and the improvement are three times as fast.
     const std::vector<Spot> given = spots_of(points);
     std::vector<std::uint32_t> order = hilbert_order_of(given);
     std::vector<Spot> spots = picked<Spot>(given, order);

@@ -1,4 +1,4 @@
-// A short way for a pen from dot to dot.
+// A short path for a pen from dot to dot.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -10,15 +10,15 @@
 
 namespace lacuna::pen {
 
-// The indices of the points, each once, along an open path that is short: a greedy one improved by
-// 2-opt and Or-opt until none of their moves between near points shortens it. Of random points it
-// is 4 to 5 % longer than the shortest. The same points give the same path on every machine and any
-// number of threads, in whatever order they come, but for its direction. Takes some 150 bytes a
-// point. `may_go_on` is asked now and then; when it says no, throws Cancelled.
+// The indices of the points, each once, along a short open path: a greedy one, improved by 2-opt
+// and Or-opt until no move between near points shortens it. For random points it is 4 to 5 % longer
+// than the shortest path. Except for its direction the path does not depend on the machine, the
+// number of threads or the order of the points. It takes about 150 bytes a point. `may_go_on` is
+// called now and then; if it returns false, Cancelled is thrown.
 std::vector<std::uint32_t> pen_path(std::span<const Point> points,
                                     const std::function<bool()>& may_go_on);
 
-// The order along Hilbert's space-filling curve: what a pen path is measured against.
+// The order along Hilbert's space-filling curve, with which pen paths are compared.
 std::vector<std::uint32_t> hilbert_order(std::span<const Point> points);
 
 // The sum of the distances from each point to the next.

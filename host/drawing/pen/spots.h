@@ -1,4 +1,4 @@
-// The dots as whole numbers, so that a pen path is the same on every machine.
+// The dots in whole numbers, so that a pen path is the same on every machine.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace lacuna::pen {
 
-// 2^25 units or a few more along the longer side of what the dots span.
+// A dot in units. The longer side of the area with dots has 2^25 units or a few more.
 struct Spot {
     std::int64_t x;
     std::int64_t y;
@@ -18,8 +18,8 @@ inline std::int64_t squared_distance(const Spot& a, const Spot& b) {
     return dx * dx + dy * dy;
 }
 
-// In 1/16 units, rounded down. A squared distance is at most 2^51: exact in a double, whose square
-// root IEEE 754 rounds correctly.
+// The distance in 1/16 units, rounded down. A squared distance is at most 2^51, which a double
+// holds exactly, and IEEE 754 rounds the square root correctly.
 inline std::int64_t distance(const Spot& a, const Spot& b) {
     return static_cast<std::int64_t>(std::sqrt(static_cast<double>(squared_distance(a, b))) * 16);
 }

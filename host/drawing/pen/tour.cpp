@@ -1,6 +1,6 @@
-// Moves of 2-opt (Croes 1958) and Or-opt (Or 1976), looked for among near spots only and made by
-// reversing the shorter way round, as in Johnson and McGeoch, "The Traveling Salesman Problem: A
-// Case Study in Local Optimization" (1997).
+// Moves of 2-opt (Croes 1958) and Or-opt (Or 1976) between near spots. A move reverses the shorter
+// part of the tour, as in Johnson and McGeoch, "The Traveling Salesman Problem: A Case Study in
+// Local Optimization" (1997).
 #include "drawing/pen/tour.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::int64_t Tour::between(std::uint32_t a, std::uint32_t b) const {
 void Tour::reverse(std::uint32_t first, std::uint32_t last) {
     const auto stops = static_cast<std::uint32_t>(order_.size());
     std::uint32_t length = (last >= first ? last - first : last + stops - first) + 1;
-    if (length > stops - length) {  // the other way round makes the same tour
+    if (length > stops - length) {  // reversing the other part makes the same tour
         first = std::exchange(last, first == 0 ? stops - 1 : first - 1);
         first = first + 1 == stops ? 0 : first + 1;
         length = stops - length;
@@ -49,8 +49,8 @@ void Tour::reverse(std::uint32_t first, std::uint32_t last) {
     }
 }
 
-// The edges from a1 to a2 and from b1 to b2, the stop after b1 in the same direction, become those
-// from a1 to b1 and from a2 to b2.
+// Replaces the edges a1-a2 and b1-b2 by a1-b1 and a2-b2, where b2 follows b1 in the direction in
+// which a2 follows a1.
 void Tour::exchange(std::uint32_t a1, std::uint32_t a2, std::uint32_t b1) {
     if (next(a1, true) == a2)
         reverse(place_[a2], place_[b1]);
@@ -58,7 +58,7 @@ void Tour::exchange(std::uint32_t a1, std::uint32_t a2, std::uint32_t b1) {
         reverse(place_[b1], place_[a2]);
 }
 
-// 2-opt: the edge that leaves a is given up for one to a nearer stop.
+// 2-opt: replaces the edge that leaves a by an edge to a nearer stop.
 bool Tour::exchange_edges(std::uint32_t a, bool forwards, std::vector<std::uint32_t>& touched) {
     const std::uint32_t b = next(a, forwards);
     const std::int64_t ab = between(a, b);
@@ -74,7 +74,7 @@ bool Tour::exchange_edges(std::uint32_t a, bool forwards, std::vector<std::uint3
     return false;
 }
 
-// Stops that lie between `before` and `after`, in one direction or the other.
+// Up to three stops that lie between `before` and `after`, in either direction of the tour.
 struct Tour::Segment {
     std::uint32_t before;
     std::uint32_t after;
@@ -89,8 +89,8 @@ struct Tour::Segment {
     }
 };
 
-// Or-opt: up to three stops that begin with a, and are walked away from the edge that leaves it,
-// move to another place near a.
+// Or-opt: moves a segment of up to three stops to another position near a. The segment begins with
+// a and extends away from the edge that leaves a.
 bool Tour::move_segment(std::uint32_t a, bool forwards, std::vector<std::uint32_t>& touched) {
     Segment segment{next(a, forwards), 0, {}, 0};
     std::uint32_t stop = a;
@@ -104,7 +104,7 @@ bool Tour::move_segment(std::uint32_t a, bool forwards, std::vector<std::uint32_
     return false;
 }
 
-// To between c, near a, and d beside it:
+// Moves the segment between c, which is near a, and d beside it:
 //   b [a .. e] p ... c d   becomes   b p ... c [a .. e] d
 //   b [a .. e] p ... d c   becomes   b p ... d [e .. a] c
 bool Tour::move_segment(const Segment& segment, bool forwards,

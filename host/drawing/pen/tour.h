@@ -1,4 +1,4 @@
-// A closed tour in an array, and the moves that shorten it: 2-opt and Or-opt.
+// A closed tour in an array, and the moves 2-opt and Or-opt, which shorten it.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace lacuna::pen {
 
-// Goes through spots 0, 1, 2 ..., in this order at first, and through one more stop, home, that is
-// at no distance from any of them: without it, the tour is an open path.
+// The tour visits the spots, at first in the order 0, 1, 2 ..., and one more stop, home, whose
+// distance to every spot is 0. Without home the tour is an open path.
 class Tour {
 public:
     Tour(std::span<const Spot> spots, const Neighbours& neighbours);
 
-    // Makes the moves around a spot that shorten the tour, one after the other, until there is
-    // none. Adds to `touched` the other stops whose edges have changed.
+    // Makes moves around a spot as long as one shortens the tour. Adds to `touched` the other stops
+    // whose edges changed.
     void improve(std::uint32_t spot, std::vector<std::uint32_t>& touched);
 
-    // The spots as they follow each other from home.
+    // The spots in the order of the tour, beginning after home.
     std::vector<std::uint32_t> path() const;
 
 private:
@@ -39,7 +39,7 @@ private:
     std::span<const Spot> spots_;
     const Neighbours& neighbours_;
     std::vector<std::uint32_t> order_;
-    std::vector<std::uint32_t> place_;  // of each stop in order_
+    std::vector<std::uint32_t> place_;  // index of each stop in order_
 };
 
 }  // namespace lacuna::pen

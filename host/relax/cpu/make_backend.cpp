@@ -1,4 +1,4 @@
-// Relaxation on threads: a tile of the lattice is a task.
+// Relaxation on threads. A task is a tile of the lattice.
 #include "relax/cpu/make_backend.h"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -22,7 +22,7 @@
 namespace lacuna::relaxing::cpu {
 namespace {
 
-// Pixel of each lattice point of an axis.
+// The pixel of each lattice point along an axis.
 std::vector<std::uint32_t> pixels(std::uint32_t count, std::uint32_t cut) {
     std::vector<std::uint32_t> all(count);
     for (std::uint32_t i = 0; i < count; ++i) all[i] = i / cut;
@@ -52,7 +52,7 @@ public:
 
     std::string device() const override { return workers_.name(); }
 
-    // Accumulates too, so that nobody need write down who owns which lattice point.
+    // Also accumulates, so that the owners of lattice points need not be stored.
     void assign() override { assign_tiles({}); }
     void accumulate() override {}
 
@@ -93,8 +93,8 @@ private:
         return {lattice_, tree_, sites_, indices_, pixel_of_column_, pixel_of_row_};
     }
 
-    // Those with importance, and which of their leaves have any. A leaf's first hint is a site in
-    // it.
+    // Finds the tiles with importance, and which of their leaves have any. A leaf's first hint is a
+    // site inside it.
     void find_tiles(const Poll& poll) {
         const std::uint32_t tiles_of_row = (numbers_.columns - 1) / Tile::kSide + 1;
         std::vector<std::uint32_t> first_leaf(
@@ -185,7 +185,7 @@ private:
                                                     numbers_.rows, part.image.shift_y));
     }
 
-    // Where sites go, into moved_.
+    // Computes the new sites in moved_.
     void find_moved() {
         std::atomic<std::uint64_t> least{std::numeric_limits<std::uint64_t>::max()};
         for_chunks([&](std::size_t begin, std::size_t end) {
@@ -231,15 +231,15 @@ private:
     const Lattice& lattice_;
     const portable::RelaxLattice& numbers_;
     Workers workers_;
-    std::vector<std::uint32_t> indices_;  // of the sites below, which lie along Hilbert's curve
+    std::vector<std::uint32_t> indices_;  // of the sites below, in the order of Hilbert's curve
     std::vector<Site> sites_;
     std::vector<Site> moved_;
     std::vector<Share> shares_;
     SiteTree tree_;
     std::vector<std::uint32_t> pixel_of_column_;
     std::vector<std::uint32_t> pixel_of_row_;
-    std::vector<std::pair<Box, std::uint32_t>> tiles_;  // with the leaves to be served, as bits
-    std::vector<Hint> hints_;                           // of each leaf
+    std::vector<std::pair<Box, std::uint32_t>> tiles_;  // and bits of leaves to assign
+    std::vector<Hint> hints_;                           // one for each leaf
     tbb::enumerable_thread_specific<Tile> tile_of_thread_;
 };
 

@@ -1,4 +1,4 @@
-// Looks at ring after ring of lattice points around a place.
+// Searches ring after ring of lattice points around a position.
 #include "relax/cpu/nearest_point.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ public:
     Site run() {
         const std::int64_t column = from_.x / numbers_.step_x;
         const std::int64_t row = from_.y / numbers_.step_y;
-        // On ring i nothing is nearer than this: the place lies half a step off at most.
+        // All points of ring i are at least this far away: the position is at most half a step off.
         const std::uint64_t step = std::min(numbers_.step_x, numbers_.step_y);
         const auto last = static_cast<std::int64_t>(std::max(numbers_.columns, numbers_.rows));
         for (std::int64_t ring = 0; ring <= last; ++ring) {
@@ -42,7 +42,7 @@ public:
     }
 
 private:
-    // On the lattice, or, where the axis wraps, the lattice point of that image; otherwise -1.
+    // The index on the lattice. If it is outside and the axis wraps, its image; otherwise -1.
     static std::int64_t wrapped(std::int64_t index, std::uint32_t count, bool wraps) {
         if (index >= 0 && index < count) return index;
         return wraps ? ((index % count) + count) % count : -1;
@@ -69,7 +69,7 @@ private:
                                   site.weight, numbers_.period_x, numbers_.period_y);
     }
 
-    // Whether no other site has less power there, or as much and a lower index.
+    // Whether no other site has less power there, or equal power and a lower index.
     bool owns(std::uint32_t column, std::uint32_t row) const {
         const std::uint64_t own = power(column, row, scene_.sites[site_]);
         const std::int64_t px = portable::lattice_place(column, numbers_.step_x);

@@ -1,4 +1,4 @@
-// The lattice point of importance to which a sample goes that would end where there is none.
+// Finds the lattice point to which a site moves if it would end where there is no importance.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace lacuna::relaxing::cpu {
 
-// The one nearest to `from` of those that scene.sites[site] owns, or with `must_be_assigned` false
-// of all; ties go to the lowest row, then column. There must be one.
+// The lattice point with importance that is nearest to `from`: of those assigned to sites[site] or,
+// without `must_be_assigned`, of all. One must exist. Ties go to the lowest row, then column.
 Site nearest_point(const Scene& scene, std::uint32_t site, bool must_be_assigned, Site from);
 
 }  // namespace lacuna::relaxing::cpu

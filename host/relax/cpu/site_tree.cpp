@@ -1,4 +1,4 @@
-// The tree's rectangles, and the search for a first bound.
+// Builds the tree, and searches a first bound of power.
 #include "relax/cpu/site_tree.h"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ std::uint64_t SiteTree::least_worst_power(const Rectangle& box, std::uint64_t bo
     return bound;
 }
 
-// The nearest child first: it lowers the bound so that most others are left out.
+// The nearest child comes first: it lowers the bound so far that most others are skipped.
 void SiteTree::lower_worst_power(std::size_t level, std::size_t node, const Rectangle& box,
                                  std::uint64_t& bound) const {
     const std::size_t begin = node * kFan;

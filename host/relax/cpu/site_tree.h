@@ -1,5 +1,5 @@
-// Finds the sites that can win a box of the lattice: a tree of rectangles around sites that lie
-// near each other, each with the least weight in it, so that only weights nearby count.
+// Finds the sites that can win a box of lattice points, with a tree of rectangles around near
+// sites. Each node has the least weight in it, so that a large weight has only local effect.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace lacuna::relaxing::cpu {
 
-// Both ends belong to it. Signed, as a torus' images lie outside of it.
+// A rectangle, both ends included. Signed, because images on a torus lie outside the domain.
 struct Rectangle {
     std::int64_t left;
     std::int64_t right;
@@ -22,15 +22,15 @@ struct Rectangle {
 
 class SiteTree {
 public:
-    // At least one, in an order in which neighbours are near each other. They may move, and must
-    // then be looked at again. They must outlive the tree.
+    // Builds the tree over at least one site, in an order in which near sites are near each other.
+    // The sites must outlive the tree. After they move, call it again.
     void look_at(std::span<const Site> sites, Workers& workers);
 
-    // The least power, over all sites, that a site has in the rectangle's worst corner, if it is
-    // less than `bound`; otherwise `bound`.
+    // Each site has a power in the rectangle's worst corner. Returns the least of these, or `bound`
+    // if that is less.
     std::uint64_t least_worst_power(const Rectangle& box, std::uint64_t bound) const;
 
-    // Calls found(site) for all sites whose power is at most `bound` somewhere in the rectangle,
+    // Calls found(site) for every site whose power is at most `bound` somewhere in the rectangle,
     // and for some others.
     template <typename Found>
     void find(const Rectangle& box, std::uint64_t bound, Found found) const {
@@ -61,7 +61,7 @@ private:
         return least_power(Node{site.x, site.x, site.y, site.y, site.weight}, box);
     }
 
-    // Level 0 has the nodes over sites; the last level has one.
+    // Level 0 has the nodes above the sites; the last level has one node.
     std::size_t children_end(std::size_t level, std::size_t node) const {
         const std::size_t below = level == 0 ? sites_.size() : levels_[level - 1].size();
         return std::min((node + 1) * kFan, below);
@@ -79,7 +79,7 @@ private:
                 found(static_cast<std::uint32_t>(child));
         }
     }
-    // The power that one site has in the rectangle's worst corner.
+    // The power of a site in the rectangle's worst corner.
     static std::uint64_t worst_power(const Site& site, const Rectangle& box);
     void lower_worst_power(std::size_t level, std::size_t node, const Rectangle& box,
                            std::uint64_t& bound) const;

@@ -1,5 +1,5 @@
-// The sites that can win in a tile are found, in the order of ties; leaf by leaf they compete in
-// tile_leaf.cpp.
+// Finds the sites that can win in a tile, and puts them into the order that decides ties.
+// tile_leaf.cpp then assigns the lattice points leaf by leaf.
 #include "relax/cpu/tile.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ std::int64_t place(std::uint32_t index, std::uint32_t step) {
     return portable::lattice_place(index, step);
 }
 
-// How far `at` is from the farther end of a stretch, by the image of it for which that is least.
+// The distance from `at` to the farther end of an interval, by the image of it that is nearest.
 std::uint64_t worst_distance(std::int64_t at, std::int64_t low, std::int64_t high,
                              std::int64_t period) {
     const auto farther = [&](std::int64_t from) {
@@ -63,7 +63,7 @@ void Tile::find_images() {
                                        static_cast<std::int16_t>(y)};
 }
 
-// Within which power all lie that can win in the leaf.
+// Every site that can win in the leaf has at most this power somewhere in it.
 std::uint64_t Tile::bound_in(const Box& leaf, Hint& hint) const {
     const portable::RelaxLattice& numbers = scene_->lattice.numbers;
     std::uint64_t bound = std::numeric_limits<std::uint64_t>::max();
@@ -74,7 +74,7 @@ std::uint64_t Tile::bound_in(const Box& leaf, Hint& hint) const {
         const std::uint64_t dy = worst_distance(site.y, at.bottom, at.top, numbers.period_y);
         bound = dx * dx + dy * dy + site.weight;
     }
-    // Sites move little, as a rule; after a leap the bound would let far too many in.
+    // Usually sites move little. After a large move this bound would admit far too many sites.
     if (bound / 2 > hint.bound)
         for (std::size_t i = 0; i < image_count_; ++i)
             bound = scene_->tree.least_worst_power(image_of(leaf, images_[i]), bound);
@@ -82,7 +82,7 @@ std::uint64_t Tile::bound_in(const Box& leaf, Hint& hint) const {
     return bound;
 }
 
-// As an image of the domain sees the box that the domain itself sees.
+// The box as seen from an image of the domain.
 Rectangle Tile::image_of(const Box& box, const Image& image) const {
     const portable::RelaxLattice& numbers = scene_->lattice.numbers;
     const std::int64_t x = std::int64_t{image.shift_x} * numbers.period_x;
@@ -110,8 +110,8 @@ void Tile::find_candidates(std::uint64_t bound) {
     if (!has_doubles_) fill_whole();
 }
 
-// `at` does not overflow: of what power a candidate has where the tile is nearest to it, the bound
-// leaves less than 2^62.
+// Cannot overflow: the bound limits a candidate's power at the tile's nearest lattice point to less
+// than 2^62.
 void Tile::add_candidate(const Image& image) {
     const portable::RelaxLattice& numbers = scene_->lattice.numbers;
     const Site& site = scene_->sites[image.site];
@@ -119,7 +119,7 @@ void Tile::add_candidate(const Image& image) {
         site.x + std::int64_t{image.shift_x} * numbers.period_x - place(box_.left, numbers.step_x);
     const std::int64_t dy = site.y + std::int64_t{image.shift_y} * numbers.period_y -
                             place(box_.bottom, numbers.step_y);
-    // Of two images equally far away the one within the domain wins, as in moment_offset.
+    // If two images are equally far away, the one in the domain wins, as in moment_offset.
     const std::uint64_t order = std::uint64_t{scene_->indices[image.site]} * 4 +
                                 (image.shift_x != 0 ? 1 : 0) + (image.shift_y != 0 ? 2 : 0);
     order_.push_back(order * kMostCandidates + candidates_.size());
@@ -133,7 +133,7 @@ void Tile::Planes<Number>::resize(std::size_t count) {
         plane->resize(count);
 }
 
-// False where that needs more than doubles hold.
+// Returns false if the numbers do not fit into doubles.
 bool Tile::fill_doubles() {
     if (candidates_.size() > kMost) return false;
     const auto fits = [](std::int64_t number) {

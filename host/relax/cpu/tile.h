@@ -1,4 +1,4 @@
-// Who owns the lattice points of one tile, and what each owner gets of it.
+// Assigns the lattice points of one tile, and sums what each site gets of it.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct Box {
     std::uint32_t top;
 };
 
-// All that a tile needs to know, and no tile changes.
+// The data that all tiles read and no tile changes.
 struct Scene {
     const Lattice& lattice;
     const SiteTree& tree;
@@ -30,38 +30,38 @@ struct Scene {
     std::span<const std::uint32_t> pixel_of_row;
 };
 
-// One image of a site: periods by which it lies off the site itself. On a box always the site.
+// An image of a site, shifted by whole periods. On a box it is always the site itself.
 struct Image {
     std::uint32_t site;
     std::int16_t shift_x;
     std::int16_t shift_y;
 };
 
-// What the last look at a leaf tells the next: who won in its middle, and within which power all
-// that could win lay.
+// A leaf's result that helps the next search: the site that won in its middle, and a power that no
+// site that can win exceeded.
 struct Hint {
     std::uint32_t site = NO_OWNER;
     std::uint64_t bound = 0;
 };
 
-// Works on one tile after the other, of at most kSide lattice points a side.
+// Works on one tile after the other, each at most kSide lattice points wide and high.
 class Tile {
 public:
     static constexpr std::uint32_t kSide = 32;
-    static constexpr std::uint32_t kLeaf = 8;  // lattice points a side
+    static constexpr std::uint32_t kLeaf = 8;  // lattice points along a side
     static constexpr std::uint32_t kLeavesOfSide = kSide / kLeaf;
     static constexpr std::uint32_t kLeaves = kLeavesOfSide * kLeavesOfSide;
 
-    // Leaf number i is in column i % kLeavesOfSide and row i / kLeavesOfSide of the tile.
+    // Leaf i is in column i % kLeavesOfSide and row i / kLeavesOfSide of the tile.
     static Box leaf_of(const Box& tile, std::uint32_t i);
 
-    // Serves the leaves whose bits are set in `leaves`. The hints, one a leaf, make it fast and are
-    // brought up to date. Leaves who owns each lattice point behind in `owners`, unless it is
-    // empty: indices row by row of the whole lattice.
+    // Assigns the leaves whose bits are set in `leaves`. The hints, one for each leaf, make it fast
+    // and are updated. Unless `owners` is empty, it gets the owner of each lattice point; it has an
+    // entry for each point of the whole lattice, row by row.
     void assign(const Scene& scene, const Box& box, std::uint32_t leaves, std::span<Hint> hints,
                 std::span<std::uint32_t> owners = {});
 
-    // What one image got. Moments are from the tile's lowest lattice point.
+    // What is assigned to one image. Moments are relative to the tile's lowest lattice point.
     struct Part {
         Image image;
         std::uint32_t points;
@@ -74,8 +74,8 @@ public:
 private:
     static constexpr std::size_t kLeafPoints = std::size_t{kLeaf} * kLeaf;
 
-    // Where a site's power, less |p|^2, is at + u along_x + v along_y for lattice point (u, v) of
-    // the tile: of two, the difference is exact, and no square is left.
+    // A site's power at lattice point (u, v) of the tile, minus |p|^2, is at + u along_x + v
+    // along_y. The difference of two of these is exact and contains no square.
     struct Candidate {
         std::int64_t at;
         std::int64_t along_x;
@@ -83,21 +83,21 @@ private:
         Image image;
     };
 
-    // Doubles hold whole numbers exactly: kMost times what a candidate is ahead of the first one,
-    // plus its place in the list. Their least tells the winner, ties and all, and processors have
-    // the least of two doubles in one instruction. With differences below kMostDifference, all that
-    // is computed of them stays below 2^51: kMost * kMostDifference * (1 + 2 * kSide).
+    // Candidates are compared as doubles, which hold whole numbers exactly: kMost times the
+    // difference to the first candidate, plus the candidate's index in the list. The least of them
+    // is the winner, ties included, and takes one instruction to find. With differences below
+    // kMostDifference all results are below 2^51: kMost * kMostDifference * (1 + 2 * kSide).
     static constexpr std::size_t kMost = 512;
     static constexpr std::int64_t kMostDifference = std::int64_t{1} << 35;
 
-    // The same numbers in arrays, as whole numbers or, where they fit, doubles.
+    // The candidates' numbers as arrays of whole numbers or, where these fit, of doubles.
     template <typename Number>
     struct Planes {
         std::vector<Number> at;
         std::vector<Number> along_x;
         std::vector<Number> along_y;
-        // Of the leaf that is served: at its lowest lattice point, and by how much it is behind the
-        // first in the middle, wherever that is least.
+        // For the current leaf: the value at its lowest lattice point, and the least distance
+        // behind the candidate that is first in the leaf's middle.
         std::vector<Number> in_leaf;
         std::vector<Number> behind;
 
@@ -111,7 +111,7 @@ private:
     void add_candidate(const Image& image);
     bool fill_doubles();
     void fill_whole();
-    // Boxes are in lattice points of the tile from here on.
+    // From here on boxes are in lattice points of the tile.
     static std::uint32_t place_in_list(double value);
     static std::size_t first_in_middle(const Planes<double>& planes, double right, double up);
     static std::size_t first_in_middle(const Planes<std::int64_t>& planes, std::int64_t right,
@@ -132,29 +132,29 @@ private:
     void write_owners(const Box& leaf);
 
     const Scene* scene_ = nullptr;
-    Box box_{};  // of the tile
+    Box box_{};  // the tile
     std::span<std::uint32_t> owners_;
-    std::array<Image, 9> images_{};  // of the domain
+    std::array<Image, 9> images_{};  // images of the domain
     std::size_t image_count_ = 0;
-    std::vector<Candidate> candidates_;  // of the tile
-    // Who comes first where two have the same power, from bit 30, and which candidate it is; below
-    // all is in this order. 2^30 candidates would take 100 GB.
+    std::vector<Candidate> candidates_;  // for the tile
+    // The candidates in the order that decides ties, which all lists below use: the rank from bit
+    // 30 on, the candidate's index below. 2^30 candidates would take 100 GB.
     static constexpr std::uint64_t kMostCandidates = std::uint64_t{1} << 30;
     std::vector<std::uint64_t> order_;
     bool has_doubles_ = false;
     Planes<double> doubles_;
     Planes<std::int64_t> whole_;
-    // Four numbers that the compiler treats as one, or as two pairs. Aligned as all memory is.
+    // A vector of four doubles. Its alignment is the alignment of all allocated memory.
     using Four = double __attribute__((vector_size(32), aligned(16)));
     struct Row {
         Four first[kLeaf / 4];
         Four up;
     };
-    std::vector<Row> rows_;               // of the winners
-    std::vector<std::uint32_t> winners_;  // candidates that may win in the leaf, in their order
-    std::vector<Part> parts_;             // of the candidates
-    // Of the candidates; those of the winners are in use. The masses are summed in two chains, as a
-    // number that was just changed is slow to change again.
+    std::vector<Row> rows_;               // one for each winner
+    std::vector<std::uint32_t> winners_;  // candidates that may win in the leaf, in ties' order
+    std::vector<Part> parts_;             // one for each candidate
+    // One for each candidate; only the winners' are in use. The masses are summed in two chains,
+    // because a number that was just changed is slow to change again.
     static constexpr std::size_t kChains = 2;
     struct Sum {
         std::array<std::uint64_t, kChains> packed;
@@ -162,7 +162,7 @@ private:
         std::uint64_t all() const { return packed[0] + packed[1]; }
     };
     std::vector<Sum> sums_;
-    // Of a leaf's lattice points: what is summed of them, and which candidate owns them.
+    // For each lattice point of a leaf: its mass and count, packed, and the candidate that gets it.
     std::array<std::uint64_t, kLeafPoints> masses_{};
     std::array<std::uint32_t, kLeafPoints> who_{};
 };

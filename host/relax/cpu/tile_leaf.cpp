@@ -1,5 +1,5 @@
-// A leaf of a tile: of the tile's candidates those are kept that can win in it, and then all of
-// these are tried on each of its lattice points.
+// Assigns a leaf of a tile: keeps the tile's candidates that can win in the leaf, then tries all of
+// these on each of its lattice points.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -7,8 +7,8 @@
 
 #include "relax/cpu/tile.h"
 
-// Compiled twice where the loader can choose: most processors take four doubles at once, which the
-// others lack. What is computed is exact either way. Sanitizers start after the loader has chosen.
+// Compiled twice if the loader can choose: most processors take four doubles at once. The results
+// are exact in both versions. Sanitizers start too late for the loader's choice.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define LACUNA_WIDE __attribute__((target_clones("avx2", "default")))
@@ -19,20 +19,20 @@
 namespace lacuna::relaxing::cpu {
 namespace {
 
-// What is summed of a leaf's lattice points, in one number: the masses, from bit 24 how many points
-// have any, from bit 32 the masses times u. Of all 64 that is less than 2^22, 2^7 and 2^25.
+// Three sums over a leaf's lattice points in one number: masses, from bit 24 the count of points
+// with mass, from bit 32 masses times u. For 64 points they are below 2^22, 2^7 and 2^25.
 constexpr std::uint64_t kOnePoint = 1u << 24;
 constexpr int kMomentBits = 32;
 
 }  // namespace
 
 std::uint32_t Tile::place_in_list(double value) {
-    // In a sum with 1.5 * 2^52 the lowest bits of a double are those of a whole number.
+    // After adding 1.5 * 2^52 the lowest bits of a double are the whole number's.
     constexpr double kShow = 6755399441055744.0;
     return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(value + kShow) % kMost);
 }
 
-// The candidate of least power in the leaf's middle. A double tells its place in the list itself.
+// The candidate with the least power in the leaf's middle. Its double contains its index.
 LACUNA_WIDE
 std::size_t Tile::first_in_middle(const Planes<double>& planes, double right, double up) {
     constexpr std::size_t kLanes = 4;
@@ -67,7 +67,7 @@ std::size_t Tile::first_in_middle(const Planes<std::int64_t>& planes, std::int64
     return first;
 }
 
-// By how much each is behind the first in the middle in the corner where that is least.
+// How far each candidate is behind the first in the middle: the least over all corners.
 template <typename Number>
 [[gnu::always_inline]] inline void Tile::find_how_far_behind(Planes<Number>& planes,
                                                              std::size_t first, Number width,
@@ -93,8 +93,8 @@ void Tile::find_behind(Planes<std::int64_t>& planes, std::size_t first, std::int
     find_how_far_behind(planes, first, width, height);
 }
 
-// Those that the first in the middle does not beat everywhere in the leaf: where two differ most
-// lies in a corner. `slack` is what their places in the list may add to a difference.
+// Keeps the candidates that the first in the middle does not beat everywhere in the leaf. The
+// largest difference is in a corner. `slack` is what indices in the list can add to a difference.
 template <typename Number>
 void Tile::keep_winners(Planes<Number>& planes, const Box& leaf, Number slack) {
     const std::size_t count = planes.at.size();
@@ -133,7 +133,7 @@ void Tile::share_out(const Box& leaf) {
     if (!owners_.empty()) write_owners(leaf);
 }
 
-// Outside of the leaf there is no mass: what is owned there counts for nothing.
+// Points outside the lattice get mass 0, so that they add nothing.
 void Tile::fetch_masses(const Box& leaf) {
     const std::uint32_t width = leaf.right - leaf.left;
     if (width < kLeaf || leaf.top - leaf.bottom < kLeaf) masses_.fill(0);
@@ -157,7 +157,7 @@ void Tile::fetch_masses(const Box& leaf) {
     }
 }
 
-// Half of four rows at a time, so that what is the least so far stays in registers.
+// Half a row of four rows at a time, so that the least values stay in registers.
 LACUNA_WIDE void Tile::find_owners_of_doubles() {
     constexpr std::size_t kHalves = 2, kHalf = kLeaf / kHalves, kRows = 4;
     const std::size_t count = winners_.size();
@@ -205,8 +205,8 @@ void Tile::find_owners() {
 
 void Tile::add_to_parts(const Box& leaf) {
     for (const std::uint32_t one : winners_) sums_[one] = {};
-    // From the top: after each row all sums so far are added once more, so that the masses of row v
-    // are added v times.
+    // Rows are added from the top. After each row the sums up to there are added to the moment, so
+    // that the masses of row v are added v times.
     for (std::size_t v = kLeaf; v-- > 0;) {
         for (std::size_t u = 0; u < kLeaf; ++u)
             sums_[who_[v * kLeaf + u]].packed[u % kChains] += masses_[v * kLeaf + u];

@@ -1,4 +1,4 @@
-// Relaxation on a device: the lattice's tiles in batches, whose tables one set of buffers holds.
+// Relaxation on a device. Tiles come in batches, which all use one set of buffers for tables.
 #include "relax/device/make_backend.h"
 
 #include <algorithm>
@@ -23,18 +23,18 @@ namespace {
 namespace kernels = lacuna::device::kernels;
 using lacuna::device::Buffer;
 
-// On a processor a batch's tables should stay in its caches; a graphics card wants many items.
+// Units in a batch: a processor's caches should hold its tables; a graphics card needs many.
 constexpr std::uint32_t kUnitsOfProcessor = 1024;
 constexpr std::uint32_t kUnitsOfGraphics = 4096;
 
-// See Queue::launch: tenths of a microsecond that a tile or leaf takes, a leaf's lattice points, a
-// row of a leaf that is crowded, or a sample.
+// Work in tenths of a microsecond, for Queue::launch: of a tile or leaf, of a leaf's lattice
+// points, of a row in a crowded leaf, of a site.
 constexpr std::uint64_t kFindWork = 100;
 constexpr std::uint64_t kLeafWork = 20;
 constexpr std::uint64_t kCrowdedWork = 20;
 constexpr std::uint64_t kSiteWork = 1;
 
-// As a device keeps them.
+// Vectors as a device stores them.
 using Words2 = std::array<std::uint32_t, 2>;
 using Words4 = std::array<std::uint32_t, 4>;
 
@@ -61,14 +61,14 @@ public:
         put<std::uint32_t>(memory_.tile_leaves, tiles_.leaves);
         put<std::uint32_t>(memory_.indices, indices_);
         std::vector<std::uint16_t> masses = lattice.mass;
-        masses.resize((masses.size() + 1) / 2 * 2);  // whole words
+        masses.resize((masses.size() + 1) / 2 * 2);  // padded to whole words
         put<std::uint16_t>(memory_.masses, masses);
         queue_->fill(memory_.hints, NO_OWNER, memory_.hints.words());
         queue_->fill(memory_.failure, 0, 1);
         restore(sites);
     }
 
-    // Transfers into this object's memory may be on their way when an error ends a run.
+    // If an error ends a run, transfers into this object's memory may still be under way.
     ~DeviceRelax() override { queue_->drain(); }
     DeviceRelax(const DeviceRelax&) = delete;
     DeviceRelax& operator=(const DeviceRelax&) = delete;
@@ -76,8 +76,8 @@ public:
     std::string device() const override { return queue_->device().name; }
     void watch(std::function<bool()> may_go_on) override { queue_->watch(std::move(may_go_on)); }
 
-    // Accumulates too: the tables of a batch tell who owns which lattice point, and are lost with
-    // the next.
+    // Also accumulates, because the next batch overwrites the tables with the owners of lattice
+    // points.
     void assign() override { assign_leaves(memory_, false); }
     void accumulate() override {}
 
@@ -89,8 +89,8 @@ public:
         queue_->wait();
     }
 
-    // A search of unbounded length for each sample that ended on white: on the host, as they are
-    // few, and this comes once a run.
+    // A site that ended where there is no importance needs a search of unbounded length. It runs on
+    // the host, because there are few such sites and it is done once.
     void rest() override {
         const std::vector<Site> before = along_curve();
         const std::vector<Share> shares = shares_along_curve();
@@ -146,7 +146,7 @@ private:
         return static_cast<std::uint32_t>(tiles_.numbers.size());
     }
 
-    // Units that are served alike, all of them or a batch: tiles, or leaves that were late.
+    // Tiles, or leaves that were late: units that one launch processes in the same way.
     struct Units {
         std::uint32_t first;
         std::uint32_t count;
@@ -184,7 +184,7 @@ private:
         }
     }
 
-    // Returns how many leaves are left for later.
+    // Returns the number of leaves that must be processed again.
     std::uint32_t wait_for_assign(const Memory& memory) {
         std::array<std::uint32_t, 1> late{};
         get<std::uint32_t>(memory.late_count, late);
@@ -194,8 +194,8 @@ private:
         return late.front();
     }
 
-    // Tiles first; leaves of tiles that have too many rivals each for itself; and leaves that still
-    // have too many lattice point by lattice point.
+    // Tiles come first. If a tile has too many rivals, its leaves are processed one by one. If a
+    // leaf still has too many, its lattice points are.
     void assign_leaves(Memory memory, bool is_telling) {
         queue_->fill(memory.shares, 0, 4 * indices_.size());
         queue_->fill(memory.moments, 0, 4 * indices_.size());
@@ -226,7 +226,7 @@ private:
                                        lacuna::device::items_of(units, chunk), work * chunk);
     }
 
-    // Takes the least weight off all, and makes the tree anew.
+    // Subtracts the least weight from all weights, and builds the tree again.
     void level_sites() {
         for (std::uint32_t level = 1; level <= depth_; ++level)
             launch_over_sites<kernels::level_sites>(8 * kSiteWork, level);
@@ -242,7 +242,7 @@ private:
         return sites;
     }
 
-    // With weights as they are: the least of them counts as 0.
+    // Keeps the weights: the least weight is set to 0, so that nothing is subtracted.
     void put_along_curve(const std::vector<Site>& sites) {
         for (std::size_t i = 0; i < sites.size(); ++i) sites_[i] = packed(sites[i]);
         put<Words4>(memory_.sites, sites_);
@@ -275,12 +275,12 @@ private:
     const portable::RelaxLattice& numbers_;
     Tiles tiles_;
     std::uint32_t units_of_batch_;
-    std::vector<std::uint32_t> indices_;  // of the device's sites, which lie along Hilbert's curve
+    std::vector<std::uint32_t> indices_;  // of the device's sites, in the order of Hilbert's curve
     std::uint32_t depth_;
     Memory memory_;
-    std::vector<Words4> sites_, shares_, moments_;  // on their way up or down
+    std::vector<Words4> sites_, shares_, moments_;  // for transfers in both directions
     std::array<std::uint32_t, 1> failure_{};
-    bool has_hints_ = false;  // found when the run can be cancelled
+    bool has_hints_ = false;  // they are found when the run can be cancelled
 };
 
 }  // namespace

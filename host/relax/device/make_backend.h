@@ -9,12 +9,12 @@
 
 namespace lacuna::relaxing::device {
 
-// For tests.
+// Used by tests.
 struct Tuning {
-    std::uint32_t units_of_batch = 0;  // 0: as many as suit the device
+    std::uint32_t units_of_batch = 0;  // 0: chosen for the device
 };
 
-// The lattice must outlive the backend. Throws Unavailable where the device is too small for it.
+// The lattice must outlive the backend. Throws Unavailable if the device is too small for it.
 std::unique_ptr<RelaxBackend> make_backend(std::unique_ptr<lacuna::device::Queue> queue,
                                            const Lattice& lattice, std::span<const Site> sites,
                                            const Tuning& tuning = {},

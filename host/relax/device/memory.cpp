@@ -1,4 +1,4 @@
-// How large the buffers are, and whether the device has room for them.
+// Computes the sizes of the buffers, and checks that the device has room for them.
 #include "relax/device/memory.h"
 
 #include <lacuna/lacuna.h>
@@ -15,7 +15,7 @@ namespace {
 using lacuna::device::Buffer;
 using lacuna::device::kWord;
 
-// A rival's id has 4 bits beside the number of its site.
+// The id of a rival has 32 bits: 4 for the image, 28 for the number of its site.
 constexpr std::size_t kMostSites = std::size_t{1} << 28;
 
 struct Need {
@@ -66,7 +66,7 @@ void refuse_if_too_large(const DeviceEntry& device, const std::vector<Need>& nee
                                         device.largest_buffer_bytes);
 }
 
-// Those with importance in row `i` of a row of tiles.
+// Marks the leaves with importance in row `i` of a row of tiles.
 void mark_leaves(const Lattice& lattice, std::uint32_t row, std::uint32_t i,
                  std::vector<std::uint32_t>& leaves) {
     const portable::RelaxLattice& numbers = lattice.numbers;

@@ -1,4 +1,4 @@
-// What relaxation keeps on a device: sites, the tree over them, and the leaves of the lattice.
+// The memory of relaxation on a device: sites, the tree over them, and the leaves of the lattice.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@ namespace lacuna::relaxing::device {
 using lacuna::device::Memory;
 using lacuna::device::Queue;
 
-// Tiles with importance, by their numbers row by row, and of each a bit for each leaf of it that
-// has importance.
+// The tiles with importance: their numbers, row by row, and for each a bit for each leaf with
+// importance.
 struct Tiles {
     std::vector<std::uint32_t> numbers;
     std::vector<std::uint32_t> leaves;
 };
 Tiles tiles_of(const Lattice& lattice);
 
-// How many tiles, or leaves, lie side by side in so many lattice points.
+// Number of tiles, or leaves, along `points` lattice points.
 constexpr std::uint32_t tiles_in(std::uint32_t points) {
     return (points - 1) / (TILE_SIDE * LEAF_SIDE) + 1;
 }
@@ -32,12 +32,12 @@ constexpr std::uint32_t leaves_in(std::uint32_t points) {
     return (points - 1) / LEAF_SIDE + 1;
 }
 
-// Of the tree over so many sites: its root's level, at least 1, and where a level is stored.
+// The level of the root of a tree over `sites` sites, at least 1; the index where a level begins.
 std::uint32_t depth_of(std::size_t sites);
 std::uint32_t begin_of_level(std::uint32_t depth, std::uint32_t level);
 
-// Buffers for so many sites and tiles, in batches of so many units, and the lattice's masses.
-// Throws Unavailable where the device is too small.
+// Allocates buffers for the lattice's masses, the sites, the tiles, and batches of units_of_batch
+// units. Throws Unavailable if the device is too small.
 Memory make_memory(Queue& queue, const Lattice& lattice, std::size_t sites, std::size_t tiles,
                    std::size_t units_of_batch);
 

@@ -1,7 +1,7 @@
-// What is free on a line in mode cells, piece by piece: words of bits, from `slot` on.
+// The free parts of a line in mode cells are words of bits, from `slot` on.
 #include "portable/bits.h"
 
-// The height of the word's lowest bit, and the word.
+// A word as a piece: the height of its lowest bit, and its bits.
 BODY u32x2 piece_at(MEMORY const u32 slot, const u32 number) {
     return U32X2(number * 32u, AT(bits, slot + number));
 }

@@ -1,5 +1,5 @@
-// What conflicts in mode cells: the limit is the metric of two radii (section 4.2.1), and the reach
-// is how far any sample may be that conflicts with one on this pixel.
+// The conflict rule of mode cells: the limit is the metric of two radii (section 4.2.1). The reach
+// of a pixel is the largest distance of a conflict with a sample on it.
 #include "portable/column.h"
 #include "portable/metric.h"
 
@@ -16,7 +16,7 @@ BODY Stretch columns_near(const DrawArguments a, const u32x4 candidate, const u3
     return columns_of_stretch(lines, a.g.lines, a.g.columns);
 }
 
-// The square of how far candidates i and j must be apart.
+// The square of the distance that candidates i and j must keep.
 BODY u64 limit_of(MEMORY const DrawArguments a, const u32 i, const u32 j) {
     return metric_squared(
         twice_metric_radius(a.metric, AT(candidate_radii, i), AT(candidate_radii, j)));

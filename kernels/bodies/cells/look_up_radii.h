@@ -1,4 +1,4 @@
-// The body of look_up_radii: the radius of each candidate in mode cells is that of its pixel.
+// The body of look_up_radii: in mode cells a candidate has the radius of its pixel.
 
 BODY void serve_look_up_radii(MEMORY const DrawArguments a, const u32 item) {
     const u32 begin = a.first + item * a.chunk;

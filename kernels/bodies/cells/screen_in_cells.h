@@ -1,5 +1,5 @@
-// The body of screen_in_cells: settles the candidates of a later part of a round whose lattice
-// points samples of its earlier parts have blocked.
+// The body of screen_in_cells: decides candidates of a later part of a round whose lattice points
+// are blocked by samples of earlier parts.
 
 BODY void serve_screen_in_cells(MEMORY const DrawArguments a, const u32 item) {
     const u32 begin = a.first + item * a.chunk;

@@ -1,22 +1,22 @@
-// The body of subtract in mode cells: the lattice points that the round's samples block, taken out
-// of every line by the two-way check of section 4.2.
+// The body of subtract in mode cells: clears the lattice points that the round's samples block, by
+// the two-way check of section 4.2.
 #include "portable/bits.h"
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
 #include "portable/metric.h"
 
-// One sample on one line.
+// One sample and one line.
 struct Cut {
     u32 radius;
     u32 dx;
     u32 line;
-    u32 pixel_begin;  // the first of the line's pixels
+    u32 pixel_begin;  // index of the first pixel of the line
 };
 LACUNA_TYPEDEF(Cut)
 
-// What the sample, seen at height y, blocks of [begin, end), above which lies that pixel alone.
-// Mostly all or nothing, which squared distances tell without a root.
+// The heights of [begin, end), all in one pixel, that the sample blocks, seen at height y. Mostly
+// it is all or nothing, which squared distances show without a root.
 BODY u32x2 blocked_of_run(const u32 metric, const Cut cut, const u32 pixel, const i64 y,
                           const u32 begin, const u32 end) {
     const u64 limit = metric_squared(twice_metric_radius(metric, cut.radius, pixel));
@@ -28,8 +28,8 @@ BODY u32x2 blocked_of_run(const u32 metric, const Cut cut, const u32 pixel, cons
     return U32X2(to_u32(max(to_i64(begin), y - reach + 1)), to_u32(min(to_i64(end), y + reach)));
 }
 
-// Blocks what the sample, seen at height y, takes of the `chord` points to either side, and returns
-// how many. Only words with free points count, and of those only the runs of pixels that hold them.
+// Blocks the points within `chord` of height y that the sample takes, and returns their number. It
+// looks only at words with free points, and only at the runs of pixels in them.
 BODY u32 block_points(MEMORY const DrawArguments a, const Cut cut, const i64 y, const u32 chord) {
     const i64 low = max(y - to_i64(chord) + 1, to_i64(0));
     const i64 high = min(y + to_i64(chord), to_i64(a.g.height));
@@ -51,13 +51,13 @@ BODY u32 block_points(MEMORY const DrawArguments a, const Cut cut, const i64 y, 
                 a.metric, cut, AT(pixel_radii, cut.pixel_begin + row), y, first, run_end);
             if (taken.x < taken.y) mask = mask | (run & word_mask(word, taken.x, taken.y));
         }
-        // Items may clear one word at a time: what was still set tells each what it has blocked.
+        // Several items may clear one word at a time. Each counts the bits that were still set.
         if (mask != 0u) blocked += count_bits(ATOMIC_AND(bits, index, ~mask) & mask);
     }
     return blocked;
 }
 
-// Whether a point of the line in [begin, end) may be free: of few or many words, some may.
+// Whether a point of the line in [begin, end) may be free: yes for many words, unsearched.
 BODY bool any_set(MEMORY const DrawArguments a, const u32 line, const u32 begin, const u32 end) {
     if (end - begin > MOST_LOOKS * 32u) return true;
     for (u32 word = begin / 32u; word * 32u < end; ++word)
@@ -66,10 +66,10 @@ BODY bool any_set(MEMORY const DrawArguments a, const u32 line, const u32 begin,
     return false;
 }
 
-// How far from the sample's height a free point of the line can be that it blocks, plus 1; 0 if
-// none. With min no farther than its radius. With mean and max the widest pixels reach farthest,
-// and they are the first to be blocked. Items look side by side: wherever widest[line] stands, no
-// wider row has a free point.
+// The largest distance from the sample's height at which it can block a free point of the line,
+// plus 1; 0 if there is none. With min that is limited by its radius. With mean and max the pixels
+// of largest radius reach farthest, and are blocked first. Items may change widest[line] at the
+// same time: whatever it holds, no row before it has a free point.
 BODY u32 half_chord(MEMORY const DrawArguments a, const Cut cut, const u32 reach) {
     u64 limit = reach;
     limit = limit * limit + 1u;
@@ -78,7 +78,7 @@ BODY u32 half_chord(MEMORY const DrawArguments a, const Cut cut, const u32 reach
     if (dx_squared >= limit) return 0u;
     if (!is_far_reach(a.metric, reach, cut.radius)) return chord_reach(cut.dx, limit);
 
-    // Pass over pixels without a free point until one has some, or all that are left are too small.
+    // Skip pixels without a free point, until one has some or the others are too small.
     const u32 first = LOOK_AT(widest, cut.line);
     u32 i = first;
     for (u32 looks = 0u; i < a.rows && looks < MOST_LOOKS; ++i) {
@@ -114,10 +114,10 @@ BODY void serve_sample(MEMORY const DrawArguments a, const u32x4 admitted, const
     }
 }
 
-// Serves one of so many slices of the lines near each sample of a chunk of candidates: every
-// slices-th line. Samples that reach farther than most_reach would take it too many turns: they are
-// listed in `left` for the next launch, which takes `todo` with more slices. Does nothing while
-// admission is unsettled.
+// Serves one slice, every slices-th line, of the lines near each sample of a chunk of candidates. A
+// sample that reaches farther than most_reach would take too many turns: it is listed in `left`,
+// and the next launch takes it from `todo` with more slices. Does nothing while admission is
+// unfinished.
 BODY void serve_subtract_in_cells(MEMORY const DrawArguments a, const u32 item) {
     if (AT(undecided, a.last_pass) != 0u) return;
     const u32 begin = a.first + item / a.slices * a.chunk;

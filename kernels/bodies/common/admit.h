@@ -1,13 +1,13 @@
 // The body of admit: a candidate becomes a sample unless an earlier sample of its round conflicts
-// with it. Earlier is by the order of the draws, whatever the order of the work. Comes after
-// decide.h or decide_with_field.h, which look for those that conflict.
+// with it. Earlier means by draw, whatever the order of the work. It is included after decide.h or
+// decide_with_field.h, which find conflicts.
 
-// How many others an item looks at, before it leaves the rest of its candidates to the next pass:
-// where they crowd, its loops would take more turns than lavapipe allows (failure.h).
+// Number of others that an item looks at before it leaves its other candidates to the next pass.
+// Without this limit its loops could take more turns than lavapipe allows (failure.h).
 #define MOST_RIVALS 2048u
 
-// One pass over all candidates. undecided[pass] counts those it leaves; a pass after one that left
-// none has nothing to do. samples[order] is where the host looks for what became of that draw.
+// One pass over all candidates. undecided[pass] counts the candidates it leaves; after a pass that
+// left none there is nothing to do. The host finds the result of a draw in samples[order].
 BODY void serve_admit(MEMORY const DrawArguments a, const u32 item) {
     if (a.pass > 0u && AT(undecided, a.pass - 1u) == 0u) return;
     const u32 begin = a.first + item * a.chunk;
@@ -15,7 +15,7 @@ BODY void serve_admit(MEMORY const DrawArguments a, const u32 item) {
     u32 left = 0u;
     u32 looks = 0u;
     for (u32 i = begin; i < end; ++i) {
-        // Items in lockstep look for work together.
+        // Items that run in lockstep search for work together.
         while (i < end && LOOK_AT(statuses, i) != STATUS_UNDECIDED) ++i;
         if (i == end) break;
         if (looks > MOST_RIVALS) {

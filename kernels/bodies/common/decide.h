@@ -1,18 +1,18 @@
-// Whether an earlier sample of its round conflicts with a candidate, which is looked for in the
-// columns near. Comes after limit.h or limit_in_cells.h, which say what conflicts.
+// Searches the columns nearby for an earlier sample of the round that conflicts with a candidate.
+// It is included after limit.h or limit_in_cells.h, which have the conflict rule.
 #include "portable/chord.h"
 #include "portable/distance.h"
 
-// A candidate of the column [begin, end) that is not above the first whose y is at least low, but
-// seldom far below it.
+// Index of a candidate in the column [begin, end) from which to search heights >= low. It is never
+// after the first such candidate, and rarely far before it.
 BODY u32 lower_bound(MEMORY const u32 begin, const u32 end, const u32 low, const u32 height) {
     const u32 bucket = bucket_of(low, end - begin, height);
     return bucket > 0u ? AT(buckets, begin + bucket - 1u) : begin;
 }
 
-// What can be said of candidate i now: its status, and four times the number of others looked at.
-// Items of one pass read each other's statuses while they are decided; whatever they see, a status
-// once decided is the right one.
+// The status of candidate i as far as it can be decided now, plus four times the number of others
+// looked at. Items of one pass read statuses that other items are writing; whatever they read, a
+// decided status is final.
 BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate) {
     const u32 height = a.g.height;
     const u32 x = place_of(a, candidate);
@@ -40,7 +40,7 @@ BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate
                 if (!are_closer(other.x, other.y, x, candidate.y, a.g.period_x, a.g.period_y,
                                 limit_of(ON a, i, j)))
                     continue;
-                // A sample covers this candidate for good; an undecided one may yet.
+                // A sample rejects this candidate for good; an undecided one may yet.
                 const u32 status = ATOMIC_OR(statuses, j, 0u);
                 if (status == STATUS_ADMITTED) return STATUS_REJECTED + 4u * (looks + j - from);
                 waits = waits || status == STATUS_UNDECIDED;

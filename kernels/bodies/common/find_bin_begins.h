@@ -1,5 +1,5 @@
-// The body of find_bin_begins: the first box of each column, and at last the number of boxes,
-// which come line by line.
+// The body of find_bin_begins: finds the first box of each column, and finally the number of boxes.
+// Boxes are ordered by line.
 #include "portable/column.h"
 
 BODY void serve_find_bin_begins(MEMORY const ColumnArguments a, const u32 column) {

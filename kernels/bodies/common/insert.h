@@ -1,5 +1,5 @@
 // The body of insert: puts the round's samples into the sample grid. Does nothing while admission
-// is unsettled (undecided[last_pass] != 0).
+// is unfinished (undecided[last_pass] != 0).
 
 BODY void serve_insert(MEMORY const DrawArguments a, const u32 item) {
     if (AT(undecided, a.last_pass) != 0u) return;

@@ -1,7 +1,7 @@
-// The body of locate: the rank of each draw, walked to a y through what is free on its line. Comes
-// after free_spans.h or free_bits.h, which say of what pieces that is.
+// The body of locate: walks along the free pieces of a draw's line to the height of its rank. It is
+// included after free_spans.h or free_bits.h, which define the pieces.
 
-// Serves a chunk of the draws of the lines that the slab holds.
+// Serves a chunk of the draws whose lines are in the slab.
 BODY void serve_locate(MEMORY const SlabArguments a, const u32 item) {
     const u32 begin = a.first_draw + item * a.chunk;
     const u32 end = min(begin + a.chunk, a.end_draw);

@@ -1,9 +1,9 @@
-// The words of the bodies that OpenCL C and GLSL spell differently, each beside both spellings.
+// Names for what OpenCL C and GLSL spell differently, each defined side by side for both.
 //
-// A body is the loop of one kernel, written once. It sees the kernel's buffers by name:
-// AT(statuses, i) is a word of the buffer `statuses`. A function that does so has MEMORY before its
-// parameters, and is called with ON before its arguments: OpenCL hands a struct of pointers on,
-// GLSL nothing.
+// A body is the loop of one kernel, written once. It uses the kernel's buffers by name:
+// AT(statuses, i) is a word of the buffer `statuses`. A function that uses buffers has MEMORY
+// before its parameters and is called with ON before its arguments: in OpenCL they pass a struct of
+// pointers, in GLSL they are empty.
 #ifndef LACUNA_BODIES_PRELUDE_H
 #define LACUNA_BODIES_PRELUDE_H
 #ifndef __OPENCL_C_VERSION__
@@ -27,8 +27,8 @@ typedef struct Memory {
 #define MEMORY const Memory memory,
 #define ON memory,
 #define AT(name, i) memory.name[i]
-// A word that other items may change at the same time, where an old one will do as well. Oclgrind
-// takes that for a race, unless it is atomic, which costs up to three times the time of a verb.
+// A word that other items may change at the same time, where an old value is good enough. Oclgrind
+// reports a race unless the read is atomic, which makes a verb up to three times as slow.
 #if defined(LACUNA_ATOMIC_LOOKS)
 #define LOOK_AT(name, i) atomic_or(&memory.name[i], 0u)
 #else
@@ -40,7 +40,7 @@ typedef struct Memory {
 #define ATOMIC_MAX(name, i, value) atomic_max(&memory.name[i], value)
 #define ATOMIC_SET(name, i, value) atomic_xchg(&memory.name[i], value)
 
-// What stands before a kernel's body, and the kernel after it: it calls serve(arguments, item).
+// ENTRY defines the kernel: it calls serve(arguments, item).
 #define LACUNA_PARAMETER(number, access, type, name) , global type* restrict name
 #define LACUNA_PUT(number, access, type, name) memory.name = name;
 #define BINDINGS(Arguments, LIST)
@@ -88,8 +88,8 @@ typedef struct Memory {
     }
 #endif
 
-// Raises the flag if the loops that came before were ended early (portable/failure.h). `number` is
-// any that the compiler does not know.
+// Raises the flag if earlier loops were ended early (portable/failure.h). `number` is any value
+// that the compiler does not know.
 #define CHECK_TURNS(number, flag) \
     if (!has_turns_left(number)) ATOMIC_OR(failure, 0, flag)
 

@@ -1,5 +1,5 @@
-// The body of scan: prefix sums within blocks. Each of the counts becomes the sum of those before
-// it in its block, and sums[block] that of all of them.
+// The body of scan: prefix sums within blocks. Each count is replaced by the sum of the counts
+// before it in its block; sums[block] becomes the sum of the block.
 
 BODY void serve_scan(MEMORY const ScanArguments a, const u32 item) {
     const u32 begin = item * a.block;

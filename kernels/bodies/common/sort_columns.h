@@ -1,23 +1,23 @@
-// The body of sort_columns: the order of y within a column, which admit and subtract rely on.
+// The body of sort_columns: sorts candidates by y in each column, for admit and subtract.
 #include "portable/column.h"
 
-// More candidates in one bucket are ordered by long steps first.
+// If a bucket has more candidates than this, long steps come first.
 #define FEW 16u
 
 BODY bool comes_before(const u32x4 a, const u32x4 b) {
     return a.y < b.y || (a.y == b.y && a.w < b.w);
 }
 
-// Sorts the candidates of one column by y, and by order where y is equal: into as many buckets as
-// there are candidates, so that few share one, then by hand. `buckets` has a word for each
-// candidate, and tells in the end where the bucket ends.
+// Sorts the candidates of one column by y, and by order if y is equal. They go into as many buckets
+// as there are candidates, so that few share one, and are then sorted by insertion. `buckets` has a
+// word for each candidate; at the end it holds the end of each bucket.
 BODY void serve_sort_columns(MEMORY const ColumnArguments a, const u32 column) {
     if (column >= a.g.columns) return;
     const u32 begin = AT(column_begins, column);
     const u32 end = AT(column_begins, column + 1u);
     const u32 count = end - begin;
 
-    // Count each bucket's candidates.
+    // Count the candidates of each bucket.
     for (u32 i = begin; i < end; ++i) {
         AT(buckets, i) = 0u;
         AT(statuses, i) = STATUS_UNDECIDED;
@@ -25,7 +25,7 @@ BODY void serve_sort_columns(MEMORY const ColumnArguments a, const u32 column) {
     for (u32 i = begin; i < end; ++i)
         ++AT(buckets, begin + bucket_of(AT(located, i).y, count, a.g.height));
 
-    // Find where each bucket begins, and fill them.
+    // Find the beginning of each bucket, and fill the buckets.
     u32 next = begin;
     u32 largest = 0u;
     for (u32 i = begin; i < end; ++i) {
@@ -42,8 +42,8 @@ BODY void serve_sort_columns(MEMORY const ColumnArguments a, const u32 column) {
         AT(candidates, to) = candidate;
     }
 
-    // Move each down to its place: a few steps, where few share a bucket. Where many do, by long
-    // steps first (Shell's sort, by Ciura's ratio of steps).
+    // Move each candidate down to its position: a few steps if few share a bucket. If many do, long
+    // steps come first (Shell's sort with Ciura's ratio of steps).
     u32 step = largest > FEW ? largest : 1u;
     do {
         step = max(step * 5u / 11u, 1u);

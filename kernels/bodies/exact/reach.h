@@ -33,7 +33,7 @@ BODY u32 node_around(MEMORY const DrawArguments a, const u32x4 candidate, const 
                       a.g.period_x) &&
             is_within(candidate.y, radius, U32X2(box.z, box.w), U32X2(all.z, all.w), a.g.period_y))
             break;
-        node = AT(node_links, node).w;
+        node = AT(tree_links, node).w;
     }
     return node;
 }
@@ -47,10 +47,10 @@ BODY void list_reached(MEMORY const DrawArguments a, const u32 i) {
     // Nothing in a part of the domain is nearer the other way around.
     const u32 period_x = root == 0u ? a.g.period_x : 0u;
     const u32 period_y = root == 0u ? a.g.period_y : 0u;
-    const u32 end = AT(node_links, root).y;
+    const u32 end = AT(tree_links, root).y;
     u32 node = root;
     while (node < end) {
-        const u32x4 links = AT(node_links, node);
+        const u32x4 links = AT(tree_links, node);
         if (!is_reached(AT(tree_boxes, node), links.x, candidate, radius, period_x, period_y)) {
             node = links.y;
             continue;

@@ -1,9 +1,8 @@
-// The body of collect: the samples that may cut a column's lines, in the order of y.
+// The body of collect: lists the samples that may cut a column's lines, ordered by y.
 #include "portable/column.h"
 
-// A merge of up to three columns: near holds their samples from near_begins[column] on,
-// near_counts[column] of them. Does nothing while admission is unsettled
-// (undecided[last_pass] != 0).
+// Merges up to three columns: near holds their near_counts[column] samples, from
+// near_begins[column] on. Does nothing while admission is unfinished (undecided[last_pass] != 0).
 BODY void serve_collect(MEMORY const ColumnArguments a, const u32 column) {
     if (column >= a.g.columns || AT(undecided, a.last_pass) != 0u) return;
     const Stretch columns = stretch_around(column, 1u, a.g.columns, a.g.period_x);
@@ -18,7 +17,7 @@ BODY void serve_collect(MEMORY const ColumnArguments a, const u32 column) {
 
     u32 next = AT(near_begins, column);
     while (true) {
-        // Skip what is no sample.
+        // Skip candidates that are not samples.
         while (i < i_end && AT(statuses, i) != STATUS_ADMITTED) ++i;
         while (j < j_end && AT(statuses, j) != STATUS_ADMITTED) ++j;
         while (k < k_end && AT(statuses, k) != STATUS_ADMITTED) ++k;

@@ -1,4 +1,4 @@
-// What is free on a line in lines and exact, piece by piece: its spans, from `slot` on.
+// The free parts of a line in lines and exact are its spans, from `slot` on.
 
 BODY u32x2 piece_at(MEMORY const u32 slot, const u32 number) {
     return AT(spans, slot + number);

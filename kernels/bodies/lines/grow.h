@@ -1,4 +1,4 @@
-// The body of grow: a line's spans, moved from slots of g.capacity spans to slots of `larger`.
+// The body of grow: moves a line's spans from slots of g.capacity spans to slots of `larger` spans.
 
 BODY void serve_grow(MEMORY const SlabArguments a, const u32 item) {
     const u32 line = a.first_line + item;

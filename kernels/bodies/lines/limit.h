@@ -1,7 +1,7 @@
-// What conflicts in lines and exact: limit and reach are the radius.
+// The conflict rule of lines and exact: limit and reach are the radius.
 #include "portable/column.h"
 
-// In lines what counts is the chord on the candidate's own line.
+// In lines the chord on the candidate's own line counts, so its x is the x of the line.
 BODY u32 place_of(const DrawArguments a, const u32x4 candidate) {
     return a.g.is_exact != 0u ? candidate.x : candidate.z * a.g.strip_width + a.g.strip_width / 2u;
 }
@@ -15,7 +15,7 @@ BODY Stretch columns_near(const DrawArguments a, const u32x4 candidate, const u3
     return stretch_around(column, 1u, a.g.columns, a.g.period_x);
 }
 
-// The square of how far candidates i and j must be apart.
+// The square of the distance that candidates i and j must keep.
 BODY u64 limit_of(MEMORY const DrawArguments a, const u32 i, const u32 j) {
     return a.g.radius_squared;
 }

@@ -1,5 +1,5 @@
-// The body of screen_on_lines: settles the candidates of a later part of a round that samples of
-// its earlier parts cover, whose chords were cut from the free spans of the candidates' own lines.
+// The body of screen_on_lines: decides candidates of a later part of a round that samples of
+// earlier parts cover. The samples' chords were cut from the free spans of the candidates' lines.
 
 // Whether y lies in none of the line's spans.
 BODY bool is_cut(MEMORY const u32 slot, const u32 count, const u32 y) {
@@ -15,7 +15,7 @@ BODY bool is_cut(MEMORY const u32 slot, const u32 count, const u32 y) {
     return low == count || AT(spans, slot + low).x > y;
 }
 
-// Serves those of a chunk of candidates whose lines the slab holds.
+// Serves the candidates of a chunk whose lines are in the slab.
 BODY void serve_screen_on_lines(MEMORY const SlabArguments a, const u32 item) {
     const u32 begin = a.first_draw + item * a.chunk;
     const u32 end = min(begin + a.chunk, a.end_draw);

@@ -1,20 +1,20 @@
-// The body of subtract: the chords of the round's samples, cut from the free spans of every line.
+// The body of subtract: cuts the chords of the round's samples from the free spans of every line.
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
 
-// A line's spans with a gap that moves along: [slot, done) lie below it, [rest, end) above. Chords
-// that come in the order of y move it a little at a time, and cut where it stands. It opens when a
-// chord first leaves more pieces than before. The spans beside it are at hand: `below` is a copy of
-// the last one below it, or empty at 0, `above` of the first one above it, or beyond every y.
+// A line's spans with a gap between them: [slot, done) lie below the gap, [rest, end) above it.
+// Chords come in the order of y, so the gap moves only a little for each, and the chord is cut
+// there. The gap has length 0 until a chord first adds a piece. `below` is a copy of the last span
+// below the gap, or empty at 0; `above` is the first span above it, or beyond every y.
 struct Gap {
     u32 slot;
     u32 done;
     u32 rest;
     u32 end;
-    u32 room;   // where the end may move to
+    u32 room;   // limit to which `end` may move
     u32 total;  // length of all spans
-    bool fits;  // false once the room was used up: nothing is cut from then on
+    bool fits;  // false if the memory did not suffice: then nothing more is cut
     u32x2 below;
     u32x2 above;
 };
@@ -28,7 +28,7 @@ BODY u32x2 span_above(MEMORY const Gap gap) {
     return gap.rest < gap.end ? AT(spans, gap.rest) : U32X2(NO_SAMPLE, NO_SAMPLE);
 }
 
-// Moves what lies above the gap to the end of the room; the gap does not fit when it is there.
+// Moves the spans above the gap to the end of the memory; if they are there, the gap has no room.
 BODY Gap open_gap(MEMORY Gap gap) {
     const u32 shift = gap.room - gap.end;
     for (u32 i = gap.end; i > gap.rest; --i) AT(spans, i - 1u + shift) = AT(spans, i - 1u);
@@ -38,9 +38,9 @@ BODY Gap open_gap(MEMORY Gap gap) {
     return gap;
 }
 
-// Takes [begin, end) out.
+// Cuts [begin, end) out of the spans.
 BODY Gap cut_out(MEMORY Gap gap, const u32 begin, const u32 end) {
-    // Move the gap down, or up, to where the chord begins.
+    // Move the gap to the beginning of the chord.
     while (gap.below.y > begin) {
         --gap.rest;
         --gap.done;
@@ -56,7 +56,7 @@ BODY Gap cut_out(MEMORY Gap gap, const u32 begin, const u32 end) {
         gap.above = span_above(ON gap);
     }
 
-    // Keep what the chord leaves of its first span below it.
+    // Keep the part of the chord's first span that lies below the chord.
     if (gap.above.x < begin) {
         const bool is_inside = gap.above.y > end;  // one piece more than before
         if (is_inside && gap.done == gap.rest) gap = open_gap(ON gap);
@@ -74,7 +74,7 @@ BODY Gap cut_out(MEMORY Gap gap, const u32 begin, const u32 end) {
         ++gap.done;
     }
 
-    // Drop what it covers, and keep what it leaves of its last span above it.
+    // Drop covered spans, and keep the part of the chord's last span that lies above the chord.
     while (gap.above.y <= end) {
         gap.total -= gap.above.y - gap.above.x;
         ++gap.rest;
@@ -88,13 +88,13 @@ BODY Gap cut_out(MEMORY Gap gap, const u32 begin, const u32 end) {
     return gap;
 }
 
-// In exact a chord is what covers the strip's whole width: it is cut at the far edge.
+// In exact the chord covers the strip's whole width: it is computed at the strip's far edge.
 BODY u32 reach_on(const Geometry g, const u32 centre, const u32 x) {
     return chord_reach(axis_distance(x, centre, g.period_x) + g.chord_margin, g.radius_squared);
 }
 
-// Serves one line. One that runs out of room raises the overflow and keeps what it has, less some
-// cuts: cutting again, with more room, completes it. Does nothing while admission is unsettled.
+// Serves one line. If its memory does not suffice, it raises `overflow` and keeps the spans without
+// some cuts: the host repeats the cut with more memory. Does nothing while admission is unfinished.
 BODY void serve_subtract(MEMORY const SlabArguments a, const u32 item) {
     const u32 line = a.first_line + item;
     if (line >= a.end_line || AT(undecided, a.last_pass) != 0u) return;
@@ -112,7 +112,7 @@ BODY void serve_subtract(MEMORY const SlabArguments a, const u32 item) {
                slot + count, slot + room,   AT(free_lengths, line),
                true,         U32X2(0u, 0u), AT(spans, slot)};
 
-    // On a torus, what sticks out at one end is cut at the other.
+    // On a torus, a disk that extends beyond one end is cut at the other end.
     u32 bottom = 0u;
     u32 top = g.height;
     if (g.period_y != 0u) {

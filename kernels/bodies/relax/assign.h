@@ -1,5 +1,5 @@
-// The body of assign: which of a unit's rivals wins each lattice point of a leaf, and what each
-// gets.
+// The body of assign: finds which of a unit's rivals wins each lattice point of a leaf, and sums
+// what each rival gets.
 #include "bodies/relax/late.h"
 #include "bodies/relax/leaf.h"
 #include "bodies/relax/masses.h"
@@ -7,12 +7,12 @@
 #include "bodies/relax/shares.h"
 #include "bodies/relax/unit_leaves.h"
 
-// A leaf's rows one by one: lavapipe keeps an array in registers where all its indices are
-// constants, and it unrolls no loop over more than one row.
+// A leaf's rows as separate variables: lavapipe keeps an array in registers only if all its indices
+// are constants, and it unrolls no loop over more than one row.
 #define FROM_ROW_0(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 #define FROM_ROW_7(DO) DO(7) DO(6) DO(5) DO(4) DO(3) DO(2) DO(1) DO(0)
 
-// The one that wins in the leaf's middle; of several any.
+// A rival with the least value in the leaf's middle; of several, any.
 BODY u32 first_in_middle(MEMORY const Place place, const Area leaf) {
     const i32 right = to_i32(leaf.width / 2u);
     const i32 up = to_i32(leaf.height / 2u);
@@ -27,8 +27,8 @@ BODY u32 first_in_middle(MEMORY const Place place, const Area leaf) {
     return first;
 }
 
-// Those that the first in the middle does not beat everywhere in the leaf: where two differ most
-// lies in a corner. Returns how many there are.
+// Keeps the rivals that `first` does not beat everywhere in the leaf; two rivals differ most in a
+// corner. Returns the number of rivals that are kept.
 BODY u32 keep_winners(MEMORY const Place place, const Area leaf, const u32 first, const u32 slot) {
     const i32 width = to_i32(leaf.width) - 1;
     const i32 height = to_i32(leaf.height) - 1;
@@ -45,8 +45,8 @@ BODY u32 keep_winners(MEMORY const Place place, const Area leaf, const u32 first
     return kept;
 }
 
-// Each lattice point's mass, and from bit 22 on 1 where there is any, so that one sum has both.
-// Outside of the lattice there is none.
+// Each lattice point's mass, plus ONE_POINT if it is not 0, so that one sum counts both. Outside
+// the lattice the mass is 0.
 #define ONE_POINT 0x400000u
 #define FETCH_MASSES(v)                                                                         \
     {                                                                                           \
@@ -62,7 +62,7 @@ BODY u32 keep_winners(MEMORY const Place place, const Area leaf, const u32 first
         }                                                                                       \
     }
 
-// Of each lattice point the least value so far, and the order of the rival that has it.
+// For each lattice point the least value up to now, and the order of the rival that has it.
 #define BEGIN_ROW(v)                       \
     i32 least##v[LEAF_SIDE];               \
     u32 owner##v[LEAF_SIDE];               \
@@ -80,15 +80,15 @@ BODY u32 keep_winners(MEMORY const Place place, const Area leaf, const u32 first
         owner##v[u] = is_less ? near.order : owner##v[u];                              \
     }
 
-// From the top row: after each but the last all sums so far are added once more, so that the masses
-// of row v are added v times. No sum of masses reaches ONE_POINT: 64 * 65535 is less.
+// Rows are added from the top. After each row but the last all sums are added again, so that the
+// masses of row v count v times. No sum of masses reaches ONE_POINT: 64 * 65535 is less.
 #define SUM_UP(v)                                            \
     for (u32 u = 0u; u < LEAF_SIDE; ++u) {                   \
         above[u] += column[u];                               \
         column[u] += owner##v[u] == order ? mass##v[u] : 0u; \
     }
 
-// Of lattice points 0, 1, ...: how many, their mass, and that times u or v.
+// Sums over lattice points won: their number, their mass, and their mass times u and times v.
 struct Won {
     u32 points;
     u32 mass;

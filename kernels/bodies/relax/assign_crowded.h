@@ -1,5 +1,5 @@
-// The body of assign_crowded: in a leaf that has more rivals than room each lattice point is for
-// itself: its owner is searched among all sites, and gets its mass at once.
+// The body of assign_crowded, for leaves with more rivals than there is memory for. Each lattice
+// point is assigned alone: its owner is searched among all sites, and gets its mass at once.
 #include "bodies/relax/leaf.h"
 #include "bodies/relax/masses.h"
 #include "bodies/relax/owner_of.h"
@@ -21,7 +21,7 @@ BODY void assign_crowded_point(MEMORY const LeafArguments a, const u32 hint, con
     if (a.is_telling != 0u) AT(owners, v * a.lattice.columns + u) = AT(indices, owner);
 }
 
-// The launch's units are leaves, and an item serves rows of them.
+// The launch's units are leaves. An item serves rows of them.
 BODY void serve_assign_crowded(MEMORY const LeafArguments a, const u32 item) {
     const u32 end = min((item + 1u) * a.chunk, a.count * LEAF_SIDE);
     for (u32 row = item * a.chunk; row < end; ++row) {

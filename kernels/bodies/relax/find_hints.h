@@ -1,11 +1,11 @@
-// The body of find_hints: who wins in each leaf's middle, for a bound on who may win elsewhere in
-// it. Later the one that won there the last time serves as such (own.h).
+// The body of find_hints: finds a site near each leaf's middle, whose power bounds the search for
+// rivals. After the first iteration the winner of the middle is the hint (assign.h).
 #include "bodies/relax/leaf.h"
 #include "bodies/relax/nodes.h"
 #include "bodies/relax/owner_of.h"
 #include "bodies/relax/unit_leaves.h"
 
-// Down the tree, always to the child that may be the nearest.
+// Goes down the tree, always to the child that may be the nearest.
 BODY u32 site_near(MEMORY const LeafArguments a, const Rect box) {
     u32 begin = 0u;
     u32 nearest = 0u;

@@ -1,6 +1,6 @@
-// The body of find_least: the lower word of the least weight, once its upper one is known.
+// The body of find_least: finds the lower word of the least weight; its upper word is known.
 
-// least[1] becomes what it is short of its greatest value.
+// least[1] becomes 0xffffffff minus the lower word, so that ATOMIC_MAX finds the least.
 BODY void serve_find_least(MEMORY const SiteArguments a, const u32 item) {
     const u32 end = min((item + 1u) * a.chunk, a.lattice.samples);
     const u32 upper = 0xffffffffu - LOOK_AT(least, 0u);

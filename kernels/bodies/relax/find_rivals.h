@@ -1,4 +1,4 @@
-// The body of find_rivals: the sites that may win lattice points of a unit.
+// The body of find_rivals: lists the sites that may win lattice points of a unit.
 #include "bodies/relax/late.h"
 #include "bodies/relax/leaf.h"
 #include "bodies/relax/nodes.h"
@@ -15,15 +15,15 @@ BODY Rival rival_in(const u32x4 site, const Rect box) {
                     join_words(site.z, site.w));
 }
 
-// What is looked for in a unit.
+// The criteria of a search in a unit.
 struct Search {
-    Rival first;  // the hint of its first leaf, which all others are compared to
-    u64 bound;    // who may win has at most so much somewhere in the unit
+    Rival first;  // the hint of its first leaf, to which all others are compared
+    u64 bound;    // a site that may win has at most this power somewhere in the unit
 };
 LACUNA_TYPEDEF(Search)
 
-// Whoever wins a lattice point has no more there than the hint of its leaf has in the leaf's worst
-// corner.
+// The winner of a lattice point has at most the power there that its leaf's hint has in the leaf's
+// worst corner.
 BODY Search search_in(MEMORY const LeafArguments a, const Area unit, const u32 leaves) {
     Search search;
     search.bound = 0u;
@@ -39,15 +39,15 @@ BODY Search search_in(MEMORY const LeafArguments a, const Area unit, const u32 l
     return search;
 }
 
-// Of two images equally far away the one within the domain wins, as in moment_offset.
+// If two images are equally far away, the one in the domain wins, as in moment_offset.
 BODY u32 order_of_image(const u32 image) {
     const u32 x = image % 3u;
     const u32 y = image / 3u;
     return (x != 1u ? 4u : 0u) + (y != 1u ? 8u : 0u) + x / 2u + y / 2u * 2u;
 }
 
-// A site that may win by image 3 y + x, into the unit's slot. False where there is no room, or its
-// lag is too long.
+// Writes a site that may win by image 3 y + x into the unit's slot. False if the slot is full, or
+// the lag does not fit into 32 bits.
 BODY bool put_rival(MEMORY const LeafArguments a, const u32 slot, const u32 count, const u32 number,
                     const Rival first, const Rect box, const u32 image) {
     if (count >= RIVAL_ROOM) return false;
@@ -59,7 +59,7 @@ BODY bool put_rival(MEMORY const LeafArguments a, const u32 slot, const u32 coun
     return is_short(lag, a.side * LEAF_SIDE - 1u);
 }
 
-// The next node of level 1 that may have a rival; past the root, where there is none.
+// The next node of level 1 that may have a rival; beyond the root if there is none.
 BODY Cursor next_near(MEMORY const LeafArguments a, Cursor at, const u64 bound, const Rect box) {
     bool is_found = false;
     while (!is_found && at.level <= a.depth) {
@@ -75,8 +75,8 @@ BODY Cursor next_near(MEMORY const LeafArguments a, Cursor at, const u64 bound, 
     return at;
 }
 
-// Bit i tells whether site first + i may win. Apart from the work for those that may, as they are
-// few, and lavapipe spends the time of all branches on each turn of a loop.
+// Bit i is set if site first + i may win. This loop is separate from the work for such sites: they
+// are few, and lavapipe spends the time of all branches in every turn of a loop.
 BODY u32 near_sites(MEMORY const LeafArguments a, const u32 first, const Search search,
                     const Rect box) {
     const u32 width = to_u32(box.right - box.left);
@@ -91,8 +91,8 @@ BODY u32 near_sites(MEMORY const LeafArguments a, const u32 first, const Search 
     return near;
 }
 
-// Bit 3 y + x tells whether image (x, y) of the domain may have a rival. On a box the domain
-// itself.
+// Bit 3 y + x is set if image (x, y) of the domain may have a rival. On a box only the domain
+// itself is considered.
 BODY u32 near_images(MEMORY const LeafArguments a, const Area unit, const u64 bound) {
     if (a.lattice.period_x == 0u) return 16u;
     u32 near = 0u;
@@ -103,7 +103,7 @@ BODY u32 near_images(MEMORY const LeafArguments a, const Area unit, const u64 bo
     return near;
 }
 
-// Returns how many there are, or CROWDED; also for none, which only a fault can leave.
+// Returns the number of rivals, or CROWDED: also for 0 rivals, which only a fault can cause.
 BODY u32 list_rivals(MEMORY const LeafArguments a, const Area unit, const Search search,
                      const u32 slot) {
     u32 count = 0u;

@@ -1,10 +1,10 @@
 // Rectangles of the lattice: units and their leaves (portable/relax_kernels.h), and how sites see
-// them. Units with importance are listed by their numbers, which count them row by row; those of a
-// launch are a batch.
+// them. Units with importance are listed by number, row by row; a launch serves a batch of the
+// list.
 #include "portable/power.h"
 #include "portable/site_tree.h"
 
-// Its lowest lattice point, and how many columns and rows of it lie on the lattice.
+// Its lowest lattice point, and the numbers of its columns and rows on the lattice.
 struct Area {
     u32 left;
     u32 bottom;
@@ -33,13 +33,13 @@ BODY Area leaf_of(const LeafArguments a, const Area unit, const u32 i) {
                    LEAF_SIDE);
 }
 
-// Among all leaves of the lattice.
+// The number of a leaf among all leaves of the lattice.
 BODY u32 number_of_leaf(const LeafArguments a, const Area leaf) {
     return leaf.bottom / LEAF_SIDE * a.leaf_columns + leaf.left / LEAF_SIDE;
 }
 
-// The area as image (x, y) of the domain sees it: 0, 1 and 2 are a period below, the domain
-// itself, and a period above.
+// The area as seen from image (x, y) of the domain: 0 is a period below, 1 the domain itself, 2 a
+// period above.
 BODY Rect rect_of(const LeafArguments a, const Area area, const u32 x, const u32 y) {
     const i32 shift_x = to_i32(a.lattice.period_x - x * a.lattice.period_x);
     const i32 shift_y = to_i32(a.lattice.period_y - y * a.lattice.period_y);
@@ -53,14 +53,14 @@ BODY Rect rect_of(const LeafArguments a, const Area area, const u32 x, const u32
     return box;
 }
 
-// Which image of a site at `at` is the nearest to a place on an axis.
+// Which image of a site at `at` is the nearest to a position on an axis.
 BODY u32 nearest_image(const u32 at, const u32 place, const u32 period) {
     if (period == 0u) return 1u;
     const u32 off = at > place ? at - place : place - at;
     return off <= period / 2u ? 1u : at > place ? 0u : 2u;
 }
 
-// 3 y + x of the image of a site that is the nearest to the area's lowest lattice point.
+// 3 y + x for the image of a site that is nearest to the area's lowest lattice point.
 BODY u32 image_near(const LeafArguments a, const u32x4 site, const Area area) {
     const u32 x =
         nearest_image(site.x, lattice_place(area.left, a.lattice.step_x), a.lattice.period_x);
@@ -69,7 +69,7 @@ BODY u32 image_near(const LeafArguments a, const u32x4 site, const Area area) {
     return 3u * y + x;
 }
 
-// Whoever has more than this nowhere in the area cannot win there.
+// A site that has more power than this everywhere in the area cannot win there.
 BODY u64 bound_by(const LeafArguments a, const u32x4 site, const Area area) {
     const u32 image = image_near(a, site, area);
     return worst_power(to_i32(site.x), to_i32(site.y), join_words(site.z, site.w),

@@ -1,5 +1,5 @@
-// The body of level_sites: the nodes of a level of the tree over the sites; on its way the first
-// level takes the least of all weights off the sites themselves.
+// The body of level_sites: builds a level of the tree over the sites. On the first level it also
+// subtracts the least weight from all sites.
 #include "portable/power.h"
 #include "portable/site_tree.h"
 
@@ -21,7 +21,7 @@ BODY Node levelled_site(MEMORY const SiteArguments a, const u32 i) {
     return node;
 }
 
-// Of the level below.
+// A node of the level below.
 BODY Node child_of(MEMORY const SiteArguments a, const u32 i) {
     if (a.level == 1u) return levelled_site(ON a, i);
     const u32 at = a.level_begin * 8u + 1u + i;

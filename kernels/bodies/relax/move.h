@@ -1,9 +1,9 @@
-// The body of move: a sample goes to its centre of mass, and its weight follows its mass.
-// find_least and level_sites take the least of all weights off.
+// The body of move: a site moves to its centre of mass, and its weight follows its mass. find_least
+// and level_sites subtract the least weight from all afterwards.
 #include "portable/power.h"
 #include "portable/site_tree.h"
 
-// least[0] becomes what the upper word of the least weight is short of its greatest value.
+// least[0] becomes 0xffffffff minus the least upper word of a weight, for ATOMIC_MAX.
 BODY void move_site(MEMORY const SiteArguments a, const u32 i) {
     u32x4 site = AT(sites, i);
     const u64 mass = join_words(AT(shares, 4u * i + 2u), AT(shares, 4u * i + 3u));

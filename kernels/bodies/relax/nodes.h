@@ -1,4 +1,4 @@
-// How near the nodes of the tree over the sites are to a place of the lattice.
+// The least power that sites of a node of the tree can have in a rectangle of the lattice.
 #include "portable/site_tree.h"
 
 BODY u64 power_of_node(MEMORY const u32 index, const Rect box) {

@@ -1,4 +1,4 @@
-// Who owns a lattice point: searched among all sites.
+// Searches the owner of a lattice point among all sites.
 #include "portable/power.h"
 #include "portable/site_tree.h"
 
@@ -7,18 +7,18 @@ BODY u64 power_at(const LeafArguments a, const u32x4 site, const u32 x, const u3
                     a.lattice.period_y);
 }
 
-// How far [low, high] is from `at` on an axis, or from an image of it.
+// The distance from `at`, or from an image of it, to [low, high] on an axis.
 BODY u32 gap_around(const u32 low, const u32 high, const u32 at, const u32 period) {
     const u32 below = at < low ? low - at : 0u;
     const u32 above = at > high ? at - high : 0u;
     const u32 straight = max(below, above);
     if (period == 0u || straight == 0u) return straight;
-    // The image that lies on the other side.
+    // The way around to the other end.
     const u32 around = at < low ? period + at - high : low + period - at;
     return min(straight, around);
 }
 
-// The least power, and among sites that have it the lowest index.
+// The site with the least power; among equals the lowest index.
 BODY u32 owner_of(MEMORY const LeafArguments a, const u32 hint, const u32 x, const u32 y) {
     u32 owner = hint;
     u64 least = power_at(a, AT(sites, hint), x, y);

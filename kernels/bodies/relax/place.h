@@ -1,15 +1,15 @@
-// The rivals of a unit as one of its leaves sees them.
+// The rivals of a unit, seen from one of its leaves.
 
-// A leaf within its unit: `right` and `up` are lattice points.
+// The position of a leaf in its unit: `right` and `up` are in lattice points.
 struct Place {
-    u32 slot;   // of the unit's rivals
-    u32 count;  // of them
+    u32 slot;   // index of the unit's first rival
+    u32 count;  // number of rivals
     i32 right;
     i32 up;
 };
 LACUNA_TYPEDEF(Place)
 
-// A rival in the leaf, see Lag.
+// The lag of a rival in the leaf; see Lag.
 struct Near {
     i32 at;
     i32 along_x;

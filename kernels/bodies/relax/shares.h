@@ -1,4 +1,4 @@
-// Sums of 64 bits that many items add to, as two words each: the carry goes to the upper one.
+// 64-bit sums to which many items add, as two words each: the carry is added to the upper word.
 #include "portable/power.h"
 
 #define ADD_TO_SUM(sums, i, low, high)                                              \
@@ -7,8 +7,8 @@
         if ((high) + carry != 0u) ATOMIC_ADD(sums, (i) + 1u, (high) + carry);       \
     }
 
-// To a site's share: shares[4 site] counts its lattice points, and its mass is behind that; its
-// moments are in moments[4 site].
+// Adds to a site's sums: its lattice points are counted in shares[4 site], its mass is in the two
+// words from shares[4 site + 2], and its moments begin at moments[4 site].
 BODY void add_to_share(MEMORY const u32 site, const u32 points, const u32 mass, const u64 moment_x,
                        const u64 moment_y) {
     ATOMIC_ADD(shares, site * 4u, points);

@@ -1,11 +1,11 @@
-// The body of tell_owners: who owns each lattice point of importance, written down. Apart from
-// assign, as it is seldom asked for, and lavapipe would spend the time each time.
+// The body of tell_owners: writes down the owner of each lattice point with importance. It is apart
+// from assign, because it is rarely needed and would cost time there on lavapipe.
 #include "bodies/relax/leaf.h"
 #include "bodies/relax/masses.h"
 #include "bodies/relax/place.h"
 #include "bodies/relax/unit_leaves.h"
 
-// The order of the rival that owns lattice point (u, v) of the leaf.
+// The order of the rival to which lattice point (u, v) of the leaf belongs.
 BODY u32 order_of_owner(MEMORY const Place place, const i32 u, const i32 v) {
     i32 least = 0x7fffffff;
     u32 owner = 0xffffffffu;
@@ -19,7 +19,7 @@ BODY u32 order_of_owner(MEMORY const Place place, const i32 u, const i32 v) {
     return owner;
 }
 
-// An item serves a row of a leaf.
+// An item serves rows of leaves.
 BODY void serve_tell_owners(MEMORY const LeafArguments a, const u32 item) {
     const u32 rows = a.side * a.side * LEAF_SIDE;
     const u32 end = min((item + 1u) * a.chunk, a.count * rows);
