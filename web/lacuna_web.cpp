@@ -1,4 +1,4 @@
-// From pixels or a request to points, as the command's stipple and sample go.
+// Makes points from pixels or from a request, like the command's stipple and sample.
 #include "lacuna_web.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 
 namespace lacuna::files {
 
-// host/files/formats.cpp has these in a table of all formats, some of which need cairo.
+// Declared here, because the table of formats in host/files/formats.cpp needs cairo.
 std::string encode_csv(const PointSet& set);
 std::string encode_npy(const PointSet& set);
 
@@ -46,13 +46,13 @@ private:
     double to_;
 };
 
-// Of a run, so that the bar moves evenly: an iteration of relax takes a tenth of the time that it
-// takes to place the points.
+// The fraction of the progress bar for placing points. An iteration of relax takes about a tenth of
+// the time of placing, so that the bar moves evenly.
 double share_of_placing(std::uint32_t relax) {
     return 10.0 / (10.0 + relax);
 }
 
-// What host/pictures makes of a picture with these bytes in its channels.
+// The importance that host/pictures makes of a picture file with these bytes in its channels.
 Field field_of(const Pixels& pixels, const pictures::Importance& tone) {
     constexpr std::int32_t kWhite = 255;
     constexpr unsigned kChannels = 4;
@@ -75,7 +75,7 @@ void relax_points(Set& set, const Field* field, std::uint32_t iterations, const 
     set.radius = 0;
 }
 
-// The share of the work is told as if it were to be relaxed so often afterwards.
+// Makes a set. `relax` is only the number of iterations that follow, for the progress bar.
 Set placed(const Request& request, std::uint32_t relax, const Tell& tell) {
     Teller teller(tell, 0, share_of_placing(relax));
     Result result = lacuna::sample(request, teller);
@@ -102,7 +102,7 @@ void order_for_a_pen(std::vector<Point>& points) {
 drawing::Style style_of(const StippleOptions& options, double width, double height) {
     drawing::Style style;
     style.sheet = options.sheet;
-    // Named papers are turned to suit.
+    // Named papers are turned to suit the picture.
     if (style.sheet && width > height) std::swap(style.sheet->width_mm, style.sheet->height_mm);
     style.for_a_pen = options.pen_path;
     return style;

@@ -1,5 +1,5 @@
-// What the page asks of Lacuna: one picture and one set at a time, as the command's stipple,
-// sample, verify and analyze make them.
+// The functions that the page needs: one picture and one set at a time, like the command's stipple,
+// sample, verify and analyze.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -17,10 +17,10 @@
 
 namespace lacuna::web {
 
-// Told what share of the work at hand is done.
+// Is called with the fraction of the current work that is done, 0 to 1.
 using Tell = std::function<void(double share)>;
 
-// As a browser's canvas has it.
+// A picture in the layout of a browser's canvas.
 struct Pixels {
     std::uint32_t columns = 0;
     std::uint32_t rows = 0;
@@ -29,11 +29,11 @@ struct Pixels {
 
 struct StippleOptions {
     pictures::Importance tone;
-    std::optional<std::uint64_t> count;  // none: what suits the picture, or a pen
-    std::optional<Metric> metric;        // none: the command's own
+    std::optional<std::uint64_t> count;  // unset: a number that suits the picture, or the pen
+    std::optional<Metric> metric;        // unset: the command's default
     std::uint32_t relax = 0;
     std::uint64_t seed = 0;
-    std::optional<double> dot_size_mm;  // of a pen; none: as much ink as the picture is dark
+    std::optional<double> dot_size_mm;  // of a pen; unset: as much ink as the picture is dark
     std::optional<drawing::Sheet> sheet;
     bool pen_path = false;
 };
@@ -42,28 +42,28 @@ struct Set {
     std::vector<Point> points;
     double width = 1;
     double height = 1;
-    double radius = 0;  // 0 where it is not known
+    double radius = 0;  // 0 if it is not known
     Boundary boundary = Boundary::box;
     Mode mode = Mode::exact;
     std::uint64_t seed = 0;
     bool maximal = false;
-    std::vector<double> diameters;  // empty: all alike, by the radius
-    drawing::Style style;           // but for the diameters
-    bool has_columns = false;       // of dots, in csv and npy: a pen or paper was given
+    std::vector<double> diameters;  // empty: the same for all dots, from the radius
+    drawing::Style style;           // without the diameters
+    bool has_columns = false;  // whether csv and npy have columns for dots (pen or paper given)
 };
 
-// Keeps the dots that were placed last: whoever changes no more than how often they are relaxed, or
-// how they are drawn, does not wait for them again.
+// Keeps the dots that were placed last, so that they need not be placed again if only the number of
+// iterations of relax or the drawing changes.
 class Stippler {
 public:
-    // `pixels` are others than before.
+    // To be called before `pixels` change.
     void forget() { placed_.points.clear(); }
 
     // Throws what lacuna::sample and lacuna::relax throw.
     Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tell);
 
 private:
-    // What decides which dots are placed, beside the pixels.
+    // The options that decide which dots are placed, besides the pixels.
     struct Key {
         std::array<double, 3> levels{};
         bool auto_levels = false;
@@ -81,19 +81,18 @@ private:
 // Throws what lacuna::sample and lacuna::relax throw.
 Set sample(Request request, std::uint32_t relax, const Tell& tell);
 
-// Whether the points keep the radius and leave no room.
+// Whether the points are at least the radius apart and leave no gap.
 Proof prove(const Set& set, double radius);
 
-// The periodogram and its radial mean, of frequencies up to `most` times the square root of the
-// count.
+// The periodogram and its radial mean, for frequencies up to `most` * sqrt(count).
 struct Spectrum {
-    std::uint32_t side = 0;      // of the square of powers below
-    std::vector<float> powers;   // DC in the middle; row by row
-    std::vector<double> radial;  // frequency over sqrt(count), power, and so on
+    std::uint32_t side = 0;      // `powers` has side * side values
+    std::vector<float> powers;   // row by row, with frequency 0 in the middle
+    std::vector<double> radial;  // alternately frequency / sqrt(count) and power
 };
 Spectrum spectrum(const Set& set, double most, const Tell& tell);
 
-// The bytes of the command's file: csv, npy or svg, which tells the command line.
+// The bytes of the file that the command writes: csv, npy or svg. An svg contains the command line.
 std::string encode(const Set& set, const std::string& format, const std::string& command);
 
 }  // namespace lacuna::web

@@ -1,7 +1,7 @@
-// What the page's worker calls: functions of numbers and bytes, as JavaScript can call them.
+// The functions that the page's worker calls, with numbers and bytes as arguments.
 //
-// Each that can fail returns whether it did not; lacuna_message() then tells why. What was made
-// last is kept, and read through pointers that the next call makes invalid.
+// A function that can fail returns false or null if it fails; lacuna_message() then says why. The
+// last result is kept. Pointers to it are invalid after the next call.
 #include <emscripten.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace lacuna;
 
-// What JavaScript is told is done, 0 to 1.
+// Tells the page the fraction of the work that is done, 0 to 1.
 EM_JS(void, tell_page, (double share), { Module["tell"](share); });
 
 struct State {
@@ -26,7 +26,7 @@ struct State {
     web::Stippler stippler;
     web::Set set;
     web::Spectrum spectrum;
-    std::string text;  // a file, or what was said of the set
+    std::string text;  // a file, or the verdict on the set
     std::string message;
 };
 
@@ -41,21 +41,21 @@ bool is_done(const Work& work) {
         work();
         return true;
     } catch (const std::bad_alloc&) {
-        state().message = "there is not enough memory for so many points or pixels";
+        state().message = "there is not enough memory for this number of points or pixels";
     } catch (const std::exception& error) {
         state().message = error.what();
     }
     return false;
 }
 
-// Where JavaScript has NaN, nothing was chosen.
+// NaN from JavaScript means that no number was given.
 bool is_given(double number) {
     return !std::isnan(number);
 }
 
-// A number that a person typed, where a whole one is wanted.
+// Checks that a number that the user typed is whole.
 std::uint64_t whole(const char* option, double number) {
-    constexpr double kMost = 9007199254740992;  // JavaScript's numbers are exact so far
+    constexpr double kMost = 9007199254740992;  // 2^53: up to it JavaScript's numbers are exact
     if (!(number >= 0 && number <= kMost) || number != std::floor(number))
         throw BadRequest(option, shortest(number),
                          "must be a whole number from 0 to 9007199254740992");
@@ -70,7 +70,7 @@ EMSCRIPTEN_KEEPALIVE const char* lacuna_message() {
     return state().message.c_str();
 }
 
-// Room for the pixels, 4 bytes each, or null.
+// Memory for the pixels, 4 bytes each.
 EMSCRIPTEN_KEEPALIVE std::uint8_t* lacuna_room_for_pixels(std::uint32_t columns,
                                                           std::uint32_t rows) {
     const bool done = is_done([&] {
@@ -93,7 +93,7 @@ EMSCRIPTEN_KEEPALIVE void lacuna_tone(double black, double white, bool auto_leve
     tone.gamma = gamma;
 }
 
-// In mm. NaN: dots as the picture is dark, and no paper.
+// Lengths are in mm. If `pen` is NaN, dots follow the darkness. If `width` is NaN: no paper.
 EMSCRIPTEN_KEEPALIVE void lacuna_page(double pen, double width, double height, double margin,
                                       bool pen_path) {
     web::StippleOptions& options = state().options;
@@ -104,7 +104,7 @@ EMSCRIPTEN_KEEPALIVE void lacuna_page(double pen, double width, double height, d
     options.pen_path = pen_path;
 }
 
-// Count NaN: as many as suit. Metric 0 to 2, min, mean and max; less: the command's own.
+// `count`: NaN for automatic. `metric`: 0 to 2 for min, mean, max; negative for the default.
 EMSCRIPTEN_KEEPALIVE bool lacuna_stipple(double count, int metric, double relax, double seed) {
     return is_done([&] {
         State& now = state();
@@ -120,7 +120,7 @@ EMSCRIPTEN_KEEPALIVE bool lacuna_stipple(double count, int metric, double relax,
     });
 }
 
-// Radius or count is NaN. Mode 0 is exact, 1 lines.
+// Either `radius` or `count` must be NaN. `mode` is 0 (exact) or 1 (lines).
 EMSCRIPTEN_KEEPALIVE bool lacuna_sample(double radius, double count, bool torus, int mode,
                                         double relax, double seed) {
     return is_done([&] {
@@ -142,7 +142,7 @@ EMSCRIPTEN_KEEPALIVE double lacuna_count() {
 EMSCRIPTEN_KEEPALIVE const double* lacuna_points() {
     return state().set.points.empty() ? nullptr : &state().set.points.front().x;
 }
-// As many as points, or null.
+// One for each point, or null.
 EMSCRIPTEN_KEEPALIVE const double* lacuna_diameters() {
     return state().set.diameters.empty() ? nullptr : state().set.diameters.data();
 }
@@ -156,7 +156,7 @@ EMSCRIPTEN_KEEPALIVE double lacuna_radius() {
     return state().set.radius;
 }
 
-// The verdict as JSON, in lacuna_text().
+// Writes the verdict as JSON to lacuna_text().
 EMSCRIPTEN_KEEPALIVE bool lacuna_prove(double radius) {
     return is_done([&] {
         const Proof proof = web::prove(state().set, radius);
@@ -187,7 +187,7 @@ EMSCRIPTEN_KEEPALIVE const double* lacuna_radial() {
     return state().spectrum.radial.data();
 }
 
-// The bytes of a file, in lacuna_text().
+// Writes the bytes of a file to lacuna_text().
 EMSCRIPTEN_KEEPALIVE bool lacuna_encode(const char* format, const char* command) {
     return is_done([&] { state().text = web::encode(state().set, format, command); });
 }

@@ -1,4 +1,4 @@
-// Sorting what is almost sorted.
+// Insertion sort, which is fast where items are almost sorted.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace lacuna {
 
-// Equal ones stay in their order.
+// Equal items keep their order.
 template <typename Item, typename Before>
 void insertion_sort(std::span<Item> items, Before comes_before) {
     for (std::size_t i = 1; i < items.size(); ++i) {

@@ -1,4 +1,4 @@
-// Large pages for large arrays: fewer faults when they are first written, fewer misses later.
+// Large pages for large arrays: fewer page faults on first use, fewer TLB misses later.
 #pragma once
 
 #if defined(__linux__)
@@ -13,8 +13,8 @@
 
 namespace lacuna {
 
-// Asks the system for large pages in memory that nobody has written to yet. Where there are none,
-// or the array is small, nothing happens.
+// Asks the system for large pages; the memory must not have been written to yet. Does nothing for
+// small arrays and on systems without large pages.
 template <typename T>
 void ask_for_large_pages(T* array, std::size_t entries) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
@@ -28,8 +28,8 @@ void ask_for_large_pages(T* array, std::size_t entries) {
 #endif
 }
 
-// An array of trivial entries that are all zeros, on lines of the cache: in pages that are touched
-// when they are first written to, by whichever thread that is.
+// A zeroed array of trivial entries, aligned to a cache line. The system provides each page when a
+// thread first writes to it.
 template <typename T>
 class ZeroedArray {
 public:

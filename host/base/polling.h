@@ -1,5 +1,5 @@
-// How what is prepared asks whether to go on: it may take seconds before the first round. Not
-// poll.h, which would hide the one of the system.
+// How long preparations, which may take seconds before the first round, ask whether to go on. The
+// name poll.h would hide the system's header.
 #pragma once
 
 #include <algorithm>
@@ -8,15 +8,15 @@
 
 namespace lacuna {
 
-// Asks whether to go on; throws Cancelled if not.
+// Throws Cancelled if the work is to stop.
 using Poll = std::function<void()>;
 
 inline void nobody_asks() {}
 
 constexpr std::size_t kBetweenPolls = 65536;  // pixels or points: about a millisecond
 
-// Calls work(i) for i from 0 to count, in order, and polls now and then: each counts as much as so
-// many pixels.
+// Calls work(i) for each i in [0, count), in order, and polls now and then. One call takes about as
+// long as the work on `pixels` pixels.
 template <typename Work>
 void for_each_polled(std::size_t count, const Poll& poll, Work work, std::size_t pixels = 1) {
     const std::size_t run = std::max<std::size_t>(1, kBetweenPolls / pixels);

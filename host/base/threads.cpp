@@ -1,4 +1,4 @@
-// Makes threads for a moment, to see whether the system allows it.
+// Starts threads and ends them again, to learn whether the system allows that number.
 #include "base/threads.h"
 
 #include <lacuna/lacuna.h>
@@ -18,7 +18,7 @@
 namespace lacuna {
 namespace {
 
-// Twice that of oneTBB's threads: where a thread that begins finds no memory, glibc aborts.
+// Twice the stack of a oneTBB thread: glibc aborts when a new thread finds no memory.
 constexpr std::size_t kStackBytes = std::size_t{8} << 20U;
 
 void* wait_at(void* gate) {
@@ -26,7 +26,7 @@ void* wait_at(void* gate) {
     return nullptr;
 }
 
-// All at once, as they will be needed. The system's error, 0 if there is none.
+// All threads exist at the same time, as later in the run. Returns the system's error, or 0.
 int try_to_make(int threads) {
     std::vector<pthread_t> made;
     made.reserve(static_cast<std::size_t>(threads));
@@ -54,7 +54,7 @@ void make_sure_of_threads(int threads) {
     static std::mutex mutex;
     const std::lock_guard lock(mutex);
     if (threads <= sure_of) return;
-    // Those that oneTBB has made already it keeps.
+    // oneTBB keeps the threads that it has made, so only the additional ones are tried.
     const int error = try_to_make(threads - sure_of);
     if (error != 0)
         throw Unavailable("the system does not make " + std::to_string(threads) + " threads (" +
@@ -69,7 +69,7 @@ void make_sure_of_threads() {
 }
 
 void allow_more_threads_than_cores() {
-    // Once a process: of several such controls oneTBB takes the least.
+    // Made once and never destroyed: of several controls oneTBB obeys the smallest.
     static const tbb::global_control* const kept =
         std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                               kMostThreads)

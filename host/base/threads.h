@@ -1,23 +1,23 @@
-// Whether the system makes the threads that work is to be shared out among.
+// Makes sure that the system allows the threads of a run.
 #pragma once
 
 #include <cstdint>
 
 namespace lacuna {
 
-// Of one run: far more take more memory than they save time.
+// Most threads of one run. Each takes memory, and more threads than this save no time.
 inline constexpr std::uint32_t kMostThreads = 1024;
 
-// oneTBB makes its threads when there is first work for them, and where the system refuses one the
-// whole program dies. To be called right before: makes so many less one, the caller's, and lets
-// them go again, once a process for each greater number. Throws Unavailable where one is refused.
+// To be called before oneTBB is given work: it starts its threads then, and ends the program if the
+// system refuses one. This starts `threads` - 1 threads (the caller is the last) and ends them
+// again, unless it did so before for as large a number. Throws Unavailable if one is refused.
 void make_sure_of_threads(int threads);
 
-// As many as oneTBB uses where nothing else is said.
+// The same for oneTBB's default number of threads.
 void make_sure_of_threads();
 
-// Up to kMostThreads: oneTBB uses no more than one a core, and prints a warning when asked to,
-// unless this was called.
+// Allows oneTBB up to kMostThreads threads. Without this call it uses at most one for each core,
+// and prints a warning when asked for more.
 void allow_more_threads_than_cores();
 
 }  // namespace lacuna

@@ -1,4 +1,4 @@
-// Threads of the host that share out columns, or whatever comes in numbers (oneTBB).
+// Threads of the host (oneTBB), which work on numbered items such as columns.
 #pragma once
 
 #include <tbb/info.h>
@@ -18,15 +18,15 @@
 
 #include "base/threads.h"
 
-// Stands on the closure that oneTBB copies from one thread to another. ThreadSanitizer does not see
-// into oneTBB, so it would report that copy as a race.
+// An attribute of closures that oneTBB copies from one thread to another. ThreadSanitizer does not
+// see into oneTBB, so it would report that copy as a race.
 #define LACUNA_UNSEEN_BY_TSAN __attribute__((no_sanitize("thread"), noinline))
 
 namespace lacuna {
 
 class Workers {
 public:
-    // 0: as many threads as the machine has.
+    // 0: one thread for each core.
     explicit Workers(std::uint32_t threads)
         : threads_(threads != 0 ? static_cast<int>(threads) : tbb::info::default_concurrency()),
           arena_(threads_) {
@@ -39,14 +39,15 @@ public:
     std::uint32_t count() const { return static_cast<std::uint32_t>(threads_); }
     void watch(std::function<bool()> may_go_on) { may_go_on_ = std::move(may_go_on); }
 
-    // Asks whether to go on; throws Cancelled if not.
+    // Throws Cancelled if the work is to stop.
     void poll() const {
         if (may_go_on_ && !may_go_on_()) throw Cancelled();
     }
 
-    // Calls work(column) for all columns, in parallel where the amount of work is worth it. The
-    // calling thread asks now and then whether to go on; if not, what is left is not done, and
-    // Cancelled is thrown. Throws Unavailable where the system makes no such threads.
+    // Calls work(column) for all columns, in parallel if `amount`, the number of draws or bins in
+    // all, is worth it. The calling thread asks now and then whether to go on; if not, the other
+    // columns are skipped and Cancelled is thrown. Throws Unavailable if the system refuses
+    // threads.
     template <typename Work>
     void for_columns(std::uint32_t columns, std::size_t amount, Work work) {
         cancelled_.store(false, std::memory_order_relaxed);
@@ -66,7 +67,7 @@ public:
         if (cancelled_.load(std::memory_order_relaxed)) throw Cancelled();
     }
 
-    // The same; true when work is true for all.
+    // The same; returns whether work(column) returned true for all columns.
     template <typename Work>
     bool all_columns(std::uint32_t columns, std::size_t amount, Work work) {
         std::atomic<bool> all{true};
@@ -77,7 +78,7 @@ public:
     }
 
 private:
-    // Fewer draws or places than kParallelAmount take the calling thread less time than it takes to
+    // Fewer draws or bins than kParallelAmount take the calling thread less time than it takes to
     // wake another thread.
     static constexpr std::size_t kParallelAmount = 512;
     // The calling thread asks may_go_on_ at one column in kColumnsPerPoll. A column of the largest
@@ -93,8 +94,8 @@ private:
         work(column);
     }
 
-    // oneTBB orders the memory of the threads that it hands columns to. handover_ orders it once
-    // more, for ThreadSanitizer alone, which does not see into oneTBB.
+    // oneTBB synchronises the memory of its threads, but ThreadSanitizer does not see that. Using
+    // handover_ synchronises it again, for ThreadSanitizer alone.
     template <typename Work>
     void hand_over(std::uint32_t column, std::thread::id caller, Work& work) {
         handover_.load(std::memory_order_acquire);

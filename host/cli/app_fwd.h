@@ -1,8 +1,8 @@
-// CLI11's types by name alone: its header takes the compiler two seconds, and a file that only
-// passes a command on does without it.
+// Declares CLI11's types. Its header takes two seconds to compile, and files that only pass a
+// command on need no more than these names.
 #pragma once
 
-namespace CLI {  // NOLINT(readability-identifier-naming): not ours to name
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
 class App;
 class Option;
 }  // namespace CLI

@@ -1,11 +1,11 @@
-// What a command throws when it has done its work and the answer is no.
+// The exception of a command that has done its work and has found a check failed.
 #pragma once
 
 #include <exception>
 
 namespace lacuna::cli {
 
-// A check came out badly, and all that is to say of it has been printed: the exit code is 1.
+// The result has been printed. The exit code becomes 1.
 class CheckFailed : public std::exception {};
 
 }  // namespace lacuna::cli

@@ -1,4 +1,4 @@
-// What the program exits with, beside 0 and 128 + a signal's number.
+// The exit codes of the program, besides 0 and 128 + a signal's number.
 #pragma once
 
 namespace lacuna::cli {

@@ -1,4 +1,4 @@
-// Agreement on an end.
+// The ranks agree on how the program ends.
 #include "mpi/endings.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-// How the ranks of a program end: with one message, by rank 0, and one exit code.
+// How the ranks of a program end: rank 0 prints one message, and all exit with one code.
 #pragma once
 
 #include <mpi.h>
@@ -11,9 +11,9 @@
 
 namespace lacuna::mpi {
 
-// While `are_together`, as they are at first, an end is agreed upon: all ranks must come to fail,
-// say or join, each in its own way, and the lowest that fails or says something is heard. Once they
-// are not, a rank that fails tells so itself and ends all others.
+// At first ranks are together and agree on an end: each rank must call fail, say or join, and the
+// message of the lowest rank that called fail or say is printed. After part() a rank that fails
+// prints its own message and aborts all others, until meet() is called.
 class MpiProgram : public cli::Program {
 public:
     MpiProgram(std::string name, std::string description,
@@ -23,12 +23,12 @@ public:
     int fail(int code, const std::string& message) const override;
     void say(const std::string& text) const override;
 
-    // Goes on if all ranks do; else throws cli::CheckFailed, with all said.
+    // Returns if all ranks call join. Otherwise, after the message, throws cli::CheckFailed.
     void join() const;
     void part() const { are_together_ = false; }
     void meet() const { are_together_ = true; }
 
-    // What to exit with, where run_program returned this.
+    // The exit code of the process after run_program has returned `returned`.
     int exit_code(int returned) const { return agreed_code_.value_or(returned); }
 
 private:

@@ -19,7 +19,7 @@ Examples:
 
 int main(int argc, char** argv) {
     int provided = 0;
-    // oneTBB's threads compute; this one alone calls MPI.
+    // oneTBB's threads compute; only this thread calls MPI.
     MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
     const lacuna::mpi::MpiProgram* program = nullptr;
     const lacuna::mpi::MpiProgram lacuna_mpi("lacuna-mpi", kDescription, [&program](CLI::App& app) {

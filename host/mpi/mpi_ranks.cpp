@@ -1,4 +1,4 @@
-// Messages and sums by MPI.
+// Messages between neighbours, and sums over ranks, by MPI.
 #include "mpi/mpi_ranks.h"
 
 #include <array>
@@ -7,7 +7,7 @@
 namespace lacuna::mpi {
 namespace {
 
-// Tags: to whom a message goes.
+// Tags: to which neighbour a message goes.
 constexpr int kToLow = 1;
 constexpr int kToHigh = 2;
 
@@ -23,7 +23,7 @@ std::uint32_t size_of(MPI_Comm communicator) {
     return static_cast<std::uint32_t>(size);
 }
 
-// Adds the time until its end.
+// Adds its lifetime to `seconds`.
 class Clock {
 public:
     explicit Clock(double& seconds) : seconds_(seconds), begin_(MPI_Wtime()) {}
@@ -36,7 +36,7 @@ private:
     double begin_;
 };
 
-// Of any length.
+// Receives a message of any length.
 std::vector<std::byte> receive(int from, int tag, MPI_Comm communicator) {
     MPI_Message message = MPI_MESSAGE_NULL;
     MPI_Status status{};
@@ -82,7 +82,7 @@ std::uint64_t MpiRanks::sum_below(std::uint64_t value) {
     std::uint64_t below = 0;
     MPI_Exscan(&value, &below, 1, MPI_UINT64_T, MPI_SUM, communicator_);
     ++cost_.sums;
-    return rank_ == 0 ? 0 : below;  // where MPI leaves it undefined
+    return rank_ == 0 ? 0 : below;  // MPI leaves rank 0's result undefined
 }
 
 }  // namespace lacuna::mpi

@@ -12,7 +12,7 @@ namespace lacuna::mpi {
 
 class MpiRanks : public Ranks {
 public:
-    // MPI must be initialised for as long as this lives.
+    // MPI must be initialised before, and finalised only after the destructor.
     explicit MpiRanks(MPI_Comm communicator);
 
     std::uint32_t rank() const override { return rank_; }
@@ -23,12 +23,10 @@ public:
     void sum(std::span<std::uint64_t> values) override;
     std::uint64_t sum_below(std::uint64_t value) override;
 
-    // What this rank has sent to its neighbours, how often ranks added up, and how long all that
-    // took, with the time to wait for the others.
     struct Cost {
-        std::uint64_t bytes = 0;
-        std::uint64_t sums = 0;
-        double seconds = 0;
+        std::uint64_t bytes = 0;  // sent to neighbours
+        std::uint64_t sums = 0;   // calls of sum and sum_below
+        double seconds = 0;       // in exchanges and sums, with the wait for other ranks
     };
     const Cost& cost() const { return cost_; }
 

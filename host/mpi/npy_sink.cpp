@@ -1,4 +1,4 @@
-// Samples on their way to their places in a file.
+// Sends samples to the ranks that write them, which write them at their offsets in the file.
 #include "mpi/npy_sink.h"
 
 #include <algorithm>
@@ -19,10 +19,10 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little && sizeof(Point) == 16);
 
-// Points are turned into the user's units and written so many at a time.
+// Points that are converted to the user's units and written at a time: 4 MB.
 constexpr std::size_t kPointsAtOnce = std::size_t{1} << 18;
 
-// Every header of a set that a machine can hold is as long.
+// A header has this length whatever the number of points.
 std::uint64_t header_bytes() {
     return files::npy_header(0, 2).size();
 }
@@ -37,8 +37,8 @@ NpySink::NpySink(std::string path, MpiRanks& ranks) : path_(std::move(path)), ra
 
 NpySink::~NpySink() {
     MPI_Type_free(&record_);
-    // What is to be said of the end is said elsewhere: mpirun ends by a signal whoever is slower to
-    // exit than another rank.
+    // No message on a signal from now on: mpirun ends ranks that are slower to exit by a signal,
+    // and the message about the run has been printed already.
     remove_on_signal("", false);
 }
 
@@ -49,7 +49,7 @@ void NpySink::close() {
 void NpySink::open() {
     together(ranks_, [&] {
         if (ranks_.rank() != 0) return;
-        // Whatever signal comes now finds the file's name.
+        // A signal waits until the handler knows the file's name.
         const SignalsWait wait;
         file_ = std::make_unique<files::NewFile>(path_);
         name_ = file_->name();
@@ -73,11 +73,11 @@ void NpySink::begin(const Plan& plan) {
     if (handle_ == MPI_FILE_NULL) open();
     plan_ = plan;
     written_ = 0;
-    // A shorter set than the one before must leave nothing of that.
+    // Empties the file: an earlier attempt at the count may have written a longer set.
     MPI_File_set_size(handle_, 0);
 }
 
-// The records of the rank's stretch of the round's draws, sorted by their numbers.
+// Gives each rank the records of one range of draw numbers, and returns this rank's, sorted.
 std::vector<NpySink::Record> NpySink::redistribute(std::span<const Sample> samples,
                                                    std::span<const std::uint32_t> numbers,
                                                    std::uint32_t draws) {
@@ -103,7 +103,7 @@ std::vector<NpySink::Record> NpySink::redistribute(std::span<const Sample> sampl
     MPI_Alltoallv(sent.data(), to_send.data(), send_begins.data(), record_, got.data(),
                   to_get.data(), get_begins.data(), record_, ranks_.communicator());
     sent = {};
-    // Those of each rank are sorted: every number has a place of its own in the stretch.
+    // Sorts: every draw number has its own entry in this rank's range.
     const std::uint32_t first = first_of(ranks_.rank());
     constexpr Record kNone{~std::uint32_t{0}, 0, 0};
     std::vector<Record> by_number(first_of(ranks_.rank() + 1) - first, kNone);

@@ -1,4 +1,4 @@
-// All ranks' samples in one .npy, in the order of admission, by MPI-IO.
+// Writes all ranks' samples to one .npy, in the order of admission, by MPI-IO.
 #pragma once
 
 #include <mpi.h>
@@ -16,10 +16,10 @@
 
 namespace lacuna::mpi {
 
-// Each round every rank gets the samples of a stretch of the round's draws, sorts them, and writes
-// them behind those of the ranks below it. The file lies beside the one it is to become, and is
-// gone at the end unless it was finished, after a signal too. Errors of writing are thrown as
-// FailedTogether.
+// In each round every rank receives the samples of one range of draw numbers, sorts them, and
+// writes them behind the samples of lower ranks. They are written to a temporary file in the same
+// folder, which finish() renames. Without finish(), also after a signal, it is removed. Errors of
+// writing are thrown as FailedTogether.
 class NpySink : public Sink {
 public:
     NpySink(std::string path, MpiRanks& ranks);
@@ -30,15 +30,15 @@ public:
     void begin(const Plan& plan) override;
     void take(std::span<const Sample> samples, std::span<const std::uint32_t> numbers,
               std::uint32_t draws) override;
-    // Writes the header and puts the file in place.
+    // Writes the header and gives the file its final name.
     void finish();
-    // Every rank: closes the file, which none of them can go on with.
+    // Closes the file after an error, on every rank.
     void close();
 
-    // SHA-256 of all points; rank 0 alone, once finished.
+    // SHA-256 of all points; for rank 0 only, after finish().
     std::string sha256() const;
 
-    std::uint64_t bytes_sent() const { return bytes_sent_; }  // to ranks that write them
+    std::uint64_t bytes_sent() const { return bytes_sent_; }  // by this rank, to be written
     double seconds() const { return seconds_; }
 
 private:

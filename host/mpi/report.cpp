@@ -30,7 +30,7 @@ Figures seconds_of(const cli::Stopwatch& stopwatch, const MpiRanks& ranks, const
     Figures seconds;
     for (const Verb verb : cli::kVerbs)
         seconds.emplace_back(name_of(verb), stopwatch.seconds(verb));
-    // With the time to wait for other ranks.
+    // Includes the wait for other ranks.
     seconds.emplace_back("exchange", ranks.cost().seconds);
     seconds.emplace_back("write", sink.seconds());
     return seconds;

@@ -1,5 +1,5 @@
-// --report of lacuna-mpi: what was made, and what it cost the ranks: the least, the median and the
-// most.
+// --report of lacuna-mpi: the set, and the least, median and most seconds, bytes and memory that a
+// rank took.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -13,7 +13,7 @@
 
 namespace lacuna::mpi {
 
-// Every rank calls it; the text is rank 0's alone.
+// Every rank must call it. Returns the text on rank 0, and an empty one on the others.
 std::string report_of(const Request& request, const ResultOnRanks& result,
                       const cli::Stopwatch& stopwatch, double seconds, const MpiRanks& ranks,
                       const NpySink& sink, const std::string& sha256);

@@ -39,17 +39,16 @@ namespace lacuna::mpi {
 namespace {
 
 constexpr const char* kSampleDescription =
-    R"(Makes a maximal blue-noise point set on all ranks, the same as lacuna sample --mode exact.
+    R"(Makes a blue-noise point set on all ranks, the same as lacuna sample --mode exact.
 
 Examples:
   mpirun -n 4 lacuna-mpi sample --radius 0.0001 --torus -o points.npy
   mpirun -n 64 lacuna-mpi sample --count 1e9 --torus --seed 7 -o points.npy --report cost.json
 )";
 
-// Ranks of one machine share its cores and its memory.
 struct Machine {
-    std::uint32_t ranks = 1;
-    std::uint64_t memory_bytes = 0;  // of all machines
+    std::uint32_t ranks = 1;         // on this machine, among which its cores are divided
+    std::uint64_t memory_bytes = 0;  // of all machines together
 };
 
 Machine look_at_machines(MPI_Comm communicator) {
@@ -65,7 +64,8 @@ Machine look_at_machines(MPI_Comm communicator) {
     return machine;
 }
 
-// Where mpirun binds a rank to cores, these; else its share of all.
+// One thread for each core that mpirun binds this rank to, but no more than the machine's cores
+// divided by its ranks.
 std::uint32_t threads_for(const Machine& machine) {
     cpu_set_t mine{};
     const bool is_known = sched_getaffinity(0, sizeof(mine), &mine) == 0;
@@ -97,7 +97,7 @@ void check(const MpiSample& all, const Request& request, const MpiRanks& ranks) 
             ranks.count(), most));
 }
 
-// All that must be the same on all ranks. FNV-1a.
+// Compares a hash (FNV-1a) of all options that must be the same on all ranks.
 void check_same_everywhere(const MpiSample& all, const MpiRanks& ranks) {
     const Request& request = all.common.request;
     const std::string said = cli::what_decides(request, {}).dump() + "\n" + all.path + "\n" +
@@ -112,7 +112,7 @@ void check_same_everywhere(const MpiSample& all, const MpiRanks& ranks) {
             ranks.rank()));
 }
 
-// Rank 0 shows a bar.
+// Watches the run; the progress bar is shown by rank 0 only.
 class Watch {
 public:
     Watch(const MpiSample& all, bool speaks)
@@ -139,7 +139,8 @@ void sum_up(const MpiSample& all, const ResultOnRanks& result, double seconds,
     std::fputs((cli::printable(line) + "\n").c_str(), stderr);
 }
 
-// What all ranks do from here on they do together, but for what FailedTogether does not tell.
+// All ranks go through this in step. An error of one reaches all as FailedTogether, or ends the
+// program.
 void make(const MpiSample& all, const Request& request, MpiRanks& ranks) {
     const bool speaks = ranks.rank() == 0;
     NpySink sink(all.path, ranks);
@@ -198,21 +199,20 @@ void add_sample(CLI::App& app, const MpiProgram* const& program) {
                     "Lines in a radius' width (default 6)");
     cli::add_number(command, "round-size", "K", request.round_size,
                     "Draws in a round; 0 chooses (default), 1 is the paper's algorithm");
-    cli::add_number(
-        command, "threads", "T", request.threads,
-        "Threads of each rank; 0 shares a machine's cores out among its ranks (default)");
+    cli::add_number(command, "threads", "T", request.threads,
+                    "Threads of each rank; 0 divides a machine's cores among its ranks (default)");
     cli::add_place(command, request);
-    command.add_option("-o,--output", options->path, "A .npy, which all ranks write")
+    command.add_option("-o,--output", options->path, "A .npy file, which all ranks write together")
         ->type_name("FILE.npy");
     command
         .add_option(
             "--report", options->common.report,
-            "Request, counts, SHA-256 of the points, and the least, median and most seconds, "
-            "bytes and memory of a rank; - is standard output")
+            "Writes the request, counts, the SHA-256 of the points, and the least, median and most "
+            "seconds, bytes and memory of a rank; - is standard output")
         ->type_name("FILE.json");
     command
         .add_flag("--progress", options->progress,
-                  "The progress bar, though mpirun makes standard error no terminal")
+                  "Shows the progress bar although standard error is no terminal under mpirun")
         ->disable_flag_override();
     command.add_flag("--quiet", options->common.quiet, "No progress bar and no last line")
         ->disable_flag_override();

@@ -6,7 +6,7 @@
 
 namespace lacuna::mpi {
 
-// Adds it. `program` gives the address of the program, once there is one.
+// Adds the command to `app`. The pointer `program` must be set before the command runs.
 void add_sample(CLI::App& app, const MpiProgram* const& program);
 
 }  // namespace lacuna::mpi

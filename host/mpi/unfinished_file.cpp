@@ -1,4 +1,4 @@
-// Signal handlers that remove a file.
+// Signal handlers that remove the unfinished file.
 #include "mpi/unfinished_file.h"
 
 #include <signal.h>
@@ -14,13 +14,13 @@
 namespace lacuna::mpi {
 namespace {
 
-// Plain bytes: a handler may not take memory.
+// The file's name as plain bytes: a signal handler may not allocate memory.
 std::array<char, PATH_MAX> unfinished{};
 std::atomic<bool> is_there = false;
 std::atomic<bool> is_speaker = false;
 std::atomic<bool> do_wait = false;
-std::atomic<int> waiting = 0;                           // the signal that came meanwhile
-static_assert(std::atomic<bool>::is_always_lock_free);  // else not for signal handlers
+std::atomic<int> waiting = 0;  // the signal that came while do_wait was true, or 0
+static_assert(std::atomic<bool>::is_always_lock_free);  // handlers may use no other atomics
 static_assert(std::atomic<int>::is_always_lock_free);
 
 constexpr std::array kEndingSignals{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGABRT};
@@ -37,7 +37,7 @@ void remove_and_exit(int signal) {
     remove_unfinished();
     constexpr std::string_view kMessage = "lacuna-mpi: interrupted, nothing was written\n";
     if (is_speaker) {
-        // There is nothing left to do about a failure.
+        // If this fails, nothing can be done about it.
         [[maybe_unused]] const ssize_t told =
             ::write(STDERR_FILENO, kMessage.data(), kMessage.size());
     }
@@ -52,7 +52,7 @@ void remove_on_signal(const std::string& name, bool speaks) {
     std::copy_n(name.begin(), std::min(name.size(), unfinished.size() - 1), unfinished.begin());
     is_there = !name.empty() && name.size() < unfinished.size();
     is_speaker = speaks;
-    // MPI may hear of another rank's end before the signal comes, and then calls exit() or abort().
+    // MPI may notice the end of another rank before the signal comes, and calls exit() or abort().
     static const bool is_registered = std::atexit(remove_unfinished) == 0;
     static_cast<void>(is_registered);
     struct sigaction action {};
@@ -65,7 +65,7 @@ void remove_on_signal(const std::string& name, bool speaks) {
     }
 }
 
-// Blocked signals would not do: another thread, of MPI's or of oneTBB's, would take them.
+// A flag rather than blocked signals: other threads, of MPI or oneTBB, would receive those.
 SignalsWait::SignalsWait() {
     do_wait = true;
 }

@@ -1,16 +1,16 @@
-// The file that is being written, which signals take away.
+// Removes the file that is being written if a signal ends the process.
 #pragma once
 
 #include <string>
 
 namespace lacuna::mpi {
 
-// From now on Ctrl-C, SIGTERM, SIGHUP, SIGQUIT and SIGABRT remove it, if it is there, and end the
-// process with 128 and the signal's number; only rank 0 says so. An exit() removes it too. An empty
-// name: nothing is to be removed.
+// From now on SIGINT (Ctrl-C), SIGTERM, SIGHUP, SIGQUIT and SIGABRT remove the file `name`, and end
+// the process with exit code 128 + the signal's number. They print a message if `speaks`. exit()
+// removes the file too. An empty name: nothing is to be removed.
 void remove_on_signal(const std::string& name, bool speaks);
 
-// While it lives these signals wait.
+// While an object of this class exists, these signals wait.
 class SignalsWait {
 public:
     SignalsWait();

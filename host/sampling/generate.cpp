@@ -1,6 +1,6 @@
-// THE LOOP. The free space is a probability density: draw from it, keep what does not conflict,
-// take the new disks out of it, until nothing is left (Kalantari & Sen 2011, sections 3 and 4.1).
-// In exact, what is left too thin for its strips to show is refined (docs/design.md, section 4).
+// THE LOOP. The free space is a probability density: draw from it, admit draws that do not
+// conflict, subtract the new disks, until the free space is empty (Kalantari & Sen 2011, sections 3
+// and 4.1). In exact, free spans too thin for the strips are refined (docs/design.md, section 4).
 #include "sampling/generate.h"
 
 #include <algorithm>

@@ -19,19 +19,19 @@
 namespace lacuna {
 namespace {
 
-// A set of so many points takes one thread some 20 ms: so long a cancelled batch may go on.
+// Most points of a set made on one thread. It takes 20 ms, for which a cancelled batch may go on.
 constexpr double kSmallSet = 20000;
+// Sets in a batch, for each thread: enough to keep threads busy, few enough for memory.
 constexpr std::size_t kSetsAThread = 64;
 
-// Whether a set takes so little time that several at once are served better than each on all
-// threads.
+// Whether sets are small: one set on each thread is then faster than one set on all threads.
 bool is_small(const Request& request) {
     const std::string backend = wanted_backend(request.backend);
     if (backend != "auto" && backend != "cpu") return false;
     if (request.round_size != 0 || request.uniform_x) return false;
     if (request.field != nullptr) return false;
     if (request.count) return static_cast<double>(*request.count) <= kSmallSet;
-    // What makes no sense is for sample() to refuse.
+    // Invalid requests are left to sample(), which refuses them.
     return request.radius && *request.radius > 0 && request.width > 0 && request.height > 0 &&
            expected_count(request.width, request.height, request.boundary, *request.radius) <=
                kSmallSet;
@@ -43,7 +43,7 @@ Request with_seed(const Request& request, std::uint64_t seed) {
     return one;
 }
 
-// Asks for all sets, on the calling thread alone, and tells the others.
+// Asks the user's observer whether to go on, on the calling thread, and passes on the answer.
 class OfAll {
 public:
     OfAll(Observer& observer, std::size_t sets) : observer_(observer), sets_(sets) {}

@@ -1,4 +1,4 @@
-// lacuna::sample: from the request to the points, by way of the plan and a backend's rounds.
+// lacuna::sample: makes a plan of the request, runs a backend's rounds, and returns the points.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,13 +16,13 @@
 namespace lacuna {
 namespace {
 
-// Before the first point.
+// Asks whether to go on before there is a point.
 void ask(const Request& request, Observer& observer) {
     const std::uint64_t expected = request.count.value_or(request.limit.value_or(1));
     if (!observer.keep_going({0, expected, 0})) throw Cancelled();
 }
 
-// For a request that was checked, with its field's sums in cells.
+// The request must have been checked. `sums` are the field's sums, in mode cells only.
 Result run(const Request& request, const std::optional<FieldSums>& sums, Observer& observer) {
     const Poll poll = [&] { ask(request, observer); };
     const Plan plan = sums                          ? make_cells_plan(request, *sums, poll)
@@ -45,7 +45,7 @@ Result run(const Request& request, const std::optional<FieldSums>& sums, Observe
     return result;
 }
 
-// Cancels when the observer says so, and shows it nothing.
+// Passes on whether to go on, but no points and no rounds.
 class Silent : public Observer {
 public:
     explicit Silent(Observer& observer) : observer_(observer) {}
@@ -57,15 +57,15 @@ private:
     Observer& observer_;
 };
 
-// A maximal set of the field of a request for a count, or so many points of one that it is plain
-// that there are too many.
+// A trial set that shows how many points a scale gives: maximal, or ended early when it has far
+// more points than the count.
 struct Pilot {
     Request request;
     std::uint64_t points;
 };
 
-// A pilot of so many times fewer or more points than the count tells little of the right scale: one
-// sample may cover all of a field, and a slightly smaller scale let in thousands.
+// A pilot whose points are this factor off the count says little about the right scale: at one
+// scale a single sample may cover the field, and at a slightly smaller one there may be thousands.
 constexpr std::uint64_t kFar = 4;
 
 bool is_far(const Pilot& pilot, std::uint64_t count) {
@@ -87,14 +87,13 @@ Pilot run_pilot(const Request& request, const FieldSums& sums, double scale,
     return pilot;
 }
 
-// From the formula of docs/design.md, section 5, on a coarse lattice. Where a field is so rough
-// that this misses the count by far, again at the scale that it tells, on the request's own
-// lattice; at most a few times smaller or larger, and between those that were too large and too
-// small.
+// The first pilot has the scale from the formula of docs/design.md, section 5, on a coarse lattice.
+// Rough fields miss the count. Then further pilots, on the request's own lattice, take the scale
+// that follows from the pilot before; it stays between scales that were too small and too large.
 Pilot find_pilot(const Request& request, const FieldSums& sums, Observer& observer) {
-    constexpr std::uint32_t kCoarse = 4;  // cells a radius; a sixth of the work of 10
-    constexpr int kCorrections = 3;
-    constexpr int kFarCorrections = 20;
+    constexpr std::uint32_t kCoarse = 4;  // cells per radius; a sixth of the work of 10
+    constexpr int kCorrections = 3;       // most further pilots when the count is near
+    constexpr int kFarCorrections = 20;   // and when it is far off
     const std::uint64_t count = *request.count;
     const std::uint32_t own = request.lines_per_radius.value_or(kCellsPerRadius);
     double scale = scale_for_count(request, sums, count);
@@ -118,13 +117,13 @@ Pilot find_pilot(const Request& request, const FieldSums& sums, Observer& observ
     return pilot;
 }
 
-// A count with a radius field: the first points of a maximal set that has a few more, at a scale or
-// radius that the sets before it tell, and the first of them the formula. Where a field is rough,
-// min lets in more samples than its integral tells.
+// A count with a radius field: the first `count` points of a maximal set that has a few more. The
+// scale or radius comes from the formula first, then from the number of points of the set before:
+// on rough fields the metric min admits more samples than the formula expects.
 Result fill_radius_field(const Request& request, Observer& observer) {
-    constexpr double kSpare = 1.015;  // what is aimed at
-    constexpr double kMost = 1.05;    // what will do
-    constexpr int kPatience = 12;     // attempts after which more will do, too
+    constexpr double kSpare = 1.015;  // aim at this many times the count
+    constexpr double kMost = 1.05;    // accept up to this many times the aim,
+    constexpr int kPatience = 12;     // and after this many attempts any larger set
     const auto count = static_cast<double>(*request.count);
     const double wanted = kSpare * (count + 4 * kCountDeviation * std::sqrt(count));
     Request sized = request;
@@ -139,7 +138,7 @@ Result fill_radius_field(const Request& request, Observer& observer) {
         const auto made = static_cast<double>(result.points.size());
         const bool is_enough = made >= count;
         if (is_enough && (made <= kMost * wanted || attempt >= kPatience)) {
-            check_kept_distances(sized);  // at another size they may be too close
+            check_kept_distances(sized);  // at this size kept points may be too close together
             result.maximal = made == count && result.maximal;
             result.points.resize(std::min(*request.count, request.limit.value_or(*request.count)));
             return result;
@@ -213,8 +212,8 @@ Result sample(const Request& request, Observer& observer) {
 
     if (needs_radius_field(request)) return fill_radius_field(request, observer);
 
-    // A count: at a radius with room to spare it is met at the first attempt but for a few in a
-    // hundred thousand seeds, and a short set is drawn again with more to spare.
+    // A count: the radius has some room to spare, so that the first attempt has enough points, for
+    // all but a few in a hundred thousand seeds. Otherwise the next attempt has more to spare.
     const std::uint64_t count = *request.count;
     std::optional<Pilot> pilot;
     if (sums) pilot = find_pilot(request, *sums, observer);

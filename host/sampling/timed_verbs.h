@@ -1,4 +1,4 @@
-// Who times the verbs of the loop: decorators of the backend and of the marginal.
+// Decorators of the backend and of the marginal that report the verbs of the loop to the observer.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -15,8 +15,8 @@
 
 namespace lacuna {
 
-// Tells the observer when a verb begins, and when it ends or throws. What the observer throws ends
-// the run, unless another exception does so already.
+// Calls the observer when a verb begins, and when it ends or throws. An exception of the observer
+// ends the run, unless another exception is ending it already.
 class Timed {
 public:
     Timed(Observer& observer, Verb verb)
@@ -36,7 +36,7 @@ public:
 private:
     Observer& observer_;
     Verb verb_;
-    int exceptions_;  // on their way when the verb began
+    int exceptions_;  // uncaught when the verb began
 };
 
 class TimedBackend : public Backend {

@@ -1,7 +1,7 @@
 """Times scipy.stats.qmc.PoissonDisk and lacuna side by side: beside_scipy.py [RADIUS] [SETS OF SCIPY]
 
-Wall clock a set, the median of all sets, each of another seed; theirs and ours in turns, so that a
-machine that is busy for a while is so for both. Run it on a machine that does nothing else.
+Prints the median wall-clock time of a set; each set has another seed. The libraries take turns, so
+that a busy machine slows both. Run it on a machine that does nothing else.
 """
 
 from __future__ import annotations
@@ -30,14 +30,14 @@ def timed(make: Callable[[int], Points], seed: int) -> tuple[float, Points]:
 
 
 def many(radius: float, first: int) -> tuple[float, Points]:
-    """The seconds of a set, of as many in one call as others make in calls of their own."""
+    """The seconds per set of one call that makes all sets of a turn."""
     begun = time.perf_counter()
     made = lacuna.sample_many(range(first, first + OURS_TO_ONE_OF_THEIRS), radius)
     return (time.perf_counter() - begun) / len(made), made[-1].points
 
 
 def overhead() -> float:
-    """What a call takes around the C++ call within it, at some 300 points."""
+    """The time that a call of about 300 points takes in addition to the C++ call in it."""
     spent = []
     for seed in range(CALLS_FOR_OVERHEAD):
         begun = time.perf_counter()
@@ -68,7 +68,7 @@ def main() -> None:
     counts: dict[str, list[int]] = {name: [] for name in names}
     last: dict[str, Points] = {}
     for name, make in ours.items():
-        make(sets * OURS_TO_ONE_OF_THEIRS)  # threads are made once
+        make(sets * OURS_TO_ONE_OF_THEIRS)  # not timed: the first call starts the threads
     for turn in range(sets):
         for name, make in everybody.items():
             for again in range(1 if make is theirs else OURS_TO_ONE_OF_THEIRS):

@@ -1,7 +1,8 @@
-"""How long work goes on without looking for Ctrl-C: unasked.py [WORD...], of those whose name has one
+"""How long work goes on without looking for Ctrl-C: unasked.py [WORD...]
 
-Processor time between two looks, from the call to the first and from the last to the end, on one
-thread: so that what else the machine does counts for nothing. Signals are answered at a look.
+Signals are answered at a look. This measures the processor time from the call to the first look,
+between looks, and from the last look to the end, on one thread, so that other work of the machine
+does not count. With words, only runs are made whose name contains one of them.
 """
 
 from __future__ import annotations
@@ -42,7 +43,7 @@ RUNS: dict[str, Callable[[Progress], object]] = {
 
 
 def unasked(run: Callable[[Progress], object]) -> tuple[float, float, float, float]:
-    """The first, the longest and the last wait for a look, and all."""
+    """The first, the longest and the last wait for a look, and the total time."""
     begun = time.process_time()
     looks = [begun]
     run(lambda done, expected: looks.append(time.process_time()))

@@ -5,10 +5,10 @@
 >>> points.shape[1], points.dtype.name
 (2, 'float64')
 
-``sample`` makes maximal Poisson-disk sets, ``stipple`` turns pictures into dots, ``relax`` makes
-any set more even, ``verify`` proves or refutes one and ``analyze`` measures it; ``read_polygons``
-and ``draw_mask`` make masks of outlines; ``devices`` lists what there is to run on.
-``lacuna.qmc`` has an engine in the manner of scipy.stats.qmc.
+``sample`` makes maximal Poisson-disk sets, ``stipple`` turns pictures into dots, and ``relax``
+makes any set more even. ``verify`` proves or refutes that a set is maximal, and ``analyze``
+measures it. ``read_polygons`` and ``draw_mask`` turn outlines into masks. ``devices`` lists
+backends and devices. ``lacuna.qmc`` has an engine like those in scipy.stats.qmc.
 """
 
 from . import _core
@@ -48,7 +48,7 @@ __all__ = [
     "verify",
 ]
 
-# Where people find them, and where tracebacks should say they are.
+# Help and tracebacks then name the classes as users import them.
 for _name in __all__:
     if isinstance(globals()[_name], type):
         globals()[_name].__module__ = __name__

@@ -1,6 +1,6 @@
-"""Checks what the functions of lacuna are given: types, shapes and ranges, by the argument's name.
+"""Checks the arguments of lacuna's functions: types, shapes and ranges. Errors name the argument.
 
-What a value may be beyond that, the library itself decides.
+All other rules about values are checked by the library itself.
 """
 
 from __future__ import annotations
@@ -20,15 +20,15 @@ if TYPE_CHECKING:
 
     Seed = int | np.integer[Any] | np.random.Generator | None
 
-# Exponents of 2, of all pixels and of those of a side: draw_mask makes larger masks than pictures.
+# Most pixels in all and along a side, as exponents of 2. draw_mask makes large masks.
 _OF_FIELDS = (28, 20)
 _OF_MASKS = (33, 24)
 _MOST_POINTS = 2**31
-_PIXELS_OF_PART = 2**22
+_PIXELS_OF_PART = 2**22  # copied at a time, in some milliseconds, between which Ctrl-C works
 
 
 def real(name: str, value: SupportsFloat) -> float:
-    """A float; NaN and infinity are the library's to refuse."""
+    """A float. The library refuses NaN and infinity."""
     if isinstance(value, (str, bytes, bytearray)):
         raise TypeError(f"{name} must be a number, not {value!r}")
     try:
@@ -51,14 +51,14 @@ def whole(name: str, value: SupportsIndex, least: int, most: int) -> int:
 
 
 def flag(name: str, value: object) -> bool:
-    """A bool; numpy's arrays of one are bools, and 0 and 1 are."""
+    """A bool. numpy's bools, 0 and 1 are accepted as well."""
     if isinstance(value, (bool, np.bool_)) or (isinstance(value, int) and value in (0, 1)):
         return bool(value)
     raise TypeError(f"{name} must be True or False, not {value!r:.60}")
 
 
 def choice(name: str, value: object, known: tuple[str, ...]) -> str:
-    """One of some words."""
+    """One of the words in ``known``."""
     if not isinstance(value, str):
         raise TypeError(f"{name} must be a str, one of {', '.join(known)}, not {value!r:.60}")
     if value not in known:
@@ -67,7 +67,7 @@ def choice(name: str, value: object, known: tuple[str, ...]) -> str:
 
 
 def text(name: str, value: object) -> str:
-    """A str that UTF-8 can spell, without NUL."""
+    """A str that UTF-8 can encode, without NUL."""
     if not isinstance(value, str):
         raise TypeError(f"{name} must be a str, not {value!r:.60}")
     if "\0" in value:
@@ -114,9 +114,9 @@ def seed_of(value: Seed) -> int:
 
 
 def numbers(name: str, value: object) -> npt.NDArray[Any]:
-    """An array of real numbers, as it lies in memory."""
+    """An array of real numbers, of any dtype and strides."""
     if isinstance(value, np.ma.MaskedArray):
-        raise TypeError(f"{name} must not be masked: its filled(0) says what is there")
+        raise TypeError(f"{name} must not be a masked array: pass its filled(0), for example")
     try:
         array = np.asarray(value)
     except ValueError:
@@ -129,7 +129,7 @@ def numbers(name: str, value: object) -> npt.NDArray[Any]:
 
 
 def points_array(name: str, value: object) -> npt.NDArray[np.float64]:
-    """Points as rows of two float64, without a copy where they are."""
+    """Points as rows of two float64, without a copy if they are that already."""
     array = numbers(name, value)
     if array.size == 0 and array.ndim < 2:
         array = array.reshape(0, 2)
@@ -141,7 +141,7 @@ def points_array(name: str, value: object) -> npt.NDArray[np.float64]:
 
 
 def _pixels(name: str, value: object, most: tuple[int, int]) -> npt.NDArray[Any]:
-    """An array of rows and columns, as it lies in memory."""
+    """An array of rows and columns, of any dtype and strides."""
     array = numbers(name, value)
     if array.ndim != 2 or array.size == 0:
         raise BadRequest(
@@ -157,14 +157,14 @@ def _pixels(name: str, value: object, most: tuple[int, int]) -> npt.NDArray[Any]
 
 
 def _parts(array: npt.NDArray[Any]) -> Iterator[slice]:
-    """Rows in parts, between which Ctrl-C is answered."""
+    """Slices of rows that are copied at a time; Ctrl-C works between them."""
     rows = max(1, _PIXELS_OF_PART // array.shape[1])
     for begin in range(0, len(array), rows):
         yield slice(begin, begin + rows)
 
 
 def field_of(name: str, value: object) -> _core.Field:
-    """Importance, row 0 on top: read where it lies, whatever its numbers and strides, once."""
+    """Importance, row 0 on top. Copies the array once, whatever its dtype and strides."""
     array = _pixels(name, value, _OF_FIELDS)
     field = _core.make_field(*array.shape)
     values = field.values
@@ -174,7 +174,7 @@ def field_of(name: str, value: object) -> _core.Field:
 
 
 def mask_of(name: str, value: object) -> _core.Mask:
-    """Where points may lie, row 0 on top: wherever a number is not 0."""
+    """A mask, row 0 on top: points may lie where a number is not 0."""
     array = _pixels(name, value, _OF_MASKS)
     mask = _core.make_mask(*array.shape)
     values = mask.values
@@ -186,7 +186,7 @@ def mask_of(name: str, value: object) -> _core.Mask:
 
 
 def path_bytes(name: str, value: str | bytes | os.PathLike[Any]) -> bytes:
-    """A path, as the library takes it: never the standard input."""
+    """A path for the library. "-" is a file of that name, not standard input."""
     if not isinstance(value, (str, bytes, os.PathLike)):
         raise TypeError(f"{name} must be a path, not {value!r:.60}")
     path = os.fsencode(value)

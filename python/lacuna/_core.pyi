@@ -1,4 +1,4 @@
-# What lacuna._core, the compiled part, offers to the rest of the package.
+# The interface of lacuna._core, the compiled part of the package.
 from typing import Any, Callable
 
 import numpy as np

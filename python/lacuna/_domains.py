@@ -1,4 +1,4 @@
-"""read_polygons and draw_mask: outlines of where points may lie."""
+"""read_polygons and draw_mask: polygons in which points may lie."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Polygons:
-    """Closed outlines. Together they enclose what an odd number of them goes around.
+    """Closed outlines. A point is inside if an odd number of them goes around it.
 
     Attributes
     ----------
     rings : tuple of ndarray, each of shape (N, 2), float64
-        The corners of each, y upwards; the last is joined to the first.
+        The corners of each outline, y upwards. The last is joined to the first.
     domain : tuple of float or None
-        Width and height of the page that they lie on; None where the file has none.
+        Width and height of the page; None if the file has no page.
     """
 
     rings: tuple[Floats, ...] = field(repr=False)
@@ -45,8 +45,8 @@ def read_polygons(path: str | bytes | os.PathLike[Any]) -> Polygons:
     ----------
     path : path
         ``.svg``: the outlines of its shapes, in user units of the page. ``.geojson``, ``.json``:
-        polygons, their coordinates as they are. ``.txt``: ``x y`` a line, a blank line between two
-        rings. docs/domains.md has what is read and what is passed over.
+        polygons, with unchanged coordinates. ``.txt``: ``x y`` on each line, and a blank line
+        between rings. docs/domains.md lists what is read and what is skipped.
 
     Returns
     -------
@@ -57,9 +57,9 @@ def read_polygons(path: str | bytes | os.PathLike[Any]) -> Polygons:
     FileError
         An OSError: the file cannot be read, is broken or has no polygon.
     BadRequest
-        Another extension.
+        The extension is not one of these.
     TypeError
-        No path.
+        The argument is not a path.
 
     Examples
     --------
@@ -85,12 +85,12 @@ def read_polygons(path: str | bytes | os.PathLike[Any]) -> Polygons:
 
 
 def rings_on(name: str, rings: object, domain: tuple[float, float]) -> list[Floats]:
-    """Rings of a domain; a page is stretched over it."""
+    """The rings as arrays. If they have a page, it is stretched over the domain."""
     if isinstance(rings, Polygons):
         if rings.domain is None:
             return list(rings.rings)
         scale = domain[0] / rings.domain[0], domain[1] / rings.domain[1]
-        with np.errstate(over="ignore", invalid="ignore"):  # which the library refuses
+        with np.errstate(over="ignore", invalid="ignore"):  # the library refuses inf and NaN
             return [ring * scale for ring in rings.rings]
     if isinstance(rings, (str, bytes, os.PathLike)) or not isinstance(rings, Iterable):
         raise TypeError(f"{name} must be Polygons or a list of N x 2 arrays, not {rings!r:.60}")
@@ -106,10 +106,10 @@ def draw_mask(
 ) -> npt.NDArray[np.bool_]:
     """Draw polygons onto a mask, for ``sample``.
 
-    A pixel is True where an odd number of rings goes around its middle: a ring within another is a
-    hole. No place of a pixel is farther than ``edge`` from its middle: so no point is farther
-    outside, and every place that is farther inside is filled. The same rings give the same mask on
-    every machine, and the same as the command's ``--inside`` with this ``--edge``.
+    A pixel is True if an odd number of rings goes around its centre: a ring within another is a
+    hole. Pixels are small enough that no point of one is farther than ``edge`` from its centre, so
+    the mask's outline is off by at most ``edge``. The same rings give the same mask on every
+    machine, which is also the mask of the command's ``--inside`` with this ``--edge``.
 
     Parameters
     ----------
@@ -118,10 +118,11 @@ def draw_mask(
     edge : float
         How far the outline may be off. The command takes a sixteenth of the least radius.
     domain : tuple of float, optional
-        Width and height, which ``sample`` must be given too. By default the page of Polygons, else
-        (1, 1). A page is stretched over it.
+        Width and height, which must be passed to ``sample`` too. By default the page of Polygons,
+        else (1, 1). A page is stretched over it.
     memory_limit : int, optional
-        Refuse a mask of more bytes, one a pixel; by default a quarter of the machine's memory.
+        Refuse a mask of more bytes; a pixel takes one. By default a quarter of the machine's
+        memory.
 
     Returns
     -------
@@ -131,7 +132,7 @@ def draw_mask(
     Raises
     ------
     BadRequest
-        An edge that takes more memory, or rings that enclose nothing of the domain.
+        The edge is so small that the mask exceeds the limit, or no pixel is inside the rings.
     TypeError
         An argument is of the wrong type. Names it.
 

@@ -1,24 +1,24 @@
-"""The exceptions of lacuna, under the names that the C++ library has for them."""
+"""The exceptions of lacuna. They have the same names as in the C++ library."""
 
 from __future__ import annotations
 
-# What the library calls what Python spells in another way.
+# Python's names of arguments that the library calls by another name.
 _SPELLED = {"count": "n", "iterations": "iterations", "sets": "points"}
 
 
-# A path may hold them; a message is one line.
+# Control characters, which paths may contain, are escaped: a message is one line.
 _CONTROLS = {code: f"\\x{code:02x}" for code in (*range(32), 127)}
 
 
 class Error(Exception):
-    """What all exceptions of lacuna are."""
+    """The base class of lacuna's exceptions."""
 
     def __init__(self, message: str, argument: str = "") -> None:
         super().__init__(message)
 
 
 class BadRequest(Error, ValueError):
-    """A value that cannot be met. The message names the argument, its value and what is allowed.
+    """An invalid value. The message names the argument, its value and what is allowed.
 
     Attributes
     ----------
@@ -34,7 +34,7 @@ class BadRequest(Error, ValueError):
         self.argument = name
 
     def called(self, argument: str) -> BadRequest:
-        """The same of an argument of another name."""
+        """Renames the argument in this error."""
         self.args = (argument + str(self)[len(self.argument) :],)
         self.argument = argument
         return self
@@ -56,15 +56,15 @@ class MemoryRefused(Error, MemoryError):
 
 
 class Unavailable(Error, RuntimeError):
-    """The backend or device asked for is not there."""
+    """The backend or device asked for is missing or cannot be used."""
 
 
 class DeviceError(Error, RuntimeError):
-    """A device failed in the middle of the work; names the call, the code and the driver's log."""
+    """A device failed during the work. Names the call, the error code and the driver's log."""
 
 
 class FileError(Error, OSError):
-    """A picture could not be read: names the path and the reason."""
+    """A file could not be read. Names the path and the reason."""
 
     def __init__(self, message: str, argument: str = "") -> None:
         super().__init__(message.translate(_CONTROLS))

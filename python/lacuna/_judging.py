@@ -1,4 +1,4 @@
-"""analyze and devices: what measures points, and what there is to run on."""
+"""analyze and devices: measuring point sets, and listing devices."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from ._runs import Progress
 
-_BINS_OF_A_SPACING = 20  # of the pair correlation
+_BINS_OF_A_SPACING = 20  # bins of the pair correlation per mean spacing
 
 
 def domain_of(
@@ -26,7 +26,7 @@ def domain_of(
     torus: object | None,
     shape: tuple[float, float] = (1.0, 1.0),
 ) -> tuple[float, float, bool]:
-    """What was given, or else what a set knows of itself, or else the shape."""
+    """The domain and torus as given, or else of the set, or else ``shape`` without torus."""
     known = isinstance(points, (PointSet, Relaxed))
     if domain is not None:
         width, height = pair("domain", domain)
@@ -46,25 +46,26 @@ def analyze(
     threads: SupportsIndex = 0,
     progress: Progress | None = None,
 ) -> Analysis:
-    """Spectrum and statistics of a point set, or of several that are averaged.
+    """Spectrum and statistics of a point set, or their mean over several sets.
 
-    The time grows little faster than the count; memory is some 400 bytes a point.
+    Time grows little faster than the number of points. Memory is about 400 bytes per point.
 
     Parameters
     ----------
     points : PointSet or array_like, shape (N, 2), or a list of them
-        Each of at least one point.
+        Each set must have at least one point.
     domain : tuple of float, optional
-        Width and height of all. By default the first PointSet's own, else (1, 1).
+        Width and height of all sets. By default those of the first set if it is a PointSet, else
+        (1, 1).
     torus : bool, optional
-        Whether the edges wrap. By default as the first PointSet's do; else they do not.
+        Whether the edges wrap. By default as in the first set if it is a PointSet, else False.
     max_frequency : float
-        How far the spectrum reaches, in units of sqrt(N): over 0, at most 1000. Its time and memory
-        grow with the square of this.
+        Largest frequency of the spectrum in units of sqrt(N): over 0, at most 1000. Time and memory
+        grow with its square.
     threads : int
-        0 is one a core. The numbers do not depend on it.
+        0 is one for each core. The results do not depend on it.
     progress : callable, optional
-        Called with thousandths done, and 1000.
+        Called with two ints: how many thousandths of the work are done, and 1000.
 
     Returns
     -------
@@ -100,9 +101,9 @@ def analyze(
 
 
 def devices() -> list[Device]:
-    """List every backend's devices, in order of preference, as ``lacuna devices`` does.
+    """List every backend's devices, in order of preference, like ``lacuna devices``.
 
-    What is not there has an entry too, whose ``unusable`` says why.
+    A backend that cannot be used has an entry too, whose ``unusable`` says why.
 
     Returns
     -------

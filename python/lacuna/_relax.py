@@ -1,4 +1,4 @@
-"""relax: points with equal shares."""
+"""relax: moves points until their cells have equal capacity."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ def relax(
     threads: SupportsIndex = 0,
     progress: Progress | None = None,
 ) -> Relaxed:
-    """Move points until each owns an equal share of the importance and sits in its middle.
+    """Move points until their cells hold equal importance and each is the centroid of its cell.
 
-    A centroidal power diagram with equal capacities, found in whole numbers: the same points come
-    back on every backend and any number of threads. No least distance is promised.
+    This is a centroidal power diagram with equal capacities. It is computed in whole numbers: every
+    backend and any number of threads give the same points. No least distance is promised.
 
     Parameters
     ----------
@@ -42,12 +42,12 @@ def relax(
     iterations : int
         How often points are moved, at most 10,000. 10 to 30 are enough.
     domain : tuple of float, optional
-        Width and height. By default a PointSet's own; else (1, 1), or with a field its shape, the
-        longer side 1.
+        Width and height. By default those of the PointSet, else the field's shape with a longer
+        side of 1, else (1, 1).
     torus : bool, optional
-        Whether the edges wrap. By default as a PointSet's do; else they do not.
+        Whether the edges wrap. By default as in the PointSet, else False.
     measure : bool
-        Fill in ``Relaxed.evenness``, which costs two more looks at the lattice.
+        Fill in ``Relaxed.evenness``, which costs two more passes over the lattice.
     backend, device, threads, progress
         As for ``sample``; progress is called with points times iterations.
 

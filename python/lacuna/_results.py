@@ -1,4 +1,4 @@
-"""What the functions of lacuna give back: small frozen objects."""
+"""The results of lacuna's functions: small frozen objects."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class _HasPoints:
-    """Points of a domain, N x 2 float64, which numpy takes this object for."""
+    """Points of a domain. numpy accepts the object as an array of N x 2 float64."""
 
     points: Floats = field(repr=False)
     domain: tuple[float, float]
@@ -37,22 +37,22 @@ class _HasPoints:
 
     @property
     def sha256(self) -> str:
-        """The SHA-256 of the points as little-endian float64, as the command's --report has it."""
+        """The SHA-256 of the points as little-endian float64, as in the command's --report."""
         return hashlib.sha256(np.ascontiguousarray(self.points, "<f8").data).hexdigest()
 
 
 @dataclass(frozen=True, eq=False)
 class Evenness:
-    """How equal the points' shares of the importance are: standard deviation over mean.
+    """How equal the importance in the points' cells is: standard deviation over mean.
 
     Attributes
     ----------
     before : float
-        Of the importance in the points' Voronoi cells.
+        In the Voronoi cells of the points given.
     after : float
-        In the power cells that relaxing ends with.
+        In the final power cells.
     after_voronoi : float
-        In the Voronoi cells of the points that it ends with.
+        In the Voronoi cells of the moved points.
     """
 
     before: float
@@ -67,17 +67,17 @@ class Relaxed(_HasPoints):
     Attributes
     ----------
     points : ndarray, shape (N, 2), float64
-        Where they are now.
+        The moved points.
     iterations : int
         How often they were moved.
     lattice : tuple of int
-        Columns and rows of the lattice on which shares were found; (0, 0) without a point.
+        Columns and rows of the lattice that cells were computed on; (0, 0) without points.
     evenness : Evenness or None
         Only with ``measure=True``.
     seconds : mapping of str to float
         Seconds by step, and "total".
     backend, device : str
-        What did the work.
+        The backend and device that did the work.
     """
 
     iterations: int
@@ -96,14 +96,14 @@ class PointSet(_HasPoints):
     ----------
     points : ndarray, shape (N, 2), float64
         Points in the order in which they were admitted: any prefix is itself a Poisson-disk set.
-        The numbers are the library's own, not a copy.
+        The array uses the library's memory, without a copy.
     domain : tuple of float
         Width and height; points lie in [0, width) x [0, height).
     torus : bool
         Whether the edges wrap.
     radius : float
         The least distance asked for, or chosen for ``n``; with a field the least of all radii;
-        after relaxing the least distance that is left.
+        after relaxing the least distance of the moved points.
     scale : float or None
         With a field the radius where importance is 1, asked for or chosen.
     mode, metric : str
@@ -111,17 +111,17 @@ class PointSet(_HasPoints):
     seed : int
         With this seed the same call gives the same points.
     maximal : bool
-        Whether no room is left. False where ``n`` or ``limit`` ended the run, and after relaxing.
+        Whether no room is left. False if ``n`` or ``limit`` ended the run, and after relaxing.
     rounds, draws : int
-        Rounds of draws, and draws in all.
+        Number of rounds, and of draws in all rounds.
     lines_per_radius : int
-        How finely the free space was cut up.
+        As asked for, or the mode's default.
     relaxed : Relaxed or None
-        What relaxing came to, with ``relax``.
+        The result of relaxing, with ``relax``.
     seconds : mapping of str to float
         Seconds by step, and "total".
     backend, device : str
-        What did the work.
+        The backend and device that did the work.
     """
 
     radius: float
@@ -140,7 +140,7 @@ class PointSet(_HasPoints):
     _request: Mapping[str, Any] = field(repr=False)
 
     def report(self) -> dict[str, Any]:
-        """What the command writes with --report, as a dict of what json can write."""
+        """The command's --report, as a dict that json can write."""
         report: dict[str, Any] = {
             "program": "lacuna",
             "version": _core.version,
@@ -177,7 +177,7 @@ class Stippling(PointSet):
     Attributes
     ----------
     radii : ndarray, shape (N,), float64
-        Of the dots to draw, in the domain's unit: they cover as much as the picture is dark.
+        Radii of the dots to draw, in the domain's unit. Dots have as much ink as the picture.
     """
 
     radii: Floats = field(repr=False)
@@ -185,28 +185,28 @@ class Stippling(PointSet):
 
 @dataclass(frozen=True, eq=False)
 class Analysis:
-    """Spectrum and statistics of point sets. What is not known is None.
+    """Spectrum and statistics of point sets. Statistics that do not exist are None.
 
     Attributes
     ----------
     frequency : ndarray, shape (K,)
-        Of rings of the periodogram, in units of sqrt(N), up to max_frequency.
+        Mean frequency of each ring of the periodogram in units of sqrt(N), up to max_frequency.
     power : ndarray, shape (K,)
         Mean power of each ring: 1 for independent points.
     anisotropy_db : ndarray, shape (K,)
-        Variance of the power over its squared mean, in dB; NaN where there is no power.
+        Variance of the power over its squared mean, in dB; NaN where power is 0.
     distance : ndarray, shape (L,)
-        Middles of bins, in mean spacings, sqrt(area / N).
+        Middles of the bins of distance, in units of the mean spacing, sqrt(area / N).
     pair_correlation : ndarray, shape (L,)
         Mean of g in each bin.
     sets, mean_count : int, float
-        How many were averaged, and their mean number of points.
+        Number of sets that were averaged, and their mean number of points.
     least_distance, mean_distance : float or None
-        Of all sets; to the nearest other point.
+        Least distance of two points in all sets; mean distance to the nearest other point.
     relative_radius : float or None
-        The least distance over a hexagonal lattice's (Lagae & Dutre 2008).
+        The least distance over that of a hexagonal lattice (Lagae & Dutre 2008).
     effective_nyquist, oscillations : float or None
-        Of Heck et al. 2013.
+        As defined by Heck et al. 2013; the first is in units of sqrt(N) / 2.
     psi_6 : float or None
         Mean of abs(psi_6): 1 for a hexagonal lattice.
     """
@@ -228,20 +228,20 @@ class Analysis:
 
 @dataclass(frozen=True)
 class Device:
-    """A device that a backend can run on, or what stands where one was hoped for.
+    """A device that a backend can run on, or a backend that cannot run.
 
     Attributes
     ----------
     backend : str
-        What to give as ``backend``.
+        The value for the argument ``backend``.
     number : int
-        What to give as ``device``, for opencl and vulkan.
+        The value for the argument ``device``, for opencl and vulkan.
     name, kind : str
-        As the driver gives it; and cpu, gpu or other.
+        The name as the driver gives it; cpu, gpu or other.
     memory_bytes, largest_buffer_bytes : int
-        0 where that is not known.
+        0 if not known.
     unusable : str
-        Why it cannot be used; empty when it can.
+        Why it cannot be used; empty if it can.
     """
 
     backend: str

@@ -1,4 +1,4 @@
-"""What sample, stipple and relax have in common: requests, runs and what comes of them."""
+"""Requests, runs and results that sample, stipple and relax have in common."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def checked_progress(progress: object) -> None:
 
 
 def shape_of(field: _core.Field | _core.Mask) -> tuple[float, float]:
-    """The domain of a picture: its shape, the longer side 1."""
+    """The domain of a picture: its shape with a longer side of 1."""
     longer = max(field.columns, field.rows)
     return field.columns / longer, field.rows / longer
 
@@ -42,7 +42,7 @@ def place(
     device: object,
     threads: SupportsIndex,
 ) -> None:
-    """Writes down what all runs have in common."""
+    """Fills in the options that all runs have in common."""
     options.width, options.height = domain
     options.torus = flag("torus", torus)
     options.backend = text("backend", backend)
@@ -59,7 +59,7 @@ def fill(
     round_size: SupportsIndex,
     memory_limit: SupportsIndex | None,
 ) -> None:
-    """Writes down what sample and stipple both know."""
+    """Fills in the options of both sample and stipple."""
     request.seed = seed_of(seed)
     if limit is not None:
         request.limit = whole("limit", limit, 1, MOST_64)
@@ -71,7 +71,7 @@ def fill(
 
 
 def choose_metric(request: _core.Request, metric: object, iterations: int) -> None:
-    """The metric of a field: in cells mean is what relaxing comes farthest from."""
+    """Fills in the metric. In cells the default is mean if the set will be relaxed, else min."""
     if metric is not None:
         request.metric = choice("metric", metric, METRICS)
     elif iterations and request.mode == "cells":
@@ -79,7 +79,7 @@ def choose_metric(request: _core.Request, metric: object, iterations: int) -> No
 
 
 def set_size(request: _core.Request, sizes: dict[str, Any]) -> None:
-    """Exactly one of radius or scale, and n."""
+    """Fills in the one of ``sizes`` that is given: radius, scale or n. Exactly one must be."""
     given = {name: value for name, value in sizes.items() if value is not None}
     if len(given) != 1:
         allowed = " or ".join(sizes)
@@ -121,7 +121,7 @@ def _relax_set(
     iterations: int,
     progress: Progress | None,
 ) -> tuple[Relaxed, float]:
-    """Relaxes a set on the backend that made it; and the least distance that is left."""
+    """Relaxes a set on the backend that made it. Returns also the least distance after it."""
     options = _core.RelaxOptions()
     options.width, options.height, options.torus = request.width, request.height, request.torus
     options.backend, options.device = request.backend, request.device
@@ -141,7 +141,7 @@ def _relax_set(
 
 
 def _request_of(request: _core.Request, has_field: bool, lines_per_radius: int) -> dict[str, Any]:
-    """What was asked for, as a report says it."""
+    """The request, as reports have it."""
     cells = request.mode == "cells"
     size = "scale" if has_field else "radius"
     asked: dict[str, Any] = {
@@ -170,7 +170,7 @@ def make(
     mask: _core.Mask | None = None,
     keep: npt.NDArray[np.float64] | None = None,
 ) -> dict[str, Any]:
-    """Samples, relaxes, and gives what a PointSet is made of."""
+    """Samples and relaxes. Returns the attributes of a PointSet."""
     checked_progress(progress)
     made = _core.sample(request, field, mask, keep, progress)
     asked = _request_of(request, field is not None, made["lines_per_radius"])
@@ -192,7 +192,7 @@ def make(
 def make_many(
     request: _core.Request, seeds: list[int], progress: Progress | None
 ) -> list[dict[str, Any]]:
-    """Samples once for each seed, and gives what PointSets are made of."""
+    """Samples once for each seed. Returns the attributes of PointSets."""
     checked_progress(progress)
     started = time.perf_counter()
     all_made = _core.sample_many(request, seeds, progress)

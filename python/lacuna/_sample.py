@@ -1,4 +1,4 @@
-"""sample: a point set."""
+"""sample and sample_many: make point sets."""
 
 from __future__ import annotations
 
@@ -63,10 +63,10 @@ def sample(
     memory_limit: SupportsIndex | None = None,
     progress: Progress | None = None,
 ) -> PointSet:
-    """Make a blue-noise point set: random, evenly spread points with no room left for another.
+    """Make a blue-noise point set: random points, evenly spread, with no room for one more.
 
-    The same arguments and seed give the same points, bit for bit, on every backend and any number
-    of threads, and the same as the command ``lacuna sample`` or ``lacuna stipple`` gives.
+    The same arguments and seed give the same points, bit for bit, on every backend and with any
+    number of threads. The commands ``lacuna sample`` and ``lacuna stipple`` give the same points.
 
     Parameters
     ----------
@@ -74,61 +74,62 @@ def sample(
         Least distance between two points, in the unit of ``domain``; this or ``n``. Not with a
         field.
     n : int
-        Exactly so many points, at a radius or a scale that is chosen to fit.
+        Exactly ``n`` points, at a radius or a scale with room for a few more: the set is not
+        maximal.
     field : array_like, shape (rows, columns), optional
         Importance: where points are wanted, and how densely. Finite and at least 0; where it is 0
-        no point is. Row 0 is the top, where y is largest. Any real dtype, byte order and strides.
-        It is read once, before the work begins.
+        there is no point. Row 0 is the top, where y is largest. Any real dtype, byte order and
+        strides. It is read once, before the work begins.
     scale : float
-        With a field, this or ``n``: the radius of a place is ``scale / sqrt(importance there)``.
+        With a field, this or ``n``: the radius at a point is ``scale / sqrt(importance there)``.
     metric : {'min', 'mean', 'max'}, optional
-        With a field: what two points of different radii keep apart. By default 'min', which is the
-        only one in 'exact', and in 'cells' 'mean' with ``relax``.
+        With a field: the least distance of two points is the min, mean or max of their radii. By
+        default 'min', but 'mean' in 'cells' with ``relax``. 'exact' allows 'min' only.
     mask : array_like, shape (rows, columns), optional
-        Where points may lie: on pixels that are not 0, or True, stretched over the domain. Row 0
-        is the top. Any real dtype, byte order and strides. ``draw_mask`` makes one of polygons.
+        Points may lie on pixels that are not 0 or False. The mask is stretched over the domain. Row
+        0 is the top. Any real dtype, byte order and strides. ``draw_mask`` makes one of polygons.
     border : float
         Least distance of points to the domain's edges, in the unit of ``domain``; not on a torus.
     keep : array_like, shape (N, 2), optional
-        Points that are there already: they come first, unmoved, and new ones keep their distance
-        from them and fill what they leave. Each must lie where points may, and keep its distance
-        from the others. They count for ``n`` and ``limit``.
+        Points that are there already. They come first, unmoved, and new points keep their distance
+        from them. Each must lie where points may lie, and keep its distance from the others. They
+        count for ``n`` and ``limit``.
     domain : tuple of float, optional
-        Width and height. By default (1, 1); with a field its shape, the longer side 1, and with a
-        mask alone the mask's.
+        Width and height. By default the shape of the field or else of the mask, with a longer side
+        of 1; without both (1, 1).
     torus : bool
         Whether the edges wrap.
     mode : {'exact', 'lines', 'cells'}, optional
         'exact', the default, leaves no gap; 'lines' is the approximation of Kalantari & Sen 2011;
-        'cells', the default with a field, puts points on a lattice. With mask, border or keep it is
-        'exact', with a field too.
+        'cells', the default with a field, puts points on a lattice. With mask, border or keep the
+        mode must be 'exact', which is then the default with a field too.
     seed : None, int or numpy.random.Generator
-        An int, 0 to 2^64 - 1, is what the command calls --seed; 64 bits are drawn from a
-        generator, and None takes them from the system. The result tells which seed it was.
+        An int from 0 to 2^64 - 1 is the same as --seed of the command. A generator gives 64 random
+        bits; for None the system gives them. The result holds the seed.
     limit : int, optional
-        Stop after so many points.
+        Stop after this many points.
     relax : int
-        Then move the points so many times until their shares of the domain, or of the field, are
-        equal: see ``lacuna.relax``. Not with mask, border or keep.
+        Then move the points this many times, as ``lacuna.relax`` does. Not with mask, border or
+        keep.
     lines_per_radius : int, optional
-        1 to 1000; by default 6 in 'exact', where it decides nothing but the speed (1 with a field,
-        a mask, a border or kept points), 30 in 'lines' and 10 in 'cells'.
+        1 to 1000. By default 30 in 'lines', 10 in 'cells' and 6 in 'exact' (1 with a field, a mask,
+        a border or kept points). In 'exact' it changes only the speed.
     snap, uniform_x : bool
-        In 'lines': points on the lines themselves; lines with room are equally likely.
+        In 'lines': points lie on the lines; all lines with room are equally likely.
     round_size : int
         Draws in a round; 0 chooses, 1 is the paper's algorithm.
     backend : {'auto', 'cpu', 'opencl', 'vulkan', 'reference'}
-        'auto' is what the environment variable LACUNA_BACKEND names, or else 'cpu'.
+        'auto' is the backend that the environment variable LACUNA_BACKEND names, or else 'cpu'.
     device : int or str, optional
-        For opencl and vulkan: a number or a part of the device's name.
+        For opencl and vulkan: a device's number or a part of its name.
     threads : int
-        0 is one a core.
+        0 is one for each core.
     memory_limit : int, optional
         Refuse a set that takes more bytes; by default the machine's memory.
     progress : callable, optional
-        Called with the points so far and those expected, at most 50 times a second, on the
-        calling thread. An exception that it raises ends the run. While relaxing it is called with
-        points times iterations.
+        Called with the number of points so far and the number expected, at most 50 times a second,
+        on the calling thread. An exception that it raises ends the run. While relaxing it is called
+        with points times iterations.
 
     Returns
     -------
@@ -137,7 +138,7 @@ def sample(
     Raises
     ------
     BadRequest
-        A ValueError: a value cannot be met. Names the argument.
+        A ValueError: a value is invalid. Names the argument.
     TypeError
         An argument is of the wrong type. Names it.
     MemoryRefused
@@ -145,7 +146,7 @@ def sample(
     Unavailable, DeviceError
         RuntimeErrors: there is no such backend or device, or it failed.
     KeyboardInterrupt
-        On Ctrl-C, within 0.2 s; nothing is left behind.
+        On Ctrl-C, within 0.2 s.
 
     Examples
     --------
@@ -164,7 +165,7 @@ def sample(
     >>> bool((dense.points[:, 0] > 0.5).mean() > 0.7)
     True
 
-    A maximal set on it, in a disk, around a point that is there:
+    A maximal set that follows the same field, in a disk, with a point that is there already:
 
     >>> y, x = np.mgrid[-1:1:64j, -1:1:64j]
     >>> disk = np.hypot(x, y) < 0.9
@@ -185,7 +186,7 @@ def sample(
     iterations = whole("relax", relax, 0, MOST_32)
     if iterations and is_bounded:
         raise BadRequest(
-            f"relax {iterations}: is not for mask, border or keep, which it knows nothing of",
+            f"relax {iterations}: cannot be used with mask, border or keep",
             "relax",
         )
     if importance is None:
@@ -233,25 +234,25 @@ def sample_many(
     memory_limit: SupportsIndex | None = None,
     progress: Progress | None = None,
 ) -> list[PointSet]:
-    """Make many sets of one request, a seed each: small ones several at once.
+    """Make many sets of one request, one for each seed. Small sets are made in parallel.
 
-    Each set is what ``sample`` gives with that seed. Sets of up to some 20,000 points are shared
-    out among the threads of the cpu, larger ones are made one after the other.
+    Each set is the same as that of ``sample`` with this seed. Sets of up to about 20,000 points are
+    made on one thread each, several at the same time; larger sets are made one after another.
 
     Parameters
     ----------
     seeds : iterable of int
-        Such as ``range(1000)``: each 0 to 2^64 - 1.
+        Such as ``range(1000)``. Each is from 0 to 2^64 - 1.
     radius, n, domain, torus, mode, limit, lines_per_radius, snap, uniform_x, round_size, backend, \
 device, threads, memory_limit
-        As of ``sample``; memory_limit is of each set.
+        As for ``sample``; memory_limit is for each set.
     progress : callable, optional
-        Called with the sets that are done and all of them.
+        Called with the number of sets that are done and the number of all sets.
 
     Returns
     -------
     list of PointSet
-        In the order of the seeds. Their ``seconds`` are equal shares of the call's.
+        In the order of the seeds. Their ``seconds`` are the call's, divided by the number of sets.
 
     Raises
     ------

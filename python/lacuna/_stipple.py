@@ -1,4 +1,4 @@
-"""stipple: a picture as dots."""
+"""stipple: turns a picture into dots."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def _tone(
 
 
 def _picture(image: object, tone: _core.Tone) -> _core.Field:
-    """The importance of a picture in a file or in an array, which is read as .npy is."""
+    """The importance of a picture in a file or in an array. An array is read like an .npy file."""
     if isinstance(image, (str, bytes, os.PathLike)):
         return _core.read_field(path_bytes("image", image), tone)
     encoded = io.BytesIO()
@@ -82,32 +82,32 @@ def stipple(
     ----------
     image : path or array_like, shape (rows, columns) or (rows, columns, 1, 3 or 4)
         A picture: PNG, JPEG, PGM, PPM, PFM, Radiance HDR or .npy; or an array, row 0 on top.
-        Bytes and 16-bit numbers count from 0 to the largest one, other numbers from 0 (black) to 1
-        (white), or to the largest of the array where that is over 1.
+        Black is 0. White is 255 or 65535 for 8-bit and 16-bit numbers; for other numbers it is 1,
+        or the largest number in the array if that is over 1.
     n : int, optional
-        Exactly so many dots. By default, without ``scale``, as many as suit the picture: one to 16
-        pixels of black, its longer side counting as 512 to 2048 pixels; at most a million.
+        Exactly ``n`` dots. By default, without ``scale``, a number that suits the picture: one for
+        each 16 black pixels, if its longer side had 512 to 2048 pixels; at most a million.
     scale : float
-        The radius where the picture is black, its longer side being 1.
+        The radius where the picture is black, if its longer side is 1.
     relax : int
-        Then move the dots so many times until their shares of the picture are equal. With 0 they
-        stay at random, as Kalantari & Sen 2011 place them.
+        Then move the dots this many times, until their cells hold equal darkness. With 0 they are
+        not moved and stay random, as in Kalantari & Sen 2011.
     metric : {'min', 'mean', 'max'}, optional
-        What two dots of different radii keep apart. By default 'mean', and 'min' with
-        ``relax=0`` and in 'exact', which knows no other.
+        The least distance of two dots is the min, mean or max of their radii. By default 'mean',
+        but 'min' with ``relax=0`` and in 'exact', which allows no other.
     mode : {'cells', 'exact'}
-        'cells' places dots on a lattice, as Kalantari & Sen 2011 do; 'exact' in the plane, where it
-        leaves no gap: the set that ``sample`` makes of the picture's importance.
+        'cells' places dots on a lattice, as in Kalantari & Sen 2011. 'exact' places them in the
+        plane and leaves no gap: the set that ``sample`` makes of the picture's importance.
     invert : bool
-        Bright is dense.
+        Bright is dense instead of dark.
     black, white : float
-        Luminance, 0 to 1, that counts as black and as white.
+        Luminance up to ``black`` counts as black, and from ``white`` on as white; 0 to 1.
     auto_levels : bool
-        Black and white such that half a percent of the pixels are beyond each.
+        Choose ``black`` and ``white`` so that half a percent of the pixels lie beyond each.
     gamma : float
         Importance is raised to this power: over 1 lightens middle tones.
     min_importance : float
-        Importance is nowhere less, so that white has dots too.
+        Least importance, so that white has dots too.
     torus, seed, limit, lines_per_radius, round_size, backend, device, threads, memory_limit, \
 progress
         As for ``sample``.
@@ -115,7 +115,7 @@ progress
     Returns
     -------
     Stippling
-        Points in the picture's shape, its longer side 1, y upwards, with the dots' radii.
+        Points of the picture, whose longer side is 1, y upwards, with the dots' radii.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""verify: proves or refutes a set."""
+"""verify: proves or refutes that a set is maximal."""
 
 from __future__ import annotations
 
@@ -21,38 +21,38 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Verdict:
-    """What ``verify`` has found. True where the claim holds.
+    """The result of ``verify``. It is true if the claim holds.
 
-    With a field each place has a radius of its own: two points must be the smaller of theirs apart,
-    and that is how near a spot must have a point.
+    With a field each pixel has its own radius. Two points must be at least the smaller of their
+    radii apart, and a spot must have a point within the smaller of its own and the point's radius.
 
     Attributes
     ----------
     holds : bool
-        No two points are closer than the radius and, where that was asked, no spot is farther
+        No two points are closer than the radius and, unless ``distances_only``, no spot is farther
         from every point than radius + tolerance.
     maximal : bool
-        Holds, and with a tolerance of at most 1 % of the radius: nothing is missing.
+        ``holds`` is true, gaps were looked for, and the tolerance is at most 1 % of the radius.
     kept, covered : bool or None
-        The two halves of the claim; covered is None with ``distances_only``, and both are where
-        a point lies outside, where none may, or not where it was kept.
+        Whether distances are large enough; whether there are no gaps. covered is None with
+        ``distances_only``. Both are None if outside, moved or forbidden is not None.
     outside : int or None
-        The first point outside the domain: nothing else is then looked at.
+        The first point outside the domain. Nothing else is then checked.
     moved : int or None
-        The first point of ``keep`` that is not in its place: nothing else is then looked at.
+        The first point of ``keep`` that the set does not begin with. Nothing else is then checked.
     forbidden, forbidden_by : int or None, str or None
-        The first point that lies where none may, and what says so: 'field', 'mask', 'inside' or
-        'border'. Nothing else is then looked at.
+        The first point that lies where none may lie, and the reason: 'field', 'mask', 'inside' or
+        'border'. Nothing else is then checked.
     closest_pair, least_distance : tuple of int or None, float
-        The indices of the closest two points; how far: infinite for fewer than two. With a field
-        the two of the least distance for what they must keep.
+        The indices of the closest two points, and their distance, which is infinite for fewer than
+        two points. With a field, closest in terms of their limit.
     least_limit : float or None
-        What these two must keep: the radius, or the smaller of theirs.
+        The limit of these two points: the radius, or the smaller of their radii.
     emptiest_spot, emptiest_distance : tuple of float or None, float or None
-        The spot of the domain that is farthest from every point; how far. With a field the spot
-        that is farthest over its limit, and how far it is from the point that covers it best.
+        The spot of the largest gap, and its distance from the nearest point. With a field, largest
+        in terms of the limit, and the distance is from the point that covers the spot best.
     emptiest_limit : float or None
-        How near that spot must have a point.
+        The limit of that spot: the distance within which it must have a point.
     radius, tolerance : float
         As claimed; with a field radius is the least of all radii.
     scale : float or None
@@ -84,7 +84,7 @@ class Verdict:
 def _claimed(
     points: object, radius: SupportsFloat | None, scale: SupportsFloat | None, has_field: bool
 ) -> float:
-    """The radius, with a field the scale: what was given, or else what a set knows of itself."""
+    """The radius, or with a field the scale, as given or else as the PointSet has it."""
     if not has_field:
         if scale is not None:
             raise BadRequest(f"scale {scale!r:.60}: is for a field", "scale")
@@ -103,7 +103,7 @@ def _claimed(
 
 
 def _shape(pixels: _core.Field | _core.Mask | None, inside: object) -> tuple[float, float]:
-    """The domain where nobody tells it."""
+    """The default domain for points that are no PointSet."""
     if pixels is not None:
         return shape_of(pixels)
     page = inside.domain if isinstance(inside, Polygons) else None
@@ -131,41 +131,41 @@ def verify(
     Parameters
     ----------
     points : PointSet or array_like, shape (N, 2)
-        Whoever made them.
+        Points of any program.
     radius : float, optional
-        Least distance between two points. By default a PointSet's own. Not with a field.
+        Least distance between two points. By default the PointSet's. Not with a field.
     field : array_like, shape (rows, columns), optional
-        Importance, as of ``sample``: each place has its pixel's radius, and two points, or a point
-        and a spot, the smaller of theirs. Within 2^-28 of the longer side of a border of pixels a
-        point may count for either.
+        Importance, as for ``sample``: each pixel has its own radius, and the limit of two points,
+        or of a point and a spot, is the smaller of their radii. Within 2^-28 of the longer side of
+        a pixel's border, a point may have the radius of either pixel.
     scale : float, optional
-        With a field the radius where importance is 1. By default a PointSet's own.
+        With a field the radius where importance is 1. By default the PointSet's.
     mask : array_like, shape (rows, columns), optional
-        Where points may lie, as of ``sample``: spots where none may need not be covered.
+        Where points may lie, as for ``sample``. Other spots need not be covered.
     inside : Polygons or iterable of array_like, each of shape (N, 2), optional
-        Polygons in which points must lie, as of ``draw_mask``, but not drawn.
+        Polygons in which points must lie, as for ``draw_mask``. They are checked without a mask.
     edge : float
-        How far their edges may be off: a point may lie so far outside, and a spot that is no
-        farther inside need not be covered.
+        How far the polygons' outline may be off: points may lie up to this distance outside, and
+        spots up to this distance inside need not be covered.
     border : float
-        As of ``sample``: no point may be closer to the domain's edges.
+        As for ``sample``: no point may be closer to the domain's edges.
     keep : array_like, shape (N, 2), optional
-        What the points begin with, to the bit.
+        The points that the set must begin with, bit for bit.
     domain : tuple of float, optional
-        Width and height. By default a PointSet's own, else the shape of the field or of the mask,
-        its longer side 1, else the page of ``inside``, or (1, 1).
+        Width and height. By default the PointSet's, else the shape of the field or of the mask with
+        a longer side of 1, else the page of ``inside``, else (1, 1).
     torus : bool, optional
-        Whether the edges wrap. By default as a PointSet's do; else they do not.
+        Whether the edges wrap. By default as in the PointSet, else False.
     tolerance : float, optional
-        How far over the radius a gap may be; by default 2^-28 of the longer side, with a field,
-        mask, polygons or border twice that.
+        By how much a gap may exceed the radius. By default 2^-28 of the longer side; twice that
+        with a field, mask, polygons or border.
     distances_only : bool
         Do not look for gaps, which takes most of the time.
 
     Returns
     -------
     Verdict
-        True where the claim holds; with the closest pair and the emptiest spot.
+        True if the claim holds. It has the closest pair and the largest gap.
 
     Raises
     ------
@@ -182,7 +182,7 @@ def verify(
     >>> verdict.kept, verdict.covered
     (True, False)
 
-    Of a set that follows a field, in a part of it:
+    A set that follows a field, in a disk:
 
     >>> import numpy as np
     >>> ramp = np.linspace(0, 1, 64) * np.ones((64, 1))

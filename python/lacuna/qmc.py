@@ -1,4 +1,4 @@
-"""An engine in the manner of scipy.stats.qmc. Needs scipy.
+"""An engine like those in scipy.stats.qmc. Needs scipy.
 
 >>> from lacuna import qmc
 >>> engine = qmc.PoissonDisk(2, radius=0.1, rng=1)
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 __all__ = ["PoissonDisk"]
 
-# Rectangles of at most so many squared radii, some 14,000 points, are filled at once: that takes
-# some 20 ms, and a run for every part more.
+# Rectangles up to this area, in squared radii, are filled at once. The set has up to about 14,000
+# points and takes about 20 ms; runs for a few points at a time would take longer together.
 _SMALL = 20_000
 
 
@@ -108,22 +108,22 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
         self._place = {"backend": backend, "device": device, "threads": threads}
         self._points: npt.NDArray[np.float64] = np.empty((0, 2))
         self._is_full = False
-        # What makes no sense is refused here and not at the first point.
+        # Invalid arguments are thus refused here, and not at the first point.
         self._fetch(1)
 
     def _fetch(self, count: int | None) -> None:
-        """Has the first ``count`` points of the set ready, or all of them."""
+        """Makes sure that the first ``count`` points of the set are made, or all of them."""
         if self._is_full or (count is not None and count <= len(self._points)):
             return
         radius, limit = self.radius, None
         if self.l_bounds.any():
-            # Moving points to the bounds rounds them, by up to a unit in the last place each way.
+            # Adding l_bounds rounds each coordinate by up to one unit in the last place.
             last = np.spacing(np.abs([self.l_bounds, self.u_bounds]).max())
             radius += 8 * float(last)
         width, height = float(self._sides[0]), float(self._sides[1])
         is_small = radius > 0 and width / radius * (height / radius) <= _SMALL
         if count is not None and not is_small:
-            # A prefix of the set; twice as long as asked for, so that few runs make the whole.
+            # Makes a prefix, twice as long as asked for, so that the whole set takes few runs.
             limit = max(64, 2 * count)
         try:
             made = sample(
@@ -157,14 +157,14 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
     def random(
         self, n: SupportsIndex = 1, *, workers: SupportsIndex = 1
     ) -> npt.NDArray[np.float64]:
-        """Draw the next points; fewer than ``n`` where no more room is left.
+        """Draw the next points; fewer than ``n`` if no more room is left.
 
         Parameters
         ----------
         n : int
-            How many.
+            The number of points.
         workers : int
-            Of no effect; see ``threads``.
+            Has no effect; see ``threads``.
 
         Returns
         -------
@@ -201,7 +201,7 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
         Parameters
         ----------
         n : int
-            How many.
+            The number of points.
 
         Returns
         -------

@@ -1,4 +1,4 @@
-// Points and numbers as numpy's arrays.
+// Points and numbers as numpy arrays.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -16,11 +16,11 @@ namespace nb = nanobind;
 
 static_assert(sizeof(Point) == 2 * sizeof(double), "points are rows of two numbers");
 
-// What python/lacuna has made of whatever it was given: N x 2, C order, this machine's bytes.
+// Points from python/lacuna, which converts all it is given to N x 2 in C order and native bytes.
 using PointArray =
     nb::ndarray<const double, nb::numpy, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>;
 
-// A copy: other threads may change an array while it is looked at.
+// Copies the points: other threads may change an array while it is read.
 inline std::vector<Point> points_of(const PointArray& array) {
     std::vector<Point> points(array.shape(0));
     const double* from = array.data();
@@ -31,7 +31,7 @@ inline std::vector<Point> points_of(const PointArray& array) {
     return points;
 }
 
-// An array that owns the numbers: nothing is copied.
+// Makes an array that takes over the numbers, without a copy.
 template <typename Number>
 nb::object array_of(std::vector<Number>&& numbers) {
     auto kept = std::make_unique<std::vector<Number>>(std::move(numbers));
@@ -42,7 +42,7 @@ nb::object array_of(std::vector<Number>&& numbers) {
     });
     static_cast<void>(kept.release());
     if constexpr (std::is_same_v<Number, Point>) {
-        double* const first = count != 0 ? &data->x : nullptr;  // of none there is no address
+        double* const first = count != 0 ? &data->x : nullptr;  // an empty vector has no data->x
         return nb::cast(nb::ndarray<nb::numpy, double, nb::ndim<2>>(first, {count, 2}, owner));
     } else {
         return nb::cast(nb::ndarray<nb::numpy, Number, nb::ndim<1>>(data, {count}, owner));

@@ -1,4 +1,4 @@
-// Work that has no observer, made to stop for Ctrl-C.
+// Makes work without an observer stop for Ctrl-C.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -13,9 +13,9 @@ namespace lacuna::python {
 
 namespace nb = nanobind;
 
-// Calls work(stop) on a thread of its own and waits for it, with the GIL released; meanwhile runs
-// Python's signal handlers. When one raises, `stop` becomes true, upon which the work should throw
-// Cancelled, and what was raised is thrown once the work has ended: nothing is left behind.
+// Calls work(stop) on a new thread and waits for it with the GIL released. Meanwhile it runs
+// Python's signal handlers. When one of them raises an exception, `stop` becomes true and the work
+// should throw Cancelled. The exception is thrown after the work has ended.
 template <typename Work>
 auto in_background(Work work) {
     constexpr std::chrono::milliseconds kInterval{20};

@@ -1,4 +1,4 @@
-// Where points may lie: masks, and polygons that are drawn onto them.
+// Masks, and polygons that are drawn onto masks.
 #include <lacuna/domains.h>
 #include <lacuna/lacuna.h>
 #include <nanobind/nanobind.h>
@@ -24,7 +24,7 @@ Mask make_mask(std::uint32_t rows, std::uint32_t columns) {
     return {columns, rows, std::vector<std::uint8_t>(std::size_t{columns} * rows)};
 }
 
-// The truths of a mask, for numpy to fill or to keep: nothing is copied.
+// The values of a mask as an array that numpy can fill or keep, without a copy.
 Truths truths_of(Mask& mask) {
     return Truths(mask.allowed.data(), {mask.rows, mask.columns}, nb::find(mask));
 }

@@ -1,4 +1,4 @@
-// Lacuna's errors as the exceptions of python/lacuna/_errors.py.
+// Translates Lacuna's errors into the exceptions of python/lacuna/_errors.py.
 #include <lacuna/files.h>
 #include <lacuna/lacuna.h>
 #include <nanobind/nanobind.h>
@@ -13,7 +13,7 @@ namespace nb = nanobind;
 namespace lacuna::python {
 namespace {
 
-// Drivers and file names need not be UTF-8: bytes that are not are shown by number.
+// Drivers' texts and file names in messages need not be UTF-8. Other bytes become \xNN.
 nb::object text_of(const char* message) {
     PyObject* const text = PyUnicode_DecodeUTF8(
         message, static_cast<Py_ssize_t>(std::char_traits<char>::length(message)),

@@ -1,4 +1,4 @@
-// What judges points: verify and analyze.
+// The functions verify and analyze.
 #include <lacuna/analysis.h>
 #include <lacuna/verify.h>
 #include <nanobind/nanobind.h>
@@ -24,7 +24,7 @@ namespace nb = nanobind;
 namespace lacuna::python {
 namespace {
 
-// So few are judged before anybody could interrupt it.
+// Fewer points than this are verified too fast for Ctrl-C to matter, so no thread is started.
 constexpr std::size_t kFewPoints = 10000;
 
 Boundary boundary_of(bool torus) {
@@ -43,7 +43,7 @@ std::vector<std::vector<Point>> rings_of(const std::vector<PointArray>& arrays) 
     return rings;
 }
 
-// As python/lacuna calls what lets no point lie somewhere.
+// The name in python/lacuna of what forbids points somewhere.
 const char* name_of(Proof::Closed closed) {
     switch (closed) {
         case Proof::Closed::importance:
@@ -100,7 +100,7 @@ nb::dict verify_points(const PointArray& array, const Claim& asked, const Field*
     return found;
 }
 
-// The rings as three arrays; where there is no power, anisotropy is not a number.
+// Adds the rings as three arrays. Anisotropy is NaN where power is 0.
 void add_rings(nb::dict& found, const std::vector<Ring>& rings) {
     std::vector<double> frequency, power, anisotropy;
     for (const Ring& ring : rings) {
@@ -123,7 +123,7 @@ nb::dict analyze_sets(const nb::list& arrays, double width, double height, bool 
         const nb::gil_scoped_release no_gil;
         std::vector<std::vector<Point>> sets;
         for (const PointArray& array : given) sets.push_back(points_of(array));
-        constexpr std::uint64_t kWhole = 1000;  // shares are told to Python in thousandths
+        constexpr std::uint64_t kWhole = 1000;  // Python is given thousandths
         const auto look = [&](double share) {
             watch.look(static_cast<std::uint64_t>(share * static_cast<double>(kWhole)), kWhole);
             return true;

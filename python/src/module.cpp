@@ -1,5 +1,5 @@
-// lacuna._core: the library as python/lacuna calls it. What it is given has been checked there for
-// type and shape; what is said of values is the library's.
+// lacuna._core: the library for python/lacuna, which checks the types and shapes of all arguments.
+// The library checks their values.
 #include <lacuna/lacuna.h>
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>

@@ -1,4 +1,4 @@
-// The parts of the module, which module.cpp puts together.
+// The parts of the module, which module.cpp combines.
 #pragma once
 
 #include <nanobind/nanobind.h>

@@ -1,4 +1,4 @@
-// What makes points: requests, fields, sample and relax.
+// Requests, fields, and the functions that make points: sample and relax.
 #include <lacuna/lacuna.h>
 #include <lacuna/many.h>
 #include <lacuna/pictures.h>
@@ -32,7 +32,7 @@ Field make_field(std::uint32_t rows, std::uint32_t columns) {
     return {columns, rows, std::vector<double>(std::size_t{columns} * rows)};
 }
 
-// The numbers of a field, for numpy to fill: its own copy, which no other thread changes.
+// The numbers of a field as an array for numpy to fill. No other thread changes them.
 Values values_of(Field& field) {
     return Values(field.importance.data(), {field.rows, field.columns}, nb::find(field));
 }
@@ -69,7 +69,7 @@ nb::dict sample_points(const Request& wanted, const Field* field, const Mask* ma
     return made;
 }
 
-// A dict for each of the seeds.
+// Returns a dict for each seed.
 nb::list sample_many_points(const Request& request, const std::vector<std::uint64_t>& seeds,
                             nb::object progress) {
     Watch watch(std::move(progress));
@@ -107,7 +107,7 @@ nb::dict relax_points(const PointArray& array, const Field* field, const RelaxOp
     return made;
 }
 
-// As many dots as the command makes where nobody says how many.
+// The number of dots that the command makes without --count.
 std::uint64_t dot_count(const Field& field, double width, double height) {
     const nb::gil_scoped_release no_gil;
     return drawing::dot_count(field, width, height);
@@ -138,7 +138,7 @@ Field decode_picture(const nb::bytes& bytes, const std::string& name, const Tone
     return decode_field(content, name, tone);
 }
 
-// An enum by its name; python/lacuna knows the names.
+// The enum with this name; python/lacuna has checked the name.
 template <typename Enum>
 Enum named(const std::string& name, const char* option) {
     for (int i = 0; !name_of(static_cast<Enum>(i)).empty(); ++i)
@@ -146,7 +146,7 @@ Enum named(const std::string& name, const char* option) {
     throw BadRequest(option, name, "is not known");
 }
 
-// The domain, and where the work is to be done.
+// Adds the attributes for the domain, the backend, the device and threads.
 template <typename Options>
 nb::class_<Options>& add_common(nb::class_<Options>& type) {
     return type.def(nb::init<>())

@@ -1,4 +1,5 @@
-// Watches a run for Python: signals such as Ctrl-C, the caller's progress, and seconds by verb.
+// Watches a run for Python: handles signals, calls the user's progress, and measures seconds by
+// verb.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -15,10 +16,10 @@ namespace lacuna::python {
 
 namespace nb = nanobind;
 
-// Is asked by a run that has released the GIL, on the thread that called it.
+// The run calls it on the thread that called the run, after the GIL was released.
 class Watch : public Observer {
 public:
-    // `progress` is called with what is done and what is expected; None is not.
+    // `progress` is called with the numbers of points done and expected, unless it is None.
     explicit Watch(nb::object progress) : progress_(std::move(progress)) {}
 
     bool keep_going(const Progress& progress) override {
@@ -26,7 +27,7 @@ public:
         return true;
     }
 
-    // Now and then runs Python's signal handlers, and calls progress; throws what they raise.
+    // Once in kInterval runs Python's signal handlers and calls progress; throws what they raise.
     void look(std::uint64_t done, std::uint64_t expected) {
         const Clock::time_point now = Clock::now();
         if (now < next_) return;
@@ -41,7 +42,7 @@ public:
         spent_[index_of(verb)] += Clock::now() - begun_[index_of(verb)];
     }
 
-    // With the GIL.
+    // Needs the GIL.
     nb::dict seconds() const {
         nb::dict all;
         for (std::size_t i = 0; i < kVerbs; ++i) {
@@ -55,7 +56,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     using Seconds = std::chrono::duration<double>;
-    // Of the 0.2 s within which Ctrl-C is answered.
+    // Least time between two looks: a small part of the 0.2 s within which Ctrl-C must be answered.
     static constexpr std::chrono::milliseconds kInterval{20};
     static constexpr std::size_t kVerbs = 1 + static_cast<std::size_t>(Verb::move);
     static std::size_t index_of(Verb verb) { return static_cast<std::size_t>(verb); }

@@ -1,4 +1,4 @@
-"""What the tests share: the command, the backends of this machine, and fields."""
+"""Fixtures and helpers of the tests: the command, the backends of this machine, and a field."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Command = Callable[..., npt.NDArray[np.float64]]
 
 
 def required(name: str) -> bool:
-    """Whether CI wants this to be there: what is missing then fails instead of being skipped."""
+    """Whether CI requires it: a test then fails instead of being skipped if it is missing."""
     return name in os.environ.get("LACUNA_REQUIRE", "").split(",")
 
 
@@ -32,7 +32,7 @@ def refused(
     *args: Any,
     **kwargs: Any,
 ) -> None:
-    """Calls, which must raise one line that begins with the argument."""
+    """Calls ``call``, which must raise ``error``: one line that begins with the argument."""
     with pytest.raises(error) as caught:
         call(*args, **kwargs)
     message = str(caught.value)
@@ -44,7 +44,7 @@ def refused(
 
 @pytest.fixture(scope="session")
 def command(tmp_path_factory: pytest.TempPathFactory) -> Command:
-    """Runs the command lacuna; the points that it writes."""
+    """Runs the command lacuna, and returns the points that it writes."""
     path = os.environ.get("LACUNA_COMMAND") or shutil.which(str(REPOSITORY / "build" / "lacuna"))
     if path is None:
         if required("python"):
@@ -74,5 +74,5 @@ def backend(request: pytest.FixtureRequest) -> str:
 
 @pytest.fixture(scope="session")
 def ramp() -> npt.NDArray[np.float64]:
-    """From 0 on the left to 1 on the right."""
+    """A field that rises from 0 on the left to 1 on the right."""
     return np.linspace(0, 1, 48) * np.ones((32, 1))

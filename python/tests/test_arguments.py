@@ -1,4 +1,4 @@
-"""Hostile arguments: an exception that names the argument, never a crash."""
+"""Bad arguments cause an exception that names the argument, never a crash."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Hostile arrays: an exception that names the argument, never a crash."""
+"""Bad arrays cause an exception that names the argument, never a crash."""
 
 from __future__ import annotations
 

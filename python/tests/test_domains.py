@@ -1,4 +1,4 @@
-"""Fields, masks, polygons, borders and kept points: sets that fill just what they may."""
+"""Fields, masks, polygons, borders and kept points: sets fill exactly the allowed part."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ NAN = float("nan")
 
 @pytest.fixture(scope="session")
 def field_backend(backend: str) -> str:
-    """Each backend that serves a field in mode exact, a mask, a border or kept points."""
+    """Each backend that can use a field in mode exact, a mask, a border or kept points."""
     try:
         lacuna.sample(0.4, border=0.1, backend=backend)
     except lacuna.BadRequest as error:
@@ -31,7 +31,7 @@ def field_backend(backend: str) -> str:
 
 
 def pixels_under(array: npt.NDArray[Any], made: lacuna.PointSet) -> npt.NDArray[Any]:
-    """What lies under each point."""
+    """The value of the pixel under each point."""
     rows, columns = array.shape
     x, y = (made.points / made.domain).T
     found: npt.NDArray[Any] = array[
@@ -41,7 +41,7 @@ def pixels_under(array: npt.NDArray[Any], made: lacuna.PointSet) -> npt.NDArray[
 
 
 def is_full(made: lacuna.PointSet, radius: float, spots: npt.NDArray[np.float64]) -> bool:
-    """Whether every spot is closer than the radius to a point."""
+    """Whether every spot has a point closer than the radius."""
     return all(
         np.hypot(*(made.points - spot).T).min() < radius * (1 + 1e-6) for spot in spots
     )

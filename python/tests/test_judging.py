@@ -1,4 +1,4 @@
-"""verify and analyze tell what holds."""
+"""verify and analyze give the right results."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def test_analyze_gives_arrays_and_numbers() -> None:
     assert found.frequency.shape == found.power.shape == found.anisotropy_db.shape
     assert found.distance.shape == found.pair_correlation.shape
     assert found.distance[0] == pytest.approx(0.025)
-    # Blue noise: hardly any power below, a peak near 1.
+    # Blue noise has hardly any power at low frequencies, and a peak near 1.
     assert found.power[found.frequency < 0.5].mean() < 0.2
     assert found.power[(found.frequency > 1) & (found.frequency < 1.2)].mean() > 1.3
     assert found.least_distance is not None and found.least_distance >= 0.03

@@ -1,4 +1,4 @@
-"""The engine in scipy's manner, beside scipy's own."""
+"""lacuna's engine in comparison with scipy's."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def test_the_engine_refuses(argument: str, arguments: dict[str, object]) -> None
 
 
 def test_side_by_side_with_scipy() -> None:
-    """At radius 0.02, where scipy takes seconds; docs/python.md has 0.01."""
+    """Compares times at radius 0.02, where scipy takes seconds; docs/python.md has 0.01."""
     begun = time.perf_counter()
     theirs = scipy_qmc.PoissonDisk(2, radius=0.02, rng=np.random.default_rng(1)).fill_space()
     their_seconds = time.perf_counter() - begun

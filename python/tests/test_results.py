@@ -1,4 +1,4 @@
-"""What comes back: frozen objects, arrays that are not copies, reports as the command writes."""
+"""Results are frozen objects with arrays that are not copies; reports are as the command's."""
 
 from __future__ import annotations
 
@@ -101,8 +101,8 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024)
 
 
 def test_a_million_points_take_no_memory_that_the_command_does_not(tmp_path: Path) -> None:
-    """At most 24 bytes a point beyond the command's, and what numpy is: docs/python.md has ten
-    million."""
+    """The peak memory is at most 24 bytes per point over the command's, besides numpy itself;
+    docs/python.md has figures for ten million points."""
     program = os.environ.get("LACUNA_COMMAND") or str(REPOSITORY / "build" / "lacuna")
     if not os.path.exists(program):
         pytest.skip("the command is not built: run ./bootstrap.sh run")

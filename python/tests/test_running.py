@@ -1,4 +1,4 @@
-"""While it runs: progress, threads, and Ctrl-C."""
+"""Progress, threads and Ctrl-C during a run."""
 
 from __future__ import annotations
 

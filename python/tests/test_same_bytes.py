@@ -15,7 +15,7 @@ import lacuna
 
 RACCOON = REPOSITORY / "examples" / "raccoon.png"
 
-# What Python is asked for, and what the command is.
+# Arguments of Python, and the same request as arguments of the command.
 Case = tuple[dict[str, Any], list[object]]
 
 
@@ -90,7 +90,7 @@ def test_of_a_uniform_set(case: Case, command: Command, backend: str) -> None:
 
 @pytest.fixture(scope="session")
 def small(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A picture of few pixels, for the reference backend."""
+    """A picture with few pixels, so that the reference backend is fast enough."""
     y, x = np.mgrid[0:60, 0:90]
     picture = (127.5 + 127.5 * np.sin(x / 9.0) * np.cos(y / 11.0)).astype(np.uint8)
     path = tmp_path_factory.mktemp("picture") / "small.npy"

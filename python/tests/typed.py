@@ -1,4 +1,4 @@
-"""All of the API, for mypy --strict; and it runs."""
+"""Uses the whole API, for mypy --strict. It can also be run."""
 
 from __future__ import annotations
 

@@ -261,7 +261,7 @@ TEST(AnalyzeOfFiles, WithDifferentDomainsExitsWith3UnlessOneIsGiven) {
     write_file(folder.path("b.json"), json_of(2));
     const Words words{"analyze", folder.path("a.json"), folder.path("b.json")};
     expect_one_error(run(words), 3,
-                     {folder.path("b.json") + ": its domain is 2x1, that of ", "is 1x1"});
+                     {folder.path("b.json") + ": its domain is 2x1, but ", "has 1x1"});
     EXPECT_EQ(run({words[0], words[1], words[2], "--domain", "2x1"}).exit_code, 0);
 }
 

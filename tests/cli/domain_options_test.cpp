@@ -193,14 +193,13 @@ TEST(OptionsOfADomain, AreRefusedInOneLine) {
     write_file(rings, "0 0\n1 0\n0 1\n");
     EXPECT_EQ(refusal_of(folder, {"--mask", mask, "--inside", rings, "--radius", "0.1"}),
               "lacuna: --mask " + mask +
-                  ": is not for --inside too: draw the polygons into the picture\n");
+                  ": cannot be used with --inside: draw the polygons into the picture\n");
     EXPECT_EQ(refusal_of(folder, {"--edge", "0.1", "--radius", "0.1"}),
               "lacuna: --edge 0.1: is for the polygons of --inside: give their file too\n");
     EXPECT_EQ(refusal_of(folder, {"--invert", "--radius", "0.1"}),
               "lacuna: --invert without --field: says how a field is read: give its picture too\n");
     EXPECT_EQ(refusal_of(folder, {"--mask", mask, "--radius", "0.1", "--relax", "3"}),
-              "lacuna: --relax 3: is not for --mask, --inside, --border or --keep, which it knows "
-              "nothing of\n");
+              "lacuna: --relax 3: cannot be used with --mask, --inside, --border or --keep\n");
     EXPECT_EQ(
         refusal_of(folder, {"--inside", rings, "--radius", "0.1", "--edge", "1e-9"}).substr(0, 51),
         "lacuna: --edge 1e-09: takes a mask of 707106782 x 7");

@@ -81,7 +81,7 @@ TEST(AnalyzeAndVerify, KnowBoundaryDomainAndRadiusFromAJsonFile) {
     write_file(folder.path("c.json"),
                R"({"width":2,"height":1,"boundary": "box", "points": [[0.5, 0.5]]})");
     expect_one_error(run({"analyze", path, folder.path("c.json")}), 3,
-                     {"c.json: its boundary is not that of", "--torus"});
+                     {"c.json: its boundary differs from", "--torus"});
 }
 
 TEST(Analyze, RefusesToTakeAFileWithoutADomainForOneOfAnother) {
@@ -92,7 +92,7 @@ TEST(Analyze, RefusesToTakeAFileWithoutADomainForOneOfAnother) {
         0);
     write_file(folder.path("b.csv"), "0.1,0.1\n0.9,0.9\n");
     expect_one_error(run({"analyze", told, folder.path("b.csv")}), 3,
-                     {"b.csv: tells no domain, but ", "512 x 512: give --domain"});
+                     {"b.csv: gives no domain, but ", "512 x 512: give --domain"});
     EXPECT_EQ(
         run({"analyze", told, folder.path("b.csv"), "--domain", "512x512", "--quiet"}).exit_code,
         0);

@@ -1,4 +1,4 @@
-// C++'s streams, which a few messages are made with, bring what writes dates; nobody writes one.
+// C++ streams, which a few messages use, bring in code that formats dates. Nothing calls it.
 mergeInto(LibraryManager['library'], {
     strftime_l: function () { return 0; },
     strftime_l__sig: 'iiiiii',

@@ -1,4 +1,4 @@
-// Stands in for host/threads.cpp: the stand-in for oneTBB makes no threads.
+// Replaces host/base/threads.cpp: the page's replacement for oneTBB makes no threads.
 #include "base/threads.h"
 
 namespace lacuna {

@@ -1,14 +1,14 @@
-// The page: its controls become requests, and what comes back is shown and saved.
+// The page: turns its controls into requests, and shows and saves the results.
 import { PAPERS, sampleCommand, stippleCommand, withOutput } from "./command.js";
 import { Cancelled, Engine } from "./engine.js";
 import { pdfOf } from "./pdf.js";
 import { diameterOf, drawDots, drawSpectrum, pageOf, radialPath, View } from "./view.js";
 
 const $ = (id) => document.getElementById(id);
-const MOST_PIXELS = 4e6; // of a picture; larger ones are made smaller
-const MOST_FOR_SPECTRUM = 100000; // points
-const FREQUENCIES = 1.5; // of the spectrum, in square roots of the count
-const QUICK_RELAX = 2;
+const MOST_PIXELS = 4e6; // of a picture; larger ones are scaled down
+const MOST_FOR_SPECTRUM = 100000; // points; the spectrum of more would take too long
+const FREQUENCIES = 1.5; // largest frequency of the spectrum, in units of sqrt(count)
+const QUICK_RELAX = 2; // iterations of the preview
 const POINTS_PER_INCH = 72, MM_PER_INCH = 25.4, PAGE_POINTS = 512;
 const state = document.documentElement.dataset;
 
@@ -27,7 +27,7 @@ const view = new View($("view"), (zoom) => {
     document.body.classList.toggle("at-rest", zoom === 1);
 });
 
-// ------------------------------------------------------------------------------ what is asked for
+// ---------------------------------------------------------------------------------------- requests
 class Refused extends Error {}
 
 const number = (id, name = id) => {
@@ -37,7 +37,7 @@ const number = (id, name = id) => {
     return value;
 };
 
-// As it was typed, with or without separators of thousands; null where nothing stands there.
+// A whole number, with or without separators of thousands; null if the field is empty.
 const count = (id) => {
     const text = $(id).value.replace(/[\s,_']/g, "");
     if (text === "") return null;
@@ -74,7 +74,7 @@ const keyOf = (o) => JSON.stringify([kind, kind === "stipple" && picture.number,
 const baseName = () => (kind === "stipple" ? picture.name.replace(/\.[^.]*$/, "") || "dots" : "points");
 const grouped = (n) => n.toLocaleString("en");
 
-// ------------------------------------------------------------------------------------ what is told
+// ---------------------------------------------------------------------------------------- messages
 function say(text) {
     $("status").textContent = text;
 }
@@ -102,7 +102,7 @@ function busy(isBusy) {
 
 function showCommand(o) {
     const format = $("format").value;
-    // A word stays on its line.
+    // Lines break only between words of the command.
     const words = withOutput(commandOf(o), `${baseName()}.${format}`).split(" ");
     $("command").replaceChildren(...words.flatMap((word) =>
         [Object.assign(document.createElement("span"), { textContent: word }), " "]).slice(0, -1));
@@ -178,7 +178,7 @@ async function run() {
     }
 }
 
-// While somebody moves a slider a quick run comes to its end, and the next one has the newest values.
+// While a slider moves, the preview at work is finished, and the next one uses the newest values.
 function schedule() {
     clearTimeout(timer);
     timer = setTimeout(() => {
@@ -188,7 +188,7 @@ function schedule() {
     }, 40);
 }
 
-// Verdict and spectrum of a set.
+// Shows the verdict and the spectrum of a set.
 async function judge(set, o, isOld) {
     if (o.relax) $("verdict").textContent = "Relaxed points promise no least distance.";
     else {
@@ -197,8 +197,8 @@ async function judge(set, o, isOld) {
         const short = (value) => (value === null ? "none" : +value.toPrecision(5));
         $("verdict").textContent = (proof.kept ? `✓ No two points are closer than the radius: the least distance is ${short(proof.least)}.\n`
             : `✗ Two points are closer than the radius: ${short(proof.least)} apart.\n`) +
-            (proof.covered ? "✓ No room is left for one more point." : o.count !== null ? "There may be room for more: a number was asked for."
-                : `✗ There is room for more: a spot is ${short(proof.emptiest)} from every point.`);
+            (proof.covered ? "✓ No room is left for one more point." : o.count !== null ? "There is room for more points, because their number was given."
+                : `✗ There is room for more points: a spot is ${short(proof.emptiest)} from every point.`);
     }
     const isSmall = set.points.length / 2 <= MOST_FOR_SPECTRUM;
     $("spectrum").classList.toggle("none", !isSmall);
@@ -212,7 +212,7 @@ async function judge(set, o, isOld) {
 }
 
 // ---------------------------------------------------------------------------------------- pictures
-// Whether the command reads the same numbers: PNG of up to 8 bits, without transparency.
+// Whether the command reads the same numbers: the file is a PNG of up to 8 bits, without alpha.
 function isPlainPng(bytes, rgba) {
     const isPng = [0x89, 0x50, 0x4e, 0x47].every((byte, i) => bytes[i] === byte);
     if (!isPng || bytes[24] > 8) return false;
@@ -288,7 +288,7 @@ async function download() {
     try {
         const o = optionsNow();
         if (held !== keyOf(o)) await run();
-        if (held !== keyOf(o)) return; // cancelled, refused, or something else is wanted by now
+        if (held !== keyOf(o)) return; // cancelled, refused, or the controls have changed meanwhile
         const name = `${baseName()}.${format}`;
         if (format === "png") return save(await drawn(shown), name);
         if (format === "pdf") return save(await asPdf(shown), name);
@@ -301,7 +301,7 @@ async function download() {
 }
 
 // ---------------------------------------------------------------------------------------- controls
-// A slider in equal ratios, from `least` to `most`, beside a field.
+// Links a slider with a logarithmic scale, from `least` to `most`, to a text field.
 function ratioSlider(slider, field, range, digits, onChange) {
     const place = () => {
         const [least, most] = range();
@@ -391,7 +391,7 @@ function listen() {
     $("format").addEventListener("change", () => {
         try {
             showCommand(optionsNow());
-        } catch {} // what is wrong has been told
+        } catch {} // run() has shown the message
     });
     $("download").addEventListener("click", download);
     $("copy").addEventListener("click", async () => {
@@ -417,7 +417,7 @@ async function start() {
         const [module, response] = await Promise.all([compiled(), fetch("raccoon.png")]);
         engine = new Engine(module, (share) => ($("progress").value = share));
         engine.forgotten = () => ((sent = null), (held = ""));
-        if (picture) schedule(); // somebody was faster
+        if (picture) schedule(); // the user has given a picture meanwhile
         else await take(await response.blob(), "raccoon.png");
     } catch (error) {
         complain(error);

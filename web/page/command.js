@@ -1,13 +1,13 @@
 // The command line that makes the same file.
 
-// ISO 216, and ANSI's, in mm: host/cli/commands/paper.cpp has the same.
+// Papers of ISO 216 and ANSI in mm, the same as in host/cli/commands/paper.cpp.
 export const PAPERS = {
     A0: [841, 1189], A1: [594, 841], A2: [420, 594], A3: [297, 420], A4: [210, 297],
     A5: [148, 210], A6: [105, 148], letter: [215.9, 279.4], legal: [215.9, 355.6],
     tabloid: [279.4, 431.8],
 };
 
-// As a shell takes it for one word.
+// Quotes `word` so that a shell reads it as one word.
 function quoted(word) {
     return /^[\w\-./:=,+%@]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
 }
@@ -16,8 +16,8 @@ function fileName(name) {
     return quoted(name.startsWith("-") ? `./${name}` : name);
 }
 
-// Options in the order of --help, those that differ from the command's own. An svg tells this line,
-// as the command's does.
+// Only options that differ from the command's defaults, in the order of --help. An svg contains
+// this line, and the command writes the same line.
 export function stippleCommand(name, o) {
     const words = ["lacuna", "stipple", fileName(name)];
     const add = (isGiven, ...more) => isGiven && words.push(...more);

@@ -1,5 +1,5 @@
-// The page's hold on its worker: requests go in, promises come out. A request is ended by ending its
-// worker; another one stands ready, so that the next request need not wait.
+// Passes requests to a worker and returns promises. Cancelling a request terminates the worker. A
+// second worker is ready, so that the next request need not wait.
 
 export class Cancelled extends Error {}
 

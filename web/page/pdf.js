@@ -1,4 +1,4 @@
-// Dots as a PDF (PDF 1.4): lines of 0.01 pt with round caps, size by size.
+// Dots as a PDF (PDF 1.4): each is a line of 0.01 pt with round caps.
 
 async function deflated(text) {
     const bytes = new TextEncoder().encode(text);
@@ -9,7 +9,7 @@ async function deflated(text) {
 
 const short = (number) => String(+number.toFixed(3));
 
-// `page` has its sides in points, y upwards, and dots are {x, y, diameter} on it.
+// `page` is the size in points, and each dot is {x, y, diameter} in points, y upwards.
 export async function pdfOf(page, dots) {
     const lines = ["1 J"];
     let last = null;
@@ -27,7 +27,7 @@ export async function pdfOf(page, dots) {
     let size = 0;
     const put = (part) => {
         parts.push(part);
-        size += part.length; // texts are ASCII
+        size += part.length; // in bytes, because texts are ASCII
     };
     const object = (text) => {
         offsets.push(size);

@@ -1,6 +1,6 @@
-// Draws dots, the picture under them and spectra on canvases; zooms and moves.
+// Draws dots, the picture and spectra on canvases; zooms and moves the view.
 
-// Darkens `grey` (255 is paper) by a round dot, edges smoothed, whose ink sums to its area.
+// Draws a round dot into `grey` (255 is paper) with smooth edges; the sum of its ink is its area.
 function splat(grey, width, height, x, y, r) {
     const reach = r + 0.5;
     const left = Math.max(0, Math.floor(x - reach)), right = Math.min(width - 1, Math.ceil(x + reach));
@@ -18,7 +18,7 @@ function splat(grey, width, height, x, y, r) {
     }
 }
 
-// Where the domain lies on its page, all in units of the domain, y upwards; as host/drawing/page.cpp.
+// The page and the domain's position on it, in units of the domain; as in host/drawing/page.cpp.
 export function pageOf(set, paper, margin) {
     if (!paper) return { width: set.width, height: set.height, left: 0, bottom: 0, mm: null };
     const [w, h] = set.width > set.height ? [paper[1], paper[0]] : paper;
@@ -27,7 +27,7 @@ export function pageOf(set, paper, margin) {
         left: (w / mm - set.width) / 2, bottom: (h / mm - set.height) / 2 };
 }
 
-// Of each dot; where the set has none, two thirds of the radius, as the command draws it.
+// The diameter of a dot; by default two thirds of the radius, as in the command.
 export function diameterOf(set, i) {
     if (set.diameters) return set.diameters[i];
     const count = Math.max(1, set.points.length / 2);
@@ -35,7 +35,7 @@ export function diameterOf(set, i) {
     return (Math.min(radius, set.width, set.height) / 3) * 2;
 }
 
-// Fills an ImageData with the dots. `scale`: pixels a unit; (x, y): of the page's upper left corner.
+// Fills an ImageData with dots; `scale`: pixels per unit; (x, y): the page's upper left corner.
 export function drawDots(image, set, page, scale, x, y) {
     const { width, height, data } = image;
     const grey = new Float32Array(width * height).fill(255);
@@ -61,7 +61,7 @@ export class View {
         this.onZoom = onZoom;
         this.set = null;
         this.page = null;
-        this.picture = null; // an image for the share on the left
+        this.picture = null; // is drawn over the left part, whose width `share` gives, 0 to 1
         this.share = 0;
         this.reset();
         this.pointers = new Map();
@@ -76,7 +76,7 @@ export class View {
 
     reset() {
         this.zoom = 1;
-        this.middle = [0.5, 0.5]; // of the page, what lies in the canvas' middle
+        this.middle = [0.5, 0.5]; // the point of the page, in page sizes, in the canvas' middle
         this.draw();
     }
 
@@ -125,7 +125,7 @@ export class View {
         context.fillRect(edge - ratio, top, 2 * ratio, set.height * scale);
     }
 
-    // Keeps the place under (px, py), in the canvas' pixels, where it is.
+    // Keeps the point of the page at (px, py), in pixels of the canvas, where it is.
     zoomBy(factor, px = this.canvas.width / 2, py = this.canvas.height / 2) {
         if (!this.set) return;
         const before = this.place();
@@ -192,7 +192,7 @@ export class View {
     }
 }
 
-// Bright is strong: 0 to twice the mean power of random points.
+// Brightness is power: white is about 3.2 times the mean power of random points.
 export function drawSpectrum(canvas, { side, powers }) {
     canvas.width = canvas.height = side;
     const context = canvas.getContext("2d");

@@ -1,15 +1,15 @@
-// Runs Lacuna for the page: one request at a time, answered with its progress and its result.
+// Runs Lacuna for the page: takes one request at a time and sends its progress and its result.
 "use strict";
 importScripts("lacuna.js");
 
 let lacuna = null;
-let current = 0; // the request at work
-let told = 0;
+let current = 0; // the id of the request at work
+let told = 0; // when progress was last sent, in ms
 
 const started = new Promise((resolve) => {
     self.addEventListener("message", function first({ data }) {
         self.removeEventListener("message", first);
-        // Requests may come while the module is being made.
+        // Requests may come before the module is ready.
         self.addEventListener("message", (event) => started.then(() => serve(event.data)));
         createLacuna({
             instantiateWasm(imports, done) {
@@ -30,7 +30,7 @@ const started = new Promise((resolve) => {
     });
 });
 
-const NONE = NaN; // what was not given
+const NONE = NaN; // a number that was not given
 const given = (value) => (value === null || value === undefined ? NONE : value);
 
 function fail() {
@@ -45,7 +45,7 @@ function doubles(pointer, count) {
     return pointer ? lacuna.HEAPF64.slice(pointer >> 3, (pointer >> 3) + count) : null;
 }
 
-// Calls use(pointer, ...) with texts as C has them.
+// Calls use(pointer, ...) with the texts as C strings.
 function withTexts(texts, use) {
     const pointers = texts.map((text) => {
         const size = 4 * text.length + 1;
@@ -123,7 +123,7 @@ function serve({ id, verb, options }) {
         const buffers = Object.values(result).filter(ArrayBuffer.isView).map((view) => view.buffer);
         postMessage({ id, result }, buffers);
     } catch (error) {
-        // A trap of the module, such as an end of memory, leaves it unfit for more.
+        // After a trap, for example when memory runs out, the module cannot be used any more.
         postMessage({ id, error: error.message, broken: error instanceof WebAssembly.RuntimeError });
     }
 }

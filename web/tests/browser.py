@@ -1,4 +1,4 @@
-"""The page in headless Chromium, served by a server of this process that notes what is asked for."""
+"""The page in headless Chromium. A server in this process serves it."""
 
 import base64
 import contextlib
@@ -18,7 +18,7 @@ from selenium.webdriver.chrome.service import Service
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "build-web" / "page"
 LACUNA = ROOT / "build" / "lacuna"
-PATIENCE = 180  # seconds, of a loaded machine
+PATIENCE = 180  # seconds, enough for a busy machine
 
 
 class Handler(http.server.SimpleHTTPRequestHandler):
@@ -77,7 +77,7 @@ class Browser:
     def wait_for(self, state):
         self.until(lambda: self.state() == state, f"state {state}")
 
-    # Does `change`, and waits until what it asks for has been made, or has not.
+    # Calls `change`, and waits until the page has made the new set, or has reached another state.
     def after(self, change, state="done"):
         self.run("delete document.documentElement.dataset.state")
         change()
@@ -90,7 +90,7 @@ class Browser:
             for (const event of ['input', 'change'])
                 field.dispatchEvent(new Event(event, { bubbles: true }));""", name, value)
 
-    # As from a folder of the machine's.
+    # Drops a file on the page, as a user does.
     def drop(self, name, content):
         self.run("""const bytes = Uint8Array.from(atob(arguments[1]), (c) => c.charCodeAt(0));
             const data = new DataTransfer();
@@ -106,11 +106,11 @@ class Browser:
             document.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data }));""",
                  name, base64.b64encode(content).decode())
 
-    # What the view shows, to tell whether it has changed.
+    # The image in the view, to find out whether it has changed.
     def looks(self):
         return self.run("return document.getElementById('view').toDataURL();")
 
-    # The name and the bytes of the file.
+    # Returns the name and the bytes of the file.
     def download(self, kind):
         self.set("format", kind)
         return self.saved_by("download")
@@ -119,14 +119,14 @@ class Browser:
         for old in self.folder.iterdir():
             old.unlink()
         self.run("document.getElementById(arguments[0]).click()", button)
-        # The browser first makes an empty file of that name, to put the finished one in its place.
+        # The browser first makes an empty file of that name, and later replaces it.
         finished = lambda: [file for file in self.folder.iterdir()
                             if file.suffix not in (".crdownload", ".tmp")
                             and not file.name.startswith(".") and file.stat().st_size > 0]
         file = self.until(finished, f"a file saved by {button}")[0]
         return file.name, file.read_bytes()
 
-    # What the console has to complain of since the last call.
+    # Errors and warnings in the console since the last call.
     def complaints(self):
         return [entry["message"] for entry in self.driver.get_log("browser")
                 if entry["level"] in ("SEVERE", "WARNING")]

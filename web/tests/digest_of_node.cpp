@@ -1,4 +1,4 @@
-// Stands in for host/files/digest.cpp, which asks OpenSSL: the SHA-256 is node's.
+// Replaces host/files/digest.cpp, which needs OpenSSL: node computes the SHA-256.
 #include <emscripten.h>
 
 #include <span>

@@ -1,4 +1,4 @@
-"""Runs the tests of the page, as `python3 -m unittest` would, and says how long the page takes."""
+"""Runs the tests of the page, like `python3 -m unittest`, and prints how long the page takes."""
 
 import pathlib
 import sys

@@ -1,4 +1,4 @@
-"""What the page promises, in a browser."""
+"""Tests in a browser that the page keeps its promises."""
 
 import base64
 import hashlib
@@ -51,12 +51,12 @@ class PageTest(unittest.TestCase):
         self.assertEqual(outside, [])
 
     def given(self, name, content=RACCOON):
-        """A picture dropped onto the page, and in the folder where the command runs."""
+        """Drops a picture onto the page, and writes it to the folder where the command runs."""
         (self.folder / name).write_bytes(content)
         self.browser.after(lambda: self.browser.drop(name, content))
 
     def assert_the_commands_bytes(self, kind):
-        """That the file saved is the one that the command on the page makes."""
+        """Checks that the file saved is the file that the command shown on the page makes."""
         name, saved = self.browser.download(kind)
         command = shlex.split(self.browser.text("command"))
         self.assertEqual(command[0], "lacuna")

@@ -31,7 +31,7 @@ namespace lacuna::cli {
 namespace {
 
 constexpr const char* kAnalyzeDescription =
-    R"(Spectrum and statistics of point sets; those of several sets are averaged.
+    R"(Prints the spectrum and statistics of point sets. Several sets are averaged.
 
 Examples:
   lacuna analyze points.txt --torus                 numbers on standard output
@@ -41,19 +41,19 @@ Examples:
   lacuna sample --radius 0.01 | lacuna analyze - --radius 0.01
   lacuna analyze sets.dat other.rps                 files of the tools UTK and PSA
 
-Power P(k) = |sum of exp(-2 pi i k.x)|^2 / count at the whole numbers k, on another domain than the
-unit square at (kx / W, ky / H); its mean over rings two wide, for |k| up to 2 sqrt(count), or
---max-frequency times sqrt(count), with whose square its time and memory grow. Relative
-radius: the least distance over that of the hexagonal lattice. Effective Nyquist frequency, over
-sqrt(count) / 2, and oscillations: Heck, Schloemer & Deussen 2013. Bond order: Nelson & Halperin
-1979, six nearest neighbours. A million points take some 400 MB, and seconds.
+Power is P(k) = |sum of exp(-2 pi i k.x)|^2 / count at whole numbers k, or at (kx / W, ky / H) if
+the domain is not the unit square. Its mean is taken over rings of width 2, for |k| up to 2
+sqrt(count), or up to --max-frequency times sqrt(count); time and memory grow with the square of
+that factor. The relative radius is the least distance divided by that of the hexagonal lattice. For
+the effective Nyquist frequency, in units of sqrt(count) / 2, and oscillations see Heck, Schloemer &
+Deussen 2013; for the bond order of the six nearest neighbours see Nelson & Halperin 1979. A million
+points take seconds and about 400 MB.
 
-A .txt is `x y` a line, or has a first line of one number, the count, as PSA writes it. In a .dat a
-line of # ends a set. Domain, boundary and radius that a .json tells hold where no
-option does.
+A .txt has `x y` on each line; its first line may be the count, as in files of PSA. In a .dat a line
+with # ends a set. The domain, boundary and radius in a .json are used unless an option gives them.
 
-Exit code: 0 done, 2 bad usage, 3 a file cannot be read or written, 4 the system makes no threads, 130
-interrupted (143 by SIGTERM).
+Exit code: 0 done, 2 bad usage, 3 a file cannot be read or written, 4 the system refuses threads,
+130 interrupted (143 by SIGTERM).
 )";
 
 struct Sides {
@@ -73,18 +73,18 @@ struct AnalyzeCommand {
     bool quiet = false;
 };
 
-// All sets of all files, with what the files tell of them.
+// All sets of all files, and the domain and boundary that the files give.
 struct Input {
     std::vector<std::vector<Point>> sets;
-    std::vector<std::optional<double>> radii;  // one a set
-    std::vector<std::string> names;            // one a set, for messages
+    std::vector<std::optional<double>> radii;  // one for each set
+    std::vector<std::string> names;            // one for each set, for messages
     std::optional<Sides> sides;
-    std::string sides_from;  // the file that told them
+    std::string sides_from;  // the file that gives them
     std::optional<Boundary> boundary;
     std::string boundary_from;
 };
 
-// Before the work starts.
+// Checks the options and files before the work starts.
 std::vector<Output> check(const AnalyzeCommand& options) {
     if (options.sides) verify::check_domain(options.sides->width, options.sides->height);
     if (options.radius) analysis::check_radius(*options.radius);
@@ -115,8 +115,8 @@ void add_sides(Input& input, const files::SetsOfFile& file, const std::string& n
     }
     if (input.sides && *input.sides != sides)
         throw files::FileError(
-            fmt::format("{}: its domain is {}x{}, that of {} is {}x{}: analyse them apart, or say "
-                        "with --domain which holds",
+            fmt::format("{}: its domain is {}x{}, but {} has {}x{}: analyse them separately, or "
+                        "give --domain",
                         name, sides.width, sides.height, input.sides_from, input.sides->width,
                         input.sides->height));
     input.sides = sides;
@@ -126,25 +126,25 @@ void add_sides(Input& input, const files::SetsOfFile& file, const std::string& n
 void add_boundary(Input& input, const files::SetsOfFile& file, const std::string& name) {
     if (!file.boundary) return;
     if (input.boundary && *input.boundary != *file.boundary)
-        throw files::FileError(
-            fmt::format("{}: its boundary is not that of {}: analyse them apart, or give --torus",
-                        name, input.boundary_from));
+        throw files::FileError(fmt::format(
+            "{}: its boundary differs from {}: analyse them separately, or give --torus", name,
+            input.boundary_from));
     input.boundary = file.boundary;
     input.boundary_from = name;
 }
 
-// A file that tells no domain would be taken for one of that of another file.
+// Without this check, files that give no domain would be analysed on the domain of another file.
 void check_told(const Input& input, const std::vector<std::string>& silent) {
     const bool is_usual = !input.sides || (input.sides->width == 1 && input.sides->height == 1);
     if (is_usual || silent.empty()) return;
-    throw files::FileError(
-        fmt::format("{}: tells no domain, but {} does, and of {} x {}: give --domain",
-                    silent.front(), input.sides_from, input.sides->width, input.sides->height));
+    throw files::FileError(fmt::format("{}: gives no domain, but {} gives {} x {}: give --domain",
+                                       silent.front(), input.sides_from, input.sides->width,
+                                       input.sides->height));
 }
 
 Input read(const AnalyzeCommand& options) {
     Input input;
-    std::vector<std::string> silent;  // files that tell no domain
+    std::vector<std::string> silent;  // files that give no domain
     for (const std::string& path : options.files) {
         files::SetsOfFile file = files::read_sets(path);
         const std::string name = path == "-" ? "standard input" : path;
@@ -165,7 +165,8 @@ Input read(const AnalyzeCommand& options) {
     return input;
 }
 
-// What lies in the domain, upper edges included: programs that write float32 round up to them.
+// Refuses points outside of the domain. The upper edges are allowed: programs that write float32
+// may round up to them.
 void check_inside(const Input& input, const analysis::Domain& domain) {
     for (std::size_t i = 0; i < input.sets.size(); ++i) {
         const std::vector<Point>& points = input.sets[i];
@@ -230,21 +231,20 @@ void add_analyze(CLI::App& app) {
                 Sides& sides = options->sides.emplace();
                 read_domain("domain", text, sides.width, sides.height);
             },
-            "Width and height of the domain (default 1x1, or what a .json tells)")
+            "Width and height of the domain (default: from a .json, or 1x1)")
         ->type_name("WxH");
     command.add_flag("--torus", options->torus, "The edges wrap: distances go across them")
         ->disable_flag_override();
     add_number(command, "radius", "R", options->radius,
-               "What the sets were made with, for count * R^2 and distances in radii");
+               "Radius of the sets, to print count * R^2 and distances in radii");
     add_number(command, "max-frequency", "F", options->effort.max_frequency,
-               "How far the spectrum reaches, |k| / sqrt(count) (default 2)");
+               "Largest |k| / sqrt(count) of the spectrum (default 2)");
     add_number(command, "threads", "T", options->effort.threads,
-               "Threads; 0 is one a core (default)");
+               "Number of threads; 0 is one for each core (default)");
     add_outputs(command, options->output, "REPORT",
                 "Numbers and curves as .json, or a plot sheet as " + files::picture_extensions() +
                     "; - is standard output, as .json; may be given several times");
-    command
-        .add_flag("--json", options->json, "Numbers and curves on standard output, as -o - does")
+    command.add_flag("--json", options->json, "Numbers and curves on standard output, like -o -")
         ->disable_flag_override();
     command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
     command.callback([options] { run(*options); });

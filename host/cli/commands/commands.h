@@ -5,8 +5,8 @@
 
 namespace lacuna::cli {
 
-// Runs the command line, tells on standard error what went wrong, and returns the exit code. The
-// sets that `compare` compares are made by `sampler`.
+// Runs the command line, prints errors on standard error, and returns the exit code. `compare`
+// makes its sets with `sampler`.
 int run_commands(int argc, char** argv, const Sampler& sampler);
 
 }  // namespace lacuna::cli

@@ -31,7 +31,7 @@ namespace lacuna::cli {
 namespace {
 
 constexpr const char* kCompareDescription =
-    R"(Makes one set on every backend and device there is, and tells whether all are the same.
+    R"(Makes one set on every backend and device, compares the points, and measures the times.
 
 Examples:
   lacuna compare --radius 0.005 --torus                 a table on standard output
@@ -39,14 +39,14 @@ Examples:
   lacuna compare --radius 0.002 --runs 9 --backends cpu,opencl --json a.json -o chart.svg
   lacuna compare --radius 0.05 --backends reference,cpu
 
-The other options are those of sample and, with a picture, of stipple. Runs take turns, so that all
-share what the machine goes through. A first run of each counts in no time but in first use, which is
-by how much it took longer: building kernels, finding devices. Memory is by how much it raised the
-program's peak.
+The other options are as for sample or, with a picture, for stipple. The backends take turns, so
+that a busy machine slows all of them alike. The first run of each backend is not timed, except that
+`first use` is its extra time: finding devices, building kernels. `memory` is the growth of the
+program's peak memory in the first run.
 
-Exit code: 0 all the same, 1 not, 2 bad usage, 3 a file cannot be read or written, 4 a backend named
-with --backends, or every one, is missing, or one failed at work, 130 interrupted
-(143 by SIGTERM).
+Exit code: 0 all points are the same, 1 they differ, 2 bad usage, 3 a file cannot be read or
+written, 4 a backend named with --backends is missing, or all are, or one failed at work, 130
+interrupted (143 by SIGTERM).
 )";
 
 struct CompareCommand {
@@ -60,7 +60,7 @@ struct CompareCommand {
     bool quiet = false;
 };
 
-// Names between commas, with or without blanks; those in between may not be empty.
+// Splits at commas and removes blanks. The caller refuses empty names.
 std::vector<std::string> split(const std::string& text) {
     std::vector<std::string> names;
     std::istringstream in(text + ",");
@@ -72,7 +72,7 @@ std::vector<std::string> split(const std::string& text) {
     return names;
 }
 
-// Before the work starts.
+// Checks the options and files before the work starts.
 std::vector<Output> check(const CompareCommand& options) {
     constexpr std::uint32_t kMostRuns = 1000;
     if (options.runs < 1 || options.runs > kMostRuns)
@@ -92,7 +92,7 @@ std::vector<Output> check(const CompareCommand& options) {
     return charts;
 }
 
-// Shows which run it is.
+// Shows the progress of all runs together.
 class Runs : public Observer {
 public:
     Runs(std::size_t all, bool quiet) : bar_(quiet), all_(all) {}
@@ -142,7 +142,7 @@ void write(const CompareCommand& options, const std::vector<Output>& charts, con
     writing.write();
 }
 
-// All is told in the tables; what is left is how to end.
+// Chooses the exit code. The tables have been printed.
 void end(const CompareCommand& options, const Comparison& comparison) {
     if (!comparison.agree()) throw CheckFailed();
     for (const Entry& entry : comparison.entries)
@@ -151,7 +151,7 @@ void end(const CompareCommand& options, const Comparison& comparison) {
             throw Unavailable(entry.failure);
 }
 
-// What would be passed over in silence.
+// Refuses options that would have no effect.
 void check_kind(const CLI::App& command, const CompareCommand& options) {
     const bool is_picture = !options.picture.path.empty();
     for (const std::string option :
@@ -188,15 +188,15 @@ void add_compare(CLI::App& app, const Sampler& sampler) {
     command
         .add_option_function<std::string>(
             "--backends", [options](const std::string& names) { options->backends = split(names); },
-            "Which, between commas: cpu, opencl, vulkan, reference (default the first three)")
+            "Some of cpu,opencl,vulkan,reference (default: the first three)")
         ->type_name("LIST");
     add_number(command, "runs", "N", options->runs,
-               "Sets made on each, after a first that no time is taken of (default 5)");
+               "Number of timed runs of each backend, after the first run (default 5)");
     add_outputs(command, options->charts, "FILE",
                 "A bar chart of the times: " + files::picture_extensions());
     command
         .add_option("--json", options->json,
-                    "Every run's seconds, and the rest; - is standard output")
+                    "Writes the tables and the seconds of every run; - is standard output")
         ->type_name("FILE.json");
     command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
     add_size(command, options->request);

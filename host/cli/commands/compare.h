@@ -1,4 +1,4 @@
-// `lacuna compare`: one request on every backend and device: the same bytes, and at what cost?
+// `lacuna compare`: runs one request on every backend and device, and compares points and times.
 #pragma once
 
 #include "cli/app_fwd.h"

@@ -100,7 +100,7 @@ private:
     std::vector<Point> yardstick_;
 };
 
-// A backend's devices; one entry that says so where there is none.
+// A backend's devices. Without a device there is one entry, with the reason.
 std::vector<Contestant> contestants_of(const std::string& backend,
                                        const std::vector<Device>& devices) {
     std::vector<Contestant> found;
@@ -109,7 +109,7 @@ std::vector<Contestant> contestants_of(const std::string& backend,
         found.push_back({backend, std::to_string(found.size()), device.name, device.unusable});
     }
     if (found.empty()) found.push_back({backend, "", "", kNoDriver});
-    if (found.size() == 1) found.front().device.clear();  // need not be chosen
+    if (found.size() == 1) found.front().device.clear();  // the request need not name it
     return found;
 }
 

@@ -1,4 +1,4 @@
-// One request on several backends and devices: whether they agree, and what each costs.
+// One request on several backends and devices: whether the points agree, and times and memory.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -15,54 +15,54 @@
 
 namespace lacuna::cli {
 
-// What makes the sets: lacuna::sample, but in tests of what becomes of a wrong one.
+// The function that makes the sets: lacuna::sample. Tests use others, which make wrong sets.
 using Sampler = std::function<Result(const Request&, Observer&)>;
 
-// Why a backend that this build has lists no device.
+// The reason if a backend of this build lists no device.
 inline constexpr const char* kNoDriver = "no driver for it is installed";
 
-// A place to run on. One that cannot be run on says why.
+// A device of a backend.
 struct Contestant {
     std::string backend;
-    std::string device;  // a number, as Request::device takes it; empty where there is only one
-    std::string name;    // of the device
-    std::string missing;
+    std::string device;   // its number, for Request::device; empty if it is the only one
+    std::string name;     // of the device
+    std::string missing;  // why it cannot be used; empty if it can
 };
 
-// Every device of the backends named, in the order named; without names of cpu, opencl and vulkan.
-// Throws BadRequest for an unknown name, and Unavailable for a backend that is named and missing.
+// Every device of the backends named, in the order named; without names every device of cpu, opencl
+// and vulkan. Throws BadRequest for an unknown name, and Unavailable if a named backend is missing.
 std::vector<Contestant> find_contestants(const std::vector<std::string>& backends);
 
-// The first point that is not the same. One is missing where the other set goes on.
+// The first point that differs. If one set is shorter, its point is unset.
 struct Difference {
     std::size_t index;
     std::optional<Point> expected;
     std::optional<Point> got;
 };
 
-// What a contestant's runs came to.
+// The results of a contestant's runs.
 struct Entry {
     Contestant contestant;
-    std::string failure;     // why it has no more runs; or empty
-    bool broke_off = false;  // it failed at work; otherwise it could not begin
+    std::string failure;     // why runs are missing, or empty
+    bool broke_off = false;  // true if it failed at work, false if it could not begin
     std::string device;      // as the result names it
-    std::size_t points = 0;  // of the first run, as all below
+    // From here to memory_bytes all is of the first run.
+    std::size_t points = 0;
     std::uint64_t rounds = 0;
     std::string sha256;
-    // By how much the first run, which counts in no other time, took longer than the median:
-    // finding devices, building kernels, some of which drivers build only when they are first
-    // launched.
     double first_run_seconds = 0;
+    // By how much the first run took longer than the median of the others: it finds devices and
+    // builds kernels, some of which drivers build only at their first launch.
     double first_use_seconds() const;
     std::optional<std::uint64_t> memory_bytes;  // by how much it raised the program's peak
-    std::vector<double> seconds;                // of each run but the first
+    std::vector<double> seconds;                // of each run except the first
     std::vector<std::array<double, kVerbs.size()>> verb_seconds;  // likewise
-    // From the yardstick, in the first run in which there is any.
+    // From the yardstick, in the first run that differs from it.
     std::optional<Difference> difference;
 
     bool has_run() const { return !seconds.empty(); }
     double median_seconds() const;
-    double median_seconds(std::size_t verb) const;  // by its place in kVerbs
+    double median_seconds(std::size_t verb) const;  // `verb` is an index into kVerbs
 };
 
 struct Comparison {
@@ -70,16 +70,15 @@ struct Comparison {
     double radius = 0;
     double scale = 0;  // in cells
 
-    // The first entry with runs, which the others are measured by. Null when none has any.
+    // The first entry with runs, with which the others are compared. Null if no entry has runs.
     const Entry* yardstick() const;
-    // Whether every run of every entry made the yardstick's points.
+    // Whether every run of every entry made the same points as the yardstick.
     bool agree() const;
 };
 
-// Runs the contestants in turn, so many times and once before, so that they share what the machine
-// goes through.
-// Those that are missing, or fail, keep the reason. Throws what the sampler throws for a request
-// that cannot be met, and Cancelled.
+// Runs every contestant 1 + `runs` times. They take turns, so that a busy machine slows all alike.
+// Contestants that are missing or fail keep the reason. Throws what the sampler throws for a
+// request that cannot be met, and Cancelled.
 Comparison compare(const Request& request, const std::vector<Contestant>& contestants,
                    std::uint32_t runs, const Sampler& sampler, Observer& observer);
 

@@ -1,4 +1,4 @@
-// `lacuna devices`: every backend's devices, and why one cannot be used.
+// `lacuna devices`: lists every backend's devices, and why some cannot be used.
 #include "cli/commands/devices.h"
 
 #include <fmt/core.h>
@@ -20,21 +20,21 @@ namespace lacuna::cli {
 namespace {
 
 constexpr const char* kDevicesDescription =
-    R"(Lists the backends and their devices, with what Lacuna may use of each.
+    R"(Lists the backends and their devices, with the memory that Lacuna may use.
 
 Examples:
-  lacuna devices                                          what there is
+  lacuna devices                                          a table
   lacuna devices --json                                   the same for programs
-  lacuna sample --radius 0.01 --backend opencl --device 0 the first of opencl's
+  lacuna sample --radius 0.01 --backend opencl --device 0 runs on the first device of opencl
 )";
 
-// A device with its number among those of its backend. One that cannot be used says why.
+// A device with its number within its backend.
 struct Row {
     Device device;
     std::size_t number;
 };
 
-// A backend whose driver lists no device has a row that says so.
+// A backend without devices has a row with the reason.
 std::vector<Row> rows() {
     std::vector<Row> rows;
     const std::vector<Device> devices = listed_devices();
@@ -83,7 +83,7 @@ std::string json_of(const std::vector<Row>& rows) {
              {"largest_buffer_bytes", device.largest_buffer_bytes},
              {"usable", device.unusable.empty()},
              {"why_not", device.unusable.empty() ? Json(nullptr) : Json(device.unusable)}});
-    // Device names come from drivers, and need not be UTF-8.
+    // Device names come from drivers, which need not use UTF-8.
     return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -92,7 +92,7 @@ std::string json_of(const std::vector<Row>& rows) {
 void add_devices(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("devices", kDevicesDescription);
     const auto json = std::make_shared<bool>(false);
-    command.add_flag("--json", *json, "As JSON")->disable_flag_override();
+    command.add_flag("--json", *json, "Prints JSON")->disable_flag_override();
     command.callback([json] { files::write_whole("-", *json ? json_of(rows()) : table(rows())); });
 }
 

@@ -1,4 +1,4 @@
-// `lacuna devices`: every backend's devices, and why one cannot be used.
+// `lacuna devices`: lists every backend's devices, and why some cannot be used.
 #pragma once
 
 #include "cli/app_fwd.h"

@@ -1,4 +1,4 @@
-// Finds the nearest word.
+// Finds the word with the least edit distance.
 #include "cli/commands/nearest.h"
 
 #include <CLI/App.hpp>
@@ -8,7 +8,7 @@
 namespace lacuna::cli {
 namespace {
 
-// Letters to change, add, leave out, or swap with the next one (optimal string alignment).
+// The edit distance, with swaps of neighbouring letters (optimal string alignment).
 std::size_t distance(const std::string& a, const std::string& b) {
     std::vector<std::vector<std::size_t>> steps(a.size() + 1,
                                                 std::vector<std::size_t>(b.size() + 1));
@@ -46,7 +46,7 @@ std::string nearest_text(const std::string& word, const std::vector<std::string>
     constexpr std::size_t kMostSteps = 2;
     constexpr std::size_t kLongestWord = 64;
     const std::string stem = word.substr(0, word.find('='));
-    // A short option that there is not, such as -r: the first that begins with its letter.
+    // For an unknown short option, such as -r, the first long option that begins with its letter.
     if (stem.size() == 2 && stem[0] == '-' && stem[1] != '-') {
         const auto same = std::find_if(known.begin(), known.end(), [&](const std::string& name) {
             return name.starts_with("-" + stem);

@@ -1,4 +1,4 @@
-// Paper: units and names.
+// Units of length, and the names and sizes of papers.
 #include "cli/commands/paper.h"
 
 #include <fmt/core.h>
@@ -40,7 +40,7 @@ struct NamedPaper {
     double height_mm;
 };
 
-// ISO 216, and ANSI's in inches.
+// ISO 216, and the sizes of ANSI, which are whole or half inches.
 constexpr std::array<NamedPaper, 10> kPapers{{{"a0", 841, 1189},
                                               {"a1", 594, 841},
                                               {"a2", 420, 594},
@@ -62,7 +62,7 @@ std::optional<double> take_unit(std::string_view& text) {
     return std::nullopt;
 }
 
-// The number that is all of `text`, in units of so many mm.
+// The length in mm that `text` gives in units of `unit_mm`. Unset if `text` is not one number.
 std::optional<double> length_of(std::string_view text, double unit_mm) {
     double number = 0;
     if (files::take_number(text, number) != std::errc{} || !text.empty()) return std::nullopt;

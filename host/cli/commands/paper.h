@@ -8,9 +8,9 @@ namespace lacuna::cli {
 struct Paper {
     double width_mm = 0;
     double height_mm = 0;
-    bool may_turn = false;  // given by its name: lies across for a picture that is wider than high
+    bool may_turn = false;  // true for papers given by name
 
-    // Turned to suit a picture of this shape.
+    // The paper, turned to landscape if the picture is wider than high and the paper may be turned.
     Paper suiting(double width, double height) const;
 };
 

@@ -32,20 +32,20 @@ namespace lacuna::cli {
 namespace {
 
 constexpr const char* kRelaxDescription =
-    R"(Moves points until each owns an equal share and stands in the middle of it.
+    R"(Moves points until their cells are equally large and each point is in the middle of its cell.
 
 Examples:
   lacuna relax points.txt --torus -o even.npy           any set, on a domain whose edges wrap
   lacuna relax points.txt --domain 2x1 --iterations 30 -o even.svg --report even.json
-  lacuna relax dots.npy photo.jpg -o dots.svg           shares of a picture, as stipple --relax
+  lacuna relax dots.npy photo.jpg -o dots.svg           cells of equal darkness, as stipple --relax
   lacuna sample --count 4096 --torus | lacuna relax - --torus -o even.txt
 
-Shares are of the area or, with a picture, of its darkness. 10 to 30 iterations are enough; many more
-begin to look like a lattice. The same points come back on every backend and any number of threads,
-in the order given. No least distance is promised, and no dot is where the picture is white.
+Cells have equal area or, with a picture, equal darkness. 10 to 30 iterations are enough; with many
+more the points begin to look like a lattice. Every backend and any number of threads give the same
+points, in the order given. No least distance is promised. No dot lies where the picture is white.
 
-Without --domain and --torus the domain is what a .json tells, or the picture's shape with a longer
-side of 1, or 1x1. Points and pictures are read as analyze and stipple read them.
+Without --domain and --torus the domain comes from a .json, or is the picture's shape with a longer
+side of 1, or 1x1. Points are read as by analyze, and pictures as by stipple.
 
 Exit code: 0 done, 2 bad usage, 3 a file cannot be read or written, 4 no such backend, 130
 interrupted.
@@ -60,7 +60,7 @@ struct RelaxCommand {
     bool has_domain = false;
 };
 
-// What is to be written.
+// Checks the options and returns the outputs.
 std::vector<Output> check(const RelaxCommand& options) {
     std::vector<GivenFile> read{{"POINTS", options.points}};
     if (!options.picture.path.empty()) read.push_back({"IMAGE", options.picture.path});
@@ -155,7 +155,7 @@ void add_options(CLI::App& command, RelaxCommand& options) {
         ->type_name("");
     add_number(
         command, "iterations", "K", options.iterations,
-        fmt::format("How often points are moved, at most 10000 (default {})", options.iterations));
+        fmt::format("Times that points are moved, at most 10000 (default {})", options.iterations));
     command
         .add_option_function<std::string>(
             "--domain",
@@ -171,8 +171,10 @@ void add_options(CLI::App& command, RelaxCommand& options) {
         ->disable_flag_override();
     add_importance(command, options.picture);
     add_how_to_draw(command, options.drawing,
-                    "as much ink as the picture is dark, or two thirds of the least distance");
-    add_number(command, "threads", "T", request.threads, "Threads; 0 is one a core (default)");
+                    "dots have as much ink as the picture is dark, or are two thirds of the least "
+                    "distance wide");
+    add_number(command, "threads", "T", request.threads,
+               "Number of threads; 0 is one for each core (default)");
     add_place(command, request);
     add_what_to_write(command, options.common);
 }

@@ -49,7 +49,7 @@ bool needs_least_distance(const CommonOptions& common, const std::vector<Output>
 
 void add_relax(CLI::App& command, std::uint32_t& iterations) {
     add_number(command, "relax", "K", iterations,
-               fmt::format("Then move the points until their shares are equal, K times; 0 does not "
+               fmt::format("Then moves the points K times, as lacuna relax does; 0 leaves them "
                            "(default {})",
                            iterations));
 }

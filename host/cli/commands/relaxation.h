@@ -1,5 +1,4 @@
-// Relaxing points under a progress bar: what `lacuna relax` does, and sample and stipple with
-// --relax.
+// Relaxes points under a progress bar, for `lacuna relax` and for --relax of sample and stipple.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -16,26 +15,26 @@
 
 namespace lacuna::cli {
 
-// --relax, whose default the help names.
+// Adds --relax. `iterations` holds the default.
 void add_relax(CLI::App& command, std::uint32_t& iterations);
 
-// What came of it, beside points.
+// The results of relaxing, besides the points.
 struct Relaxation {
     std::uint32_t iterations = 0;
-    Relaxed relaxed;  // its points have been taken
+    Relaxed relaxed;  // without its points
     std::optional<double> least_distance;
 };
 
-// Where points are relaxed as the request says; `field` may be null.
+// Options with the request's domain, backend, device and threads.
 RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations);
 
-// Relaxes the points of `made` under a progress bar, and takes its time too. Evenness is measured
-// for a report; the radius becomes the least distance where a report or a .json needs it, and 0,
-// not known, elsewhere. Throws what lacuna::relax throws.
+// Relaxes the points of `made` under a progress bar, and adds the time to it; `field` may be null.
+// Evenness is measured if there is a report. The radius becomes the least distance if a report or a
+// .json needs it, and otherwise 0, which means not known. Throws what lacuna::relax throws.
 Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& outputs,
                         const RelaxOptions& options, const Field* field, Made& made);
 
-// For a report: {"relax": {...}}, and the request's iterations.
+// For a report: {"relax": {...}}, and the number of iterations in "request".
 nlohmann::ordered_json json_of(const Relaxation& relaxation);
 
 }  // namespace lacuna::cli

@@ -32,23 +32,24 @@ namespace lacuna::cli {
 namespace {
 
 constexpr const char* kReproduceDescription =
-    R"(Makes the tables and figures of Kalantari & Sen (2011) anew and compares their numbers.
+    R"(Makes the tables and figures of Kalantari & Sen (2011) again and compares their numbers.
 
 Examples:
   lacuna reproduce table2                       numbers on standard output
   lacuna reproduce fig5 -o figures              fig5.json and fig5.svg in the folder figures too
-  lacuna reproduce table1 --runs 5 --smallest-radius 0.005     in seconds, but less sure
+  lacuna reproduce table1 --runs 5 --smallest-radius 0.005     in seconds, but less exact
   lacuna reproduce all --image raccoon.png -o figures          some minutes on two cores
 
 WHAT is table1, table2, fig3, fig4, fig5, fig6, fig7, fig8, or all. Figure 7 stipples a
 picture of your own, --image: the paper's are not free.
 
-A line a number: the paper's, the one made here, their difference, the band that it must lie in, and
-whether it does. What the paper says in words stands in quotes, with the band in which the words
-hold. Times depend on the machine and decide nothing. But for times the same on every machine.
+Each line has one number: the paper's value, the value made here, their difference, the band in
+which the value must lie, and whether it does. Statements that the paper makes in words stand in
+quotes, with the band in which they are true. Times depend on the machine and are not checked; all
+other numbers are the same on every machine.
 
 Exit code: 0 all numbers are within their bands, 1 one is not, 2 bad usage, 3 a file cannot be read
-or written, 4 the system makes no threads, 130 interrupted (143 by SIGTERM).
+or written, 4 the system refuses threads, 130 interrupted (143 by SIGTERM).
 )";
 
 struct ReproduceCommand {
@@ -60,7 +61,7 @@ struct ReproduceCommand {
     bool quiet = false;
 };
 
-// An item with all that is made for it.
+// A table or figure with its results.
 struct MadeItem {
     const reproduce::Item& item;
     reproduce::Reproduction reproduction;
@@ -72,7 +73,7 @@ struct MadeItem {
     std::string data_name() const { return fmt::format("{}.json", item.name); }
 };
 
-// In the paper's order, none twice.
+// The items asked for, in the paper's order and without duplicates.
 std::vector<const reproduce::Item*> chosen(const std::vector<std::string>& what) {
     std::string names;
     for (const reproduce::Item& item : reproduce::items()) names += fmt::format("{}, ", item.name);
@@ -93,7 +94,7 @@ std::vector<const reproduce::Item*> chosen(const std::vector<std::string>& what)
 
 void check(const ReproduceCommand& options, const std::vector<const reproduce::Item*>& items) {
     if (options.runs && *options.runs == 0) throw BadRequest("runs", "0", "must be at least 1");
-    constexpr double kLargestRadius = 0.05;  // of the tables
+    constexpr double kLargestRadius = 0.05;  // in the paper's tables
     const double smallest = options.smallest_radius.value_or(kLargestRadius);
     if (!(smallest > 0 && smallest <= kLargestRadius))
         throw BadRequest("smallest-radius", fmt::format("{}", smallest),
@@ -105,7 +106,7 @@ void check(const ReproduceCommand& options, const std::vector<const reproduce::I
                          fmt::format("{} stipples a picture: give one, such as --image FILE.png",
                                      (*first)->name));
     if (!options.folder) return;
-    // Before the work starts: what cannot be made must not cost minutes.
+    // Checked before the work starts, so that an error does not cost minutes.
     std::error_code error;
     std::filesystem::create_directories(*options.folder, error);
     if (error)
@@ -183,14 +184,14 @@ void add_reproduce(CLI::App& app) {
         ->required();
     command
         .add_option("-o,--output", options->folder,
-                    "A folder, made if need be, for a .json and a picture of each item")
+                    "A folder for a .json and a picture of each item; it is made if it is missing")
         ->type_name("FOLDER");
-    command.add_option("--image", options->image, "What figure 7 stipples; dark is dense")
+    command.add_option("--image", options->image, "The picture that figure 7 stipples")
         ->type_name("FILE");
     add_number(command, "runs", "N", options->runs,
-               "Sets that each mean is taken of (default: each item its own, 2 to 100)");
+               "Number of sets in each mean (default: 2 to 100, depending on the item)");
     add_number(command, "smallest-radius", "R", options->smallest_radius,
-               "Leave out the tables' rows of smaller radii");
+               "Leaves out rows of the tables with smaller radii");
     command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
     command.callback([options] { run(*options); });
 }

@@ -1,4 +1,4 @@
-// `lacuna reproduce`: the paper's tables and figures, made anew and held against it.
+// `lacuna reproduce`: makes the paper's tables and figures again and compares their numbers.
 #pragma once
 
 #include "cli/app_fwd.h"

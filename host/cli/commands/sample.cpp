@@ -29,19 +29,19 @@ namespace lacuna::cli {
 namespace {
 
 constexpr const char* kSampleDescription =
-    R"(Makes a blue-noise point set: random, evenly spread points with no room left for another.
+    R"(Makes a blue-noise point set: random points, evenly spread, with no room for one more.
 
 Examples:
   lacuna sample --radius 0.01                       points as `x y` lines on standard output
   lacuna sample --radius 0.01 -o points.svg         a picture; see --output for the formats
-  lacuna sample --count 10000 --torus -o points.npy exactly so many points, and edges that wrap
+  lacuna sample --count 10000 --torus -o points.npy exactly 10000 points, and edges that wrap
   lacuna sample --radius 0.02 --domain 2x1 --mode lines   the paper's algorithm
   lacuna sample --count 4096 --torus --relax 30 -o even.npy   far more even: see lacuna relax --help
-  lacuna sample --radius 0.005 --seed 7 -o a.csv --report a.json   and what it cost
+  lacuna sample --radius 0.005 --seed 7 -o a.csv --report a.json   points, and a report of the run
   lacuna sample --count 10k --format npy > a.npy      another format on standard output
   lacuna sample --field density.png --scale 0.004 -o points.npy   dense where it is dark
-  lacuna sample --inside lakes.svg --border 2 --radius 3 -o fish.svg   up to every shore
-  lacuna sample --keep trees.csv --radius 0.02 -o more.csv   fills what is left around points
+  lacuna sample --inside lakes.svg --border 2 --radius 3 -o fish.svg   points within polygons
+  lacuna sample --keep trees.csv --radius 0.02 -o more.csv   fills the space around given points
   lacuna sample --count 256 --torus --seeds 0..999 -o 'tiles/{seed}.npy'   a thousand small tiles
 )";
 
@@ -55,7 +55,7 @@ struct SampleCommand {
 
 void read_mode(const std::string& text, Mode& mode) {
     if (text == name_of(Mode::cells))
-        throw BadRequest("mode", text, "is what lacuna stipple does; here: exact or lines");
+        throw BadRequest("mode", text, "is a mode of lacuna stipple: must be exact or lines");
     for (const Mode known : {Mode::exact, Mode::lines}) {
         if (text != name_of(known)) continue;
         mode = known;
@@ -64,16 +64,16 @@ void read_mode(const std::string& text, Mode& mode) {
     throw BadRequest("mode", shown(text), "must be exact or lines");
 }
 
-// Relaxed points would leave where they may lie.
+// Relaxing would move points to where none may lie, and would move kept points.
 void check_relax(const SampleCommand& all) {
     if (all.relax == 0) return;
     const auto refuse = [&](const char* allowed) {
         throw BadRequest("relax", std::to_string(all.relax), allowed);
     };
-    if (all.seeds) refuse("is not for --seeds: relax each file with lacuna relax");
+    if (all.seeds) refuse("cannot be used with --seeds: relax each file with lacuna relax");
     if (!all.domain.mask.empty() || !all.domain.inside.empty() || !all.domain.keep.empty() ||
         all.common.request.border != 0)
-        refuse("is not for --mask, --inside, --border or --keep, which it knows nothing of");
+        refuse("cannot be used with --mask, --inside, --border or --keep");
 }
 
 void run(const CLI::App& command, const SampleCommand& all) {
@@ -123,7 +123,8 @@ void add_size(CLI::App& command, Request& request) {
     add_number(command, "radius", "R", request.radius,
                "Least distance between two points; this or --count");
     add_number(command, "count", "N", request.count,
-               "Exactly so many points, at a radius that fits; this or --radius");
+               "Exactly N points, at a radius with room for a few more, so that the set is not "
+               "maximal; this or --radius");
     command
         .add_option_function<std::string>(
             "--domain",
@@ -138,19 +139,20 @@ void add_mode(CLI::App& command, Request& request) {
     command
         .add_option_function<std::string>(
             "--mode", [&request](const std::string& mode) { read_mode(mode, request.mode); },
-            "exact (default): no gap is left, every distance is at least the radius; lines: as in "
-            "the paper")
+            "exact (default): no gap is left, every distance is at least the radius; lines: the "
+            "paper's algorithm, which is approximate")
         ->type_name("MODE");
     add_number(command, "lines-per-radius", "M", request.lines_per_radius,
-               "Lines in a radius' width (default 6 in exact, 30 in lines)");
+               "Number of lines per radius (default 6 in exact, 30 in lines)");
     command
         .add_flag("--uniform-x", request.uniform_x,
-                  "In lines: those with room are equally likely, however much room they have")
+                  "In mode lines: all lines with room are equally likely, however much room they "
+                  "have")
         ->disable_flag_override();
     command
         .add_flag("--snap", request.snap,
-                  "In lines: points lie on them, and no distance is less than the radius; without, "
-                  "1/(2M) of it less")
+                  "In mode lines: points lie on the lines, and every distance is at least the "
+                  "radius R; without it distances may be R/(2M) less")
         ->disable_flag_override();
 }
 
@@ -164,7 +166,7 @@ void add_sample(CLI::App& app) {
     add_seeds(command, options->seeds);
     add_relax(command, options->relax);
     add_mode(command, request);
-    add_how_to_draw(command, options->drawing, "two thirds of the points' radius");
+    add_how_to_draw(command, options->drawing, "two thirds of --radius");
     add_effort(command, request);
     add_place(command, request);
     add_what_to_write(command, options->common);

@@ -1,4 +1,4 @@
-// `lacuna sample`: options to a request, the run, and what is written of it.
+// `lacuna sample`: turns its options into a request, makes the set and writes it.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -11,7 +11,7 @@ namespace lacuna::cli {
 // throw.
 void add_sample(CLI::App& app);
 
-// The options that only its requests have, for `command`:
+// Each adds options to `command` that stipple does not have:
 // --radius, --count, --domain
 void add_size(CLI::App& command, Request& request);
 // --mode, --lines-per-radius, --uniform-x, --snap

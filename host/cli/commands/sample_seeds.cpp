@@ -1,4 +1,4 @@
-// Makes many sets under one progress bar, and writes each as soon as it is made.
+// Makes many sets under one progress bar, and writes each set as soon as it is made.
 #include "cli/commands/sample_seeds.h"
 
 #include <fmt/core.h>
@@ -62,7 +62,7 @@ std::vector<Output> outputs_of_seed(const std::vector<Output>& outputs, std::uin
     return own;
 }
 
-// Before the work starts; the files of the first set stand for all.
+// Checks outputs before the work starts. Only the files of the first set are checked.
 std::vector<Output> checked_outputs_of_all(const CommonOptions& options, SeedRange seeds) {
     if (options.output.paths.empty())
         throw BadRequest("seeds", fmt::format("{}..{}", seeds.first, seeds.last),
@@ -71,7 +71,7 @@ std::vector<Output> checked_outputs_of_all(const CommonOptions& options, SeedRan
     for (std::string& path : of_first.output.paths) {
         if (path.find(kPlace) == std::string::npos)
             throw BadRequest("output", shown(path),
-                             "must have {seed} in its name, for --seeds: a file a set");
+                             "must have {seed} in its name: --seeds writes a file for each set");
         path = path_of(path, seeds.first);
     }
     const std::vector<Output> checked = checked_outputs(of_first, {});
@@ -124,8 +124,8 @@ void sum_up(const CommonOptions& options, const ManyMade& all) {
 void add_seeds(CLI::App& command, std::optional<SeedRange>& seeds) {
     add_text(
         command, "seeds", "A..B", [&seeds](const std::string& text) { seeds = read_seeds(text); },
-        "A set for each seed from A to B, both included; each goes to a file of its own: every "
-        "--output has {seed} in its name. Instead of --seed");
+        "Makes a set for each seed from A to B, both included. Each is written to its own file: "
+        "every --output must have {seed} in its name. Instead of --seed");
 }
 
 void sample_seeds(const CLI::App& command, const CommonOptions& options,

@@ -1,4 +1,4 @@
-// `lacuna sample --seeds A..B`: a set a seed, a file a set.
+// `lacuna sample --seeds A..B`: a set for each seed, and a file for each set.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace lacuna::cli {
 
 struct SeedRange {
     std::uint64_t first;
-    std::uint64_t last;  // which is one of them
+    std::uint64_t last;  // included
 };
 
-// --seeds; `seeds` must outlive the command.
+// Adds --seeds; `seeds` must outlive the command.
 void add_seeds(CLI::App& command, std::optional<SeedRange>& seeds);
 
 // Makes the sets and writes each to every output, whose name must have {seed} in it. Every file has
-// the bytes that --seed alone would give; `more` is told of where it comes from. Throws what
+// the same bytes as with --seed. `more` is added to the origin that files hold. Throws what
 // lacuna::sample and the files throw.
 void sample_seeds(const CLI::App& command, const CommonOptions& options,
                   const DrawingOptions& drawing, SeedRange seeds,

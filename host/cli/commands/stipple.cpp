@@ -42,8 +42,8 @@ constexpr const char* kStippleDescription =
     R"(Stipples a picture: random dots, evenly spread, dense where it is dark.
 
 Examples:
-  lacuna stipple photo.jpg -o dots.svg                       as many as suit the picture
-  lacuna stipple photo.jpg --count 20000 -o dots.svg         exactly so many dots
+  lacuna stipple photo.jpg -o dots.svg                       a number of dots that suits the picture
+  lacuna stipple photo.jpg --count 20000 -o dots.svg         exactly 20000 dots
   lacuna stipple dim.jpg --auto-levels -o dots.svg -o dots.png   an underexposed photo, two files
   lacuna stipple photo.jpg --scale 0.003 -o dots.png         as many as there is room for
   lacuna stipple photo.jpg --count 20000 --relax 0 -o dots.pdf        the paper's set, grainy
@@ -52,25 +52,26 @@ Examples:
     -o plot.svg                                              for a plotter with a pen of 0.5 mm
   lacuna stipple density.npy --invert --count 5000 > points.txt       high numbers are dense
 
-Points lie in the picture's shape, its longer side 1, y upwards. Importance is 1 where the picture
-is black and 0, no dots at all, where it is white. Dots are placed at random, a radius apart, which
-is G / sqrt(importance); then --relax moves them, K times, until each stands in the middle of an
-equal share of the picture. With --relax 0 they stay: radii are then least distances, points come in
-the order in which they were admitted, and any prefix is itself a set of its kind.
+The domain is the picture, with a longer side of 1 and y upwards. Importance is 1 where the picture
+is black and 0, which means no dots, where it is white. Dots are placed at random, at least a radius
+apart; the radius is G / sqrt(importance). Then --relax moves them K times, until their cells hold
+equal darkness and each dot is in the middle of its cell. With --relax 0 they are not moved: radii
+are then least distances, points come in the order in which they were admitted, and any prefix is
+itself a Poisson-disk set.
 
-Where radii differ, two dots keep the smaller one apart with --metric min: dots of light places take
-no room from dark ones. With mean and max they do, and leave gaps along edges of the picture.
-Without --metric it is mean, from which relaxing comes farthest, and min with --relax 0 and in exact.
+Where radii differ, --metric min keeps two dots at least the smaller radius apart, so that dots in
+light areas take no room from dark areas. With mean and max they do, and gaps remain along edges of
+the picture. The default is mean, with which relaxing gives the best result, and min with --relax 0
+and in --mode exact.
 
-With --mode cells dots are placed on a lattice, and some 4 % fewer find room than in the plane. With
---mode exact they are placed in the plane, where no room is left: the set that lacuna sample --field
-makes.
+With --mode cells dots are placed on a lattice, and about 4 % fewer fit than in the plane. With
+--mode exact they are placed in the plane and no gap is left: the set of lacuna sample --field.
 
-On --paper-size the picture lies in the middle, as large as --margin lets it, and .svg is in mm.
-Without, the picture is the page, 512pt long.
+With --paper-size the picture lies in the middle of the paper, as large as --margin allows, and .svg
+is in mm. Without it the page is the picture, and 512pt long.
 
-Read are PNG, JPEG, PGM, PPM, PFM, Radiance HDR and NumPy's .npy. A photo that is too dark or too
-light as a whole comes out better with --auto-levels.
+Formats read are PNG, JPEG, PGM, PPM, PFM, Radiance HDR and NumPy's .npy. For photos that are too
+dark or too light as a whole use --auto-levels.
 )";
 
 struct StippleCommand {
@@ -95,28 +96,28 @@ void add_what_to_stipple(CLI::App& command, StippleCommand& options) {
     add_picture(command, options.picture, request)->required();
     add_number(
         command, "count", "N", request.count,
-        "Exactly so many dots, at a scale that fits; this or --scale (default: a number that "
-        "suits the picture's size and darkness, or --dot-size)");
+        "Exactly N dots, at a scale that fits; this or --scale (default: a number that suits the "
+        "picture's size and darkness, or --dot-size)");
     request.mode = Mode::cells;
     command
         .add_option_function<std::string>(
             "--mode", [&request](const std::string& mode) { read_dot_mode(mode, request.mode); },
             "cells (default): dots are placed on a lattice, as in the paper; exact: in the plane, "
-            "with no gap left, by metric min")
+            "with no gap left, and with --metric min")
         ->type_name("MODE");
     add_number(command, "lines-per-radius", "M", request.lines_per_radius,
-               "Steps of the lattice in the least radius (default 10); in exact it decides nothing "
-               "but the speed (default 1)");
+               "Lattice steps per least radius (default 10); in exact it changes only the speed "
+               "(default 1)");
 }
 
 void add_pen_path(CLI::App& command, StippleCommand& options) {
     command
         .add_flag("--pen-path", options.pen_path,
-                  "Dots in the order of a short way for a pen, in every format")
+                  "Orders the dots along a short path for a pen, in every format")
         ->disable_flag_override();
 }
 
-// All that can be checked before the picture is read. What is to be written.
+// Checks everything that can be checked before the picture is read; returns the outputs.
 std::vector<Output> check_options(const StippleCommand& options) {
     const std::vector<Output> outputs =
         checked_outputs(options.common, {{"IMAGE", options.picture.path}});
@@ -125,12 +126,12 @@ std::vector<Output> check_options(const StippleCommand& options) {
     return outputs;
 }
 
-// What `lacuna stipple` has done beside sampling.
+// What `lacuna stipple` has done besides sampling. Lengths are in the domain's units.
 struct Work {
     double read_seconds = 0;
     double path_seconds = 0;
-    double admitted_length = 0;  // of a pen's way, in the domain's units
-    double path_length = 0;
+    double admitted_length = 0;  // of a pen's path through the dots in order of admission
+    double path_length = 0;      // of the short path
     std::optional<Relaxation> relaxation;
 };
 
@@ -178,7 +179,7 @@ Json report_of_the_rest(const StippleCommand& options, const std::vector<Output>
     return more;
 }
 
-// What a pen travels, in the last line.
+// The length of the pen's path, for the summary at the end.
 std::string path_text(const StippleCommand& options, const std::vector<Output>& outputs,
                       const files::PointSet& set, const drawing::Style& style, const Work& work) {
     if (!options.pen_path) return "";
@@ -240,7 +241,7 @@ void add_stipple(CLI::App& app) {
     add_what_to_stipple(command, *options);
     add_what_to_make(command, options->common.request);
     add_relax(command, options->relax);
-    add_how_to_draw(command, options->drawing, "as much ink as the picture is dark");
+    add_how_to_draw(command, options->drawing, "dots have as much ink as the picture is dark");
     add_pen_path(command, *options);
     add_effort(command, options->common.request);
     add_place(command, options->common.request);

@@ -1,4 +1,4 @@
-// `lacuna stipple`: a picture in, as many dots as it is dark out.
+// `lacuna stipple`: turns a picture into dots, which are dense where it is dark.
 #pragma once
 
 #include "cli/app_fwd.h"

@@ -1,4 +1,4 @@
-// Options that both makers of point sets have.
+// Options of both `lacuna sample` and `lacuna stipple`.
 #include "cli/options/common_options.h"
 
 #include <fmt/core.h>
@@ -20,7 +20,7 @@ void add_what_to_make(CLI::App& command, Request& request) {
         .add_flag_callback(
             "--torus", [&request] { request.boundary = Boundary::torus; }, "The edges wrap")
         ->disable_flag_override();
-    add_number(command, "limit", "K", request.limit, "Stop after so many points");
+    add_number(command, "limit", "K", request.limit, "Stop after K points");
     add_number(command, "seed", "S", request.seed,
                "Same seed, same points, whatever the backend (default 0)");
 }
@@ -28,17 +28,18 @@ void add_what_to_make(CLI::App& command, Request& request) {
 void add_effort(CLI::App& command, Request& request) {
     add_number(command, "round-size", "K", request.round_size,
                "Draws in a round; 0 chooses (default), 1 is the paper's algorithm");
-    add_number(command, "threads", "T", request.threads, "Threads; 0 is one a core (default)");
+    add_number(command, "threads", "T", request.threads,
+               "Number of threads; 0 is one for each core (default)");
 }
 
 void add_place(CLI::App& command, Request& request) {
     command
         .add_option(
             "--backend", request.backend,
-            "cpu, opencl, vulkan or reference; auto (default): what the environment variable "
-            "LACUNA_BACKEND names, else the first of these")
+            "cpu, opencl, vulkan or reference; auto (default) is the one that the environment "
+            "variable LACUNA_BACKEND names, or else cpu")
         ->type_name("NAME");
-    command.add_option("--device", request.device, "A number or a part of the device's name")
+    command.add_option("--device", request.device, "A device's number or a part of its name")
         ->type_name("NAME");
 }
 
@@ -49,10 +50,10 @@ void add_what_to_write(CLI::App& command, CommonOptions& options) {
     command
         .add_option(
             "--report", options.report,
-            "Request, counts, seconds by verb, memory and SHA-256 of the points; - is standard "
-            "output")
+            "Writes the request, counts, seconds by verb, memory and SHA-256 of the points; - is "
+            "standard output")
         ->type_name("FILE.json");
-    command.add_flag("--quiet", options.quiet, "No progress bar and no last line")
+    command.add_flag("--quiet", options.quiet, "No progress bar and no summary at the end")
         ->disable_flag_override();
 }
 
@@ -84,7 +85,7 @@ void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, co
             const std::string& what, const std::string& note, const std::string& more) {
     if (options.quiet || has_standard_output(outputs) || is_standard_output(options.report)) return;
     const Result& result = made.result;
-    // What --count has chosen, or the default of stipple.
+    // The radius or scale that was chosen for --count or for stipple's default number of dots.
     std::string size;
     if (!options.request.radius && !options.request.scale)
         size = options.request.field != nullptr ? fmt::format(", scale {:.4g}", result.scale)

@@ -1,4 +1,4 @@
-// What `lacuna sample` and `lacuna stipple` have in common: options, and the run itself.
+// Options and the run that `lacuna sample` and `lacuna stipple` have in common.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -20,7 +20,7 @@ struct CommonOptions {
     bool quiet = false;
 };
 
-// Adds the options to `command`; what they are written to must outlive it.
+// Each adds options to `command`, which the request or `options` must outlive.
 // --torus, --limit, --seed
 void add_what_to_make(CLI::App& command, Request& request);
 // --round-size, --threads
@@ -30,12 +30,12 @@ void add_place(CLI::App& command, Request& request);
 // --output, --format, --report, --quiet
 void add_what_to_write(CLI::App& command, CommonOptions& options);
 
-// What is to be written, checked before the work starts; without --output standard output. Nothing
-// of `read` may be among it. Throws BadRequest and files::FileError.
+// The outputs, checked before the work starts; without --output it is standard output. No output
+// may be a file in `read`. Throws BadRequest and files::FileError.
 std::vector<Output> checked_outputs(const CommonOptions& options,
                                     const std::vector<GivenFile>& read);
 
-// A set that has been made, and what it took.
+// A set that has been made, and the time it took.
 struct Made {
     Result result;
     Stopwatch stopwatch;
@@ -45,9 +45,8 @@ struct Made {
 // Makes the set under a progress bar. Throws what lacuna::sample throws.
 Made make(const CommonOptions& options);
 
-// Prints the last line, on standard error, unless it is not wanted or the data went to standard
-// output: points or dots, as `what` says in the singular, have been made. `note` is said of their
-// number, `more` at the end.
+// Prints a line about the set on standard error, unless --quiet is given or standard output is an
+// output. `what` is "point" or "dot"; `note` follows their number, and `more` the backend.
 void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, const Made& made,
             const std::string& what, const std::string& note = "", const std::string& more = "");
 

@@ -1,4 +1,4 @@
-// Options of a domain, and the files that they name.
+// The options of a domain, and the files that they name.
 #include "cli/options/domain_options.h"
 
 #include <fmt/core.h>
@@ -25,7 +25,8 @@
 namespace lacuna::cli {
 namespace {
 
-// Of the least radius: what the outline of polygons may be off by, unless --edge tells.
+// How far the outline of polygons may be off without --edge, in least radii. 1/16 keeps the mask
+// small and the error well under the distance of points.
 constexpr double kEdge = 1.0 / 16;
 
 void add_path(CLI::App& command, const std::string& option, const std::string& symbol,
@@ -38,8 +39,8 @@ double greatest_of(const DomainFiles& files) {
     return *std::max_element(files.field->importance.begin(), files.field->importance.end());
 }
 
-// The share of the domain that a set fills, each place by its importance: of a coarse drawing,
-// pixel by pixel of it.
+// The mean importance of the domain, 0 outside of `mask`. A coarse mask will do: the importance is
+// read at one point of each of its pixels.
 double filled_share(const Mask& mask, const DomainFiles& files) {
     double sum = 0;
     for (std::uint32_t row = 0; row < mask.rows; ++row)
@@ -57,7 +58,7 @@ double filled_share(const Mask& mask, const DomainFiles& files) {
     return sum / static_cast<double>(mask.allowed.size());
 }
 
-// The least radius of the set; for a count what a maximal set of so many needs.
+// The least radius of the set. For a count it is the radius of a maximal set of this size.
 double least_radius(const Request& request, const std::vector<PolygonRing>& rings,
                     const DomainFiles& files) {
     const double greatest = greatest_of(files);
@@ -74,27 +75,27 @@ double least_radius(const Request& request, const std::vector<PolygonRing>& ring
 }  // namespace
 
 void add_domain(CLI::App& command, DomainOptions& options, Request& request) {
-    add_path(
-        command, "--field", "IMAGE", options.field.path,
-        "A picture that says where points are wanted: dense where it is dark, none where it is "
-        "white");
+    add_path(command, "--field", "IMAGE", options.field.path,
+             "A picture that says where points are wanted: many where it is dark, none where it is "
+             "white");
     add_number(command, "scale", "G", request.scale,
                "With a field, instead of --radius: the radius where the picture is black");
     add_importance(command, options.field);
     add_path(command, "--mask", "IMAGE", options.mask,
              "A picture that says where points may lie: on pixels that are neither black nor "
              "transparent");
-    add_path(command, "--inside", "FILE", options.inside,
-             "Polygons that points must lie in: .svg, .geojson or .txt (`x y` a line, a blank line "
-             "between two); a polygon within another is a hole");
+    add_path(
+        command, "--inside", "FILE", options.inside,
+        "Polygons that points must lie in: .svg, .geojson or .txt (`x y` on each line, a blank "
+        "line between polygons); a polygon within another is a hole");
     add_number(command, "edge", "E", options.edge,
-               "What the outline of --inside may be off by (default: a sixteenth of the least "
+               "How far the outline of --inside may be off (default: a sixteenth of the least "
                "radius)");
     add_number(command, "border", "D", request.border,
                "Least distance of points to the domain's edges (default 0)");
     add_path(command, "--keep", "FILE", options.keep,
-             "Points that are there already: they come first, unmoved, and new ones fill what they "
-             "leave");
+             "Points that are there already: they come first, unmoved, and new points fill the "
+             "space around them");
 }
 
 std::vector<GivenFile> files_of(const DomainOptions& options) {
@@ -119,7 +120,7 @@ void check_domain(const CLI::App& command, const DomainOptions& options) {
                          "is for the polygons of --inside: give their file too");
     if (!options.mask.empty() && !options.inside.empty())
         throw BadRequest("mask", shown(options.mask),
-                         "is not for --inside too: draw the polygons into the picture");
+                         "cannot be used with --inside: draw the polygons into the picture");
 }
 
 void read_given_files(const CLI::App& command, const DomainOptions& options, Request& request,
@@ -162,7 +163,7 @@ double edge_of(const DomainOptions& options, const Request& request,
                const std::vector<PolygonRing>& rings, const DomainFiles& files) {
     if (options.edge) return *options.edge;
     const double edge = kEdge * least_radius(request, rings, files);
-    // A radius that makes no sense is for the request's own check to tell of.
+    // The radius is invalid, and the check of the request will refuse it.
     if (edge > 0 && std::isfinite(edge)) return edge;
     return std::max(request.width, request.height) / 1000;
 }

@@ -1,5 +1,5 @@
-// Where samples may lie, and how densely, as `lacuna sample` and `lacuna verify` are told by files:
-// --field, --mask, --inside and --keep, and --border.
+// The options of `lacuna sample` and `lacuna verify` that say where samples may lie, and how
+// densely: --field, --mask, --inside, --keep and --border.
 #pragma once
 
 #include <lacuna/domains.h>
@@ -18,7 +18,7 @@
 
 namespace lacuna::cli {
 
-// As given; an empty path is an option that was not.
+// The options as given. An empty path means that the option was not given.
 struct DomainOptions {
     Picture field;
     std::string mask;
@@ -27,46 +27,46 @@ struct DomainOptions {
     std::string keep;
 };
 
-// What the files hold. A request points into it.
+// The contents of the files. The request points into it.
 struct DomainFiles {
     std::optional<Field> field;
-    std::optional<Mask> mask;  // as read, or as the polygons were drawn
+    std::optional<Mask> mask;  // read from --mask, or drawn from the polygons
     std::optional<Polygons> polygons;
     std::vector<Point> keep;
-    double edge = 0;  // what the polygons' outline may be off by
+    double edge = 0;  // how far the polygons' outline may be off
 };
 
-// --field, --scale and how its picture becomes importance; --mask, --inside, --edge, --border and
+// Adds --field, --scale, the options of add_importance(), --mask, --inside, --edge, --border and
 // --keep.
 void add_domain(CLI::App& command, DomainOptions& options, Request& request);
 
-// The files among them, which nothing that is written may overwrite.
+// The files that are read, which no output may overwrite.
 std::vector<GivenFile> files_of(const DomainOptions& options);
 
 // All that can be checked before the files are read. Throws BadRequest.
 void check_domain(const CLI::App& command, const DomainOptions& options);
 
-// Reads the files, lets `request` point to what they hold, and where there is no --domain gives it
-// the shape of the field's picture (its longer side is 1), else the page's that polygons lie on,
-// else the mask's. Draws no polygons. Throws BadRequest and files::FileError.
+// Reads the files and makes `request` point to their contents. Without --domain the domain is that
+// of the first of these that is given: the field's picture (longer side 1), the page of the
+// polygons, the mask (longer side 1). Draws no polygons. Throws BadRequest and files::FileError.
 void read_given_files(const CLI::App& command, const DomainOptions& options, Request& request,
                       DomainFiles& files);
 
-// The polygons on the request's domain, and what their outline may be off by: --edge, or a
-// sixteenth of the least radius of the request, which may have a count instead.
+// The polygons on the request's domain, and how far their outline may be off: --edge, or a
+// sixteenth of the least radius, which for a count is estimated.
 std::vector<PolygonRing> rings_of(const Request& request, const DomainFiles& files);
 double edge_of(const DomainOptions& options, const Request& request,
                const std::vector<PolygonRing>& rings, const DomainFiles& files);
 
-// The same, and draws the polygons onto the request's mask.
+// Does what read_given_files() does, and draws the polygons onto the request's mask.
 void read_domain_files(const CLI::App& command, const DomainOptions& options, Request& request,
                        DomainFiles& files);
 
-// What was given, for reports and for files that tell where a set comes from.
+// The options as JSON, for reports and for files that hold the origin of a set.
 nlohmann::ordered_json json_of(const DomainOptions& options, const Request& request,
                                const DomainFiles& files);
 
-// The diameters of a picture's dots where they follow a field; none where there is no field.
+// The diameters of dots that follow the request's field; empty without a field.
 std::vector<double> dots_of(const Request& request, std::span<const Point> points,
                             drawing::Spread spread);
 

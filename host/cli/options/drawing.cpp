@@ -1,4 +1,4 @@
-// How pictures are drawn: options, checks and sizes.
+// Options of drawing, their checks, and the sizes that follow from them.
 #include "cli/options/drawing.h"
 
 #include <fmt/core.h>
@@ -12,10 +12,10 @@
 namespace lacuna::cli {
 namespace {
 
-constexpr double kMostPixels = 32767;  // along a side of cairo's images
+constexpr double kMostPixels = 32767;  // that cairo can draw along a side of an image
 constexpr double kLeastDot = 0.001;    // mm
 
-// An option whose text `read` takes.
+// Adds an option whose text is passed to `read`.
 template <class Read>
 void add_option(CLI::App& command, DrawingOptions& options, const std::string& name,
                 const std::string& symbol, const std::string& help, const Read& read) {
@@ -36,20 +36,19 @@ void add_how_to_draw(CLI::App& command, DrawingOptions& options, const std::stri
     using Text = const std::string&;
     add_option(command, options, "dot-size", "D",
                "Diameter of dots, such as 0.5mm; or radius (default): " + by_radius +
-                   ". With .csv .npy .ply .json: columns for dots, as with --paper-size",
+                   ". In .csv .npy .ply .json it adds columns for dots, as --paper-size does",
                [&options](Text name, Text text) {
                    options.dot_size_mm.reset();
                    if (text != "radius") options.dot_size_mm = read_length(name, text, kLeastDot);
                });
     add_option(command, options, "paper-size", "WxH",
-               "Such as 210x297mm (or cm, in, pt); or A0 to A6, letter, legal, tabloid, turned to "
-               "suit",
+               "Such as 210x297mm (or cm, in, pt); or A0 to A6, letter, legal, tabloid, which are "
+               "turned to suit the picture",
                [&options](Text name, Text text) { options.paper = read_paper(name, text); });
     add_option(
-        command, options, "margin", "D",
-        "Left free around the dots, with --paper-size (default 0mm)",
+        command, options, "margin", "D", "Margin around the dots, with --paper-size (default 0mm)",
         [&options](Text name, Text text) { options.margin_mm = read_length(name, text, 0); });
-    add_option(command, options, "dpi", "X", "Pixels an inch, of .png (default 144: 1024 on 512pt)",
+    add_option(command, options, "dpi", "X", "Pixels per inch of .png (default 144)",
                [&options](Text name, Text text) { read(name, text, options.pixels_per_inch); });
 }
 
@@ -87,7 +86,7 @@ drawing::Style style_of(const DrawingOptions& options, double width, double heig
         style.sheet = drawing::Sheet{paper.width_mm, paper.height_mm, options.margin_mm};
     }
     style.pixels_per_inch = options.pixels_per_inch;
-    // No domain at all: whoever samples it says so.
+    // The domain is invalid, and the check of the request will refuse it.
     if (!(width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height))) return style;
 
     const double longer = std::max(width, height);

@@ -18,31 +18,31 @@
 namespace lacuna::cli {
 
 struct DrawingOptions {
-    std::optional<double> dot_size_mm;  // none: from the local radius
+    std::optional<double> dot_size_mm;  // unset: dots follow the local radius
     std::optional<Paper> paper;
     double margin_mm = 0;
     double pixels_per_inch = drawing::Style{}.pixels_per_inch;
-    std::vector<std::string> given;  // names of those that were
+    std::vector<std::string> given;  // names of the options that were given
 };
 
-// --dot-size, --paper-size, --margin, --dpi; `options` must outlive the command. `by_radius` says
-// what --dot-size radius, the default, means.
+// Adds --dot-size, --paper-size, --margin and --dpi; `options` must outlive the command.
+// `by_radius` is the help text for `--dot-size radius`, the default.
 void add_how_to_draw(CLI::App& command, DrawingOptions& options, const std::string& by_radius);
 
 bool has_picture(const std::vector<Output>& outputs);
 
-// What can be checked before the picture is known. Throws BadRequest.
+// Checks the options before the picture is known. Throws BadRequest.
 void check_drawing(const DrawingOptions& options, const std::vector<Output>& outputs);
 
 // The style for a domain of this shape, without the dots' sizes. Throws BadRequest where a png
 // would have more pixels than cairo can draw.
 drawing::Style style_of(const DrawingOptions& options, double width, double height);
 
-// Diameters of a set's dots in the domain's units; none where they are the set's.
+// Returns the diameters of a set's dots in the domain's units; empty if all follow from its radius.
 using FindDiameters = std::function<std::vector<double>()>;
 
-// Writes what was added to `writing`, and the set to every output. Diameters that --dot-size does
-// not tell are found if an output needs them.
+// Writes the set to every output, together with the files that were added to `writing` before.
+// find_diameters() is called if an output needs diameters and --dot-size does not give them.
 void write_set(Writing& writing, const DrawingOptions& options, const std::vector<Output>& outputs,
                files::PointSet set, drawing::Style style, const FindDiameters& find_diameters);
 

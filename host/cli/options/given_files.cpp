@@ -1,4 +1,4 @@
-// Tells whether two paths lead to one file.
+// Finds out whether two paths lead to the same file.
 #include "cli/options/given_files.h"
 
 #include <lacuna/lacuna.h>
@@ -17,14 +17,14 @@
 namespace lacuna::cli {
 namespace {
 
-// What a path leads to: a file or, where it is not there yet, its folder and its name in it.
+// Identifies a file. If it does not exist yet, its folder and its name in the folder identify it.
 struct FilePlace {
-    std::optional<int> descriptor;  // that the path names
-    struct stat status {};
-    std::string new_name;  // empty where the file is there
+    std::optional<int> descriptor;  // set if the path names a descriptor
+    struct stat status {};          // of the file, or of its folder
+    std::string new_name;           // empty if the file exists
 
     bool is_regular() const { return !new_name.empty() || S_ISREG(status.st_mode); }
-    // What is written there is gone: it may be named twice.
+    // /dev/null may be given twice: whatever is written to it is lost anyway.
     bool is_null() const {
         return new_name.empty() && S_ISCHR(status.st_mode) && status.st_rdev == makedev(1, 3);
     }
@@ -35,7 +35,7 @@ bool lead_to_one(const FilePlace& a, const FilePlace& b) {
            a.new_name == b.new_name;
 }
 
-// Nothing where it cannot be told: whoever reads or writes it will say why.
+// Unset if the system does not say. Reading or writing the file will then fail with the reason.
 std::optional<FilePlace> file_place_of(const std::string& path, int standard) {
     FilePlace place;
     place.descriptor = path == "-" ? standard : files::descriptor_named(path);
@@ -49,7 +49,8 @@ std::optional<FilePlace> file_place_of(const std::string& path, int standard) {
     return stat(folder.c_str(), &place.status) == 0 ? std::optional(place) : std::nullopt;
 }
 
-// Two descriptors of one file add to it in turn; the same one twice mixes up two contents.
+// Two different descriptors of one file append to it, which is allowed. One descriptor given twice
+// would mix two contents.
 bool overwrite_each_other(const FilePlace& a, const FilePlace& b) {
     if (a.is_null()) return false;
     if (a.descriptor && b.descriptor) return a.descriptor == b.descriptor;

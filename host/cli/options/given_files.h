@@ -1,4 +1,4 @@
-// The files that a command was given: nothing that it reads or writes is overwritten by another.
+// The files that a command was given. No output may overwrite an input or another output.
 #pragma once
 
 #include <string>
@@ -8,16 +8,15 @@
 
 namespace lacuna::cli {
 
-// What the user calls it: an argument such as IMAGE, or an option with its dashes.
 struct GivenFile {
-    std::string name;
+    std::string name;  // of the argument, such as IMAGE, or of the option, with its dashes
     std::string path;  // "-" is standard input or output
 };
 
 std::vector<GivenFile> given_files(const std::vector<Output>& outputs);
 
-// Throws BadRequest where two of the files written are one, or one that is written is also read,
-// links resolved; files::FileError where standard input would be read twice.
+// Throws BadRequest if two outputs, or an output and an input, are the same file after links are
+// resolved; throws files::FileError if standard input would be read twice.
 void check_given_files(const std::vector<GivenFile>& read, const std::vector<GivenFile>& written);
 
 }  // namespace lacuna::cli

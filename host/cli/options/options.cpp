@@ -26,8 +26,7 @@ std::errc parse_whole_text(std::string_view text, Value& value) {
     return error;
 }
 
-// A whole number written with an exponent, or with k, M or G behind it. Up to 2^53 doubles hold
-// each.
+// A whole number with an exponent, or with k, M or G behind it. Doubles are exact up to 2^53.
 std::optional<std::uint64_t> round_number(std::string_view text) {
     constexpr std::array<std::pair<char, double>, 4> kSuffixes{
         {{'k', 1e3}, {'K', 1e3}, {'M', 1e6}, {'G', 1e9}}};
@@ -65,7 +64,8 @@ std::string shown(const std::string& text) {
     return plain && printable(text) == text ? text : fmt::format("{:?}", text);
 }
 
-// By fmt's escapes, which know Unicode; it escapes quotes and backslashes too, which may stay.
+// Uses fmt's escapes, which know Unicode. fmt would escape quotes and backslashes too, so the text
+// is passed to it in pieces between them.
 std::string printable(std::string_view text) {
     constexpr std::string_view kMayStay = "\"\\";
     std::string result;

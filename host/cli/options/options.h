@@ -1,4 +1,4 @@
-// Options whose values are read strictly: the whole text counts, and a bad one is a BadRequest.
+// Options whose values are read strictly: text that is not a value as a whole is a BadRequest.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace lacuna::cli {
 
-// A value as an error line shows it: quoted where it is empty or has blanks, escaped to stay on one
-// line.
+// A value for an error message: quoted if it is empty or has blanks, and escaped, so that it stays
+// on one line.
 std::string shown(const std::string& text);
 
-// Text for a terminal, on one line: control characters, what is not to be seen and what is no UTF-8
-// are escaped.
+// Text for a terminal, on one line: control characters, invisible characters and bytes that are not
+// UTF-8 are escaped.
 std::string printable(std::string_view text);
 
-// Each throws BadRequest(option, text, what is allowed). Ranges are the library's to check.
+// Each throws BadRequest(option, text, what is allowed). The library checks ranges.
 void read(const std::string& option, const std::string& text, double& value);
 // Whole numbers may be 20000, 2e4, 20k or 1.5M.
 void read(const std::string& option, const std::string& text, std::uint64_t& value);
@@ -33,8 +33,8 @@ void read(const std::string& option, const std::string& text, std::optional<Valu
 // A domain as WIDTHxHEIGHT.
 void read_domain(const std::string& option, const std::string& text, double& width, double& height);
 
-// Adds an option whose text goes to `take`. CLI11's own conversions let through octal, hexadecimal
-// and blanks, so options come as text.
+// Adds an option whose text is passed to `take`. CLI11's own conversions would accept octal and
+// hexadecimal numbers and blanks.
 void add_text(CLI::App& command, const std::string& option, const std::string& symbol,
               const std::function<void(const std::string&)>& take, const std::string& help);
 

@@ -1,4 +1,4 @@
-// Writes down where a set comes from.
+// Records the origin of a set.
 #include "cli/options/origin.h"
 
 #include <CLI/App.hpp>
@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<std::string_view, 8> kDecideNothing{
     "--output", "--format", "--report", "--quiet", "--backend", "--device", "--threads", "--help"};
 
-// As a shell takes it for one word.
+// Quotes `word` so that a shell reads it as one word.
 std::string quoted(const std::string& word) {
     constexpr std::string_view kPlain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./:=,+%@";
@@ -31,8 +31,8 @@ std::string quoted(const std::string& word) {
     return result + "'";
 }
 
-// Options in the order in which --help lists them, files first.
-// Of several seeds that of the set.
+// Positional arguments first, then options in the order of --help. --seeds becomes the --seed of
+// this set.
 std::string command_line(const CLI::App& command, std::uint64_t seed) {
     std::string line = "lacuna " + command.get_name();
     const CLI::Option* const seeds = command.get_option_no_throw("--seeds");
@@ -66,7 +66,7 @@ files::Origin origin_of(const CLI::App& command, const Request& request, const R
                         const Json& more) {
     Json options = what_decides(request, result);
     options.update(more);
-    // Names of pictures are bytes, and need not be UTF-8.
+    // File names are bytes, which need not be UTF-8.
     return {LACUNA_VERSION,
             command_line(command, request.seed),
             request.boundary,

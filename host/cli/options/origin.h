@@ -1,4 +1,4 @@
-// Where a set comes from, as files tell it: the request, and a command line that makes it anew.
+// The origin of a set for files: the request, and a command line that makes the set again.
 #pragma once
 
 #include "cli/app_fwd.h"
@@ -9,8 +9,8 @@
 
 namespace lacuna::cli {
 
-// Without what decides no point: outputs, backend, device, threads. So the bytes of a file are the
-// same wherever the set was made. `more` is merged into the options.
+// Options that decide no point are left out (outputs, backend, device, threads), so that the bytes
+// of a file are the same wherever the set was made. `more` is merged into the options.
 files::Origin origin_of(const CLI::App& command, const Request& request, const Result& result,
                         const Json& more);
 files::Origin origin_of(const CLI::App& command, const Request& request, const Result& result);

@@ -1,4 +1,4 @@
-// Options of a picture, and its field.
+// Options of a picture, and how it becomes a field.
 #include "cli/options/picture_field.h"
 
 #include <CLI/App.hpp>
@@ -27,7 +27,7 @@ CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request) 
         command.add_option("IMAGE", picture.path, "The picture; - is standard input")
             ->type_name("");
     add_number(command, "scale", "G", request.scale,
-               "The radius where the picture is black, its longer side being 1; this or --count");
+               "The radius where the picture is black, if its longer side is 1; this or --count");
     command
         .add_option_function<std::string>(
             "--metric",
@@ -35,27 +35,27 @@ CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request) 
                 read_metric(text, request.metric);
                 picture.has_metric = true;
             },
-            "What two dots of different radii keep apart: min of the two, mean or max")
+            "Least distance of two dots: the min, mean or max of their two radii")
         ->type_name("METRIC");
     add_importance(command, picture);
     return image;
 }
 
 void add_importance(CLI::App& command, Picture& picture) {
-    command.add_flag("--invert", picture.importance.invert, "Bright is dense")
+    command.add_flag("--invert", picture.importance.invert, "Bright is dense instead of dark")
         ->disable_flag_override();
     add_number(command, "black", "L", picture.importance.black,
-               "Luminance, 0 to 1, that counts as black, and all under it (default 0)");
+               "Luminance from 0 to L counts as black (default 0)");
     add_number(command, "white", "L", picture.importance.white,
-               "Luminance that counts as white, and all over it (default 1)");
+               "Luminance from L to 1 counts as white (default 1)");
     command
         .add_flag("--auto-levels", picture.importance.auto_levels,
-                  "Black and white such that half a percent of the pixels are beyond each")
+                  "Chooses --black and --white: half a percent of the pixels lie beyond each")
         ->disable_flag_override();
     add_number(command, "gamma", "X", picture.importance.gamma,
                "Importance is raised to this power: over 1 lightens middle tones (default 1)");
     add_number(command, "min-importance", "I", picture.importance.min_importance,
-               "Importance is nowhere less, so that white has dots too (default 0)");
+               "Least importance, so that white has dots too (default 0)");
 }
 
 Field read_field(const Picture& picture, Request& request) {

@@ -17,18 +17,17 @@ struct Picture {
     bool has_metric = false;  // --metric was given
 };
 
-// Adds IMAGE, --scale, --metric, --invert, --black, --white,
-// --auto-levels, --gamma and --min-importance. Returns IMAGE's option.
+// Adds IMAGE, --scale, --metric and the options of add_importance(). Returns IMAGE's option.
 CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request);
 
-// --invert, --gamma and --min-importance alone.
+// Adds --invert, --black, --white, --auto-levels, --gamma and --min-importance.
 void add_importance(CLI::App& command, Picture& picture);
 
-// Of a domain, and so of a picture that gives it its shape; lacuna.h: Request::height.
+// The longest allowed side of a domain (Request::height), and so of a picture, in shorter sides.
 inline constexpr std::uint64_t kLargestAspect = 1000;
 
-// Reads the picture, and gives the request its shape: the longer side is 1. Throws BadRequest and
-// files::FileError.
+// Reads the picture, and sets the request's domain to its shape with a longer side of 1. Throws
+// BadRequest and files::FileError.
 Field read_field(const Picture& picture, Request& request);
 
 }  // namespace lacuna::cli

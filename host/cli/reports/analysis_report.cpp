@@ -74,7 +74,7 @@ void add_line(Rows& rows, std::string_view name, const std::optional<analysis::L
     }
 }
 
-// Those of kFrequencies that are known, and the last that is where it is none of them.
+// The entries of kFrequencies up to `farthest`; also `farthest` if it is less or more than all.
 std::vector<double> frequencies_up_to(double farthest) {
     std::vector<double> frequencies;
     for (const double frequency : kFrequencies)
@@ -214,7 +214,7 @@ std::string json_of(const Analysis& a, const std::vector<std::string>& files) {
         {"pair_correlation", json_of_pairs(a)},
         {"spectrum", json_of_spectrum(a)},
         {"bond_orientational_order", json_of_order(a)}};
-    // File names are bytes, and need not be UTF-8.
+    // File names are bytes, which need not be UTF-8.
     return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,4 +1,4 @@
-// What `lacuna analyze` says of point sets: as lines to be read, and as JSON.
+// The output of `lacuna analyze`: as lines of text, and as JSON.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace lacuna::cli {
 
-// A number a line, behind its name.
+// One number on each line, behind its name.
 std::string text_of(const analysis::Analysis& analysis);
 
-// All numbers and curves; what is not known is null. `files` are the names as given.
+// All numbers and curves; numbers that do not exist are null. `files` are the names as given.
 std::string json_of(const analysis::Analysis& analysis, const std::vector<std::string>& files);
 
 }  // namespace lacuna::cli

@@ -1,4 +1,4 @@
-// Draws a comparison: a bar for each entry, parted by verbs.
+// Draws a comparison: a bar for each entry, divided into its verbs.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using drawing::Canvas;
 using drawing::Colour;
 using drawing::Rectangle;
 
-// Of the verbs; the last is for what no verb took.
+// The verbs' colours. The last is for time outside of all verbs.
 constexpr std::array<Colour, kVerbs.size()> kColours{
     drawing::kBlue,      drawing::kSky,    drawing::kGreen,      drawing::kOrange,
     drawing::kVermilion, drawing::kPurple, Colour{150, 150, 150}};
@@ -29,7 +29,7 @@ constexpr double kBarHeight = 22;
 constexpr double kBetween = 14;
 constexpr double kBottom = 40;
 
-// Medians by verb without first use, which stands for what no verb took.
+// The median of each verb. The last entry, first use, is replaced by the time outside of all verbs.
 std::array<double, kVerbs.size()> parts_of(const Entry& entry) {
     std::array<double, kVerbs.size()> parts{};
     for (std::size_t i = 0; i + 1 < kVerbs.size(); ++i) parts[i] = entry.median_seconds(i);

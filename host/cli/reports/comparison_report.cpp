@@ -26,13 +26,13 @@ std::string memory_text(const std::optional<std::uint64_t>& bytes) {
     return bytes ? fmt::format("{:.1f} MB", static_cast<double>(*bytes) / 1e6) : "-";
 }
 
-// Why an entry has no runs, or fewer than it should.
+// Why an entry has no runs, or fewer than were asked for.
 std::string failure_text(const Entry& entry) {
     if (!entry.broke_off) return "not run: " + entry.failure;
     return fmt::format("failed in run {}: {}", entry.seconds.size() + 1, entry.failure);
 }
 
-// In every row the first two columns are left-aligned and the last is free.
+// In every row the first two columns are left-aligned, and the last may have any width.
 std::string times_table(const Comparison& comparison) {
     const Entry* const yardstick = comparison.yardstick();
     constexpr const char* kRow = "{:<10} {:<32} {:>9} {:>10} {:>19} {:>10} {:>10} {:>6}  {}\n";
@@ -153,7 +153,7 @@ std::string json_of(const Comparison& comparison, const Request& request) {
     if (request.mode == Mode::cells) json["scale"] = comparison.scale;
     for (const Entry& entry : comparison.entries)
         json["entries"].push_back(json_of(entry, yardstick));
-    // Device names come from drivers, and need not be UTF-8.
+    // Device names come from drivers, which need not use UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -9,13 +9,14 @@
 
 namespace lacuna::cli {
 
-// Times, memory and agreement; then seconds by verb; then what does not agree, or the hash.
+// A table of times, memory and agreement, a table of seconds by verb, and then the hash of the
+// points and the differences.
 std::string text_of(const Comparison& comparison);
 
-// Every run's seconds, and the rest.
+// The same as JSON, with the seconds of every run.
 std::string json_of(const Comparison& comparison, const Request& request);
 
-// A bar for each entry's median, with its spread, parted by verbs.
+// A bar for each entry's median, divided into its verbs, and a line from the least to the most.
 std::string draw_chart(const Comparison& comparison, drawing::Medium medium);
 
 }  // namespace lacuna::cli

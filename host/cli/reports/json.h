@@ -1,4 +1,4 @@
-// What the command's reports share of JSON.
+// JSON for the command's reports.
 #pragma once
 
 #include <nlohmann/json.hpp>

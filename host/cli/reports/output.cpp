@@ -51,7 +51,7 @@ const files::Format& format_of(const std::string& path, const std::string& wante
     if (is_among(own, allowed)) return *own;
     if (is_stream(path)) return *files::find_format(usual);
     throw BadRequest("output", shown(path),
-                     "the extension must be one of " + allowed + ", or --format given");
+                     "the extension must be one of " + allowed + ", or --format must be given");
 }
 
 }  // namespace
@@ -61,12 +61,12 @@ void add_outputs(CLI::App& command, OutputOptions& options, const std::string& s
     command.add_option("-o,--output", options.paths, help)
         ->type_name(symbol)
         ->expected(1)
-        // Else it would take the picture of `-o dots.svg photo.jpg`, and the -- of `-o a.svg -- b`.
+        // Otherwise it would take photo.jpg of `-o dots.svg photo.jpg`, and -- of `-o a.svg -- b`.
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command
         .add_option("--format", options.format,
-                    "Of an output whose name tells none, such as -: an extension without its dot")
+                    "Format of outputs whose name has no extension, such as -; for example json")
         ->type_name("NAME");
 }
 
@@ -100,8 +100,8 @@ bool has_standard_output(const std::vector<Output>& outputs) {
                        [](const Output& output) { return is_standard_output(output.path); });
 }
 
-// As files::write_whole will find it: a new file is made beside the older one and renamed, but a
-// device or a pipe is written into.
+// Checks what files::write_whole will do: a regular file is written to a temporary file in the same
+// folder, which is renamed; a device or a pipe is written directly.
 void check_writable(const std::string& path) {
     if (is_standard_output(path)) return;
     std::error_code error;

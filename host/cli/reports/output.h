@@ -1,5 +1,5 @@
-// Where a command writes to and in which format, checked before the work starts: a typo must not
-// cost a long run.
+// The outputs of a command and their formats, checked before the work starts: a typo must not cost
+// a long run.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace lacuna::cli {
 
-// What --output and --format say.
+// The values of --output and --format.
 struct OutputOptions {
     std::vector<std::string> paths;
-    std::string format;  // empty: each path's own
+    std::string format;  // empty: the extension of each path decides
 };
 
 // Adds --output, which may be given several times, and --format. `options` must outlive the
@@ -26,24 +26,25 @@ struct Output {
     const files::Format& format;
 };
 
-// Each path's format, one of those with the extensions in `allowed`, with blanks between them: that
-// of its extension, that of --format, or `usual` where a path that is no file, such as "-" or
-// /dev/stdout, tells none. Standard output, if any, is the last: who reads it may not read on.
-// Throws BadRequest, and files::FileError where no file of that name could be made.
+// The outputs with their formats. `allowed` lists extensions with blanks between them. The path's
+// extension or --format gives the format. Without either, `usual` is the format of paths that are
+// no regular file, such as "-" or /dev/stdout. Standard output, if any, comes last: its reader may
+// stop reading. Throws BadRequest, and files::FileError if a file cannot be made.
 std::vector<Output> outputs_of(const OutputOptions& options, const std::string& allowed,
                                const std::string& usual);
 
-// Whether the path names no file of its own: standard output, a descriptor, a device, a pipe.
+// Whether the path is no regular file: standard output, a descriptor, a device or a pipe.
 bool is_stream(const std::string& path);
 
-// Whether it is "-" or another name of standard output.
+// Whether the path is "-" or another name of standard output.
 bool is_standard_output(const std::string& path);
 bool has_standard_output(const std::vector<Output>& outputs);
 
-// Throws files::FileError where no file of that name could be made.
+// Throws files::FileError if the file cannot be made or written.
 void check_writable(const std::string& path);
 
-// What `option` names is "-" or a .json file. Throws as outputs_of does.
+// Checks that the path given with `option` is a stream or a .json file that can be written. Throws
+// like outputs_of.
 void check_json(const std::string& option, const std::string& path);
 
 }  // namespace lacuna::cli

@@ -1,4 +1,4 @@
-// By how much a piece of work raises the program's memory.
+// By how much some work raises the program's peak memory.
 #pragma once
 
 #include <malloc.h>
@@ -13,12 +13,12 @@
 
 namespace lacuna::cli {
 
-// As Linux counts it in /proc/self; none where it does not tell.
+// Reads Linux's counts in /proc/self; without them the result is unset.
 class PeakMemory {
 public:
-    // From here on the peak counts.
+    // The peak counts from here on.
     PeakMemory() {
-        malloc_trim(0);  // what was freed must not serve the next for nothing
+        malloc_trim(0);  // gives freed memory back, which the work would otherwise use uncounted
         std::ofstream("/proc/self/clear_refs") << "5";
         held_ = bytes("VmRSS:");
     }

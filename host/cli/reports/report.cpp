@@ -34,7 +34,7 @@ std::int64_t peak_memory_bytes() {
     return usage.ru_maxrss * kBytesPerUnit;
 }
 
-// Device names come from drivers, and need not be UTF-8.
+// Device names come from drivers, which need not use UTF-8.
 std::string text_of(const Json& report) {
     return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -1,4 +1,4 @@
-// --report: what was asked for, what came of it, and what it cost, as JSON.
+// --report: the request, the result and the time and memory it took, as JSON.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -12,32 +12,32 @@
 
 namespace lacuna::cli {
 
-// All of the request that decides which points are made.
+// The parts of the request that decide which points are made.
 Json what_decides(const Request& request, const Result& result);
 
-// How a picture became importance.
+// The options that turned a picture into importance.
 Json json_of_importance(const pictures::Importance& importance);
 
-// Seconds are those of the sampling, without the writing of files. `more` is merged into what there
-// is to say of every set.
+// The report of one set. Its seconds do not include writing files. `more` is merged into the
+// report.
 std::string report_of(const Request& request, const Made& made);
 std::string report_of(const Request& request, const Made& made, const Json& more);
 
-// Of many sets of one request: how many points they have, and what they took together.
+// Sums over many sets of one request.
 struct ManyMade {
     std::uint64_t first_seed = 0;
     std::uint64_t last_seed = 0;
     std::uint64_t sets = 0;
-    std::uint64_t points = 0;
-    std::uint64_t least = 0;  // points of a set
-    std::uint64_t most = 0;
-    std::uint64_t maximal = 0;  // sets
-    Result last;                // without its points
-    double seconds = 0;         // the writing of files included
+    std::uint64_t points = 0;   // of all sets
+    std::uint64_t least = 0;    // points of the smallest set
+    std::uint64_t most = 0;     // points of the largest set
+    std::uint64_t maximal = 0;  // sets that are maximal
+    Result last;                // the last set, without its points
+    double seconds = 0;         // with the time to write files
 };
 std::string many_report(const Request& request, const ManyMade& made);
 
-// Of points that were read and only relaxed.
+// The report of `lacuna relax`.
 std::string relax_report(const Json& request, const Made& made, const Json& more);
 
 }  // namespace lacuna::cli

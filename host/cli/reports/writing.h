@@ -1,4 +1,4 @@
-// What a command has made, on its way to files and standard output.
+// Writes the results of a command to files and standard output.
 #pragma once
 
 #include <functional>
@@ -9,14 +9,15 @@
 
 namespace lacuna::cli {
 
-// Files are written first, all of them whatever signal comes. Then pipes, devices and standard
-// output, in the order in which they were added: these may block for ever, so that a signal ends
-// the program at once.
+// Files are written first; a signal waits until all of them are finished. Then pipes, devices and
+// standard output are written in the order in which they were added. These may block for ever, so a
+// signal then ends the program at once.
 class Writing {
 public:
-    explicit Writing(Interruption&) {}  // one must live: without, a signal could leave half a file
+    // An Interruption must exist: without it a signal could leave half a file.
+    explicit Writing(Interruption&) {}
 
-    // `content` is called when it is the file's turn. "-" is standard output.
+    // `content` is called when the file is about to be written. "-" is standard output.
     void add(const std::string& path, std::function<std::string()> content);
 
     // Throws what files::write_whole throws.

@@ -1,6 +1,6 @@
-# Completion of the command lacuna for bash. Commands and options are those that --help lists.
+# Completion of the command lacuna for bash. Commands and options come from --help.
 
-# The words that stand for the command, as `lacuna --help` lists them.
+# The names of the commands, as `lacuna --help` lists them.
 _lacuna_commands() {
     "$1" --help 2>/dev/null | sed -n '/^Subcommands:/,$s/^  \([a-z0-9-]*\) .*/\1/p'
 }

@@ -1,6 +1,6 @@
-# Completion of the command lacuna for fish. Commands and options are those that --help lists.
+# Completion of the command lacuna for fish. Commands and options come from --help.
 
-# The command line so far without what is being written.
+# The words of the command line before the one that is being written.
 function __lacuna_words
     commandline --tokenize --current-process --cut-at-cursor
 end
@@ -21,7 +21,7 @@ function __lacuna_has_command
     test (count (__lacuna_words)) -ge 2
 end
 
-# Whether the word before is one of these options.
+# Whether the last complete word is one of these options.
 function __lacuna_after
     contains -- (__lacuna_words)[-1] $argv
 end
@@ -32,7 +32,7 @@ function __lacuna_command_is
 end
 
 complete -c lacuna -n 'not __lacuna_has_command' -f -a '(__lacuna_commands)'
-complete -c lacuna -n 'not __lacuna_has_command' -f -a 'help\t"What --help prints"
+complete -c lacuna -n 'not __lacuna_has_command' -f -a 'help\t"Prints this help, or the help of a command"
     version\t"The version"'
 complete -c lacuna -n __lacuna_has_command -a '(string match -q -- "-*" (commandline -ct); and __lacuna_options)'
 complete -c lacuna -n '__lacuna_after --backend --backends' -f -a 'auto cpu opencl vulkan reference'

@@ -1,5 +1,5 @@
 #compdef lacuna
-# Completion of the command lacuna for zsh. Commands and options are those that --help lists.
+# Completion of the command lacuna for zsh. Commands and options come from --help.
 
 _lacuna() {
     local program=$words[1] command=$words[2] before=$words[CURRENT-1]
@@ -7,7 +7,7 @@ _lacuna() {
     if ((CURRENT == 2)); then
         found=(${(f)"$($program --help 2>/dev/null |
             sed -n '/^Subcommands:/,$s/^  \([a-z0-9-]*\)  *\(.*\)/\1:\2/p')"})
-        found+=('help:Prints what --help prints, of a command too.' 'version:Prints the version.')
+        found+=('help:Prints this help, or the help of a command.' 'version:Prints the version.')
         _describe command found
         return
     fi
@@ -40,7 +40,7 @@ _lacuna() {
     esac
 }
 
-# Autoloaded by zsh, the file is the function's body; sourced, it is registered.
+# If zsh autoloads this file, it is the body of _lacuna; if it is sourced, it registers _lacuna.
 if [[ $funcstack[1] == _lacuna ]]; then
     _lacuna "$@"
 elif (($+functions[compdef])); then

@@ -1,4 +1,4 @@
-// Handlers of signals and of exit().
+// Handlers of signals and of exit(), for drivers that end the program.
 #include "cli/terminal/driver.h"
 
 #include <unistd.h>
@@ -16,18 +16,18 @@ namespace lacuna::cli {
 namespace {
 
 std::atomic<bool> driver_at_work = false;
-static_assert(std::atomic<bool>::is_always_lock_free);  // else not for signal handlers
+static_assert(std::atomic<bool>::is_always_lock_free);  // handlers may use no other atomics
 
-// The line's beginning. Plain bytes: a handler may not take memory.
+// The beginning of the message, as plain bytes: a signal handler may not allocate memory.
 std::array<char, 80> line_begin{};
 
 void tell(std::string_view text) {
-    // There is nothing left to do about a failure.
+    // If this fails, nothing can be done about it.
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
 }
 
 [[noreturn]] void tell_of_driver_and_exit(std::string_view how) {
-    driver_at_work = false;  // what is told here is told once
+    driver_at_work = false;  // so that the message is not printed twice
     tell(line_begin.data());
     tell(": its driver ended the program by ");
     tell(how);
@@ -74,7 +74,7 @@ DriverAtWork::DriverAtWork(const std::string& backend) : has_driver_(has_driver(
     std::copy_n(text.begin(), std::min(text.size(), line_begin.size() - 1), line_begin.begin());
     driver_at_work = true;
 
-    // A stack that has run out leaves none for its own handler.
+    // Handlers have a stack of their own: the normal one may have overflowed.
     static std::array<char, std::size_t{1} << 16U> other_stack;
     stack_t stack{};
     stack.ss_sp = other_stack.data();
@@ -95,7 +95,7 @@ void DriverAtWork::set_handlers() const {
     action.sa_handler = on_driver_signal;
     action.sa_flags = SA_ONSTACK;
     sigfillset(&action.sa_mask);
-    // Sanitizers have handlers of their own.
+    // Handlers that were set before are kept: sanitizers have their own.
     for (std::size_t i = 0; i < kSignals.size(); ++i)
         if (before_[i].sa_handler == SIG_DFL) sigaction(kSignals[i], &action, nullptr);
     for (std::size_t i = 0; i < kInterruptions.size(); ++i)

@@ -1,4 +1,4 @@
-// What becomes of the program when a backend's driver ends it.
+// A message and an exit code for the case that a backend's driver ends the program.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -10,17 +10,17 @@
 
 namespace lacuna::cli {
 
-// Drivers call exit(1), which would mean a failed check, or abort(), when they find no room, no
-// thread or no memory, and some crash. While one of these lives, that is told in one line on
-// standard error, and the exit code is that of a device that failed. Not to be nested.
+// Some drivers call exit(1), which would mean a failed check, or abort() when they lack disk space,
+// threads or memory, and some crash. While an object of this class exists, the program then prints
+// one line on standard error and exits with kExitDevice. Objects must not be nested.
 //
-// It is to watch the run: drivers that compile with LLVM bring LLVM's handlers of the same signals,
-// which come back from an abort() that is then deadly, and swallow a SIGQUIT. So those here, and
-// those of Interruption, are set anew at each verb; only an abort() while devices are first looked
-// for ends with 134.
+// It must observe the run. Drivers that compile with LLVM install LLVM's handlers of these signals,
+// which return from an abort(), so that it kills the program, and which swallow a SIGQUIT.
+// Therefore the handlers of this class and of Interruption are set again at each verb. An abort()
+// while devices are listed for the first time still ends the program with exit code 134.
 class DriverAtWork : public Observer {
 public:
-    // As a request names it. cpu and reference have no driver: a crash of theirs is Lacuna's own.
+    // `backend` is as in Request. cpu and reference have no driver: their crashes are Lacuna's.
     explicit DriverAtWork(const std::string& backend);
     ~DriverAtWork() override;
     DriverAtWork(const DriverAtWork&) = delete;
@@ -38,7 +38,7 @@ private:
     std::array<struct sigaction, kInterruptions.size()> interruptions_{};
 };
 
-// lacuna::devices(), with its drivers watched.
+// Calls lacuna::devices() while the drivers are watched.
 std::vector<Device> listed_devices();
 
 }  // namespace lacuna::cli

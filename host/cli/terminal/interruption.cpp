@@ -1,4 +1,4 @@
-// The signal handler and the words that it shares with the run.
+// The signal handler, and the variables through which the run tells it what to do.
 #include "cli/terminal/interruption.h"
 
 #include <unistd.h>
@@ -13,12 +13,12 @@ enum class OnSignal { tell_and_exit, finish_files, exit };
 
 std::atomic<OnSignal> on_signal = OnSignal::tell_and_exit;
 std::atomic<bool> line_to_clear = false;
-std::atomic<int> waiting = 0;  // the signal that came while files were written
-static_assert(std::atomic<OnSignal>::is_always_lock_free);  // else not for signal handlers
+std::atomic<int> waiting = 0;  // the signal that came while files were written, or 0
+static_assert(std::atomic<OnSignal>::is_always_lock_free);  // handlers may use no other atomics
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 void say(std::string_view text) {
-    // There is nothing left to do about a failure.
+    // If this fails, nothing can be done about it.
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
 }
 
@@ -40,10 +40,10 @@ Interruption::Interruption() {
     struct sigaction action {};
     action.sa_handler = handle;
     action.sa_flags = SA_RESTART;
-    sigfillset(&action.sa_mask);  // one at a time
+    sigfillset(&action.sa_mask);  // no second signal interrupts the handler
     for (std::size_t i = 0; i < kSignals.size(); ++i) {
         sigaction(kSignals[i], nullptr, &before_[i]);
-        // Ignored signals stay so: `nohup` and `&` in scripts ask for that.
+        // Signals that are ignored stay ignored, as `nohup` and `&` in scripts want it.
         if (before_[i].sa_handler != SIG_IGN) sigaction(kSignals[i], &action, nullptr);
     }
 }

@@ -1,5 +1,5 @@
-// Ctrl-C, SIGTERM, SIGHUP and SIGQUIT: the program ends at once, but files that are being written
-// are finished first.
+// Ctrl-C, SIGTERM, SIGHUP and SIGQUIT end the program at once, except that files that are being
+// written are finished first.
 #pragma once
 
 #include <signal.h>
@@ -9,10 +9,10 @@
 
 namespace lacuna::cli {
 
-// One at a time: signals belong to the process. While it lives, a signal ends the program with 128
-// and its number, as shells have it: 130 after Ctrl-C, 143 after SIGTERM. It does not wait for
-// whatever is under way, a round, a compiler of a driver's, a pipe that nobody writes into:
-// nothing is on the disk that would have to be taken away.
+// While an object of this class exists, a signal ends the program with exit code 128 + its number,
+// as in shells: 130 after Ctrl-C, 143 after SIGTERM. It does not wait for a round, a driver's
+// compiler or a pipe, because there are no unfinished files to remove. Only one object may exist at
+// a time.
 class Interruption {
 public:
     Interruption();
@@ -20,12 +20,13 @@ public:
     Interruption(const Interruption&) = delete;
     Interruption& operator=(const Interruption&) = delete;
 
-    // From now on a signal waits.
+    // From now on signals wait.
     static void finish_files_first();
-    // No longer: what is written now may block for ever. Ends the program if one has waited.
+    // From now on signals no longer wait: writing to streams may block for ever. Ends the program
+    // if a signal has been waiting.
     static void exit_at_once();
 
-    // Whether a line on standard error, the progress bar's, is to be cleared first.
+    // Whether a signal is to clear the progress bar's line on standard error.
     static void clears_line(bool clears);
 
 private:

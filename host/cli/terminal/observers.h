@@ -1,4 +1,4 @@
-// Several observers of one run, told one after the other.
+// Several observers of one run, which are called one after another.
 #pragma once
 
 #include <lacuna/lacuna.h>

@@ -36,12 +36,12 @@ std::size_t terminal_columns() {
     return size.ws_col;
 }
 
-// The last column stays free: some terminals wrap as soon as it is written.
+// The last column stays free: some terminals wrap the line as soon as it is written.
 std::size_t line_columns() {
     return terminal_columns() - 1;
 }
 
-// Of work of which `share` took so many seconds; nothing while that tells little.
+// The time to go if the fraction `share` of the work took `seconds`. Empty at first.
 std::string time_to_go(double share, double seconds) {
     constexpr double kLeastSeconds = 0.5;
     constexpr double kLeastShare = 0.02;

@@ -1,4 +1,4 @@
-// The progress bar: one line on a terminal's standard error, redrawn in place.
+// The progress bar: one line on standard error, redrawn in place, if that is a terminal.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -8,15 +8,15 @@
 
 namespace lacuna::cli {
 
-// The line for a terminal of so many columns, never wider than that; no escape but for colour.
+// The line, at most `columns` characters wide. It has no escape sequences but those for colour.
 std::string progress_line(const Progress& progress, double seconds, std::size_t columns,
                           bool colour);
 
-// The same for any work of which `share`, 0 to 1, is done; `words` stand beside the bar.
+// The same for other work; `share` is the fraction done, 0 to 1. `words` are put beside the bar.
 std::string progress_line(double share, const std::string& words, std::size_t columns, bool colour);
 
-// Shows nothing when told to be quiet or, unless it is asked for, when standard error is no
-// terminal. Clears its line when destroyed, so that errors and results start on a clean one.
+// Shows nothing if `quiet`, or if standard error is no terminal, unless `is_asked_for`. Clears its
+// line when destroyed, so that errors and results start on an empty line.
 class ProgressBar : public Observer {
 public:
     explicit ProgressBar(bool quiet, bool is_asked_for = false);
@@ -28,15 +28,15 @@ public:
 
     // For work other than sampling.
     void show(double share, const std::string& words);
-    // With a time to go, once one can be told: for work that goes on as it has gone so far.
+    // The same with an estimate of the time to go, for work that advances at an even speed.
     void show_time_to_go(double share, const std::string& words);
-    // For work whose share is not known: words in place of the bar.
+    // For work whose progress is not known: shows words instead of the bar.
     void note(const std::string& what);
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    // Whether it is time to draw again.
+    // Whether it is time to draw again; if so, notes the time.
     bool is_due();
     void draw(const std::string& line);
 

@@ -46,11 +46,11 @@ std::string version_of(const Program& program) {
 
 // `lacuna help [COMMAND]` and `lacuna version`, as many programs have them.
 void add_help_and_version(CLI::App& app, const Program& program) {
-    CLI::App& help = *app.add_subcommand("help", "Prints what --help prints, of a command too.");
+    CLI::App& help = *app.add_subcommand("help", "Prints this help, or the help of a command.");
     const auto name = std::make_shared<std::string>();
-    help.add_option("COMMAND", *name, "One of those that " + program.name() + " --help lists")
+    help.add_option("COMMAND", *name, "A command that " + program.name() + " --help lists")
         ->type_name("");
-    help.group("");  // listed nowhere: as familiar as --help, and no command with a manual page
+    help.group("");  // not listed: everybody knows it, and it has no manual page
     help.callback([&app, &program, name] {
         if (name->empty())
             return program.say(
@@ -74,7 +74,7 @@ bool takes_arguments(const CLI::App& command) {
                        [](const CLI::Option* option) { return option->get_positional(); });
 }
 
-// A word that is no command, no option of `command` and none of its arguments.
+// The message for a word that is neither a command, nor an option or argument of `command`.
 std::string explain_extra(const CLI::App& app, const std::string& extra, const CLI::App* command) {
     if (command == nullptr)
         return fmt::format("{}: no such command or option{}", shown(extra),
@@ -86,7 +86,7 @@ std::string explain_extra(const CLI::App& app, const std::string& extra, const C
     if (extra.starts_with("-"))
         return fmt::format("{}: no such option, and {}{}", shown(extra), arguments,
                            nearest_text(extra, options));
-    // `stipple photo.jpg dots.svg`, `sample help`.
+    // Typical mistakes are `stipple photo.jpg dots.svg` and `sample help`.
     std::string meant;
     if (command->get_option_no_throw("--output") != nullptr &&
         files::find_format_of(extra) != nullptr)
@@ -96,7 +96,7 @@ std::string explain_extra(const CLI::App& app, const std::string& extra, const C
     return fmt::format("{}: {}{}", shown(extra), arguments, meant);
 }
 
-// CLI11's messages begin with the option's name and leave out what is allowed.
+// Rewrites CLI11's messages: they begin with the option's name but do not say what is allowed.
 std::string explain(const CLI::App& app, const CLI::ParseError& error, const std::string& extra,
                     const CLI::App* command) {
     if (!extra.empty()) return explain_extra(app, extra, command);
@@ -106,12 +106,12 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error, const std
     if (what.find("At Most") != std::string::npos) return option + ": must be given only once";
     if (what.ends_with("flag override")) return "--" + option + ": takes no value";
     if (error.get_name() == "RequiredError" && command == nullptr) return "a command must follow";
-    // Whoever pipes a picture in thinks that this is enough.
+    // Users who pipe a picture in may not know that - is needed.
     if (what == "IMAGE is required") return what + " (- is standard input)";
     return what;
 }
 
-// What CLI11 itself objects to, and --help and --version, which it throws too.
+// Handles errors that CLI11 finds, and --help and --version, which it throws as well.
 int finish(const Program& program, const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {
         std::ostringstream said;
@@ -144,15 +144,14 @@ int parse_and_run(const Program& program, int argc, char** argv) {
     }
 }
 
-// Silently, as a program does that knows nothing of the signal: `| head -1` is no error.
+// Ends silently by SIGPIPE, like a program without a handler: `| head -1` is no error.
 int end_by_closed_pipe() {
     signal(SIGPIPE, SIG_DFL);
     raise(SIGPIPE);
     return 128 + SIGPIPE;
 }
 
-// A stack that runs out is a crash without a word, in drivers' threads too, whose stacks are as
-// large.
+// A stack overflow is a crash without a message. Drivers' threads have stacks of the same size.
 void check_stack() {
     constexpr rlim_t kLeastStack = rlim_t{256} << 10U;
     rlimit limit{};
@@ -173,7 +172,7 @@ void Program::say(const std::string& text) const {
 }
 
 int run_program(const Program& program, int argc, char** argv) {
-    // A closed pipe and a file grown too large are then errors of write.
+    // With these signals ignored, a closed pipe and a file that is too large are errors of write().
     const bool ignores_pipes = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
     signal(SIGXFSZ, SIG_IGN);
     try {

@@ -1,4 +1,4 @@
-// A program of subcommands: what it says, and which exception leaves with which exit code.
+// A program with subcommands: its messages, and the exit code of each exception.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace lacuna::cli {
 
-// What is wrong with the command line, in one line.
+// A mistake in the command line; what() is one line.
 class BadUsage : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -27,9 +27,9 @@ public:
     const std::string& description() const { return description_; }
     void add_commands(CLI::App& app) const { add_commands_(app); }
 
-    // Tells on standard error what went wrong, and returns the exit code.
+    // Prints the error message on standard error, and returns the exit code.
     virtual int fail(int code, const std::string& message) const;
-    // What --help and --version print, on standard output.
+    // Prints the text of --help or --version on standard output.
     virtual void say(const std::string& text) const;
 
 private:

@@ -1,4 +1,4 @@
-// Seconds by verb, and in all since it was made.
+// Measures the seconds of each verb, and the seconds since its construction.
 #pragma once
 
 #include <lacuna/lacuna.h>

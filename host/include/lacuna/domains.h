@@ -2,21 +2,21 @@
 // mask. Link lacuna::extras.
 //
 // What is promised
-//   - Polygons together enclose what an odd number of rings goes around (the even-odd rule), so
-//   that
-//     a ring within a ring is a hole. It does not matter which way a ring goes, where it begins,
-//     and whether it crosses itself or others.
+//   - A point is inside if an odd number of rings goes around it (the even-odd rule): a ring within
+//     a ring is a hole. It does not matter which way a ring goes, where it begins, or whether it
+//     crosses itself or others.
 //   - The same rings give the same mask, byte for byte, on every machine.
-//   - Files are not trusted: what is broken is refused in one line that names the file, the line or
-//     the element, what is there and what is allowed.
+//   - Files are not trusted: a broken one is refused. The message is one line that names the file,
+//     the line or element, what was found and what is allowed.
 //
 //     const lacuna::Polygons lakes = lacuna::read_polygons("lakes.svg");
 //     lacuna::Request request;
-//     request.width = lakes.width;    // of the page; other files tell of none
+//     request.width = lakes.width;    // an .svg has a page size, other formats have none
 //     request.height = lakes.height;
 //     request.radius = 2;
-//     const lacuna::Mask mask = lacuna::draw_mask(lakes.rings, lakes.width, lakes.height, 2.0 /
-//     16); request.mask = &mask;
+//     const lacuna::Mask mask =
+//         lacuna::draw_mask(lakes.rings, lakes.width, lakes.height, 2.0 / 16);
+//     request.mask = &mask;
 #pragma once
 
 #include <lacuna/files.h>
@@ -35,45 +35,43 @@ using PolygonRing = std::vector<Point>;
 
 struct Polygons {
     std::vector<PolygonRing> rings;  // of at least three points each, y upwards
-    // Of the page, [0, width) x [0, height), that the rings are seen on; 0 for files without one.
+    // The page is [0, width) x [0, height). Both are 0 for files without a page.
     double width = 0;
     double height = 0;
 };
 
-// The mask of the picture in the file, or on standard input for "-": samples are allowed on pixels
-// of which any channel is not 0, but for those of no opacity (alpha 0). Every picture that
-// read_field() takes, of which those in JPEG are rarely 0 where they look black; numbers of .npy
-// are compared with 0. Throws FileError, also where no pixel is allowed.
+// Reads a mask from a picture file, or from standard input for "-". Samples are allowed on pixels
+// that have any colour channel above 0, unless alpha is 0. Takes the formats of read_field(); a
+// number of an .npy allows samples if it is not 0. Beware of JPEG: pixels that look black are
+// rarely 0. Throws FileError, also where no pixel is allowed.
 Mask read_mask(const std::string& path);
 // The same for bytes that have been read. `name` stands for the file in messages.
 Mask decode_mask(std::string_view bytes, const std::string& name);
 
 // The polygons of a file, by its extension:
 //   .svg             the outlines of paths, polygons, polylines, rects, circles and ellipses,
-//   filled
-//                    or not, as transformed, also in groups and by `use`; not those in defs and the
-//                    like or with display none. Coordinates are user units of the page, which is
-//                    the viewBox, or width x height in px (96 an inch); its lower left corner is 0,
-//                    0. Curves become lines that are within 2^-20 of the page's longer side from
-//                    them.
+//                    filled or not, with their transforms, also in groups and by `use`. Elements
+//                    that are not drawn (in defs, display none) are skipped. Coordinates are user
+//                    units of the page, which is the viewBox, or width x height in px (96 an inch).
+//                    The page's lower left corner is (0, 0). Curves become lines with an error of
+//                    at most 2^-20 of the page's longer side.
 //   .geojson .json   Polygon, MultiPolygon, Feature, FeatureCollection and GeometryCollection;
-//                    coordinates as they are; other geometries are passed over
-//   .txt             a point, `x y`, a line; a blank line, or one that begins with #, ends a ring
+//                    coordinates are not converted; other geometries are skipped
+//   .txt             `x y` on each line; a blank line, or one that begins with #, ends a ring
 // Throws FileError, also where there is no ring, and BadRequest for another extension.
 Polygons read_polygons(const std::string& path);
 // The same for bytes that have been read, of the format "svg", "geojson" or "txt".
 Polygons decode_polygons(std::string_view bytes, std::string_view format, const std::string& name);
 
-// The rings of `polygons` for a domain of that size: where there is a page it is stretched over the
-// domain, and otherwise they are as they were.
+// The rings of `polygons` for a domain of this size. A page is stretched over the domain; without a
+// page the coordinates do not change.
 std::vector<PolygonRing> fitted(Polygons polygons, double width, double height);
 
-// The mask of the places within `rings` for a domain [0, width) x [0, height): a pixel is allowed
-// if its middle lies within them. No sample on an allowed pixel is farther than `edge` from the
-// inside, and no place that is farther than `edge` inside is lost, for no place of a pixel is
-// farther from its middle. Throws BadRequest for numbers that make no sense, for rings that leave
-// no pixel allowed, and for a mask of more bytes than the limit (0: a quarter of the machine's
-// memory).
+// The mask of the inside of `rings` for a domain [0, width) x [0, height): a pixel is allowed if
+// its centre is inside. Pixels are small enough that no point of one is farther than `edge` from
+// its centre, so the mask's outline is off by at most `edge`. Throws BadRequest for invalid
+// numbers, for rings that leave no pixel allowed, and for a mask of more bytes than the limit (0:
+// a quarter of the machine's memory).
 Mask draw_mask(std::span<const PolygonRing> rings, double width, double height, double edge,
                std::uint64_t memory_limit_bytes = 0);
 

@@ -1,14 +1,14 @@
-// Reads and writes point files, as the command does. Link lacuna::extras.
+// Reads and writes point files, like the command. Link lacuna::extras.
 //
 // What is promised
-//   - A file appears whole or not at all: an older one of that name stays until the new one is
-//     there. Devices and pipes are written into.
-//   - .txt, .csv, .npy, .ply and .json hold every coordinate to the last bit: what is read is what
-//     was written, in the same order.
-//   - The same set gives the same bytes on every call. Pictures' letters and edges are cairo's and
-//     may differ between its versions.
-//   - What is read is checked: a file that is broken, or could mean two things, is refused in one
-//     line that names the file, the place in it, what is there and what should be.
+//   - A file appears whole or not at all: an older file of that name stays until the new one is
+//     complete. Devices and pipes are written directly.
+//   - .txt, .csv, .npy, .ply and .json hold every coordinate to the last bit, and the order of the
+//     points: reading gives back exactly what was written.
+//   - The same set gives the same bytes on every call. In .png and .pdf they may differ between
+//     versions of cairo, which draws them.
+//   - A file that is broken or ambiguous is refused. The message is one line that names the file,
+//     the line or offset in it, what was found and what was expected.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -25,17 +25,17 @@ class FileError : public Error {
     using Error::Error;
 };
 
-// Nobody reads any more what is written into a pipe, as behind `| head -1`.
+// The reader of a pipe has ended, as with `| head -1`.
 class ClosedPipe : public FileError {
     using FileError::FileError;
 };
 
-// What a file may tell of a set beside its points, or needs for a picture of them.
+// What a file says about a set besides its points. Pictures need it.
 struct About {
     double width = 1;  // of the domain, as in Request
     double height = 1;
-    double radius = 0;  // least distance; dots are drawn with a third of it as their radius. 0: not
-                        // known; dots are then as large as those of a maximal set of as many points
+    double radius = 0;  // least distance; a dot's radius is a third of it. 0: not known; a maximal
+                        // set with this number of points then gives the size of the dots
 };
 
 // Writes points to `path`, in the format of its extension: .txt .csv .npy .ply .json, or as a
@@ -43,7 +43,8 @@ struct About {
 // Throws BadRequest for another extension, FileError and ClosedPipe.
 void write_points(const std::string& path, std::span<const Point> points, const About& about = {});
 
-// The bytes of such a file, by the name of its format, such as "csv". Throws BadRequest.
+// The bytes that write_points() writes; `format` is an extension without dot, such as "csv". Throws
+// BadRequest.
 std::string encode_points(std::span<const Point> points, std::string_view format,
                           const About& about = {});
 

@@ -1,10 +1,10 @@
-// Many sets of one request, a seed each: small sets are shared out among the threads, a set a task.
+// Many sets of one request, one for each seed. Small sets are made in parallel, one on each thread.
 // Link lacuna.
 //
 // What is promised
 //   - Each set is what sample() makes of the request with that seed, byte for byte.
-//   - The sets come in the order of the seeds, on the calling thread, whatever the threads do.
-//   - Few are in memory at once: of small sets some 64 a thread, of larger ones one.
+//   - The sets come in the order of the seeds, on the calling thread.
+//   - Few sets are in memory at once: about 64 small sets per thread, or one large set.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -15,15 +15,15 @@
 
 namespace lacuna {
 
-// Is given each set as its turn comes. May throw: that ends sample_many(), which passes it on.
+// Is called with each set in turn. If it throws, sample_many() ends with that exception.
 using TakeSet = std::function<void(std::uint64_t seed, Result set)>;
 
-// Makes a set of `request` for each of `seeds`, whatever its own seed says. Sets of at most some
-// 20,000 points in rounds of automatic size on the cpu are made several at once, each on one
-// thread; all others one after the other, each on all threads or on the device. `observer` is asked
-// on the calling thread whether to go on; its Progress counts sets: those that are done, all of
-// them, and no rounds. It is told of no verbs, for they run at the same time. Throws what sample()
-// throws.
+// Makes a set of `request` for each of `seeds`; Request::seed is ignored. Uniform sets of up to
+// about 20,000 points are made in parallel, each on one thread, if they run on the cpu in rounds
+// of automatic size. All other sets are made one after another, each on all threads or on the
+// device. `observer` is called on the calling thread. Its Progress counts sets instead of points,
+// and its rounds are 0. begin() and end() are not called, because sets are made at the same time.
+// Throws what sample() throws.
 void sample_many(const Request& request, std::span<const std::uint64_t> seeds, const TakeSet& take);
 void sample_many(const Request& request, std::span<const std::uint64_t> seeds, const TakeSet& take,
                  Observer& observer);

@@ -1,14 +1,14 @@
-// From a picture to the importance that sample() follows, as the command stipple does. Link
+// Turns a picture into the importance field that sample() follows, like the command stipple. Link
 // lacuna::extras.
 //
 // What is promised
-//   - The format is told by the content, never by the name: PNG, JPEG, PGM, PPM, PFM, Radiance HDR
-//     and NumPy's .npy (docs/images.md has what of each).
-//   - Importance lies in [0, 1]. Dark is dense: 1 is where the picture is black, and 0, no sample
-//     there ever, where it is white.
+//   - The content decides the format, never the name: PNG, JPEG, PGM, PPM, PFM, Radiance HDR or
+//     NumPy's .npy (docs/images.md lists the variants that are read).
+//   - Importance lies in [0, 1]. It is 1 where the picture is black, and 0 where it is white: no
+//     sample ever lies there.
 //   - With gamma 1 importance is the same to the last bit on every machine.
-//   - Files are not trusted: broken, truncated and oversized ones are refused in one line, before
-//     memory is taken for them.
+//   - Files are not trusted: broken, truncated and oversized ones are refused with a message of one
+//     line, before memory is allocated for them.
 //
 //     const lacuna::Field field = lacuna::read_field("photo.jpg");
 //     lacuna::Request request;
@@ -28,19 +28,18 @@ namespace lacuna {
 
 // How luminance becomes importance.
 struct Tone {
-    // Luminance / white that becomes 0 and 1, 0 <= black < white <= 1; what is between is
-    // stretched.
+    // Levels: luminance up to `black` counts as black and from `white` on as white, and the range
+    // between is stretched. 0 <= black < white <= 1.
     double black = 0;
     double white = 1;
-    bool auto_levels = false;   // instead: what half a percent of the pixels are darker, or lighter
+    bool auto_levels = false;   // instead of both: clip half a percent of the pixels at each end
     bool invert = false;        // bright is dense
-    double gamma = 1;           // the power that importance is raised to, > 0
-    double min_importance = 0;  // where importance would be less it is this, 0 to 1
+    double gamma = 1;           // importance is raised to this power, > 0
+    double min_importance = 0;  // lower importance is raised to this, 0 to 1
 };
 
-// The importance of the picture in the file, or on standard input for "-".
-// Throws FileError, also where no pixel has any importance, and BadRequest for a tone that makes no
-// sense.
+// The importance of the picture in the file, or on standard input for "-". Throws FileError, also
+// if importance is 0 on all pixels, and BadRequest for an invalid tone.
 Field read_field(const std::string& path, const Tone& tone = {});
 
 // The same for bytes that have been read. `name` stands for the file in messages.

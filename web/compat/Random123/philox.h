@@ -1,9 +1,9 @@
-// Random123 lists the processors that it was tried on, and WebAssembly is not among them. Its
-// Philox is C without assumptions about the processor: here it is told of a processor of that list
-// for which it has no code of its own.
+// Random123 refuses processors that it does not know, such as WebAssembly. Its Philox is portable
+// C, so this header pretends that the processor is a RISC-V, which it knows but has no special code
+// for.
 #pragma once
 
-// What Random123 includes must not see that name.
+// These headers must not see the macro __riscv.
 #include <algorithm>
 #include <array>
 #include <climits>

@@ -1,6 +1,6 @@
-// Stands in for the parts of oneTBB that Lacuna uses, where there are no threads: a page of the
-// web has them only where its server sends two headers that a static host seldom sends. Loops run
-// on the calling thread, in order.
+// Replaces the parts of oneTBB that Lacuna uses, without threads: a web page has threads only if
+// its server sends two special headers, which static hosts seldom do. Loops run on the calling
+// thread, in order.
 #pragma once
 
 #include <algorithm>
@@ -63,7 +63,7 @@ public:
     global_control(parameter, std::size_t) {}
 };
 
-// The one thread's value, made when it is first asked for.
+// The value of the only thread.
 template <typename Value>
 class enumerable_thread_specific {
 public:
