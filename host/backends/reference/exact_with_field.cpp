@@ -1,6 +1,6 @@
 // Mode exact with a radius field: radii that differ from pixel to pixel, and places where no sample
-// may go (docs/design.md, section 4, "exact with a field"). Two samples keep the smaller of their
-// radii apart.
+// may go (docs/design.md, section 4, "exact with a radius field"). Two samples keep the smaller of
+// their radii apart.
 #include <algorithm>
 #include <bit>
 #include <map>
