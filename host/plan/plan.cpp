@@ -19,7 +19,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kLongerSideUnits = 2147483648.0;   // 2^31
-constexpr std::uint32_t kExactLinesPerRadius = 6;   // measured to be the fastest: docs/speed.md
+constexpr std::uint32_t kExactLinesPerRadius = 6;   // it decides only the speed
 constexpr std::uint32_t kPlacesPerRadius = 1;       // boxes instead of lines, with a radius field
 constexpr std::uint32_t kPaperLinesPerRadius = 30;  // the paper's section 5.1
 

@@ -23,7 +23,7 @@ std::size_t conflicts_among(const Plan& plan, const std::vector<Sample>& samples
     for (std::size_t i = 0; i < samples.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             count += portable::are_closer(samples[i].x, samples[i].y, samples[j].x, samples[j].y,
-                                         plan.period_x, plan.period_y, plan.radius_squared);
+                                          plan.period_x, plan.period_y, plan.radius_squared);
     return count;
 }
 

@@ -101,7 +101,7 @@ std::vector<Sample> throw_darts(const Request& request, const Plan& plan) {
         for (std::size_t i = 0; i < stuck.size() && is_free; ++i) {
             const std::uint64_t least = std::min(radius, radii[i]);
             is_free = !portable::are_closer(stuck[i].x, stuck[i].y, dart.x, dart.y, plan.period_x,
-                                           plan.period_y, least * least);
+                                            plan.period_y, least * least);
         }
         if (!is_free) continue;
         stuck.push_back(dart);

@@ -101,7 +101,7 @@ std::uint32_t status_of(State& state, const Mode& mode, std::uint32_t i) {
         const Candidate& other = state.candidates[j];
         if (!precedes(other, state.candidates[i]) ||
             !portable::are_closer(other.x, other.y, place.x, place.y, plan.period_x, plan.period_y,
-                                 mode.limit_squared(i, j)))
+                                  mode.limit_squared(i, j)))
             return false;
         const std::uint32_t status = read(state, j);
         waits = waits || status == STATUS_UNDECIDED;

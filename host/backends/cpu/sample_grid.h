@@ -72,7 +72,7 @@ public:
         for_each_cell_near(x, x + 1, y, y + 1, [&](Sample cell) {
             covered |=
                 (cell.x != NO_SAMPLE) & portable::are_closer(cell.x, cell.y, x, y, plan_.period_x,
-                                                            plan_.period_y, plan_.radius_squared);
+                                                             plan_.period_y, plan_.radius_squared);
         });
         return covered;
     }

@@ -18,7 +18,7 @@ bool is_any_closer(const Sample* cells, std::size_t stride, Sample place,
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = 0; j < 4; ++j)
             is_closer |= portable::are_closer_on_box(place.x, place.y, cells[i * stride + j].x,
-                                                    cells[i * stride + j].y, radius_squared);
+                                                     cells[i * stride + j].y, radius_squared);
     return is_closer;
 }
 
@@ -37,7 +37,7 @@ bool is_any_sized_closer(const SizedSpan& samples, Sample place, std::uint32_t r
     for (std::size_t i = 0; i < samples.count; ++i) {
         const std::uint64_t limit = std::min(samples.radius[i], radius);
         is_closer |= portable::are_closer(samples.x[i], samples.y[i], place.x, place.y, periods.x,
-                                         periods.y, limit * limit);
+                                          periods.y, limit * limit);
     }
     return is_closer;
 }

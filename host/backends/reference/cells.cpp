@@ -62,7 +62,7 @@ private:
         const std::uint32_t twice = portable::twice_metric_radius(
             static_cast<std::uint32_t>(plan_.metric), radius_at(a), radius_at(b));
         return portable::are_closer(a.x, a.y, b.x, b.y, plan_.period_x, plan_.period_y,
-                                   portable::metric_squared(twice));
+                                    portable::metric_squared(twice));
     }
 
     template <typename Visit>

@@ -29,7 +29,7 @@ public:
         bool covered = false;
         for_each_near(place, [&](Sample sample) {
             covered |= portable::are_closer(sample.x, sample.y, place.x, place.y, plan_.period_x,
-                                           plan_.period_y, plan_.radius_squared);
+                                            plan_.period_y, plan_.radius_squared);
         });
         return covered;
     }

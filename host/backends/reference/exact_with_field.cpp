@@ -113,7 +113,7 @@ public:
         samples_.for_each_near(place, [&](const Sized& near) {
             const std::uint64_t least = std::min(radius, near.radius);
             covered |= portable::are_closer(near.sample.x, near.sample.y, candidate.x, candidate.y,
-                                           plan_.period_x, plan_.period_y, least * least);
+                                            plan_.period_x, plan_.period_y, least * least);
         });
         return !covered;
     }

@@ -17,6 +17,7 @@
 #include "cli/options/common_options.h"
 #include "cli/options/domain_options.h"
 #include "cli/options/drawing.h"
+#include "cli/options/given_files.h"
 #include "cli/options/options.h"
 #include "cli/options/origin.h"
 #include "cli/reports/output.h"
@@ -81,16 +82,18 @@ void run(const CLI::App& command, const SampleCommand& all) {
     check_domain(command, all.domain);
     CommonOptions options = all.common;
     Request& request = options.request;
+    const std::vector<GivenFile> read = files_of(all.domain);
+    const std::vector<Output> outputs = all.seeds
+                                            ? checked_outputs(command, options, *all.seeds, read)
+                                            : checked_outputs(options, read);
+    check_drawing(all.drawing, outputs);
     DomainFiles files;
+    read_domain_files(command, all.domain, request, files);
     if (all.seeds) {
-        read_domain_files(command, all.domain, request, files);
-        sample_seeds(command, options, all.drawing, *all.seeds,
+        sample_seeds(command, options, all.drawing, outputs, *all.seeds,
                      json_of(all.domain, request, files));
         return;
     }
-    const std::vector<Output> outputs = checked_outputs(options, files_of(all.domain));
-    check_drawing(all.drawing, outputs);
-    read_domain_files(command, all.domain, request, files);
     const drawing::Style style = style_of(all.drawing, request.width, request.height);
     Interruption interruption;
     Made made = make(options);

@@ -1,4 +1,4 @@
-// Makes many sets under one progress bar, and writes each set as soon as it is made.
+// Makes many sets under one progress bar, and writes each as soon as it is made.
 #include "cli/commands/sample_seeds.h"
 
 #include <fmt/core.h>
@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "cli/options/domain_options.h"
+#include "cli/options/given_files.h"
 #include "cli/options/options.h"
 #include "cli/options/origin.h"
 #include "cli/reports/output.h"
@@ -62,23 +63,17 @@ std::vector<Output> outputs_of_seed(const std::vector<Output>& outputs, std::uin
     return own;
 }
 
-// Checks outputs before the work starts. Only the files of the first set are checked.
-std::vector<Output> checked_outputs_of_all(const CommonOptions& options, SeedRange seeds) {
-    if (options.output.paths.empty())
-        throw BadRequest("seeds", fmt::format("{}..{}", seeds.first, seeds.last),
-                         "needs an --output with {seed} in its name, such as 'tiles/{seed}.npy'");
-    CommonOptions of_first = options;
-    for (std::string& path : of_first.output.paths) {
-        if (path.find(kPlace) == std::string::npos)
-            throw BadRequest("output", shown(path),
-                             "must have {seed} in its name: --seeds writes a file for each set");
-        path = path_of(path, seeds.first);
-    }
-    const std::vector<Output> checked = checked_outputs(of_first, {});
-    std::vector<Output> outputs;
-    for (std::size_t i = 0; i < checked.size(); ++i)
-        outputs.push_back({options.output.paths[i], checked[i].format});
-    return outputs;
+// The files of all seeds, and the report.
+WrittenFiles written_files(const CommonOptions& options, SeedRange seeds) {
+    const std::vector<std::string>& paths = options.output.paths;
+    const std::size_t sets = paths.size() * (seeds.last - seeds.first + 1);
+    const auto at = [&options, &paths, seeds, sets](std::size_t index) {
+        if (index == sets) return GivenFile{"--report", options.report};
+        const std::uint64_t seed = seeds.first + index / paths.size();
+        return GivenFile{"--output", path_of(paths[index % paths.size()], seed),
+                         fmt::format(" (seed {})", seed)};
+    };
+    return {sets + (options.report.empty() ? 0 : 1), at};
 }
 
 class Sets : public Observer {
@@ -124,17 +119,37 @@ void sum_up(const CommonOptions& options, const ManyMade& all) {
 void add_seeds(CLI::App& command, std::optional<SeedRange>& seeds) {
     add_text(
         command, "seeds", "A..B", [&seeds](const std::string& text) { seeds = read_seeds(text); },
-        "Makes a set for each seed from A to B, both included. Each is written to its own file: "
-        "every --output must have {seed} in its name. Instead of --seed");
+        "A set for each seed from A to B, both included; each goes to a file of its own: every "
+        "--output has {seed} in its name. Instead of --seed");
+}
+
+std::vector<Output> checked_outputs(const CLI::App& command, const CommonOptions& options,
+                                    SeedRange seeds, const std::vector<GivenFile>& read) {
+    const std::string range = fmt::format("{}..{}", seeds.first, seeds.last);
+    if (command.count("--seed") > 0)
+        throw BadRequest("seeds", range, "is instead of --seed, not with it");
+    if (options.output.paths.empty())
+        throw BadRequest("seeds", range,
+                         "needs an --output with {seed} in its name, such as 'tiles/{seed}.npy'");
+    CommonOptions of_first = options;
+    for (std::string& path : of_first.output.paths) {
+        if (path.find(kPlace) == std::string::npos)
+            throw BadRequest("output", shown(path),
+                             "must have {seed} in its name, for --seeds: a file a set");
+        path = path_of(path, seeds.first);
+    }
+    // The first set's files tell the formats, and whether the folders can be written to.
+    const std::vector<Output> checked = checked_outputs(of_first, read);
+    check_given_files(read, written_files(options, seeds));
+    std::vector<Output> outputs;
+    for (std::size_t i = 0; i < checked.size(); ++i)
+        outputs.push_back({options.output.paths[i], checked[i].format});
+    return outputs;
 }
 
 void sample_seeds(const CLI::App& command, const CommonOptions& options,
-                  const DrawingOptions& drawing, SeedRange seeds, const Json& more) {
-    if (command.count("--seed") > 0)
-        throw BadRequest("seeds", fmt::format("{}..{}", seeds.first, seeds.last),
-                         "is instead of --seed, not with it");
-    const std::vector<Output> outputs = checked_outputs_of_all(options, seeds);
-    check_drawing(drawing, outputs);
+                  const DrawingOptions& drawing, const std::vector<Output>& outputs,
+                  SeedRange seeds, const Json& more) {
     const drawing::Style style = style_of(drawing, options.request.width, options.request.height);
     std::vector<std::uint64_t> all(seeds.last - seeds.first + 1);
     std::iota(all.begin(), all.end(), seeds.first);

@@ -75,19 +75,19 @@ struct VerifyCommand {
 };
 
 // What the files of the options hold, and what they say of each set.
-struct Grounds {
+struct RadiusFields {
     Request request;
     DomainFiles files;
 };
 
 // Options first, then what the set's file tells.
-Request request_of(const CLI::App& command, const Grounds& grounds, const files::SetsOfFile& file,
-                   const std::string& name) {
+Request request_of(const CLI::App& command, const RadiusFields& radius fields,
+                   const files::SetsOfFile& file, const std::string& name) {
     if (file.mode == name_of(Mode::cells) && command.count("--distances-only") == 0)
         throw files::FileError(name +
                                ": made in mode cells, where radii follow a picture: give "
                                "--distances-only, for the least of them");
-    Request request = grounds.request;
+    Request request = radius fields.request;
     if (command.count("--domain") == 0 && file.width) {
         request.width = *file.width;
         request.height = *file.height;
@@ -117,9 +117,10 @@ Extremes radii_of(const Request& request) {
     return radii;
 }
 
-SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Grounds& grounds,
-                  const files::SetsOfFile& file, const std::string& name) {
-    const Request request = request_of(command, grounds, file, name);
+SetClaim claim_of(const CLI::App& command, const VerifyCommand& options,
+                  RadiusFields& radius fields, const files::SetsOfFile& file,
+                  const std::string& name) {
+    const Request request = request_of(command, radius fields, file, name);
     SetClaim claim;
     claim.name = name;
     claim.meant_to_be_maximal = file.maximal.value_or(true);
@@ -134,11 +135,11 @@ SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Grounds
     claim.mask = request.mask;
     claim.border = request.border;
     claim.keep = request.keep;
-    claim.rings = rings_of(request, grounds.files);
+    claim.rings = rings_of(request, radius fields.files);
     if (!claim.rings.empty())
-        claim.edge_tolerance = grounds.files.edge =
-            edge_of(options.domain, request, claim.rings, grounds.files);
-    claim.given = json_of(options.domain, request, grounds.files);
+        claim.edge_tolerance = radius fields.files.edge =
+            edge_of(options.domain, request, claim.rings, radius fields.files);
+    claim.given = json_of(options.domain, request, radius fields.files);
     claim.tolerance = options.tolerance.value_or(
         claim.is_plain() ? verify::default_tolerance(claim.width, claim.height)
                          : verify::default_ground_tolerance(claim.width, claim.height));
@@ -163,7 +164,7 @@ void check(const CLI::App& command, const VerifyCommand& options) {
     read.reserve(options.files.size());
     for (const std::string& file : options.files) read.push_back({"FILE", file});
     for (const GivenFile& file : files_of(options.domain)) read.push_back(file);
-    check_given_files(read, {});
+    check_given_files(read, std::vector<GivenFile>{});
     if (request.radius)
         verify::check({}, request.width, request.height, options.torus, *request.radius,
                       options.tolerance.value_or(0));
@@ -171,9 +172,9 @@ void check(const CLI::App& command, const VerifyCommand& options) {
 
 void run(const CLI::App& command, const VerifyCommand& options) {
     check(command, options);
-    Grounds grounds{options.request, {}};
-    if (options.torus) grounds.request.boundary = Boundary::torus;
-    read_given_files(command, options.domain, grounds.request, grounds.files);
+    RadiusFields radius fields{options.request, {}};
+    if (options.torus) radius fields.request.boundary = Boundary::torus;
+    read_given_files(command, options.domain, radius fields.request, radius fields.files);
     std::vector<files::SetsOfFile> all;
     for (const std::string& path : options.files) all.push_back(files::read_sets(path));
     std::vector<SetClaim> claims;
@@ -182,7 +183,7 @@ void run(const CLI::App& command, const VerifyCommand& options) {
         const auto& sets = all[i].sets;
         for (std::size_t k = 0; k < sets.size(); ++k) {
             claims.push_back(
-                claim_of(command, options, grounds, all[i],
+                claim_of(command, options, radius fields, all[i],
                          sets.size() == 1 ? name : fmt::format("{}: set {}", name, k + 1)));
             claims.back().points = sets[k];
         }

@@ -1,6 +1,7 @@
-// Finds out whether two paths lead to the same file.
+// Tells whether two paths lead to one file.
 #include "cli/options/given_files.h"
 
+#include <fmt/core.h>
 #include <lacuna/lacuna.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
@@ -8,7 +9,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <unordered_map>
 
 #include "cli/options/options.h"
 #include "files/links.h"
@@ -17,14 +20,14 @@
 namespace lacuna::cli {
 namespace {
 
-// Identifies a file. If it does not exist yet, its folder and its name in the folder identify it.
+// What a path leads to: a file or, where it is not there yet, its folder and its name in it.
 struct FilePlace {
-    std::optional<int> descriptor;  // set if the path names a descriptor
-    struct stat status {};          // of the file, or of its folder
-    std::string new_name;           // empty if the file exists
+    std::optional<int> descriptor;  // that the path names
+    struct stat status {};
+    std::string new_name;  // empty where the file is there
 
     bool is_regular() const { return !new_name.empty() || S_ISREG(status.st_mode); }
-    // /dev/null may be given twice: whatever is written to it is lost anyway.
+    // What is written there is gone: it may be named twice.
     bool is_null() const {
         return new_name.empty() && S_ISCHR(status.st_mode) && status.st_rdev == makedev(1, 3);
     }
@@ -35,7 +38,12 @@ bool lead_to_one(const FilePlace& a, const FilePlace& b) {
            a.new_name == b.new_name;
 }
 
-// Unset if the system does not say. Reading or writing the file will then fail with the reason.
+std::size_t hash_of(const FilePlace& place) {
+    return std::hash<std::string>{}(
+        fmt::format("{} {} {}", place.status.st_dev, place.status.st_ino, place.new_name));
+}
+
+// Nothing where it cannot be told: whoever reads or writes it will say why.
 std::optional<FilePlace> file_place_of(const std::string& path, int standard) {
     FilePlace place;
     place.descriptor = path == "-" ? standard : files::descriptor_named(path);
@@ -49,18 +57,17 @@ std::optional<FilePlace> file_place_of(const std::string& path, int standard) {
     return stat(folder.c_str(), &place.status) == 0 ? std::optional(place) : std::nullopt;
 }
 
-// Two different descriptors of one file append to it, which is allowed. One descriptor given twice
-// would mix two contents.
+// Two descriptors of one file add to it in turn; the same one twice mixes up two contents.
 bool overwrite_each_other(const FilePlace& a, const FilePlace& b) {
-    if (a.is_null()) return false;
     if (a.descriptor && b.descriptor) return a.descriptor == b.descriptor;
     const bool renames = !a.descriptor && !b.descriptor;
     return lead_to_one(a, b) && (renames || a.is_regular());
 }
 
 [[noreturn]] void refuse_same(const GivenFile& file, const GivenFile& other) {
-    throw BadRequest(file.name.substr(2), shown(file.path),
-                     "must be another file than " + other.name + " " + shown(other.path));
+    throw BadRequest(
+        file.name.substr(2), shown(file.path) + file.note,
+        "must be another file than " + other.name + " " + shown(other.path) + other.note);
 }
 
 }  // namespace
@@ -72,23 +79,34 @@ std::vector<GivenFile> given_files(const std::vector<Output>& outputs) {
     return files;
 }
 
-void check_given_files(const std::vector<GivenFile>& read, const std::vector<GivenFile>& written) {
+void check_given_files(const std::vector<GivenFile>& read, const WrittenFiles& written) {
     const auto is_standard = [](const GivenFile& file) { return file.path == "-"; };
     if (std::count_if(read.begin(), read.end(), is_standard) > 1)
         throw files::FileError("standard input: can be read only once");
-    for (std::size_t i = 0; i < written.size(); ++i) {
-        const std::optional<FilePlace> place = file_place_of(written[i].path, STDOUT_FILENO);
-        if (!place) continue;
-        for (std::size_t k = 0; k < i; ++k) {
-            const auto other = file_place_of(written[k].path, STDOUT_FILENO);
-            if (other && overwrite_each_other(*place, *other)) refuse_same(written[i], written[k]);
+    std::vector<std::optional<FilePlace>> inputs;
+    inputs.reserve(read.size());
+    for (const GivenFile& input : read) inputs.push_back(file_place_of(input.path, STDIN_FILENO));
+    // Hashes are kept, because places are long. Where two hashes are equal, the files are compared.
+    std::unordered_multimap<std::size_t, std::size_t> index_of_hash;
+    for (std::size_t i = 0; i < written.count; ++i) {
+        const GivenFile file = written.at(i);
+        const std::optional<FilePlace> place = file_place_of(file.path, STDOUT_FILENO);
+        if (!place || place->is_null()) continue;
+        const auto [begin, end] = index_of_hash.equal_range(hash_of(*place));
+        for (auto earlier = begin; earlier != end; ++earlier) {
+            const GivenFile other = written.at(earlier->second);
+            const auto other_place = file_place_of(other.path, STDOUT_FILENO);
+            if (other_place && overwrite_each_other(*place, *other_place)) refuse_same(file, other);
         }
-        for (const GivenFile& input : read) {
-            const auto other = file_place_of(input.path, STDIN_FILENO);
-            if (other && place->is_regular() && lead_to_one(*place, *other))
-                refuse_same(written[i], input);
-        }
+        for (std::size_t k = 0; k < read.size(); ++k)
+            if (inputs[k] && place->is_regular() && lead_to_one(*place, *inputs[k]))
+                refuse_same(file, read[k]);
+        index_of_hash.emplace(hash_of(*place), i);
     }
+}
+
+void check_given_files(const std::vector<GivenFile>& read, const std::vector<GivenFile>& written) {
+    check_given_files(read, {written.size(), [&](std::size_t index) { return written[index]; }});
 }
 
 }  // namespace lacuna::cli

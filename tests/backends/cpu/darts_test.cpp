@@ -59,7 +59,7 @@ std::vector<std::uint32_t> expected_statuses(const SpanState& state) {
         const Candidate& candidate = state.candidates[i];
         const bool is_free = std::none_of(samples.begin(), samples.end(), [&](const Candidate& s) {
             return portable::are_closer(s.x, s.y, candidate.x, candidate.y, plan.period_x,
-                                       plan.period_y, plan.radius_squared);
+                                        plan.period_y, plan.radius_squared);
         });
         if (!is_free) continue;
         statuses[i] = STATUS_ADMITTED;

@@ -54,7 +54,7 @@ TEST_P(OfVectors, ASampleIsCloserThanTheRadiusOrNot) {
             const auto at = static_cast<std::size_t>(&cell - cells.data());
             return at % kStride < 4 && cell.x != NO_SAMPLE &&
                    portable::are_closer(place.x, place.y, cell.x, cell.y, 0, 0,
-                                       std::uint64_t{r} * r);
+                                        std::uint64_t{r} * r);
         });
         ASSERT_EQ(GetParam()->is_any_closer(cells.data(), kStride, place, std::uint64_t{r} * r),
                   expected)
@@ -134,7 +134,7 @@ TEST_P(OfVectors, ASampleIsCloserThanTheSmallerRadiusOrNot) {
         for (std::size_t k = 0; k < samples.count; ++k) {
             const std::uint64_t limit = std::min(samples.radius[k], radius);
             expected |= portable::are_closer(samples.x[k], samples.y[k], place.x, place.y, period,
-                                            period, limit * limit);
+                                             period, limit * limit);
         }
         ASSERT_EQ(GetParam()->is_any_sized_closer(samples, place, radius, {period, period}),
                   expected);

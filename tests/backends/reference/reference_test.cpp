@@ -77,7 +77,7 @@ RC_GTEST_PROP(Reference, KeepsItsDistancesAndCoversEveryLine, ()) {
     for (std::size_t i = 0; i < samples.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             RC_ASSERT(!portable::are_closer(samples[i].x, samples[i].y, samples[j].x, samples[j].y,
-                                           plan.period_x, plan.period_y, plan.radius_squared));
+                                            plan.period_x, plan.period_y, plan.radius_squared));
 }
 
 TEST(Reference, CoverageCheckSeesOneMissingSample) {
