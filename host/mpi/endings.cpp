@@ -1,6 +1,7 @@
 // The ranks agree on how the program ends.
 #include "mpi/endings.h"
 
+#include <algorithm>
 #include <array>
 
 #include "cli/check_failed.h"
@@ -22,11 +23,23 @@ Place place() {
 
 }  // namespace
 
+void refuse_another_request(int rank) {
+    throw cli::BadUsage("rank " + std::to_string(rank) +
+                        " was given another request than rank 0: must be the same on all ranks");
+}
+
 void MpiProgram::end_with(const std::optional<Ending>& own) const {
     const auto [rank, ranks] = place();
-    int lowest = own ? rank : ranks;
-    MPI_Allreduce(MPI_IN_PLACE, &lowest, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
-    if (lowest == ranks) return;
+    const bool fails = own && own->is_answer == 0;
+    // The lowest rank of those that fail, of those that only say something, of those that go on.
+    std::array<int, 3> all{fails ? rank : ranks, own && !fails ? rank : ranks, own ? ranks : rank};
+    MPI_Allreduce(MPI_IN_PLACE, all.data(), all.size(), MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+    const auto [failing, saying, going_on] = all;
+    // Thrown by all ranks, which agree on it once they come to fail.
+    if (failing == ranks && saying < ranks && going_on < ranks)
+        refuse_another_request(std::max(saying, going_on));
+    if (going_on == 0 && failing == ranks) return;
+    const int lowest = failing < ranks ? failing : saying;
     Ending ending = own && lowest == rank ? *own : Ending{};
     std::array<int, 3> head{ending.code, ending.is_answer, static_cast<int>(ending.text.size())};
     MPI_Bcast(head.data(), head.size(), MPI_INT, lowest, MPI_COMM_WORLD);

@@ -11,9 +11,13 @@
 
 namespace lacuna::mpi {
 
-// At first ranks are together and agree on an end: each rank must call fail, say or join, and the
-// message of the lowest rank that called fail or say is printed. After part() a rank that fails
-// prints its own message and aborts all others, until meet() is called.
+// Throws cli::BadUsage: the request of `rank` differs from that of rank 0.
+[[noreturn]] void refuse_another_request(int rank);
+
+// While `are_together`, as they are at first, an end is agreed upon: all ranks must come to fail,
+// say or join, each in its own way. The lowest rank that fails is heard. Where none fails and all
+// say something, rank 0 is heard; where only some do, they are refused. Once ranks are not
+// together, a rank that fails tells so itself and ends all others.
 class MpiProgram : public cli::Program {
 public:
     MpiProgram(std::string name, std::string description,

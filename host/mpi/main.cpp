@@ -1,5 +1,6 @@
 // The command lacuna-mpi: the ranks of one MPI program make one set.
 #include <mpi.h>
+#include <signal.h>
 
 #include <CLI/App.hpp>
 
@@ -18,6 +19,9 @@ Examples:
 }  // namespace
 
 int main(int argc, char** argv) {
+    // MPI_Init makes files in shared memory. Where these are too large for `ulimit -f`, it then
+    // gets an error of write and not a signal that ends the program without a word.
+    signal(SIGXFSZ, SIG_IGN);
     int provided = 0;
     // oneTBB's threads compute; only this thread calls MPI.
     MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);

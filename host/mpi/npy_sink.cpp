@@ -1,14 +1,19 @@
 // Sends samples to the ranks that write them, which write them at their offsets in the file.
 #include "mpi/npy_sink.h"
 
+#include <fcntl.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cerrno>
+#include <filesystem>
 #include <fstream>
 #include <numeric>
+#include <system_error>
 #include <utility>
 
+#include "files/descriptor.h"
 #include "files/npy.h"
 #include "files/point_files.h"
 #include "mpi/unfinished_file.h"
@@ -16,6 +21,8 @@
 
 namespace lacuna::mpi {
 namespace {
+
+namespace fs = std::filesystem;
 
 static_assert(std::endian::native == std::endian::little && sizeof(Point) == 16);
 
@@ -25,6 +32,19 @@ constexpr std::size_t kPointsAtOnce = std::size_t{1} << 18;
 // A header has this length whatever the number of points.
 std::uint64_t header_bytes() {
     return files::npy_header(0, 2).size();
+}
+
+// MPI_File_open waits for all ranks, and hangs where one of them fails. A file of the same random
+// name is the same file, over NFS too, where its device and inode may differ between machines.
+void check_is_shared(const std::string& name, const std::string& path, std::uint32_t rank) {
+    const files::Descriptor descriptor(::open(name.c_str(), O_WRONLY | O_CLOEXEC));
+    if (descriptor.number() >= 0 && ::write(descriptor.number(), "", 1) == 1) return;
+    const std::string reason = std::generic_category().message(errno);
+    std::error_code ignored;
+    throw files::FileError(path + ": rank " + std::to_string(rank) + ", in the folder " +
+                           fs::current_path(ignored).string() + ", cannot write into " + name +
+                           ", which rank 0 made (" + reason +
+                           "): must be in a folder into which all ranks can write");
 }
 
 }  // namespace
@@ -60,6 +80,7 @@ void NpySink::open() {
     name_.resize(static_cast<std::size_t>(length));
     MPI_Bcast(name_.data(), length, MPI_CHAR, 0, ranks_.communicator());
     remove_on_signal(name_, ranks_.rank() == 0);
+    together(ranks_, [&] { check_is_shared(name_, path_, ranks_.rank()); });
     const int error = MPI_File_open(ranks_.communicator(), name_.c_str(), MPI_MODE_WRONLY,
                                     MPI_INFO_NULL, &handle_);
     together(ranks_, [&] {
@@ -140,15 +161,20 @@ void NpySink::write(std::uint64_t first, std::span<const Record> records) {
 }
 
 void NpySink::write_at(std::uint64_t offset, const void* bytes, std::size_t size) const {
-    MPI_Status status{};
-    errno = 0;
-    const int error = MPI_File_write_at(handle_, static_cast<MPI_Offset>(offset), bytes,
-                                        static_cast<int>(size), MPI_BYTE, &status);
-    const int reason = errno;
-    int count = 0;
-    if (error == MPI_SUCCESS) MPI_Get_count(&status, MPI_BYTE, &count);
-    if (error == MPI_SUCCESS && static_cast<std::size_t>(count) == size) return;
-    files::fail_to_write(path_, reason != 0 ? reason : ENOSPC);
+    // Where the disk or `ulimit -f` ends within the bytes, MPI writes fewer and gives no reason. It
+    // gives one for those that are left.
+    for (std::size_t done = 0; done < size;) {
+        MPI_Status status{};
+        errno = 0;
+        const int error = MPI_File_write_at(handle_, static_cast<MPI_Offset>(offset + done),
+                                            static_cast<const char*>(bytes) + done,
+                                            static_cast<int>(size - done), MPI_BYTE, &status);
+        const int reason = errno;
+        int count = 0;
+        if (error == MPI_SUCCESS) MPI_Get_count(&status, MPI_BYTE, &count);
+        if (count <= 0) files::fail_to_write(path_, reason != 0 ? reason : ENOSPC);
+        done += static_cast<std::size_t>(count);
+    }
 }
 
 void NpySink::finish() {
@@ -163,6 +189,9 @@ void NpySink::finish() {
         if (error != MPI_SUCCESS) files::fail_to_write(path_, EIO);
     });
     close();
+}
+
+void NpySink::put_in_place() {
     together(ranks_, [&] {
         if (ranks_.rank() == 0) file_->put_in_place();
     });
@@ -170,7 +199,7 @@ void NpySink::finish() {
 }
 
 std::string NpySink::sha256() const {
-    std::ifstream file(path_, std::ios::binary);
+    std::ifstream file(name_, std::ios::binary);
     file.seekg(static_cast<std::streamoff>(header_bytes()));
     files::Sha256OfPoints digest;
     std::vector<Point> points(kPointsAtOnce);

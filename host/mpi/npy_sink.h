@@ -30,12 +30,14 @@ public:
     void begin(const Plan& plan) override;
     void take(std::span<const Sample> samples, std::span<const std::uint32_t> numbers,
               std::uint32_t draws) override;
-    // Writes the header and gives the file its final name.
+    // Writes the header: the file is whole, and on the disk.
     void finish();
-    // Closes the file after an error, on every rank.
+    // Gives the finished file its name.
+    void put_in_place();
+    // Every rank: closes the file, which none of them can go on with.
     void close();
 
-    // SHA-256 of all points; for rank 0 only, after finish().
+    // SHA-256 of all points; rank 0 alone, once finished and before the file is put in place.
     std::string sha256() const;
 
     std::uint64_t bytes_sent() const { return bytes_sent_; }  // by this rank, to be written

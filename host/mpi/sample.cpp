@@ -106,10 +106,7 @@ void check_same_everywhere(const MpiSample& all, const MpiRanks& ranks) {
     for (const char c : said) own = (own ^ static_cast<unsigned char>(c)) * 0x100000001b3;
     std::uint64_t first = own;
     MPI_Bcast(&first, 1, MPI_UINT64_T, 0, ranks.communicator());
-    if (own != first)
-        throw cli::BadUsage(fmt::format(
-            "rank {} was given another request than rank 0: must be the same on all ranks",
-            ranks.rank()));
+    if (own != first) refuse_another_request(static_cast<int>(ranks.rank()));
 }
 
 // Watches the run; the progress bar is shown by rank 0 only.
@@ -139,8 +136,14 @@ void sum_up(const MpiSample& all, const ResultOnRanks& result, double seconds,
     std::fputs((cli::printable(line) + "\n").c_str(), stderr);
 }
 
-// All ranks go through this in step. An error of one reaches all as FailedTogether, or ends the
-// program.
+void write_report(const MpiSample& all, const std::string& report, bool is_its_turn,
+                  MpiRanks& ranks) {
+    together(ranks, [&] {
+        if (is_its_turn && !report.empty()) files::write_whole(all.common.report, report);
+    });
+}
+
+// What all ranks do from here on they do together, but for what FailedTogether does not tell.
 void make(const MpiSample& all, const Request& request, MpiRanks& ranks) {
     const bool speaks = ranks.rank() == 0;
     NpySink sink(all.path, ranks);
@@ -151,13 +154,15 @@ void make(const MpiSample& all, const Request& request, MpiRanks& ranks) {
         result = sample_on_ranks(request, ranks, sink, watch.observers());
         sink.finish();
         seconds = watch.stopwatch().seconds_so_far();
-        if (!all.common.report.empty()) {
-            const std::string report = report_of(request, result, watch.stopwatch(), seconds, ranks,
-                                                 sink, speaks ? sink.sha256() : "");
-            together(ranks, [&] {
-                if (speaks) files::write_whole(all.common.report, report);
-            });
-        }
+        std::string report;
+        if (!all.common.report.empty())
+            report = report_of(request, result, watch.stopwatch(), seconds, ranks, sink,
+                               speaks ? sink.sha256() : "");
+        // As lacuna does it: files first, the set last of them, then streams.
+        const bool is_streamed = cli::is_stream(all.common.report);
+        write_report(all, report, speaks && !is_streamed, ranks);
+        sink.put_in_place();
+        write_report(all, report, speaks && is_streamed, ranks);
         const bool is_quiet = all.common.quiet || cli::is_standard_output(all.common.report);
         if (speaks && !is_quiet) sum_up(all, result, seconds, ranks.count());
     } catch (const FailedTogether&) {

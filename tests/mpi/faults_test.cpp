@@ -60,6 +60,17 @@ TEST(MpiFaults, RanksWithDifferentRequestsAreRefused) {
     EXPECT_TRUE(folder.names().empty());
 }
 
+TEST(MpiFaults, HelpForSomeRanksIsRefused) {
+    Folder folder;
+    const auto make = ranks(1, {"sample", "--radius", "0.01", "-o", folder.path("x.npy")});
+    const std::string message = "rank 1 was given another request than rank 0";
+    expect_one_message(mpirun(joined(make, ranks(1, {"sample", "--help"}))), 2, message);
+    expect_one_message(mpirun(joined(ranks(1, {"--version"}), make)), 2, message);
+    expect_one_message(mpirun(joined(ranks(1, {"--help"}), ranks(1, {"sample", "--radus"}))), 2,
+                       "did you mean --radius");
+    EXPECT_TRUE(folder.names().empty());
+}
+
 TEST(MpiFaults, ABackendThatOneRankLacksIsToldOnce) {
     Folder folder;
     const std::string path = folder.path("x.npy");
@@ -74,13 +85,51 @@ TEST(MpiFaults, ADiskThatIsFullForOneRankLeavesNothing) {
     Folder folder;
     const std::string path = folder.path("x.npy");
     lacuna::test::write_file(path, "an older file");
-    const std::string limited =
-        "ulimit -f 10000; exec " LACUNA_MPI_PROGRAM " sample --radius 0.001 -o " + path;
-    const Outcome outcome = mpirun(joined(ranks(1, {"sample", "--radius", "0.001", "-o", path}),
-                                          {"-n", "1", "/bin/bash", "-c", limited}));
+    const Outcome outcome =
+        mpirun(joined(ranks(1, {"sample", "--radius", "0.001", "-o", path}),
+                      limited_ranks(1, 10000, "sample --radius 0.001 -o " + path)));
     expect_one_message(outcome, 3, path + ": File too large");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"x.npy"});
     EXPECT_EQ(content_of(path), "an older file");
+}
+
+// MPI_Init makes a file of more than 100 KiB in shared memory.
+TEST(MpiFaults, ALimitBelowMpisOwnFilesIsTold) {
+    Folder folder;
+    const std::string path = folder.path("x.npy");
+    expect_one_message(mpirun(limited_ranks(2, 100, "sample --radius 0.005 -o " + path)), 3,
+                       path + ": File too large");
+    expect_one_message(mpirun(limited_ranks(2, 0, "sample --radius 0.1 -o " + path)), 3,
+                       "(File too large)");
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(MpiFaults, AReportThatCannotBeWrittenLeavesNoSet) {
+    Folder folder;
+    const std::string path = folder.path("x.npy");
+    const std::string report = folder.path("x.json");
+    // The set fits into 1 KiB, the report does not.
+    expect_one_message(
+        mpirun(limited_ranks(2, 1,
+                             "sample --radius 0.1 --limit 9 -o " + path + " --report " + report)),
+        3, report + ": File too large");
+    EXPECT_TRUE(folder.names().empty()) << folder.names().front();
+}
+
+TEST(MpiFaults, ARankThatDoesNotSeeTheFolderIsTold) {
+    Folder seen;
+    Folder other;
+    const auto rank_in = [](const Folder& folder) {
+        return std::vector<std::string>{
+            "-n",       "1",    "-wdir", folder.path(""), LACUNA_MPI_PROGRAM, "sample",
+            "--radius", "0.01", "-o",    "x.npy"};
+    };
+    const std::string others = std::filesystem::path(other.path("x")).parent_path().string();
+    const Outcome outcome = mpirun(joined(rank_in(seen), rank_in(other)));
+    expect_one_message(outcome, 3, "x.npy: rank 1, in the folder " + others);
+    EXPECT_NE(outcome.err.find("cannot write into .x.npy."), std::string::npos) << outcome.err;
+    EXPECT_TRUE(seen.names().empty());
+    EXPECT_TRUE(other.names().empty());
 }
 
 // Processes of lacuna-mpi that write into the folder, by what Linux tells of them.

@@ -1,4 +1,5 @@
-// Runs lacuna-mpi by mpirun, as a user would.
+// Runs lacuna-mpi by mpirun, as a user would. mpirun's own notice of a failure comes after the
+// message: its option -q, which silences that, is unknown to Open MPI 5.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 
 namespace lacuna::test::mpi {
 
-inline const std::vector<std::string> kMpirun{"-q", "--oversubscribe", "--bind-to", "none"};
+inline const std::vector<std::string> kMpirun{"--oversubscribe", "--bind-to", "none"};
 
 // `mpirun` with these arguments; a run of more than a minute is ended, with the exit code 124.
 inline std::vector<std::string> command_of(const std::vector<std::string>& arguments) {
@@ -35,6 +36,13 @@ inline std::vector<std::string> ranks(int count, const std::vector<std::string>&
     std::vector<std::string> all{"-n", std::to_string(count), LACUNA_MPI_PROGRAM};
     all.insert(all.end(), options.begin(), options.end());
     return all;
+}
+
+// `count` ranks, none of which may write a file larger than `kibibytes` KiB.
+inline std::vector<std::string> limited_ranks(int count, int kibibytes,
+                                              const std::string& options) {
+    return {"-n", std::to_string(count), "/bin/bash", "-c",
+            "ulimit -f " + std::to_string(kibibytes) + "; exec " LACUNA_MPI_PROGRAM " " + options};
 }
 
 inline std::vector<std::string> joined(std::vector<std::string> first,

@@ -7,7 +7,7 @@ target_include_directories(mpi_equality PRIVATE
     ${PROJECT_SOURCE_DIR}/kernels ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(mpi_equality PRIVATE lacuna_mpi_ranks lacuna_options)
 foreach(ranks IN ITEMS 1 2 3 5 7)
-    add_test(NAME mpi.equality.${ranks} COMMAND ${MPIEXEC_EXECUTABLE} -q --oversubscribe --bind-to none
+    add_test(NAME mpi.equality.${ranks} COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe --bind-to none
         -n ${ranks} $<TARGET_FILE:mpi_equality> ${PROJECT_BINARY_DIR}/equality-${ranks}.npy)
     set_tests_properties(mpi.equality.${ranks} PROPERTIES RUN_SERIAL ON TIMEOUT 600 ENVIRONMENT "${mpi_environment}"
         PASS_REGULAR_EXPRESSION "^(60|65|70) sets on up to ${ranks} ranks, 0 different")
