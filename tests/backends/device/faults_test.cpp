@@ -80,28 +80,26 @@ TEST_P(Faults, InExactAreNoticed) {
     // The last few take many refinements, of more and more boxes where a kernel leaves room.
     Plan nearly_all = exact_;
     nearly_all.limit = nearly_all.expected_samples * 19 / 20;
-    expect_noticed(
-        nearly_all,
-        {{"bodies/exact/locate_in_boxes.h", "AT(box_begin, draw.x) + draw.y,",
-          "AT(box_begin, draw.x),"},
-         {"bodies/lines/limit.h", "? candidate.x",
-          "? candidate.x / a.g.strip_width * a.g.strip_width"},
-         {"bodies/exact/screen.h", "return covered != 0u;", "return false;"},
-         {"bodies/exact/screen.h", "i < columns.count", "i < 1u"},
-         {"bodies/common/insert.h", "AT(grid_y, cell) = admitted.y",
-          "AT(grid_y, cell) = admitted.x"},
-         {"bodies/lines/subtract.h", "g.period_x) + g.chord_margin", "g.period_x)"},
-         {"bodies/exact/unfold.h", "AT(box_end, next) = end;", "AT(box_end, next) = span.y;"},
-         {"bodies/exact/strips.h", "i < near.columns.count", "i < 1u"},
-         {"bodies/exact/strips.h", "is_at_edge ? -1 : 0", "is_at_edge ? 0 : 0"},
-         {"bodies/exact/strips.h", "squared_distance(g, dx, farthest)",
-          "squared_distance(g, dx, nearest)"},
-         {"bodies/exact/strips.h", "+ strip.width / 2u;", ";"},
-         {"bodies/exact/keep.h", "= piece.y - piece.x;", "= 1u;"},
-         {"bodies/common/scan.h", "AT(sums, item) = sum;", "AT(sums, item) = 0u;"},
-         {"bodies/common/find_bin_begins.h", "a.g.strip_width < line",
-          "a.g.strip_width < line / 2u"},
-         {"portable/stretch.h", ": end + reach;", ": end;"}});
+    expect_noticed(nearly_all,
+                   {{"bodies/exact/locate_in_boxes.h", "box.z + draw.y,", "box.z,"},
+                    {"bodies/lines/limit.h", "? candidate.x",
+                     "? candidate.x / a.g.strip_width * a.g.strip_width"},
+                    {"bodies/exact/screen.h", "return covered != 0u;", "return false;"},
+                    {"bodies/exact/screen.h", "i < columns.count", "i < 1u"},
+                    {"bodies/common/insert.h", "AT(grid_y, cell) = admitted.y",
+                     "AT(grid_y, cell) = admitted.x"},
+                    {"bodies/lines/subtract.h", "g.period_x) + g.chord_margin", "g.period_x)"},
+                    {"bodies/exact/unfold.h", "begin, end);", "begin, span.y);"},
+                    {"bodies/exact/grid.h", "i < near.columns.count", "i < 1u"},
+                    {"bodies/exact/pieces.h", "is_at_edge ? 3u : 1u", "false ? 3u : 1u"},
+                    {"bodies/exact/pieces.h",
+                     "squared_length(cut_distance(a.g, strip, neighbour.x), dy) <", "0u <"},
+                    {"bodies/exact/pieces.h", "g.period_x) + middle;", "g.period_x);"},
+                    {"bodies/exact/grid.h", "= box.w - box.z;", "= 1u;"},
+                    {"bodies/common/scan.h", "AT(sums, item) = sum;", "AT(sums, item) = 0u;"},
+                    {"bodies/common/find_bin_begins.h", "a.g.strip_width < line",
+                     "a.g.strip_width < line / 2u"},
+                    {"portable/stretch.h", ": end + reach;", ": end;"}});
 }
 
 TEST_P(Faults, InCellsAreNoticed) {
@@ -160,74 +158,64 @@ Plan radius_field_plan(Boundary boundary, double part) {
 TEST_P(Faults, WithARadiusFieldAreNoticed) {
     expect_noticed(
         radius_field_plan(Boundary::torus, 0.8),
-        {{"bodies/exact/locate_with_field.h", "place.z + draw.y;", "place.z;"},
-         {"bodies/exact/locate_with_field.h", "(ON grids, x, y);", "(ON grids, x, place.z);"},
+        {{"bodies/exact/locate_with_field.h", "box.z + draw.y;", "box.z;"},
+         {"bodies/exact/locate_with_field.h", "(ON grids, x, y);", "(ON grids, x, box.z);"},
          {"bodies/exact/screen_with_field.h", "if (radius == 0u) return true;", ""},
-         {"bodies/exact/screen_with_field.h", "min(entry.z, radius)", "entry.z"},
+         {"bodies/exact/screen_with_field.h", "entry.y, entry.z};", "entry.y, 0xffffffffu};"},
          {"bodies/exact/reach.h", "if (node != links.y)", "if (node == links.y)"},
          {"bodies/exact/reach.h", "min(radius, greatest)", "min(radius, greatest) / 2u"},
          {"bodies/exact/reach.h", "root == 0u ? a.g.period_y : 0u", "0u"},
          {"bodies/exact/reach.h", "if (candidate.z == NO_SAMPLE) return 0u;",
           "return AT(node_of, 0u);"},
          {"bodies/exact/decide_with_field.h", "other.w >= candidate.w", "other.w <= candidate.w"},
-         {"bodies/exact/decide_with_field.h", "min(radius, AT(candidate_radii, visitor.x))",
-          "radius"},
+         {"bodies/exact/decide_with_field.h", "AT(candidate_radii, visitor.x)};", "0xffffffffu};"},
          {"bodies/exact/enlist.h", "AT(lists, block) = next;", ""},
-         {"bodies/exact/remnants.h", "min(sample_radius, radius_of(strip));", "sample_radius;"},
-         {"bodies/exact/remnants.h", "g.period_x) + middle", "g.period_x)"},
-         {"bodies/exact/remnants.h", "window < windows", "window < 1u"},
-         {"bodies/exact/kept_piece.h", "U32X2(inside.y, left.y)", "U32X2(inside.x, left.y)"},
-         {"bodies/exact/touches.h", "all.second = others.last;", "all.second = others.second;"},
-         {"bodies/exact/touches.h", "touch = touches.second;", "touch = touches.third;"},
+         {"portable/conflict.h", "radius_a < radius_b ? radius_a : radius_b", "radius_a"},
+         {"bodies/exact/pieces.h", "g.period_x) + middle", "g.period_x)"},
+         {"bodies/exact/pieces.h", "window < windows;", "window < 1u;"},
+         {"bodies/exact/pieces.h", "++pieces.insides;", ""},
+         {"bodies/exact/lists.h", "walk.left - 1u,", "0u,"},
+         {"bodies/exact/lists.h", "near.high.x, near.high.y", "near.high.x, near.high.x"},
          {"portable/distance.h", "period - last + at :", "period - begin + at :"}});
 }
 
-// In the end places are halved, where what is left of them is cut.
-TEST_P(Faults, InHalvedPlacesWithARadiusFieldAreNoticed) {
-    expect_noticed(
-        radius_field_plan(Boundary::box, 2),
-        {{"bodies/exact/split.h", "if (up != 0u) {", "if (false) {"},
-         {"bodies/exact/split.h", "left.y = cut - place.x;", "left.y = place.y;"},
-         {"bodies/exact/strip.h", "strip.at.x = place.x + left;", "strip.at.x = place.x;"},
-         {"bodies/exact/measure.h", ".y == 0u)", ".y == 1u)"},
-         {"bodies/exact/touches.h", "squared_length(touch.dx, farthest) < least;", "true;"},
-         {"bodies/exact/touches.h", "rest = without_chord(rest, rest.inside.x, rest.inside.y);",
-          ""},
-         {"bodies/exact/touches.h", "U32X2(rest.low,", "U32X2(rest.high - 1u,"},
-         {"bodies/exact/cut_halves.h", "of_left.count + of_right.count", "of_left.count"},
-         {"bodies/exact/cut_uneven.h", "first.count +", ""},
-         {"bodies/exact/keep_halves.h", "left_half(place, origin.y)",
-          "right_half(place, origin.y)"},
-         {"bodies/exact/keep_uneven.h", "ON i, 0u", "ON i, 2u"},
-         {"bodies/exact/cut_several.h", "++count;", "count = 1u;"},
-         {"bodies/exact/keep_several.h", "origin.x, piece, to)",
-          "origin.x, U32X2(piece.x, piece.x + 1u), to)"},
-         {"bodies/exact/cut_uneven.h", "put_pieces(ON number, i,", "put_pieces(ON number, 0u,"},
-         {"bodies/exact/kept_piece.h", "is_known ? strip.radius", "is_known ? 1u"},
-         {"bodies/exact/kept_piece.h", "= strip.at.y;", "= strip.at.y - 1u;"},
-         {"bodies/exact/kept_piece.h", "piece.y - piece.x;", "piece.y - strip.at.z;"},
-         {"bodies/exact/radius_field.h", "AT(mask_bits, number / ALLOWED_PER_WORD)",
-          "AT(mask_bits, 0u)"},
-         {"bodies/exact/radius_field.h", "touched.field.x = pixel_of(grids.field.columns, x);", ""},
-         {"bodies/exact/radius_field.h", "touched.field.z = pixel_of(grids.field.rows, y);",
-          "touched.field.w = touched.field.z;"},
-         {"bodies/exact/radius_field.h", "i <= pixels.y >> level.shift",
-          "i == pixels.x >> level.shift"},
-         {"portable/radius_field.h", "less_a < less_b", "less_a > less_b"}});
+// In the end boxes are halved before they are cut.
+TEST_P(Faults, InHalvedBoxesWithARadiusFieldAreNoticed) {
+    expect_noticed(radius_field_plan(Boundary::box, 2),
+                   {{"bodies/exact/split.h", "if (y == 0u)", "if (true)"},
+                    {"bodies/exact/split.h", "U32X4(x, left.x,", "U32X4(box.x + box.y, left.x,"},
+                    {"bodies/exact/split.h", "left.y, left.z, right.y", "left.y, left.y, right.y"},
+                    {"bodies/exact/strip.h", ": box.x + left;", ": box.x;"},
+                    {"bodies/exact/measure.h", ".y != 0u)", ".y == 0u)"},
+                    {"bodies/exact/pieces.h", "squared_limit(neighbour.z, strip.radius);",
+                     "strip.radius + 1u;"},
+                    {"bodies/exact/cut.h", "total += count;", "total = count;"},
+                    {"bodies/exact/cut.h", "count > 1u ? NO_SAMPLE :", "false ? NO_SAMPLE :"},
+                    {"bodies/exact/keep.h", "++next;", ""},
+                    {"bodies/exact/keep.h", "++to;", ""},
+                    {"bodies/exact/lists.h", "k < 2u ? borders.y", "false ? borders.y"},
+                    {"bodies/exact/lists.h", "is_whole ? strip.radius : 0u", "is_whole ? 1u : 0u"},
+                    {"bodies/exact/lists.h", "if (k > 1u) strip", "if (false) strip"},
+                    {"bodies/exact/radius_field.h", "AT(mask_bits, number / ALLOWED_PER_WORD)",
+                     "AT(mask_bits, 0u)"},
+                    {"bodies/exact/radius_field.h", "i <= pixels.y >> level.shift",
+                     "i == pixels.x >> level.shift"},
+                    {"portable/radius_field.h", "less_a < less_b", "less_a > less_b"}});
 }
 
-// Of places on one large pixel, more are cut inside before all that is near them is there.
-TEST_P(Faults, InPiecesOfPlacesWithARadiusFieldAreNoticed) {
+// Of boxes on one large pixel, more are cut inside before all samples near them are there.
+TEST_P(Faults, InPiecesOfBoxesWithARadiusFieldAreNoticed) {
     const Field field = tests::noise_field(2, 2, 3);
     Request request;
     request.field = &field;
     request.scale = 0.005;
     Plan plan = make_plan(request);
     plan.limit = 2 * plan.expected_samples;
-    expect_noticed(plan, {{"bodies/exact/touches.h", "rest.insides > 1u ||", ""},
-                          {"bodies/exact/touches.h", "touches.count > 3u", "touches.count > 9u"},
-                          {"bodies/exact/kept_piece.h", "U32X2(inside.y, left.y)",
-                           "U32X2(inside.x, left.y)"}});
+    expect_noticed(
+        plan,
+        {{"bodies/exact/lists.h", "near.count > MOST_NEAR ? is_in_list", "false ? is_in_list"},
+         {"bodies/exact/pieces.h", "end = chord_begin > begin ? chord_begin : end;", ""},
+         {"bodies/exact/pieces.h", "begin = chord_begin <= begin ? chord_end : begin;", ""}});
 }
 
 // Rounds of so many draws in so few columns are admitted in parts.
@@ -284,11 +272,11 @@ TEST_P(Faults, OfBoxesInSeveralPiecesAreNoticed) {
     ASSERT_GT(right.size(), 2 * scene.boxes.size());
     ASSERT_TRUE(boxes_of(*tests::make_backend(GetParam(), exact_)) == right);
     const Fault faults[] = {
-        {"bodies/exact/strips.h", "end = to_u32(y - reach + 1)", "end = rest.high"},
-        {"bodies/exact/strips.h", "begin = piece.low;", "begin = rest.high;"},
+        {"bodies/exact/pieces.h", "end = chord_begin > begin ? chord_begin : end;", ""},
+        {"bodies/exact/pieces.h", "begin = chord_begin <= begin ? chord_end : begin;", ""},
         {"bodies/exact/cut.h", "count > 1u ? NO_SAMPLE :", "false ? NO_SAMPLE :"},
-        {"bodies/exact/keep.h", "keep_piece(ON a, strip.x, piece, place)",
-         "keep_piece(ON a, 0u, piece, place)"},
+        {"bodies/exact/keep.h", "keep_piece(ON a, number, strip, piece, next)",
+         "keep_piece(ON a, number, box, piece, next)"},
     };
     for (const Fault& fault : faults)
         EXPECT_TRUE(boxes_of(*tests::make_faulty(GetParam(), exact_, fault)) != right)
