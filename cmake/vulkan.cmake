@@ -12,7 +12,7 @@ function(lacuna_embed_shader target file entry)
     set(compile $<TARGET_FILE:Vulkan::glslangValidator> -V --target-env vulkan1.2 --quiet
         -I${PROJECT_SOURCE_DIR}/kernels -DENTRY_${entry})
     set(validate)
-    if(SPIRV_VAL AND LACUNA_TESTS)
+    if(SPIRV_VAL)
         set(validate COMMAND ${compile} -o ${folder}/${entry}.spv ${file}
             COMMAND ${SPIRV_VAL} --target-env vulkan1.2 ${folder}/${entry}.spv)
     endif()

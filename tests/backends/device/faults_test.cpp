@@ -175,7 +175,7 @@ TEST_P(Faults, WithARadiusFieldAreNoticed) {
          {"bodies/exact/pieces.h", "window < windows;", "window < 1u;"},
          {"bodies/exact/pieces.h", "++pieces.insides;", ""},
          {"bodies/exact/lists.h", "walk.left - 1u,", "0u,"},
-         {"bodies/exact/lists.h", "near.high.x, near.high.y", "near.high.x, near.high.x"},
+         {"bodies/exact/lists.h", "(next, near.low.x,", "(next, next,"},
          {"portable/distance.h", "period - last + at :", "period - begin + at :"}});
 }
 
@@ -187,12 +187,11 @@ TEST_P(Faults, InHalvedBoxesWithARadiusFieldAreNoticed) {
                     {"bodies/exact/split.h", "left.y, left.z, right.y", "left.y, left.y, right.y"},
                     {"bodies/exact/strip.h", ": box.x + left;", ": box.x;"},
                     {"bodies/exact/measure.h", ".y != 0u)", ".y == 0u)"},
-                    {"bodies/exact/pieces.h", "squared_limit(neighbour.z, strip.radius);",
-                     "strip.radius + 1u;"},
+                    {"bodies/exact/pieces.h",
+                     "squared_length(cut_distance(a.g, strip, neighbour.x), dy) <", "0u <"},
                     {"bodies/exact/cut.h", "total += count;", "total = count;"},
-                    {"bodies/exact/cut.h", "count > 1u ? NO_SAMPLE :", "false ? NO_SAMPLE :"},
-                    {"bodies/exact/keep.h", "++next;", ""},
-                    {"bodies/exact/keep.h", "++to;", ""},
+                    {"bodies/exact/keep.h", "keep_piece(ON a, number, strip, piece, to)",
+                     "keep_piece(ON a, number, box, piece, to)"},
                     {"bodies/exact/lists.h", "k < 2u ? borders.y", "false ? borders.y"},
                     {"bodies/exact/lists.h", "is_whole ? strip.radius : 0u", "is_whole ? 1u : 0u"},
                     {"bodies/exact/lists.h", "if (k > 1u) strip", "if (false) strip"},
