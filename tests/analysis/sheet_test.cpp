@@ -10,6 +10,7 @@
 #include "analysis/sets.h"
 #include "drawing/plot.h"
 #include "files/point_files.h"
+#include "pdf_text.h"
 
 namespace lacuna::analysis {
 namespace {
@@ -66,7 +67,7 @@ TEST(SheetAsSvg, KeepsTheShapeOfTheDomain) {
 }
 
 TEST(SheetAsPdf, IsOnePageWithoutTheTimeOfDay) {
-    const std::string pdf = sheet_of(ten_sets(), Medium::pdf);
+    const std::string pdf = tests::pdf_text(sheet_of(ten_sets(), Medium::pdf));
     EXPECT_TRUE(pdf.starts_with("%PDF-1."));
     EXPECT_TRUE(contains(pdf, "/CreationDate (20000101000000Z)"));
     EXPECT_TRUE(contains(pdf, "/Count 1\n"));

@@ -8,6 +8,7 @@
 #include "cli/pictures.h"
 #include "expectations.h"
 #include "files/read_points.h"
+#include "pdf_text.h"
 #include "program.h"
 
 namespace {
@@ -58,8 +59,8 @@ TEST(APicture, TellsSeedVersionAndCommand) {
     expect_has(svg.out, {"<dc:source>lacuna sample --radius 0.2 --seed 9</dc:source>", "seed 9",
                          "Lacuna " + version.substr(0, version.size() - 1)});
     const Outcome pdf = run({"sample", "--radius", "0.2", "--seed", "9", "--format", "pdf"});
-    expect_has(pdf.out, {"/Subject (lacuna sample --radius 0.2 --seed 9)", "/Keywords (seed 9)",
-                         "/Creator (Lacuna "});
+    expect_has(lacuna::tests::pdf_text(pdf.out), {"/Subject (lacuna sample --radius 0.2 --seed 9)",
+                                                  "/Keywords (seed 9)", "/Creator (Lacuna "});
 }
 
 TEST(AnalyzeAndVerify, KnowBoundaryDomainAndRadiusFromAJsonFile) {

@@ -14,6 +14,7 @@
 #include "drawing/picture.h"
 #include "files/point_files.h"
 #include "files/sets.h"
+#include "pdf_text.h"
 
 namespace lacuna::files {
 namespace {
@@ -189,14 +190,14 @@ TEST(Png, GivenItsResolutionThenTheFileTellsIt) {
 }
 
 TEST(Pdf, GivenADomainOf3By1ThenThePageIsThreeTimesAsWideAsHigh) {
-    const std::string pdf = picture({{2.25, 0.5}}, Medium::pdf, 0.2, 3, 1);
+    const std::string pdf = tests::pdf_text(picture({{2.25, 0.5}}, Medium::pdf, 0.2, 3, 1));
     EXPECT_TRUE(pdf.starts_with("%PDF-1."));
     EXPECT_TRUE(contains(pdf, "/MediaBox [ 0 0 512 170.66")) << pdf;
     EXPECT_TRUE(contains(pdf, "%%EOF"));
 }
 
 TEST(Pdf, GivenADateOfCreationThenItIsNotTheTimeOfDay) {
-    const std::string pdf = picture({{0.5, 0.5}}, Medium::pdf);
+    const std::string pdf = tests::pdf_text(picture({{0.5, 0.5}}, Medium::pdf));
     EXPECT_TRUE(contains(pdf, "/CreationDate (20000101000000Z)")) << pdf;
     EXPECT_FALSE(contains(pdf, "/ModDate"));
 }
@@ -228,7 +229,7 @@ TEST(ASheet, GivenSvgThenLengthsAreMillimetresAndTheDomainIsInTheMiddle) {
 }
 
 TEST(ASheet, GivenPdfThenThePageIsAsLargeInPoints) {
-    const std::string pdf = on_a_sheet({{0, 0}}, Medium::pdf);
+    const std::string pdf = tests::pdf_text(on_a_sheet({{0, 0}}, Medium::pdf));
     EXPECT_TRUE(contains(pdf, "/MediaBox [ 0 0 283.46")) << pdf;
     EXPECT_TRUE(contains(pdf, " 226.77")) << pdf;
 }

@@ -31,7 +31,8 @@ vk::raii::Context load() {
 // of namespace vk, and earlier ones with those of C.
 template <class Severity, class Types, class Data>
 VKAPI_ATTR VkBool32 VKAPI_CALL pass_on(Severity, Types, const Data* data, void* validation) {
-    static_cast<const Validation*>(validation)->report(data->pMessage);
+    const std::string id = data->pMessageIdName == nullptr ? "no id" : data->pMessageIdName;
+    static_cast<const Validation*>(validation)->report(id + ": " + data->pMessage);
     return VK_FALSE;
 }
 

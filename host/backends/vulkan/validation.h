@@ -13,7 +13,9 @@ enum class Checks {
 
 struct Validation {
     Checks checks;
-    std::function<void(const std::string& message)> report;  // may come from any thread
+    // Called with "ID: TEXT", from any thread. Versions of the layer word their texts in different
+    // ways, and agree in their ids.
+    std::function<void(const std::string& message)> report;
 };
 
 }  // namespace lacuna::vulkan

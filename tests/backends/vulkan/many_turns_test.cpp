@@ -19,8 +19,8 @@ namespace {
 
 using namespace lacuna;
 
-// Lavapipe ends an invocation's loops after 65,535 turns. Drivers that do not must give the right
-// answer.
+// Some drivers end an invocation's loops after 65,535 turns, among them lavapipe of Mesa 22. Others
+// have no such limit, like lavapipe of Mesa 25: they must give the right answer.
 class ManyTurns : public testing::Test {
 protected:
     void SetUp() override { tests::skip_or_fail_without("vulkan"); }
@@ -36,12 +36,13 @@ protected:
         const auto got = vulkan::make_backend(plan_, {});
         for (Backend* const each : {expected.get(), got.get()}) each->restore(scene_);
         verb(*expected);
-        const bool is_limited = got->device().find("llvmpipe") != std::string::npos;
         try {
             verb(*got);
             got->finish_round();
-            EXPECT_FALSE(is_limited) << "nothing was thrown";
-            EXPECT_EQ(got->snapshot(), expected->snapshot());
+            const Snapshot right = expected->snapshot();
+            Snapshot left = got->snapshot();
+            left.capacity = right.capacity;  // each backend's own choice
+            EXPECT_TRUE(left == right) << "nothing was thrown, and the outcome is wrong";
         } catch (const DeviceError& error) {
             const std::string what = error.what();
             EXPECT_NE(what.find(name + ": a loop was ended early by the driver"), std::string::npos)
