@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# From a bare Debian 12, Debian 13 or Ubuntu 24.04 to a built, tested and running Lacuna; see ./bootstrap.sh help.
+# Sets up, builds, tests and runs Lacuna on a bare Debian 12 or 13 or Ubuntu 24.04; see "help".
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build=$root/build
 
-# What the command is made of, with every backend.
+# The packages that the command needs, with every backend.
 packages=(
     g++ cmake ninja-build pkg-config
     librandom123-dev libhwy-dev libcli11-dev libfmt-dev libtbb-dev libcairo2-dev nlohmann-json3-dev
@@ -15,18 +15,18 @@ packages=(
     libvulkan-dev glslang-tools spirv-tools
     python3-dev python3-venv
 )
-# What tests, benchmarks, checks and man pages need besides, with drivers that need no graphics card,
-# and MPI, which the command lacuna-mpi is for.
+# The packages that tests, benchmarks, checks and man pages need too, with drivers that need no
+# graphics card, and MPI for the command lacuna-mpi.
 more_packages=(
     libgtest-dev libbenchmark-dev librapidcheck-dev
     pocl-opencl-icd clinfo mesa-vulkan-drivers vulkan-validationlayers
     clang-format clang-tidy valgrind help2man zsh fish
     libopenmpi-dev openmpi-bin
 )
-# Packages that not every one of these systems has. Without one, the tests that need it are skipped.
+# Packages that some of these systems lack. Without one, the tests that need it are skipped.
 optional_packages=()
 more_optional_packages=(oclgrind)
-# What the page in web/ is made of, and what its tests need besides.
+# The packages that the page in web/ and its tests need too.
 web_packages=(
     emscripten cmake ninja-build
     librandom123-dev libfmt-dev libnanoflann-dev libeigen3-dev
@@ -60,17 +60,17 @@ bad_usage() {
     exit 2
 }
 
-# missing_of PACKAGE...: those that are not installed, one a line.
+# missing_of PACKAGE...: prints the packages that are not installed, one a line.
 missing_of() {
     local installed package
-    # dpkg-query fails when it knows none of some name: that package is then simply not listed.
+    # dpkg-query fails if it does not know a name: that package is then simply not listed.
     installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null) || true
     for package in "$@"; do
         grep -qxF "installed $package" <<<"$installed" || echo "$package"
     done
 }
 
-# as_root COMMAND...: for what is not installed, `missing` of whoever calls.
+# as_root COMMAND...: runs it as root; without sudo, names the packages in the caller's `missing`.
 as_root() {
     if ((EUID == 0)); then
         "$@" </dev/null
@@ -109,13 +109,13 @@ cached() {
     sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt" 2>/dev/null || true
 }
 
-# configure TESTS: makes build/ ready, with the tests and benchmarks where TESTS is ON. A build/ that
-# has them keeps them; one without them gets them. What is built stays, whichever command came first:
-# a build/ keeps the way in which it compiles.
+# configure TESTS: configures build/, with the tests and benchmarks if TESTS is ON. A build/ that
+# has tests keeps them. Nothing that was compiled is lost, whichever command came first, because a
+# build/ keeps its way of compiling.
 configure() {
     local options=("-DLACUNA_TESTS=$1" "-DLACUNA_BENCHMARKS=$1") source tests
-    # A unity build compiles in half the time, but a change of one file then takes longer: so it is
-    # for those who begin with the command alone.
+    # A unity build compiles in half the time, but a change of one file then takes longer: so only a
+    # build of the command alone is one.
     [[ $1 == ON ]] || options+=(-DCMAKE_UNITY_BUILD=ON)
     source=$(cached CMAKE_HOME_DIRECTORY)
     [[ -z $source || $source == "$root" ]] ||
@@ -132,7 +132,7 @@ configure() {
         die "configuring failed: the first 'CMake Error' above says why"
 }
 
-# build_targets [OPTION...]: with cmake's own options, all targets where there are none.
+# build_targets [OPTION...]: passes options to cmake; builds all targets if none is named.
 build_targets() {
     cmake --build "$build" "$@" || die "building failed: the first 'error:' above says why"
 }
@@ -174,7 +174,7 @@ print(f"import lacuna: {len(made)} points, maximal: {lacuna.verify(made).maximal
     echo "$environment/bin/python"
 }
 
-# The page: static files, for any server of such.
+# The page: static files, for any server of static files.
 web_page() {
     local folder=$root/build-web targets=(page)
     packages=("${web_packages[@]}")
@@ -183,7 +183,7 @@ web_page() {
         targets+=(same_bytes)
     fi
     install_packages
-    # Where Debian keeps the modules that emscripten's optimiser of JavaScript is made of.
+    # Debian keeps the modules that emscripten's JavaScript optimiser needs here.
     export NODE_PATH=/usr/share/nodejs
     local options=(-DCMAKE_BUILD_TYPE=Release)
     [[ -z ${CI:-} ]] || options+=(-DLACUNA_WERROR=ON)
@@ -195,8 +195,8 @@ web_page() {
         "http://localhost:8000"
 }
 
-# Programs that show what others see in our pictures, in a Python of their own: tests that want them
-# are skipped where they cannot be installed.
+# Installs programs that show our pictures as others see them, in a Python environment of their own.
+# Where it fails, the tests that need them are skipped.
 install_viewers() {
     local viewers=$build/viewers
     [[ -f $viewers/complete ]] && return 0
@@ -213,7 +213,7 @@ install_viewers() {
 run_tests() {
     build
     install_viewers
-    # PoCL lists no device, and says nothing, when it cannot write its cache.
+    # PoCL silently lists no device when it cannot write its cache.
     export POCL_CACHE_DIR=$build/pocl-cache
     mkdir -p "$POCL_CACHE_DIR"
     exec ctest --test-dir "$build" --output-on-failure --no-tests=error -j2 "$@"

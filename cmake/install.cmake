@@ -5,7 +5,7 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lacuna)
 set_target_properties(lacuna PROPERTIES
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 
-# The command needs a shared library; all else is for those who build programs with it.
+# The command needs a shared library; everything else is for those who build programs with it.
 install(TARGETS lacuna EXPORT lacuna-targets
     LIBRARY COMPONENT command NAMELINK_COMPONENT development
     ARCHIVE COMPONENT development)
@@ -17,7 +17,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/liblacuna-dev
     RENAME copyright COMPONENT development)
 
-# Whoever links a static library links what it uses privately too, and so must find it first.
+# Whoever links a static library links its private packages too, so they must be found first.
 set(lacuna_packages)
 get_target_property(library_type lacuna TYPE)
 if(library_type STREQUAL "STATIC_LIBRARY")
@@ -42,7 +42,7 @@ install(FILES ${PROJECT_BINARY_DIR}/lacuna-config.cmake
     ${PROJECT_BINARY_DIR}/lacuna-config-version.cmake DESTINATION ${package_dir}
     COMPONENT development)
 
-# For pkg-config, which knows these packages by other names.
+# pkg-config knows these packages by other names.
 set(lacuna_pc_requires ${lacuna_packages})
 list(TRANSFORM lacuna_pc_requires REPLACE "^TBB$" tbb)
 set(lacuna_pc_libs)
@@ -57,8 +57,8 @@ configure_file(${CMAKE_CURRENT_LIST_DIR}/lacuna.pc.in ${PROJECT_BINARY_DIR}/lacu
 install(FILES ${PROJECT_BINARY_DIR}/lacuna.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
     COMPONENT development)
 
-# What lacuna::extras is made of. Its targets have a file of their own: whoever wants the library
-# alone needs none of these packages.
+# The targets of lacuna::extras have a file of their own: a program that uses the library alone
+# needs none of these packages.
 if(LACUNA_EXTRAS)
     install(TARGETS lacuna_extras lacuna_analysis lacuna_domains lacuna_pictures lacuna_files
         EXPORT lacuna-extras-targets
@@ -72,7 +72,7 @@ if(LACUNA_EXTRAS)
 endif()
 
 if(LACUNA_COMMAND)
-    # So that the command finds a shared library wherever the whole tree was installed to.
+    # With this the command finds the shared library wherever the whole tree was installed.
     file(RELATIVE_PATH bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
     set_target_properties(lacuna_command PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
     install(TARGETS lacuna_command COMPONENT command)

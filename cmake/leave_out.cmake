@@ -1,10 +1,10 @@
-# What happens where the packages of a backend, or of lacuna-mpi, are missing.
+# Leaves out a backend, or lacuna-mpi, where its packages are missing.
 include_guard()
 set(LACUNA_REQUIRE "$ENV{LACUNA_REQUIRE}" CACHE STRING
     "What must not be left out: opencl, vulkan, mpi")
 
-# lacuna_leave_out(WHAT NAME MISSING PACKAGES) says what is missing, and the Debian packages that have
-# it; an error where LACUNA_REQUIRE has the name.
+# lacuna_leave_out(WHAT NAME MISSING PACKAGES) prints what is missing, and the Debian packages that
+# contain it. It is an error if LACUNA_REQUIRE has the name.
 function(lacuna_leave_out what name missing packages)
     set(message "${missing} (Debian: ${packages})")
     if("${LACUNA_REQUIRE}" MATCHES "${name}")

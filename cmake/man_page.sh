@@ -1,14 +1,14 @@
 #!/bin/sh
 # Makes the man page PAGE.1 in FOLDER from what `PROGRAM [COMMAND] --help` prints.
 #   man_page.sh HELP2MAN PROGRAM "[COMMAND]" PAGE ABOUT VERSION FOLDER
-# help2man fills and cuts what stands before the usage: examples and prose come to it as sections of
-# their own, after the options.
+# help2man reformats the text before the usage. So examples and prose are given to it as sections,
+# which come after the options.
 set -eu
 help2man=$1 program=$2 command=$3 page=$4 about=$5 version=$6 folder=$7
 
 scratch=$folder/$page.parts
 mkdir -p "$scratch"
-# Unquoted: there may be no command.
+# $command is unquoted because it may be empty.
 "$program" $command --help >"$scratch/all"
 awk -v folder="$scratch" '
     NR == 1 { print > (folder "/help"); next }
@@ -19,7 +19,7 @@ awk -v folder="$scratch" '
     { print > (folder "/" part) }
 ' "$scratch/all"
 
-# Text as roff takes it.
+# Escapes a text for roff.
 as_roff() {
     sed 's/\\/\\e/g; s/-/\\-/g; s/^[.'\'']/\\\&&/; s/^$/.PP/' "$1"
 }
@@ -43,7 +43,7 @@ END
     fi
 } >"$scratch/include"
 
-# help2man calls the page after the program that it runs.
+# help2man names the page after the program that it runs.
 printf '#!/bin/sh\ncat "%s"\n' "$scratch/help" >"$scratch/$page"
 chmod +x "$scratch/$page"
 "$help2man" --no-info --version-string="$version" --name="$about" --source=Lacuna \

@@ -1,4 +1,4 @@
-# The command lacuna-mpi, where there is MPI: what lacuna is made of, and a main of its own.
+# The command lacuna-mpi, where MPI is installed: lacuna's libraries with another main.
 option(LACUNA_MPI "Build the command lacuna-mpi, where MPI is" ON)
 include(${CMAKE_CURRENT_LIST_DIR}/leave_out.cmake)
 
@@ -9,7 +9,7 @@ function(lacuna_add_mpi)
         return()
     endif()
     set(folder ${PROJECT_SOURCE_DIR}/host/mpi)
-    # The ranks and their file, without the command: for tests too.
+    # The ranks and their file, without the command, because tests use them too.
     add_library(lacuna_mpi_ranks STATIC
         ${folder}/mpi_ranks.cpp ${folder}/npy_sink.cpp ${folder}/unfinished_file.cpp)
     target_include_directories(lacuna_mpi_ranks PRIVATE ${PROJECT_SOURCE_DIR}/kernels)

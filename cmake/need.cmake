@@ -1,4 +1,4 @@
-# What Lacuna cannot be built without: whoever lacks it is told the Debian package that has it.
+# Packages that Lacuna cannot be built without: the error names the Debian package to install.
 include_guard()
 
 # lacuna_need(PACKAGE DEBIAN [find_package's ARGUMENT...])

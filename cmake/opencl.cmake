@@ -1,5 +1,5 @@
 # The backend opencl: finds OpenCL's headers, and embeds the kernels into the library. OpenCL itself
-# is loaded when a program asks for it, so that the library also runs where there is none.
+# is loaded at its first use, so that the library also runs where it is not installed.
 option(LACUNA_OPENCL "Build the backend opencl, where OpenCL's headers are" ON)
 include(${CMAKE_CURRENT_LIST_DIR}/leave_out.cmake)
 
@@ -28,12 +28,11 @@ function(lacuna_add_opencl)
     endif()
     file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/host/backends/opencl/*.cpp)
     target_sources(lacuna PRIVATE ${sources})
-    # It means OpenCL's own names, which stand for others in the files beside it.
+    # This file uses OpenCL's own names, which are macros in the other files of the folder.
     set_source_files_properties(${PROJECT_SOURCE_DIR}/host/backends/opencl/entry_points.cpp
         PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-    # What is compiled together: for lines and exact, for exact with a radius field, for mode cells, and for
-    # relax. A program each
-    # would take a driver longer.
+    # The groups that are compiled together: for lines and exact, exact with a radius field, cells,
+    # and relax. A driver would take longer for a program for each kernel.
     set(kernels ${PROJECT_SOURCE_DIR}/kernels)
     set(spans "${kernels}/locate.cl|${kernels}/sort_columns.cl|${kernels}/admit.cl")
     string(APPEND spans "|${kernels}/subtract.cl|${kernels}/refine.cl|${kernels}/scan.cl")

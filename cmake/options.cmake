@@ -1,6 +1,6 @@
 # Compiler options of every target, in one interface target: lacuna_options.
 add_library(lacuna_options INTERFACE)
-# Nothing that decides is a float, yet what is reported should not differ between compilers either.
+# No float decides anything, but the reported numbers should not differ between compilers either.
 target_compile_options(lacuna_options INTERFACE -ffp-contract=off -fno-math-errno
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
     -Wold-style-cast -Woverloaded-virtual -Wimplicit-fallthrough
@@ -15,6 +15,6 @@ if(LACUNA_FUZZ)
         message(FATAL_ERROR "LACUNA_FUZZ needs clang++ (Debian's clang and libclang-rt-14-dev), as"
             " the preset fuzz chooses it; the compiler is ${CMAKE_CXX_COMPILER}")
     endif()
-    # What libFuzzer steers by; its main comes with the fuzzers alone.
+    # Instruments the code for libFuzzer; only the fuzzers themselves get its main.
     target_compile_options(lacuna_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()

@@ -1,5 +1,5 @@
-# `cpack -G DEB`: lacuna, the command, lacuna-mpi, where there is MPI, and liblacuna-dev, the library
-# with its headers. What the commands link is found by dpkg-shlibdeps.
+# `cpack -G DEB` makes lacuna (the command), lacuna-mpi (where MPI is installed) and liblacuna-dev
+# (the library and its headers). dpkg-shlibdeps finds the libraries that the commands link.
 set(CPACK_PACKAGE_NAME lacuna)
 set(CPACK_PACKAGE_CONTACT "The authors of Lacuna <lacuna@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
@@ -21,12 +21,12 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME lacuna)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
-# Loaded when their backends are asked for; their drivers are the user's.
+# Loaded when their backends are used; the drivers are the user's choice.
 set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "libvulkan1, ocl-icd-libopencl1")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "pocl-opencl-icd, mesa-vulkan-drivers")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME liblacuna-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libtbb-dev)
-# What lacuna::extras links, which the library alone does not need.
+# The packages that lacuna::extras links, which the library alone does not need.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "pkg-config, libcairo2-dev, libfmt-dev, libjpeg-dev, libpng-dev, libpugixml-dev, libssl-dev, zlib1g-dev")
 include(CPack)

@@ -1,5 +1,5 @@
-# The backend vulkan: compiles the shaders and embeds them. Vulkan itself is loaded when a program
-# asks for it, so that the library also runs where there is none.
+# The backend vulkan: compiles the shaders and embeds them. Vulkan itself is loaded at its first
+# use, so that the library also runs where it is not installed.
 option(LACUNA_VULKAN "Build the backend vulkan, where Vulkan's headers and glslang are" ON)
 include(${CMAKE_CURRENT_LIST_DIR}/leave_out.cmake)
 

@@ -1,4 +1,4 @@
-// Importance fields that tests share: made ones, and the photograph reduced.
+// Importance fields for several tests: made ones, and the photograph reduced.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -49,14 +49,14 @@ inline Field white_holes_field(std::uint32_t columns, std::uint32_t rows) {
     });
 }
 
-// All pale, radii 20 times those of one dark pixel.
+// All pale except one dark pixel, whose radius is 20 times smaller.
 inline Field one_dark_pixel_field(std::uint32_t columns, std::uint32_t rows) {
     Field field = constant_field(columns, rows, 1.0 / 400);
     field.importance[field.importance.size() / 3] = 1;
     return field;
 }
 
-// Every pixel for itself: radii that differ by up to 30 times, one pixel in eight white.
+// Independent pixels: radii differ by up to a factor of 30, one pixel in eight is white.
 inline Field noise_field(std::uint32_t columns, std::uint32_t rows, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     return made_field(columns, rows, [&](double, double) {
@@ -66,7 +66,7 @@ inline Field noise_field(std::uint32_t columns, std::uint32_t rows, std::uint64_
     });
 }
 
-// Radii of up to a thousand times others, the wide ones rare, as in a pale picture.
+// Radii differ by up to a factor of 1,000; wide ones are rare, as in a pale picture.
 inline Field sizes_field(std::uint32_t columns, std::uint32_t rows, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     return made_field(columns, rows, [&](double, double) {
@@ -95,8 +95,7 @@ inline Field raccoon_field(std::uint32_t columns) {
 }
 #endif
 
-// docs/design.md, section 5: the scale at which the integral of the importance lets so many be
-// expected.
+// The scale at which `count` samples are expected (docs/design.md, section 5).
 inline double scale_of(const Field& field, double area, double count) {
     const double sum = std::accumulate(field.importance.begin(), field.importance.end(), 0.0);
     return std::sqrt(0.6966 * area * sum / static_cast<double>(field.importance.size()) / count);

@@ -1,4 +1,4 @@
-// What is said of a request that cannot be met.
+// The message for a request that cannot be met.
 #pragma once
 
 #include <lacuna/lacuna.h>

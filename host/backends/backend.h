@@ -14,18 +14,18 @@
 
 namespace lacuna {
 
-// One inversion of the cdf, with its turn in the round: lower orders take precedence. Its place is
-// a line or, after the first refinement, a box.
+// One inversion of the cdf. Its bin is a line; after the first refinement, and from the start with
+// a radius field, it is an active box.
 struct Draw {
     std::uint32_t place;
-    std::uint32_t rank;    // along the place's free length
-    std::uint32_t offset;  // from the place's low x
+    std::uint32_t rank;    // along the bin's free length
+    std::uint32_t offset;  // in x, from the bin's low edge
     std::uint32_t order;
     friend bool operator==(const Draw&, const Draw&) = default;
 };
 
-// What a refinement leaves of a strip's free spans: [x, x + width) times [begin, end), all of one
-// width. None crosses the border of a row of the sample grid.
+// An active box where there is one radius: [x, x + width) times [begin, end). All boxes have the
+// same width, and none crosses the border between two rows of the sample grid.
 struct Box {
     std::uint32_t x;
     std::uint32_t begin;
@@ -33,16 +33,16 @@ struct Box {
     friend bool operator==(const Box&, const Box&) = default;
 };
 
-// A draw with its y. With a radius field its line is 0.
+// A draw turned into a point. With a radius field its line is 0.
 struct Candidate {
     std::uint32_t x;
     std::uint32_t y;
-    std::uint32_t line;  // whose strip it lies in
+    std::uint32_t line;  // the line of the strip that it lies in
     std::uint32_t order;
     friend bool operator==(const Candidate&, const Candidate&) = default;
 };
 
-// A backend's memory, laid open: what each verb reads and what it leaves behind.
+// A copy of a backend's memory: what each verb reads and writes.
 struct Snapshot {
     std::uint32_t capacity = 0;            // spans a line has room for before the backend grows
     std::vector<std::vector<Span>> spans;  // of each line: sorted, disjoint, none empty
@@ -50,71 +50,69 @@ struct Snapshot {
     std::vector<std::uint32_t> statuses;   // of each candidate, see portable/status.h
     // In exact only.
     std::vector<Sample> grid;     // the sample of each grid cell, NO_SAMPLE where there is none
-    std::uint32_t box_width = 0;  // 0: lines are drawn from, not boxes
+    std::uint32_t box_width = 0;  // 0 while the bins are lines
     std::vector<Box> boxes;       // line by line
-    // In exact with a radius field, instead: region by region, see plan/first_boxes.h.
+    // In exact with a radius field, instead of boxes: by region, see plan/first_boxes.h.
     std::vector<Rectangle> rectangles;
     std::vector<Sample> samples;  // of earlier rounds, by x, then y
-    // In cells only: a bit for each lattice point, set while it is free. Line by line, each in an
-    // even number of words, the lowest y in the lowest bit of the first.
+    // In cells only: a bit for each lattice point, set while the point is free. Each line takes an
+    // even number of words; its lowest y is the lowest bit of its first word.
     std::vector<std::uint32_t> bits;
     friend bool operator==(const Snapshot&, const Snapshot&) = default;
 };
 
-// What a round hands back. Valid until the backend's next call.
+// The result of a round. Valid until the backend's next call.
 struct Round {
     std::span<const Sample> samples;                 // admitted, in the order of their draws
-    std::uint64_t survivors;                         // draws free of the samples of earlier rounds
-    std::span<const std::uint32_t> free_lengths;     // of every place, after the round
-    std::uint32_t bin_width;                         // of every place, unless
-    std::span<const std::uint32_t> bin_widths = {};  // tells that of each
-    // Where the plan tells orders: that of each sample's draw. In lines and exact without a radius
-    // field: the first box of each column, then the number of places.
+    std::uint64_t survivors;                         // draws not covered in earlier rounds
+    std::span<const std::uint32_t> free_lengths;     // of every bin, after the round
+    std::uint32_t bin_width;                         // of all bins, where bin_widths is empty
+    std::span<const std::uint32_t> bin_widths = {};  // of each bin
+    // With plan.tells_orders: the order of each sample's draw. In lines and exact without a radius
+    // field: the first bin of each column, then the number of bins.
     std::span<const std::uint32_t> orders = {};
     std::span<const std::uint32_t> bin_begins = {};
 };
 
-// Serves one plan. A backend may queue the verbs and do them at finish_round. Whatever the order
-// of its work, the outcome is that of docs/design.md, sections 3 and 4, whole number for whole
-// number:
-//   locate    a draw becomes a candidate: its rank is walked to a y through its place's free length
-//   admit     a candidate becomes a sample unless an earlier sample covers it. In lines: one of the
-//             round, with its chord on the candidate's own line. In exact: any sample closer than
-//             the radius, of the round or of an earlier one.
+// Serves one plan. A backend may queue the verbs and do them in finish_round. It may work in any
+// order, but number for number its results are as in docs/design.md, sections 3 and 4:
+//   locate    a draw becomes a candidate, whose y is found by walking along the bin's free length
+//   admit     a candidate becomes a sample unless an earlier sample covers it. In lines that is a
+//             sample of its round whose chord covers it on its own line; in exact it is any sample
+//             closer than the radius, of this round or an earlier one.
 //   subtract  the chords of the round's samples are cut from the free spans of all lines
-//   refine    exact only, in place of subtract and then for good: spans become boxes, boxes are cut
-//             by all samples near them; with `halve`, into two of half the width first
-// A plan's halo is never cut: its places are its lines, whole, and from the first refinement on
-// each of them in boxes that end where rows of the sample grid do. So draws can be made that put
-// samples of others there. Of several locates in a round the last one counts.
-// Throws DeviceError, and Cancelled when a watch says so.
+//   refine    exact only, in place of subtract from the first refinement on: spans become boxes,
+//             with `halve` each box is halved in x, and all samples near a box cut it
+// A plan's halo is never cut. Its lines stay whole; after the first refinement each line is a
+// column of boxes, which end where rows of the sample grid do. So draws can be made there for
+// samples of other ranks. If a round calls locate several times, the last call counts. Throws
+// DeviceError, and Cancelled when the watch returns false.
 class Backend {
 public:
     virtual ~Backend() = default;
 
     virtual std::string device() const = 0;
-    virtual void locate(std::span<const Draw> draws) = 0;  // sorted by place, then rank
+    virtual void locate(std::span<const Draw> draws) = 0;  // sorted by bin, then rank
     virtual void admit() = 0;
     virtual void subtract() = 0;
     virtual void refine(bool halve) = 0;
     virtual Round finish_round() = 0;
 
-    // What the last locate made of its draws, in no particular order.
+    // The candidates of the last locate, in no particular order.
     virtual std::vector<Candidate> located() = 0;
 
-    // Threads of the host, which also serve what a round has to do before the verbs.
+    // The host's threads, which the loop also uses to invert the cdf.
     virtual Workers& workers() = 0;
 
-    // Asked now and then during long verbs, from the calling thread; false cancels the run.
+    // Asked now and then during long verbs, in the calling thread; false cancels the run.
     virtual void watch(std::function<bool()> may_go_on) = 0;
 
-    // Waits for what is queued. For tests, which set the scene for one verb and look at what it
-    // leaves; the loop never needs them.
+    // For tests of single verbs; the loop never calls these. snapshot waits for the queued work.
     virtual Snapshot snapshot() = 0;
     virtual void restore(const Snapshot& snapshot) = 0;
 };
 
-// Where the request asks for it to run.
+// The device and the number of threads that the request asks for.
 struct Placement {
     std::string device;
     std::uint32_t threads = 0;

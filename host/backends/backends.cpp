@@ -20,9 +20,9 @@ namespace {
 
 struct Entry {
     std::string_view name;
-    // Throws Unavailable when there is no such device. None: it has a loop of its own.
+    // Throws Unavailable when there is no such device. Null: the backend has its own loop.
     std::unique_ptr<Backend> (*make)(const Plan&, const Placement&);
-    bool has_devices;  // that a request may name
+    bool has_devices;  // whether a request may name a device
     std::vector<DeviceEntry> (*list)();
 };
 
@@ -76,7 +76,7 @@ constexpr Entry kBackends[] = {
     {"reference", nullptr, false, list_one_thread},
 };
 
-// A driver that fails is told of as one that cannot be used: it must not hide the others.
+// A driver that fails is listed as an unusable device, so that it does not hide the others.
 std::vector<DeviceEntry> list(const Entry& backend) {
     try {
         return backend.list();

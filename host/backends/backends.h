@@ -20,11 +20,11 @@ struct Run {
 // The backend that was asked for or, where that is "auto", the environment's LACUNA_BACKEND.
 std::string wanted_backend(const std::string& asked);
 
-// For a backend of another name than those there are. All builds know the same names.
+// The error for a backend that does not exist. All builds know the same names.
 BadRequest no_such_backend(const std::string& wanted);
 
-// The backend that the request asks for, for a plan that may be a part of it. Throws Unavailable,
-// DeviceError, and BadRequest for the reference, which serves no plan in verbs.
+// The backend that the request asks for. The plan may be a part of the request's. Throws
+// Unavailable, DeviceError, and BadRequest for the reference, which serves no plan in verbs.
 struct ReadyBackend {
     std::unique_ptr<Backend> backend;
     std::string name;

@@ -1,4 +1,4 @@
-// The sharing out of lines, places and draws by column.
+// The lines, bins and draws of each column.
 #include "backends/columns.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace lacuna {
 namespace {
 
-// begins[column] is the first entry that is not below the column.
+// begins[column] becomes the index of the first entry that is not below the column.
 template <typename Entry, typename IsBelow>
 void find_begins(std::uint32_t columns, std::span<const Entry> entries,
                  std::vector<std::uint32_t>& begins, IsBelow is_below) {
@@ -24,8 +24,8 @@ void find_begins(std::uint32_t columns, std::span<const Entry> entries,
 }  // namespace
 
 std::uint32_t count_columns(const Plan& plan) {
-    // However rounding shares out the lines, a column then has radius / strip_width of them.
-    // The sum takes 33 bits where the radius and the one strip are as wide as the domain.
+    // However the lines are divided, a column then has at least radius / strip_width lines. The sum
+    // takes 33 bits where the radius and the only strip are as wide as the domain.
     const std::uint64_t widest = std::uint64_t{plan.radius} + plan.strip_width;
     return std::max(1u, static_cast<std::uint32_t>(plan.width / widest));
 }
@@ -55,7 +55,7 @@ void find_column_begins(const Plan& plan, std::uint32_t columns,
 std::uint32_t first_capacity(const Plan& plan) {
     const auto spans =
         static_cast<std::uint64_t>(most_spans(static_cast<double>(plan.height) / plan.radius));
-    // Each sample parts the spans of a line at most once more.
+    // Each sample adds at most one span to a line.
     return static_cast<std::uint32_t>(std::min(spans, std::min(spans, plan.limit) + 8));
 }
 

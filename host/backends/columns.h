@@ -1,4 +1,4 @@
-// How the work is shared out: columns of lines, and where places and draws fall among them.
+// How the work is divided: columns of lines, and the bins and draws of each column.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,16 @@ std::uint32_t count_columns(const Plan& plan);
 // The first line of every column, then the number of lines.
 std::vector<std::uint32_t> first_lines(const Plan& plan, std::uint32_t columns);
 
-// begins[column] .. begins[column + 1] are the draws of the column, whose places are
-// bin_begins[column] .. bin_begins[column + 1]. The draws are sorted by place.
+// Finds each column's draws: [begins[c], begins[c + 1]) of column c, whose bins are [bin_begins[c],
+// bin_begins[c + 1]). The draws are sorted by bin.
 void find_column_begins(std::span<const std::uint32_t> bin_begins, std::span<const Draw> draws,
                         std::vector<std::uint32_t>& begins);
 // The same for candidates, which come column by column.
 void find_column_begins(const Plan& plan, std::uint32_t columns,
                         std::span<const Candidate> candidates, std::vector<std::uint32_t>& begins);
 
-// How many free spans a line has room for at first. Few lines ever need more; those that do make
-// the backend grow, and no span is lost.
+// The number of free spans that a line has room for at first. Few lines ever need more; then the
+// backend grows, and no span is lost.
 std::uint32_t first_capacity(const Plan& plan);
 
 }  // namespace lacuna

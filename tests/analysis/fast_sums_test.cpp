@@ -1,5 +1,5 @@
-// Given any points, fast sums are the exact ones: 1e-9 of each power or of 1, which is the mean
-// power of independent points; a thousandth of what is asked of an analysis.
+// Given any points, fast sums equal exact sums to within 1e-9 of each power, or of 1, the mean
+// power of independent points. An analysis needs a thousand times less.
 #include "analysis/fast_sums.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Maximal Poisson-disk sets by squares that are halved until none is left (Ebeida et al. 2012):
-// apart from Lacuna's samplers, and with the distribution of dart throwing.
+// independent of Lacuna's samplers, with the distribution of dart throwing.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -38,7 +38,7 @@ public:
     std::vector<Point> take() { return std::move(points_); }
 
 private:
-    // Every square is equally likely, so darts are uniform over all that may be free.
+    // Every square is equally likely, so darts are uniform over the space that may be free.
     void throw_darts() {
         const std::size_t darts = squares_.size();
         for (std::size_t i = 0; i < darts; ++i) {
@@ -66,7 +66,7 @@ private:
         squares_ = std::move(quarters);
     }
 
-    // Whether one disk covers the square of half side `half` around the centre.
+    // Whether one disk covers the square around `centre` whose half side is `half`.
     bool is_blocked(Point centre, double half) const {
         const std::size_t cell = cell_of(centre);
         for (const std::size_t i : around(cell / cells_))
@@ -94,9 +94,9 @@ private:
 
     double radius_;
     Random random_;
-    std::size_t cells_;  // along a side; each at least as wide as the radius
+    std::size_t cells_;  // cells along a side; each is at least as wide as the radius
     std::vector<std::vector<Point>> by_cell_;
-    double side_ = 0;             // of the squares
+    double side_ = 0;             // side of the squares
     std::vector<Point> squares_;  // their lower left corners
     std::vector<Point> points_;
 };

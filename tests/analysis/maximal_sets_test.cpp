@@ -1,4 +1,4 @@
-// Given maximal Poisson-disk sets, all numbers are those of docs/design.md, section 5.
+// Given maximal Poisson-disk sets, all numbers agree with docs/design.md, section 5.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
@@ -45,13 +45,13 @@ void expect_known_spectrum(const Analysis& analysis, double tolerance) {
     EXPECT_NEAR(analysis.radial.mean_anisotropy_db().value(), -10, 0.3);
 }
 
-// By a sampler of this test's own, which shares nothing with Lacuna's.
+// Made by this test's own sampler, which has no code in common with Lacuna's.
 TEST(MaximalSets, HaveTheKnownNumbers) {
     Sets sets;
     for (std::uint64_t seed = 0; seed < kSets; ++seed) sets.push_back(maximal_set(kRadius, seed));
     const Analysis analysis = analysis_of(sets);
     expect_known_spectrum(analysis, 0.05);
-    // 0.244 sqrt(N) is 0.29 % of the count; five times that for the mean of ten.
+    // 0.244 sqrt(N) is 0.29 % of the count; the tolerance is five times that for the mean of ten.
     EXPECT_NEAR(analysis.count_times_squared_radius.value(), 0.69656, 0.0032);
     EXPECT_NEAR(analysis.distances->mean / kRadius, 1.0538, 0.0015);
     EXPECT_GE(analysis.distances->least, kRadius);
@@ -61,7 +61,7 @@ TEST(MaximalSets, HaveTheKnownNumbers) {
     EXPECT_NEAR(analysis.horizontal_line->ratio, 1, 0.13);
 }
 
-// Of exact sets. The paper's lines, which interpolate x and are not quite maximal, lie 6 % over the
+// Exact sets. The paper's lines, which interpolate x and are not quite maximal, are 6 % over the
 // known power at 0.5.
 TEST(SampledSets, HaveTheKnownSpectrum) {
     Sets sets;

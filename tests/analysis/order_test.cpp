@@ -1,4 +1,4 @@
-// Given spectra and sets of known order, the numbers of order are theirs.
+// Given spectra and sets of known order, the numbers of order are right.
 #include "analysis/order.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ BondOrder bond_order_of(const std::vector<Point>& points, const Domain& domain) 
     return bond_order(Neighbours(points, domain)).value();
 }
 
-// Annuli of power(frequency), so narrow that they make a curve.
+// Annuli of power(frequency), narrow enough to make a curve.
 template <class Power>
 Radial curve(const Power& power) {
     Radial radial;
@@ -38,7 +38,7 @@ Radial curve(const Power& power) {
 }
 
 // The disk's mean of a step at f0 is 1 - (f0 / f)^2: a tenth at f0 / sqrt(0.9). Step blue noise has
-// f0 = sqrt(1 / pi), the highest that can be (Heck, Schloemer & Deussen 2013).
+// f0 = sqrt(1 / pi), the highest possible (Heck, Schloemer & Deussen 2013).
 TEST(EffectiveNyquist, OfStepBlueNoiseIsThatOfItsClosedForm) {
     const double step = std::sqrt(1 / std::numbers::pi);
     const Radial radial = curve([&](double f) { return f < step ? 0.0 : 1.0; });
@@ -46,7 +46,7 @@ TEST(EffectiveNyquist, OfStepBlueNoiseIsThatOfItsClosedForm) {
 }
 
 TEST(EffectiveNyquist, LooksForTheLastQuietDiskBeforeTheFirstLoudOne) {
-    // Quiet up to 0.2, then a bump that is forgotten by 0.8, where the power sets in.
+    // Quiet up to 0.2, then a bump that is averaged out by 0.8, where the power begins.
     const Radial radial = curve([](double f) {
         return f > 0.2 && f < 0.25 ? 0.3 : f < 0.8 ? 0 : 2;
     });
@@ -93,7 +93,7 @@ TEST(PowerFromPairs, IsThePeriodogramsRadialPower) {
     const std::vector<Point> points = grid(80, 80, kUnitTorus, 1, 5);
     const Radial radial = radial_of_points(points, kUnitTorus);
     const std::vector<double> g = pair_correlation(Neighbours(points, kUnitTorus));
-    // Means over wide rings: of the periodogram those scatter by 1 / sqrt(modes).
+    // Means over wide rings: the periodogram's scatter by 1 / sqrt(modes).
     for (const double from : {0.2, 0.5, 0.8, 1.2, 1.6}) {
         double exact = 0;
         double modes = 0;
@@ -109,7 +109,7 @@ TEST(PowerFromPairs, IsThePeriodogramsRadialPower) {
     }
 }
 
-// White noise oscillates but for the noise of its count; a lattice has nothing but oscillations.
+// White noise oscillates only by the noise of its count; a lattice has nothing but oscillations.
 TEST(Oscillations, TellKindsOfSetsApart) {
     const auto of = [](const std::vector<Point>& points) {
         return oscillations(pair_correlation(Neighbours(points, kUnitTorus))).value();
@@ -151,7 +151,7 @@ TEST(BondOrder, OfLatticesTurnedApartIsHighForEachPointAndLowForAll) {
     const BondOrder order = bond_order_of(points, domain);
     EXPECT_GT(order.local, 0.9);
     EXPECT_LT(order.global, 0.1);
-    EXPECT_LT(order.points, points.size());  // not those at the box's edge
+    EXPECT_LT(order.points, points.size());  // points at the box's edge do not count
 }
 
 // Without a common direction the mean of n unit vectors times 0.4 is under 5 * 0.4 / sqrt(n).

@@ -1,4 +1,4 @@
-// Given any set, distances are those of all pairs compared one by one.
+// Given any set, distances agree with a comparison of all pairs one by one.
 #include "analysis/pairs.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ std::vector<Domain> domains() {
     return {{1, 1, true}, {1, 1, false}, {4, 0.5, true}, {0.3, 2, false}};
 }
 
-// Half of the points crowd in one place.
+// Half of the points crowd around one spot.
 std::vector<Point> clustered(std::size_t count, const Domain& domain, std::uint64_t seed) {
     std::vector<Point> points = white_noise(count, domain, seed);
     for (std::size_t i = 0; i < count / 2; ++i)
@@ -60,7 +60,7 @@ TEST(NearestDistances, OfPointsThatCoincideAreZero) {
 }
 
 RC_GTEST_PROP(SixNearest, AreTheFirstSixOfAllByDistance, ()) {
-    // Few points, thin tori, equal coordinates: where images crowd out others.
+    // Few points, thin tori, equal coordinates: here images hide other points.
     const Domain domain{*rc::gen::inRange(1, 100) / 10.0, *rc::gen::inRange(1, 100) / 10.0,
                         *rc::gen::arbitrary<bool>()};
     const auto along = [](double side) {
@@ -121,7 +121,7 @@ TEST(CountedPairs, OfPointsOnTheEdgesOfATorusAreThoseOfAllPairs) {
     }
 }
 
-// A bin of n expected pairs scatters by sqrt(n); five times that.
+// A bin of n expected pairs scatters by sqrt(n); the tolerance is five times that.
 TEST(PairCorrelation, OfWhiteNoiseIs1OnTorusAndBox) {
     for (const Domain& domain : domains()) {
         const std::vector<Point> points = white_noise(20000, domain, 4);
@@ -137,7 +137,7 @@ TEST(PairCorrelation, OfWhiteNoiseIs1OnTorusAndBox) {
     }
 }
 
-// The edge of a box is no small matter there: without its correction this g would be 0.6.
+// The edge of a box matters here: without its correction g would be 0.6.
 TEST(PairCorrelation, OfFewPointsInABoxIs1OnTheMeanOfManySets) {
     const Domain domain{2, 1, false};
     double sum = 0;
@@ -146,7 +146,7 @@ TEST(PairCorrelation, OfFewPointsInABoxIs1OnTheMeanOfManySets) {
         const std::vector<Point> points = white_noise(40, domain, static_cast<std::uint64_t>(seed));
         sum += pair_correlation_between(Neighbours(points, domain), 0.4, 0.5) / kSets;
     }
-    // 780 pairs a set, of which a share of about 0.14 * 0.6 is expected there.
+    // 780 pairs a set; a fraction of about 0.14 * 0.6 is expected here.
     EXPECT_NEAR(sum, 1, 5 / std::sqrt(kSets * 780 * 0.08));
 }
 
@@ -160,7 +160,7 @@ TEST(PairCorrelation, OfALatticeIsNothingBetweenItsDistances) {
     for (std::size_t i = 0; i < 190; ++i) EXPECT_EQ(g[i], 0) << i;
     EXPECT_GT(g[199] + g[200], 100);
     for (std::size_t i = 210; i < 270; ++i) EXPECT_EQ(g[i], 0) << i;
-    // 2 pairs a point at 1 spacing, over those expected from 0.9 to 1.1: 0.4 pi / 2.
+    // 2 pairs a point at 1 spacing, over the pairs expected from 0.9 to 1.1: 0.4 pi / 2.
     EXPECT_NEAR(pair_correlation_between(neighbours, 0.9 / kSide, 1.1 / kSide),
                 4 / (0.4 * std::numbers::pi) * 1600 / 1599, 1e-9);
 }

@@ -1,4 +1,4 @@
-// Given sets, the public header tells their statistics.
+// Given sets, the public header returns their statistics.
 #include <gtest/gtest.h>
 #include <lacuna/analysis.h>
 

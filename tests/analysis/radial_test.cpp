@@ -61,7 +61,7 @@ double error_of(const LinePower& line, std::size_t sets) {
     return 1 / std::sqrt(static_cast<double>(line.modes * sets));
 }
 
-// Five standard errors: of the mean of n powers, each the mean of `sets` exponential variables.
+// Five standard errors of the mean of n powers, each the mean of `sets` exponential variables.
 void expect_flat(const Radial& radial, double sets) {
     for (const Annulus& annulus : radial.annuli)
         EXPECT_NEAR(annulus.power, 1, 5 / std::sqrt(static_cast<double>(annulus.modes) * sets))
@@ -158,7 +158,7 @@ TEST(VerticalBias, ShowsOnTheVerticalLineAloneAndNotInWhiteNoise) {
     EXPECT_GT(vertical->ratio, 1 + 20 * error_of(*vertical, 10));
     EXPECT_NEAR(horizontal->ratio, 1, 5 * error_of(*horizontal, 10));
 
-    // Turned by a quarter it is on the other line.
+    // Turned by a quarter, the bias is on the other line.
     Sets turned = ten_sets(with_uneven_rows);
     for (auto& points : turned)
         for (Point& point : points) std::swap(point.x, point.y);

@@ -20,7 +20,7 @@ inline bool carry_on(double) {
     return true;
 }
 
-// The same everywhere, which std's distributions are not: 53 bits in [0, 1).
+// A number in [0, 1) of 53 bits; unlike std's distributions it is the same everywhere.
 inline double uniform(Random& random) {
     return static_cast<double>(random() >> 11U) * 0x1p-53;
 }

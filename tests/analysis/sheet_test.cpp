@@ -1,4 +1,4 @@
-// Given an analysis, its sheet is a picture of it: the same bytes each time, and of nothing else.
+// Given an analysis, its sheet is a picture of it alone, with the same bytes each time.
 #include "analysis/sheet.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Given point sets whose sums have a closed form, or few points summed one by one, the periodogram
-// is theirs.
+// agrees with these.
 #include "analysis/spectrum.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ void expect_naive_powers(const std::vector<double>& powers, Range range,
     EXPECT_EQ(at, powers.size());
 }
 
-// Calls `check(kx, ky)` for the whole plane but DC.
+// Calls `check(kx, ky)` for the whole plane except DC.
 template <class Check>
 void for_each_frequency(Range range, const Check& check) {
     for (int kx = -range.kx_max; kx <= range.kx_max; ++kx)
@@ -121,7 +121,7 @@ TEST(Spectrum, CoversTwiceTheSquareRootOfTheCountWhateverTheDomain) {
         const Spectrum spectrum = spectrum_of(white_noise(400, domain, 4), domain);
         EXPECT_GE(spectrum.magnitude(spectrum.range.kx_max + 1, 0), 42);
         EXPECT_GE(spectrum.magnitude(0, spectrum.range.ky_max + 1), 42);
-        // As many frequencies below |k| as in the unit square.
+        // As many frequencies lie below |k| as in the unit square.
         int inside = 0;
         for_each_frequency(spectrum.range, [&](int kx, int ky) {
             if (spectrum.magnitude(kx, ky) < 40) ++inside;

@@ -1,5 +1,5 @@
-// Backends under test, by name. A test of one that this machine does not have is skipped, with the
-// reason; when the environment variable LACUNA_REQUIRE holds the name, it fails instead.
+// Backends under test, by name. If this machine lacks a backend, its tests are skipped, with the
+// reason; if the environment variable LACUNA_REQUIRE holds its name, they fail instead.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ inline std::string why_missing(const std::string& name) {
     return "";
 }
 
-// For SetUp, after which gtest runs no body that was skipped or failed.
+// For SetUp: gtest does not run the test's body after a skip or a failure.
 inline void skip_or_fail_without(const std::string& name) {
     const std::string reason = why_missing(name);
     if (reason.empty()) return;
@@ -68,7 +68,7 @@ inline void skip_or_fail_without(const std::string& name) {
     GTEST_SKIP() << reason;
 }
 
-// Test bodies that take the backend's name: INSTANTIATE_TEST_SUITE_P with kDeviceBackends.
+// The base of tests that take the backend's name: INSTANTIATE_TEST_SUITE_P with kDeviceBackends.
 class OnBackend : public testing::TestWithParam<std::string> {
 protected:
     void SetUp() override { skip_or_fail_without(GetParam()); }

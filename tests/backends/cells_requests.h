@@ -22,7 +22,7 @@ struct CellsRequest {
     Request request;
 };
 
-// At the scale that lets `count` samples be expected with min.
+// Its scale is such that `count` samples are expected with metric min.
 inline CellsRequest cells_request(std::string name, Field field, double count, std::uint32_t m,
                                   Metric metric, Boundary boundary, double width = 1,
                                   double height = 1) {
@@ -89,7 +89,7 @@ inline std::vector<std::pair<std::string, Field>> cells_fields() {
     return fields;
 }
 
-// Every field with every metric, the rest at random.
+// Every field with every metric; the rest is random.
 inline std::vector<CellsRequest> cells_requests() {
     std::vector<CellsRequest> requests = special_cells_requests();
     std::mt19937_64 random(20112);
@@ -99,7 +99,7 @@ inline std::vector<CellsRequest> cells_requests() {
     for (int round = 0; round < 3; ++round) {
         for (const auto& [name, field] : cells_fields()) {
             for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {
-                // Fine lattices and wide reaches take the reference long: keep those sets small.
+                // The reference is slow with fine lattices and wide reaches: keep those sets small.
                 const auto m = static_cast<std::uint32_t>(3 + random() % 38);
                 const double count = m > 20 ? pick({10, 30}) : pick({10, 40, 150});
                 const Boundary boundary = random() % 2 == 0 ? Boundary::torus : Boundary::box;
@@ -116,7 +116,7 @@ inline std::vector<CellsRequest> cells_requests() {
     return requests;
 }
 
-// Tens of thousands of samples, radii that differ by 7 times.
+// Tens of thousands of samples; radii differ by up to a factor of 7.
 inline CellsRequest large_cells_request() {
     return cells_request(
         "a large ramp with holes",

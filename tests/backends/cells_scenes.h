@@ -11,7 +11,7 @@
 
 namespace lacuna::tests {
 
-// At the scale whose least radius is `least`.
+// Its scale is such that the least radius is `least`.
 inline Plan cells_plan(const Field& field, double least, std::uint32_t m, Metric metric,
                        Boundary boundary, double width = 1, double height = 1) {
     Request request;
@@ -27,7 +27,7 @@ inline Plan cells_plan(const Field& field, double least, std::uint32_t m, Metric
     return make_plan(request);
 }
 
-// Words of no bits, of all, of one, of some; only where there is importance.
+// Words with no bit set, all, one or some; only bits of points with importance.
 inline void set_hostile_bits(const Plan& plan, Chance& chance, Snapshot& memory) {
     const auto random_word = [&] { return chance.below(std::uint64_t{1} << 32); };
     for (std::uint32_t line = 0; line < plan.lines; ++line) {
@@ -112,7 +112,7 @@ inline std::vector<Scene> random_cells_scenes() {
             "height " + std::to_string(height),
             cells_plan(noise, 10.0 / height, 10, mean, height % 2 == 0 ? torus : box), 100,
             100 + height));
-    // Chunks and work groups: one draw, a few, and the sizes of groups, more or less one.
+    // Numbers of draws around the sizes of chunks and work groups.
     for (const std::uint32_t count : {1u, 2u, 63u, 64u, 65u, 127u, 129u, 255u, 257u, 1000u})
         scenes.push_back(random_cells_scene("draws: " + std::to_string(count),
                                             cells_plan(noise, 0.03, 4, min, torus), count,

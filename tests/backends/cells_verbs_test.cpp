@@ -1,5 +1,5 @@
 // Each verb of mode cells alone, on every parallel backend, against loops over all lattice points
-// and all pairs of candidates, which share none of the backends' arithmetic.
+// and all pairs of candidates, which use none of the backends' arithmetic.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::uint64_t distance_squared(const Plan& plan, Sample a, Sample b) {
     return static_cast<std::uint64_t>(dx * dx + dy * dy);
 }
 
-// Section 4.2.1, radii in 1/256 of a step: distance < metric radius, both sides times 512.
+// Section 4.2.1, with radii in 1/256 of a step: distance < metric radius, both sides times 512.
 bool conflict(const Plan& plan, Sample a, Sample b) {
     const std::uint64_t r = plan.radii->radii[plan.radii->pixel_at(a.x, a.y)];
     const std::uint64_t s = plan.radii->radii[plan.radii->pixel_at(b.x, b.y)];
@@ -41,7 +41,7 @@ bool is_free(const Plan& plan, const Snapshot& memory, Sample at) {
     return (memory.bits[word] >> at.y % 32 & 1) != 0;
 }
 
-// What the verb should leave of the scene's memory.
+// The memory that the verb should leave.
 Snapshot located(const Scene& scene) {
     Snapshot after = scene.memory;
     std::vector<Candidate> candidates;
@@ -55,7 +55,7 @@ Snapshot located(const Scene& scene) {
     return after;
 }
 
-// One after the other, in the order of the draws.
+// Decides the candidates one after the other, in the order of their draws.
 Snapshot admitted(const Scene& scene) {
     Snapshot after = scene.memory;
     const std::vector<Candidate>& all = after.candidates;
@@ -139,7 +139,7 @@ TEST_P(CellsVerbs, AdmitKeepsWhatNoEarlierSampleBlocksByTheMetric) {
         backend->admit();
         const Snapshot expected = admitted(scene);
         expect_left(scene, expected, *backend);
-        // And hands the samples back in the order of their draws.
+        // Expects the samples in the order of their draws.
         std::vector<Sample> samples(expected.candidates.size(), {NO_SAMPLE, NO_SAMPLE});
         for (std::size_t i = 0; i < samples.size(); ++i)
             if (expected.statuses[i] == STATUS_ADMITTED)
@@ -193,7 +193,7 @@ TEST_P(CellsVerbs, ABackendStartsWithEveryLatticePointThatHasImportance) {
     }
 }
 
-// Each of a long row of candidates in conflict with the two beside it only.
+// A long row of candidates, each of which conflicts only with the two beside it.
 TEST_P(CellsVerbs, ChainsOfAnyDepthAreSettled) {
     constexpr std::uint32_t kLength = 999;
     for (const bool upwards : {true, false}) {

@@ -1,4 +1,4 @@
-// Rounds of more draws than there is room for: most draws conflict with others of their round, and
+// Rounds of more draws than samples have room: most draws conflict with others of their round, and
 // comparing all pairs would take for ever.
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ Request crowded(Mode mode, double radius, std::uint64_t round_size, Boundary bou
     return request;
 }
 
-// Dark and light places side by side, from the bottom to the top.
+// Dark and light halves side by side, from the bottom to the top.
 Field halves(double importance) {
     return tests::made_field(2, 8, [&](double x, double) { return x < 0.5 ? 1 : importance; });
 }
@@ -83,7 +83,7 @@ TEST_P(Crowd, OfALightPlaceBesideADarkOneIsServedAsByTheReference) {
     }
 }
 
-// A million of one radius: comparing all pairs would take longer than a test may.
+// A million draws of one radius: comparing all pairs would take longer than a test may.
 TEST_P(Crowd, OfAMillionEnds) {
     for (const Mode mode : {Mode::exact, Mode::lines}) {
         Request request = crowded(mode, 0.5, 1'000'000, Boundary::box);

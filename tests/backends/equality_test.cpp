@@ -1,4 +1,4 @@
-// Every backend gives the reference's samples, whole number for whole number.
+// Every backend gives the reference's samples, number for number.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,8 +51,8 @@ Outcome run(Request request, const Plan& plan, const std::string& backend) {
     return run_on_backend(request, plan, nobody).outcome;
 }
 
-// What the reference makes of a mode's request of that number: found once in a process, in which
-// ctest runs a test's backends one after another.
+// The reference's outcome for a mode's request of that number. It is made once for a process, in
+// which ctest runs a test's backends one after another.
 const Outcome& reference_outcome(std::size_t number, const Request& request, const Plan& plan) {
     static std::map<std::pair<Mode, std::size_t>, Outcome> known;
     const auto [found, is_new] = known.try_emplace({request.mode, number});
@@ -134,7 +134,7 @@ TEST_P(Equality, OnALargeSetInExact) {
 }
 
 TEST_P(Equality, OnALargeSetInCells) {
-    // docs/design.md, section 5: within 2 %; and what the lattice loses (docs/cells.md).
+    // docs/design.md, section 5: within 2 %; and the lattice's loss (docs/cells.md).
     const tests::CellsRequest made = tests::large_cells_request();
     EXPECT_NEAR(expect_equal_on_a_large_set(made.request, GetParam()), 49'000, 1'500);
 }

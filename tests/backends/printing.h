@@ -1,4 +1,4 @@
-// How a failing test names what differs.
+// How a failing test prints the values that differ.
 #pragma once
 
 #include <ostream>

@@ -16,7 +16,7 @@
 
 namespace lacuna::tests {
 
-// A request and what it points to.
+// A request and the objects that it points to.
 struct FieldRequest {
     std::string name;
     Request request;
@@ -25,7 +25,7 @@ struct FieldRequest {
     std::shared_ptr<const std::vector<Point>> keep;
 };
 
-// At the scale that lets so many be expected.
+// Its scale is such that `count` samples are expected.
 inline FieldRequest radius_field_request(std::string name, Field field, double count,
                                          Boundary boundary, double width = 1, double height = 1) {
     FieldRequest made;
@@ -67,7 +67,7 @@ inline FieldRequest uniform(std::string name, double radius, Boundary boundary, 
     return made;
 }
 
-// Every other square, as on a chess board; and one of noise.
+// Every other square, as on a chess board; and one square of noise.
 inline Mask chess_mask(std::uint32_t columns, std::uint32_t rows) {
     Mask mask{columns, rows, {}};
     for (std::uint32_t i = 0; i < rows; ++i)
@@ -161,7 +161,7 @@ inline std::vector<FieldRequest> special_radius_field_requests() {
     };
 }
 
-// The same for every seed.
+// The requests are the same in every run.
 inline std::vector<FieldRequest> radius_field_requests() {
     std::vector<FieldRequest> all = special_radius_field_requests();
     std::mt19937_64 random(20111);

@@ -53,7 +53,7 @@ inline std::vector<Request> special_requests(Mode mode) {
         request(1, 1000, 1.3, 1, Boundary::box),
         request(1e-9, 1e-9, 1e-10, 5, Boundary::torus),  // units of any size
         request(1e12, 2e12, 1e11, 5, Boundary::box),
-        request(1, 1, 0.004, 8, Boundary::torus),  // rounds large enough for threads to share
+        request(1, 1, 0.004, 8, Boundary::torus),  // rounds large enough for several threads
     };
 }
 

@@ -22,8 +22,8 @@ namespace lacuna::tests {
 struct Scene {
     std::string name;
     Plan plan;
-    Snapshot memory;          // what restore() takes
-    std::vector<Draw> draws;  // what locate() takes
+    Snapshot memory;          // for restore()
+    std::vector<Draw> draws;  // for locate()
 };
 
 inline Plan plan_of(double radius, std::uint32_t m, Boundary boundary, double width = 1,
@@ -46,7 +46,8 @@ inline bool has_importance(const Plan& plan, std::uint32_t x, std::uint32_t y) {
     return plan.radii->radii[plan.radii->pixel_at(x, y)] != 0;
 }
 
-// Every line free from end to end, no candidates, no samples. In cells: all that has importance.
+// Every line is free from end to end; no candidates, no samples. In cells every point with
+// importance is free.
 inline Snapshot empty_memory(const Plan& plan) {
     Snapshot memory;
     if (plan.is_cells()) {
@@ -65,7 +66,7 @@ inline Snapshot empty_memory(const Plan& plan) {
     return memory;
 }
 
-// Puts candidates where locate would have, and gives each a status.
+// Puts candidates in the order that locate gives them, all with this status.
 inline void set_candidates(const Plan& plan, std::vector<Candidate> candidates, Snapshot& memory,
                            std::uint32_t status = STATUS_UNDECIDED) {
     const std::uint32_t columns = count_columns(plan);
@@ -94,7 +95,7 @@ private:
     std::mt19937_64 random_;
 };
 
-// Sorted, disjoint spans; often none, often one unit long, sometimes touching, at either end.
+// Sorted, disjoint spans: often none, often one unit long, sometimes touching or at an end.
 inline std::vector<Span> hostile_spans(Chance& chance, std::uint32_t height, std::uint32_t most) {
     if (chance.one_in(4)) return {};
     std::vector<std::uint32_t> ends = {0, height};
@@ -139,8 +140,8 @@ inline std::uint32_t free_length_of(const Plan& plan, const Snapshot& memory, st
     return memory.boxes[place].end - memory.boxes[place].begin;
 }
 
-// Draws of places that have room, sorted by place and rank, in a random order of precedence; some
-// at the very ends of a place's free length.
+// Draws on bins that have room, sorted by bin and rank, with their orders at random; some at the
+// very ends of a bin's free length.
 inline std::vector<Draw> random_draws(const Plan& plan, const Snapshot& memory, Chance& chance,
                                       std::uint32_t count) {
     std::vector<Draw> draws;
@@ -155,7 +156,7 @@ inline std::vector<Draw> random_draws(const Plan& plan, const Snapshot& memory, 
         const std::uint32_t width = memory.box_width != 0 ? memory.box_width : plan.strip_width;
         draws.push_back({place, rank, chance.below(width), orders[draws.size()]});
     }
-    // Where no place has room there may be fewer: orders must have no gaps.
+    // Where no bin has room there may be fewer draws: orders must have no gaps.
     if (draws.size() < count)
         for (std::uint32_t i = 0; i < draws.size(); ++i) draws[i].order = i;
     std::stable_sort(draws.begin(), draws.end(), [](const Draw& a, const Draw& b) {
@@ -164,7 +165,7 @@ inline std::vector<Draw> random_draws(const Plan& plan, const Snapshot& memory, 
     return draws;
 }
 
-// Candidates anywhere, the corners of the domain among them. In cells: where there is importance.
+// Candidates anywhere, also in the corners of the domain. In cells: where there is importance.
 inline std::vector<Candidate> random_candidates(const Plan& plan, Chance& chance,
                                                 std::uint32_t count) {
     std::vector<Candidate> candidates;
@@ -195,8 +196,8 @@ inline void set_random_samples(const Plan& plan, Chance& chance, Snapshot& memor
     }
 }
 
-// Boxes of a width that is the strips' or a part of it, some as thin as can be; line by line, none
-// across the border of a row of cells.
+// Boxes as wide as the strips or a part of that, some as thin as can be; line by line, none across
+// the border of a row of cells.
 inline void set_hostile_boxes(const Plan& plan, Chance& chance, Snapshot& memory) {
     memory.box_width = std::max(1u, plan.strip_width >> chance.below(12));
     for (std::uint32_t line = 0; line < plan.lines; ++line) {
@@ -211,8 +212,8 @@ inline void set_hostile_boxes(const Plan& plan, Chance& chance, Snapshot& memory
     memory.spans.clear();
 }
 
-// A plan, hostile places, random candidates and draws. In exact random samples too, and boxes for
-// places where the seed is odd.
+// A plan, hostile bins, random candidates and draws. In exact also random samples, and boxes for
+// bins if the seed is odd.
 inline Scene random_scene(std::string name, const Plan& plan, std::uint32_t count,
                           std::uint64_t seed) {
     Chance chance(seed);
@@ -248,7 +249,7 @@ inline std::vector<Scene> random_scenes(Mode mode) {
         random_scene("a high torus", plan(0.9, 2, torus, 1, 1000), 500, 10),
         random_scene("a high box", plan(0.9, 1, box, 1, 1000), 500, 11),
     };
-    // Chunks and work groups: one draw, a few, and the sizes of groups, more or less one.
+    // Numbers of draws around the sizes of chunks and work groups.
     for (const std::uint32_t count : {1u, 2u, 63u, 64u, 65u, 127u, 129u, 255u, 257u, 1000u})
         scenes.push_back(random_scene("draws: " + std::to_string(count), plan(0.04, 5, torus),
                                       count, 100 + count));

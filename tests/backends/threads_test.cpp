@@ -1,5 +1,5 @@
-// Several threads of a program use the library at once, from its first call on: every ctest test is
-// a process of its own.
+// Several threads of a program use the library at once, from the first call: every ctest test is a
+// process of its own.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 #include <sys/wait.h>
@@ -34,7 +34,7 @@ Request small_request(const std::string& backend, std::uint64_t seed) {
 
 constexpr int kThreads = 8;
 
-// Calls work(thread) in so many threads at once.
+// Calls work(thread) in several threads at once.
 template <typename Work>
 void in_threads(Work work) {
     std::vector<std::jthread> threads;
@@ -44,7 +44,7 @@ void in_threads(Work work) {
 class Threads : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Backend, Threads, tests::kParallelBackends, tests::name_of_parameter);
 
-// Whether the backend is there shows only afterwards, so that no thread finds it warmed up.
+// Tests for the backend only afterwards, so that no thread finds it warmed up.
 TEST_P(Threads, ThatSampleFirstAllGetTheirSets) {
     constexpr int kCalls = 12;
     std::vector<std::vector<Point>> got(kThreads * kCalls);
@@ -68,14 +68,14 @@ TEST_P(Threads, ThatSampleFirstAllGetTheirSets) {
         EXPECT_TRUE(are_equal(got[i], sample(small_request("reference", i)).points)) << i;
 }
 
-// How often each thread calls; more by hand, in LACUNA_THREAD_CALLS.
+// The number of calls of each thread; LACUNA_THREAD_CALLS sets more.
 int calls_of_a_thread() {
     const char* const given = std::getenv("LACUNA_THREAD_CALLS");
     return given == nullptr ? 5 : std::stoi(given);
 }
 
-// Each thread goes from one backend to the next, so that all are met at once, from the first call
-// on. Without a device, or one that this build has: the others.
+// Each thread goes from one backend to the next, so that all are used at once, from the first call.
+// Backends without a device, or that this build lacks, are left out.
 TEST(Threads, OfAllBackendsAtOnceAllGetTheirSets) {
     const std::vector<std::string> backends{"cpu", "opencl", "vulkan", "reference"};
     constexpr std::uint64_t kSeeds = 4;

@@ -1,5 +1,5 @@
-// Each verb alone, on each device backend: set the scene, call the verb, compare what it leaves
-// with what the cpu backend leaves, number for number.
+// Each verb alone, on each device backend: set the scene, call the verb, and compare the memory
+// with the cpu backend's, number for number.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 using tests::Scene;
 using Verb = std::function<void(Backend&, const Scene&)>;
 
-// What a verb leaves, apart from the room that a backend takes for it.
+// The memory after a verb, without the capacity, which is a backend's own choice.
 struct Left {
     Snapshot memory;
     std::vector<Sample> samples;
@@ -39,7 +39,7 @@ Left after(Backend& backend, const Scene& scene, const Verb& verb) {
     return left;
 }
 
-// Names the first of two lists that differs.
+// Names the first entry that differs.
 template <typename T>
 testing::AssertionResult same(const char* what, const std::vector<T>& expected,
                               const std::vector<T>& got) {
@@ -86,7 +86,7 @@ void refine_by_halves(Backend& backend, const Scene&) {
 bool has_boxes(const Scene& scene) {
     return scene.memory.box_width != 0;
 }
-// With the verb that is for the scene's places.
+// Ends with the verb for the scene's bins.
 void whole_round(Backend& backend, const Scene& scene) {
     backend.locate(scene.draws);
     backend.admit();
@@ -101,8 +101,8 @@ protected:
     Left on_device(const Scene& scene, const Verb& verb, device::Tuning tuning = {}) {
         return after(*tests::make_backend(GetParam(), scene.plan, tuning), scene, verb);
     }
-    // The verb leaves what the cpu backend leaves, in one slab and in many; in cells, whatever
-    // number of work items shares the lines near a sample.
+    // The verb leaves the cpu backend's memory, in one slab and in many; in cells, for any number
+    // of work items that divide the lines near a sample.
     void expect_equal(const Scene& scene, const Verb& verb) {
         SCOPED_TRACE(scene.name);
         const Left expected = after(*tests::make_backend("cpu", scene.plan), scene, verb);
@@ -118,7 +118,6 @@ protected:
 
 using tests::random_scenes;
 
-// In every mode.
 std::vector<Scene> all_scenes() {
     std::vector<Scene> all = random_scenes(Mode::lines);
     for (Scene& scene : random_scenes(Mode::exact)) {
@@ -140,7 +139,7 @@ TEST_P(Verbs, AdmitEqualsTheCpuInEveryScene) {
 TEST_P(Verbs, AdmitKeepsStatusesThatAreDecided) {
     tests::Chance chance(5);
     for (Scene& scene : all_scenes()) {
-        // Some are rejected for no reason; and of those that are then admitted, some beforehand.
+        // Some are rejected at random; half of the candidates admitted then are admitted before.
         std::vector<std::uint32_t>& statuses = scene.memory.statuses;
         for (std::uint32_t& status : statuses)
             if (chance.one_in(3)) status = STATUS_REJECTED;
@@ -153,7 +152,7 @@ TEST_P(Verbs, AdmitKeepsStatusesThatAreDecided) {
     }
 }
 
-// Samples of one round share no cell.
+// No two samples of a round lie in the same cell.
 void admit_one_a_cell(Scene& scene, tests::Chance& chance) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> taken;
     for (std::size_t i = 0; i < scene.memory.statuses.size(); ++i) {
@@ -187,7 +186,7 @@ TEST_P(Verbs, RefineGoesOnUntilPlacesAreOneUnitWide) {
     tests::Chance chance(61);
     for (Scene& scene : random_scenes(Mode::exact)) {
         admit_one_a_cell(scene, chance);
-        // Where samples leave much room, boxes double with every refinement: start with thin ones.
+        // Where samples leave much room, boxes double with every refinement: begin with thin ones.
         if (has_boxes(scene)) scene.memory.box_width = std::min(scene.memory.box_width, 8u);
         expect_equal(scene, [](Backend& backend, const Scene& start) {
             constexpr std::size_t kMostPlaces = 20'000;
@@ -215,8 +214,8 @@ TEST_P(Verbs, NoPlaceIsLeftWhereOneSampleCoversAll) {
     expect_equal(scene, refine_by_halves);
 }
 
-// An image of such a sample is nearly 2^32 units away: with dx, whose square is 2^57 here, the
-// square of the distance does not fit 64 bits.
+// An image of such a sample is nearly 2^32 units away. The square of dx is 2^57 here, so the
+// squared distance does not fit 64 bits.
 TEST_P(Verbs, NothingIsTakenByTheFarImageOfASampleAtTheTop) {
     Scene scene{"far image", tests::plan_of(0.1269, 1, Boundary::torus, 1, 1, Mode::exact), {}, {}};
     scene.memory = tests::empty_memory(scene.plan);
@@ -235,7 +234,7 @@ TEST_P(Verbs, CandidatesThatEarlierSamplesCoverAreNoSurvivors) {
     scene.memory.grid[0] = {0, 0};
     const std::uint32_t r = scene.plan.radius;
     const std::uint32_t top = scene.plan.height;
-    // At the radius' distance a candidate is free, a unit closer it is not; around the edge too.
+    // At the radius' distance a candidate is free, a unit closer it is not; across the edge too.
     tests::set_candidates(
         scene.plan, {{0, r, 0, 0}, {0, r - 1, 0, 1}, {0, top - r, 0, 2}, {0, top - r + 1, 0, 3}},
         scene.memory);
@@ -319,7 +318,8 @@ TEST_P(Verbs, ChainsOfAnyDepthAreSettled) {
             backend.admit();
             backend.subtract();
         });
-        // The first is admitted, the next rejected, and so on; of an odd number, both ends stay.
+        // The first is admitted, the next is rejected, alternating; the number is odd, so both ends
+        // stay.
         std::vector<std::uint32_t> alternating;
         for (std::uint32_t i = 0; i < kLength; ++i)
             alternating.push_back(i % 2 == 0 ? STATUS_ADMITTED : STATUS_REJECTED);
@@ -332,7 +332,7 @@ TEST_P(Verbs, ChainsOfAnyDepthAreSettled) {
     }
 }
 
-// A line of `spans` spans with room for `capacity`, the last of which a sample cuts in two.
+// A line of `spans` spans with room for `capacity`; a sample cuts the last span in two.
 Scene tight(std::uint32_t spans, std::uint32_t capacity) {
     Scene scene{"tight", tests::plan_of(0.01, 1, Boundary::box), {}, {}};
     scene.memory = tests::empty_memory(scene.plan);

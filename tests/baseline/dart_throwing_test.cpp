@@ -1,4 +1,4 @@
-// Dart throwing: distances, coverage, and that its misses end it.
+// Dart throwing: distances, coverage, and its end after many misses.
 #include "baseline/dart_throwing.h"
 
 #include <gtest/gtest.h>

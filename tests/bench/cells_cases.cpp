@@ -1,5 +1,5 @@
-// Time of stipples, from importance to exactly N points, the pilot that finds the scale included:
-// cells/BACKEND/raccoon/N=.../m=.../threads=... The picture is read before.
+// Time of stipples, from importance to exactly N points, including the pilot that finds the scale:
+// cells/BACKEND/raccoon/N=.../m=.../threads=... The picture was read before.
 #include "cells_cases.h"
 
 #ifdef LACUNA_RACCOON

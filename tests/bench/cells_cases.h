@@ -3,7 +3,7 @@
 
 namespace lacuna::bench {
 
-// None where the build has no reader of pictures.
+// Adds none if the build cannot read pictures.
 void add_cells_cases();
 
 }  // namespace lacuna::bench

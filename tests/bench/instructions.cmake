@@ -1,7 +1,7 @@
-# Script: counts the instructions of the cpu backend's loop on one thread, which seconds on a shared
-# machine tell too poorly, and fails when one mode takes over 10 % more than BASELINE says.
-# PROGRAM is the command, SOURCE the repository, SCRATCH a folder to write to, BUILD what compiled
-# it. With -D UPDATE=ON the baseline is written instead.
+# Script: counts the instructions of the cpu backend's loop on one thread, because seconds on a
+# shared machine vary too much, and fails when one mode takes over 10 % more than BASELINE says.
+# PROGRAM is the command, SOURCE the repository, SCRATCH a folder to write to, BUILD the compiler.
+# With -D UPDATE=ON the baseline is written instead.
 find_program(VALGRIND valgrind)
 if(NOT VALGRIND)
     message("SKIPPED: valgrind is not installed")
@@ -15,7 +15,7 @@ if(NOT UPDATE AND NOT BUILD STREQUAL baseline_build)
 endif()
 file(MAKE_DIRECTORY ${SCRATCH})
 
-# Sets RESULT to the instructions between the first draw and the last sample.
+# Sets RESULT to the number of instructions between the first draw and the last sample.
 function(count_instructions result)
     execute_process(
         COMMAND ${VALGRIND} --tool=callgrind --callgrind-out-file=/dev/null

@@ -1,9 +1,9 @@
 // Time of whole sets, from request to points, by mode, backend, radius and threads; and their
 // memory: the peak beyond the points themselves, in bytes a point.
 //
-// The first set of each case is not timed: it pays for what is built at first use. Sets of 10 and
-// 100 million points run only when the filter names them, once: --benchmark_filter=large/; those of
-// large/verify are proven maximal, which is timed too.
+// The first set of each case is not timed: it pays for everything built at first use. Sets of 10
+// and 100 million points run only when the filter names them, once: --benchmark_filter=large/; sets
+// of large/verify are also proven maximal, and the proof is timed too.
 #include <benchmark/benchmark.h>
 #include <lacuna/lacuna.h>
 
@@ -31,7 +31,7 @@ Request torus(Mode mode, const std::string& backend, double radius, std::uint32_
     return request;
 }
 
-// The most that the process has held while the set was made, beyond what it held before.
+// The most memory that the process held while the set was made, beyond what it held before.
 double bytes_of(const cli::PeakMemory& peak) {
     const auto bytes = peak.raised_bytes();
     return bytes ? static_cast<double>(*bytes) : std::nan("");

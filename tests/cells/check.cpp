@@ -1,4 +1,4 @@
-// The checks: pairs, and lattice points, by brute force and by a grid.
+// The checks of pairs and lattice points, by brute force and by a grid.
 #include "cells/check.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace lacuna::tests {
 namespace {
 
-// Radii are rounded up to 1/256 of a lattice step, by 2^-10 of that at least.
+// Radii are rounded up to 1/256 of a lattice step, by at least 2^-10 of that.
 constexpr double kRounding = 1.002 / 256;
 
 std::int64_t wrapped(std::int64_t at, std::int64_t count) {
@@ -17,7 +17,7 @@ std::int64_t wrapped(std::int64_t at, std::int64_t count) {
 
 }  // namespace
 
-// Points by square buckets of lattice points, for all that lie within some steps of a place.
+// Points in square buckets of lattice points, to find all points within some steps.
 class CellsCheck::Buckets {
 public:
     Buckets(const CellsCheck& check, std::int64_t side)
@@ -30,7 +30,7 @@ public:
             bucket(check.places_[i].x / side, check.places_[i].y / side).push_back(i);
     }
 
-    // Whether `is_it` holds for some point in the buckets within `steps` of the place.
+    // Whether `is_it` holds for some point in the buckets within `steps` of the lattice point.
     template <typename Is>
     bool any_near(Place place, double steps, Is is_it) {
         const auto [left, right] = stretch(place.x, steps, check_.columns_, across_);
@@ -46,7 +46,7 @@ private:
     std::vector<std::size_t>& bucket(std::int64_t i, std::int64_t j) {
         return buckets_[static_cast<std::size_t>(i * up_ + j)];
     }
-    // On the torus past both ends, the last bucket being shorter than the others; at most all.
+    // On the torus it goes past both ends, because the last bucket is shorter; at most all buckets.
     std::pair<std::int64_t, std::int64_t> stretch(std::int64_t at, double steps,
                                                   std::int64_t length, std::int64_t count) const {
         const bool wraps = check_.request_.boundary == Boundary::torus;
@@ -91,7 +91,7 @@ CellsCheck::Place CellsCheck::place_of(Point point) const {
 }
 
 // The pixel under the middle of the cell; row 0 of the field is the top. On the border between two
-// pixels: the one to the right, the one above.
+// pixels it is the right one, or the upper one.
 std::size_t CellsCheck::pixel_of(Place place) const {
     const std::int64_t columns = request_.field->columns;
     const std::int64_t rows = request_.field->rows;
@@ -159,7 +159,7 @@ testing::AssertionResult CellsCheck::keeps_its_distances(By by) const {
                 if (result = check_pair(i, j); !result) return result;
         return result;
     }
-    // The metric's radius is at most the larger one: a pair is seen from that end.
+    // The metric's radius is at most the larger radius, so a pair is found from that end.
     Buckets buckets(*this, *request_.lines_per_radius);
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const auto is_too_close = [&](std::size_t j) {
@@ -188,7 +188,7 @@ testing::AssertionResult CellsCheck::not_blocked(Place place) const {
                                        << columns_ << " x " << rows_ << " is free";
 }
 
-// What each point blocks of its own disk: all of it with min, a part of it with mean and max.
+// The lattice points that each point blocks in its own disk: all with min, some with mean and max.
 std::vector<bool> CellsCheck::blocked_within_own_radius() const {
     const bool wraps = request_.boundary == Boundary::torus;
     std::vector<bool> blocked(static_cast<std::size_t>(columns_ * rows_), false);
@@ -229,7 +229,7 @@ testing::AssertionResult CellsCheck::is_maximal(By by) const {
                 continue;
             }
             if (blocked[static_cast<std::size_t>(x * rows_ + y)]) continue;
-            // Seen from the other end of the pair, whose radius is the larger one.
+            // Found from the other end of the pair, which has the larger radius.
             const auto is_near = [&](std::size_t i) { return blocks(places_[i], place); };
             if (!buckets.any_near(place, radius_at(place) / step_ + 1, is_near))
                 return not_blocked(place);

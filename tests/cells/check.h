@@ -1,6 +1,6 @@
-// What mode cells promises of a set, checked as a user would: from the request, the field and the
-// points returned alone. By brute force, or by a grid, for large sets. Shares no code with the
-// samplers.
+// The promises of mode cells for a set, checked as a user would: only from the request, the field
+// and the returned points. By brute force or, for large sets, by a grid. No code of the samplers is
+// used.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,13 +21,13 @@ public:
     // Every point lies in the middle of a cell of a lattice of ceil(m W / r_min) columns, the same
     // step along y as nearly as a whole number of rows allows, where importance is over 0.
     testing::AssertionResult is_on_the_lattice() const;
-    // Every two keep the metric's distance: in double, in the user's units, no tolerance.
+    // Every two points keep the metric's distance: in double, in the user's units, no tolerance.
     testing::AssertionResult keeps_its_distances(By by) const;
-    // Every lattice point with importance is closer to some point than the metric asks: in lattice
-    // steps. Radii are rounded up to 1/256 of a step, so that is what may be missing.
+    // Every lattice point with importance is closer to some point than the metric asks, in lattice
+    // steps. Radii are rounded up to 1/256 of a step, which is the tolerance.
     testing::AssertionResult is_maximal(By by) const;
 
-    std::int64_t columns() const { return columns_; }  // of the lattice
+    std::int64_t columns() const { return columns_; }  // columns of the lattice
     std::int64_t rows() const { return rows_; }
 
 private:

@@ -1,5 +1,5 @@
-// A count is met exactly; and how far the scale by the formula of docs/design.md,
-// section 5, alone would miss it.
+// A count is met exactly; and the error of the scale by the formula of docs/design.md, section 5,
+// alone.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
@@ -68,7 +68,7 @@ TEST(CellsCounts, AreMetExactlyOnEveryField) {
     }
 }
 
-// One dark column of a thousand: coarse lattices fall between.
+// One dark column of a thousand, which coarse lattices miss.
 TEST(CellsCounts, AreMetWherePixelsAreFinerThanTheLattice) {
     Field field = tests::constant_field(1000, 3, 0);
     for (std::size_t row = 0; row < 3; ++row) field.importance[row * 1000 + 617] = 1;
@@ -87,7 +87,7 @@ TEST(CellsCounts, AreMetWherePixelsAreFinerThanTheLattice) {
 }
 
 // With max the first sample covers the light half, and the dark half beside it as far as its wide
-// radius: a scale slightly smaller lets in thousands of points instead of one.
+// radius. A slightly smaller scale gives thousands of points instead of one.
 TEST(CellsCounts, AreMetWhereOneSampleMayCoverAll) {
     const Field field =
         tests::made_field(64, 64, [](double x, double) { return x < 0.5 ? 1 : 1e-5; });
@@ -110,7 +110,7 @@ TEST(CellsCounts, ALimitStopsThemEarlier) {
     EXPECT_EQ(sample(request).points, all);
 }
 
-// What share of the count a maximal set at that scale holds.
+// The fraction of the count that a maximal set at that scale holds.
 
 double over_at(double scale, const Field& field, std::uint64_t count) {
     Request request = count_request(field, count);
@@ -119,7 +119,7 @@ double over_at(double scale, const Field& field, std::uint64_t count) {
     return static_cast<double>(sample(request).points.size()) / static_cast<double>(count);
 }
 
-// A maximal set at the scale chosen has few more than asked for: what is left out thins it little.
+// A maximal set at the chosen scale has few points too many: dropping some thins it little.
 TEST(CellsCounts, AreNearTheMaximalSetsAtTheScaleChosen) {
     std::printf("| field | N | formula of design.md | less the lattice's loss | as chosen |\n");
     for (const auto& [name, field] : fields()) {

@@ -39,7 +39,7 @@ void expect_all_promises(const Request& request, By by) {
     EXPECT_TRUE(check.is_maximal(by));
 }
 
-// Of up to 12 x 12 pixels, importance over three decades, white pixels among them.
+// Up to 12 x 12 pixels; importance spans three decades, and some pixels are white.
 Field random_field() {
     Field field;
     field.columns = *rc::gen::inRange(1u, 13u);
@@ -78,7 +78,7 @@ RC_GTEST_PROP(CellsSets, KeepEveryPromiseByBruteForce, ()) {
         if (!result) RC_FAIL(result.message());
 }
 
-// Without this the tests around it would prove nothing.
+// Without this test the others would prove nothing.
 TEST(CellsSets, TheChecksSeeOnePointMissingOrMoved) {
     const Field field = tests::noise_field(12, 9, 3);
     for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {
@@ -148,7 +148,7 @@ TEST(CellsSets, FieldsOfOnePixelInAnAxisAndFinerThanTheLattice) {
     }
 }
 
-// The mean of a radius far larger than the domain and a small one is still larger than the domain.
+// The mean of a small radius and one far larger than the domain is still larger than the domain.
 TEST(CellsSets, RadiiFarLargerThanTheDomainCountInFull) {
     const Field field =
         tests::made_field(10, 10, [](double x, double) { return x < 0.5 ? 1 : 1e-8; });

@@ -1,4 +1,4 @@
-// Given point files, `lacuna analyze` tells their numbers in words and in files.
+// Given point files, `lacuna analyze` reports their numbers in words and in files.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -285,7 +285,7 @@ TEST(AnalyzeWithBadUsage, ExitsWith2AndNamesTheOption) {
     expect_one_error(outcome_of({"--domain", "1x2000"}), 2, {"--domain 1x2000:", "1000 times"});
     expect_one_error(outcome_of({"--wrong"}), 2, {"--wrong", "no such option"});
     expect_one_error(run({"analyze"}), 2, {"FILE", "lacuna analyze --help"});
-    // Told before any file is looked at.
+    // Reported before any file is opened.
     expect_one_error(run({"analyze", "missing.txt", "--radius", "-1"}), 2, {"--radius -1:"});
     EXPECT_EQ(folder.names(), Words{"a.txt"});
 }

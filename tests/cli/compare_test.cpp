@@ -69,7 +69,7 @@ TEST(Compare, FindsTheSameRelaxedPointsOnEveryBackend) {
         const Outcome outcome = run(compare(request, {"--runs", "1", "--json", json}));
         ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
         EXPECT_NE(outcome.out.find("made these points"), std::string::npos) << outcome.out;
-        // Those of stipple or sample, and not of the set before it was relaxed.
+        // The points are the same as stipple's or sample's, not those before relaxing.
         Words same = request;
         same.insert(same.begin(), request.front() == "--count" ? "sample" : "stipple");
         same.insert(same.end(), {"--quiet", "-o", folder.path("b.npy"), "--report", alone});
@@ -121,7 +121,7 @@ TEST(Compare, WithoutABackendThatIsNamedExitsWith4) {
         run({"compare", "--radius", "0.1", "--backends", "cpu,opencl"}, no_opencl);
     expect_one_error(outcome, 4, {"backend opencl: "});
     EXPECT_EQ(outcome.out, "");
-    // Not named, it is told in the table and costs nothing.
+    // A backend that was not named is listed in the table, and is no failure.
     const Outcome others = run({"compare", "--radius", "0.1", "--runs", "1"}, no_opencl);
     EXPECT_EQ(others.exit_code, 0) << others.err;
     EXPECT_NE(others.out.find("not run: "), std::string::npos) << others.out;
@@ -147,7 +147,7 @@ TEST(Compare, TellsOfABackendThatFailsAfterItsFirstRun) {
     EXPECT_NE(content_of(folder.path("a.svg")).find("then failed"), std::string::npos);
 }
 
-// A driver may compile kernels as late as at their first launch, which is no time of a set's.
+// A driver may compile kernels as late as at their first launch; no set's time should include that.
 TEST(Compare, MakesASetOnEachBeforeThoseThatItTakesTimesOf) {
     const auto with_runs = [](const std::string& runs) {
         return run({"compare", "--radius", "0.1", "--seed", "9", "--backends", "cpu,reference",
@@ -176,7 +176,7 @@ TEST(Compare, RefusesWhatItCannotDo) {
         {"--mode with a picture"});
 }
 
-// Else its exit(1) would say that points differ.
+// Otherwise its exit(1) would mean that points differ.
 TEST(Compare, TellsOfADriverThatEndsTheProgram) {
     const std::string table = run({"devices"}).out;
     for (const std::string backend : {"opencl", "vulkan"}) {

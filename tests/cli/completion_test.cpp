@@ -17,8 +17,8 @@ using namespace lacuna::test;
 const std::string kFolder =
     std::string(LACUNA_PROGRAM).substr(0, std::string(LACUNA_PROGRAM).find_last_of('/'));
 
-// A shell of that name, and what of its script prints the words that it offers, one a line, after
-// the command line in its arguments, whose last word is half written.
+// A shell, and its script that prints the words that it offers, one a line. The arguments are the
+// command line; its last word is half written.
 struct Shell {
     std::string name;
     std::string script;
@@ -27,7 +27,7 @@ struct Shell {
 const Shell kBash{"bash", R"(source "$0"; COMP_WORDS=(lacuna "$@"); COMP_CWORD=$#; _lacuna
     printf '%s\n' "${COMPREPLY[@]}")"};
 
-// What zsh itself would do with what it is told: to keep the words that begin alike.
+// Keeps the words that begin alike, as zsh does with the words that it gets.
 const Shell kZsh{"zsh", R"(
     told() { print -rl -- ${(M)${@%%:*}:#$words[-1]*}; }
     compadd() { shift; told "$@"; }

@@ -1,5 +1,5 @@
 // Given files that say where points may lie, `lacuna sample` fills just that, and says what is
-// wrong with them.
+// wrong with bad files.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
@@ -46,7 +46,7 @@ double distance(Point a, Point b) {
     return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-// Whether every place of a fine lattice that `is_allowed` is closer than `radius` to a point.
+// Whether every allowed point of a fine lattice is closer than `radius` to a sample.
 template <class IsAllowed>
 bool is_full(const std::vector<Point>& points, double width, double height, double radius,
              const IsAllowed& is_allowed) {

@@ -1,4 +1,4 @@
-// What tests of the command expect of its words.
+// Expectations of tests about the command's output.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ inline void expect_has(const std::string& text, const Words& pieces) {
         EXPECT_NE(text.find(piece), std::string::npos) << piece << " in: " << text;
 }
 
-// One line, on standard error, and nothing else.
+// The only output is one line on standard error.
 inline void expect_one_error(const Outcome& outcome, int code, const Words& pieces) {
     EXPECT_EQ(outcome.exit_code, code);
     EXPECT_EQ(outcome.out, "");

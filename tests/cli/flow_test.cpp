@@ -1,5 +1,5 @@
 // Given the ways in which people join programs, the command fits in: outputs, formats, pipes,
-// words.
+// messages.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -197,7 +197,7 @@ TEST(ADoubleDash, EndsTheOptions) {
     write_file(folder.path("-b.pgm"), pgm(2, 2, std::string(4, '\x40')));
     const std::string stipple = cd + "stipple --count 20 --quiet -o ";
     EXPECT_EQ(run({"-c", stipple + "a.svg -- -b.pgm"}, setting).exit_code, 0);
-    // The command in the file must find it again.
+    // The command line stored in the file must find the picture again.
     EXPECT_EQ(run({"-c", stipple + "a.json -- -b.pgm"}, setting).exit_code, 0);
     EXPECT_EQ(nlohmann::json::parse(content_of(folder.path("a.json"))).at("command"),
               "lacuna stipple ./-b.pgm --count 20");

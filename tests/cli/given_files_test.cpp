@@ -19,11 +19,10 @@ namespace fs = std::filesystem;
 constexpr const char* kOther = "must be another file than ";
 
 const std::string kPicture = pgm(2, 2, std::string(4, '\x40'));
-// As points they are far enough from each other, and as a polygon they have an inside.
+// As points they are far enough apart, and as a polygon they have an inside.
 const std::string kPoints = "0.1 0.1\n0.9 0.1\n0.5 0.9\n";
 
-// A case of a command that would overwrite `given`, with what stands in for F/ replaced by a
-// folder.
+// A command that would overwrite `given`. In its words, F/ stands for a folder.
 void expect_refused(const Words& words, const std::string& told, const std::string& given) {
     const Folder folder;
     const std::string content = given.ends_with(".txt") ? kPoints : kPicture;
@@ -39,7 +38,7 @@ void expect_refused(const Words& words, const std::string& told, const std::stri
     EXPECT_EQ(folder.names(), names) << told;
 }
 
-// Sets of radius 0.3, with what is in `more`.
+// Sets of radius 0.3, with the further options `more`.
 Words sets_of(const std::string& seeds, const Words& more) {
     Words words{"sample", "--radius", "0.3", "--seeds", seeds};
     words.insert(words.end(), more.begin(), more.end());
@@ -80,7 +79,7 @@ TEST(NoFile, OfASeedIsThatOfAnotherOrTheReport) {
                    "p.png");
     expect_refused(sets_of("1..11", {"-o", "F/a{seed}1.txt", "-o", "F/a{seed}.txt"}),
                    "a11.txt (seed 11)", "a11.txt");
-    // Comparing each with each would take minutes.
+    // Comparing all pairs of names would take minutes.
     expect_refused(sets_of("0..99999", {"-o", "F/{seed}.json", "--report", "F/99999.json"}),
                    "99999.json (seed 99999)", "p.png");
 }

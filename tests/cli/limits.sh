@@ -4,12 +4,11 @@
 #     tests/cli/limits.sh [--short] PROGRAM BACKEND...
 #
 # Address space (ulimit -v, KiB), threads and processes (-u), open files (-n), the stack (-s, KiB).
-# Prints a line for each step that is not met with points, and how many steps ended with which code.
-# Fails for a code other than 0, 2, 3 and 4 (docs/design.md, section 7), and for a step that takes
-# over a minute. What the program has no part in is named and does not count: limits under which
-# even `PROGRAM --version` does not start. A driver that ends the program, by exit(), abort() or a
-# crash, is told by the program itself, with code 4; or by its own word, with 134, where it calls
-# abort() while devices are first looked for.
+# Prints a line for each step that gives no points, and how many steps ended with which code. Fails
+# for a code other than 0, 2, 3 and 4 (docs/design.md, section 7), and for a step that takes over a
+# minute. Limits under which even `PROGRAM --version` does not start are named and do not count. If
+# a driver ends the program, by exit(), abort() or a crash, the program reports it with code 4. Code
+# 134 is allowed if the driver calls abort() while devices are first listed.
 set -u
 
 steps_v="15000 20000 22000 24000 26000 28000 30000 32000 34000 36000 38000 40000 45000 50000 60000
@@ -32,13 +31,13 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 chmod 777 "$folder"
 export POCL_CACHE_DIR=$folder
-# The limit on processes is one of a user's, and none for root.
+# The limit on processes counts a user's processes, and root has none.
 as_nobody=()
 if ((EUID == 0)); then
     as_nobody=(setpriv --reuid=65534 --regid=65534 --clear-groups --inh-caps=-all)
 fi
 
-# run LETTER VALUE WORD...: the program's code; what it said is in $folder/err.
+# run LETTER VALUE WORD...: prints the program's code; its messages are in $folder/err.
 run() {
     local letter=$1 value=$2
     shift 2
@@ -57,7 +56,7 @@ run() {
     fi
     wait $child 2>/dev/null
 }
-# The shell has words of its own for a child that crashed.
+# The shell itself prints a message for a child that crashed.
 exec 3>&2 2>/dev/null
 
 declare -A seen
@@ -71,7 +70,7 @@ step() {
     case $code in
         0 | 2 | 3 | 4) if [[ $said == *"its driver ended"* ]]; then verdict="4, by its driver"; fi ;;
         134) if [[ $1 != cpu && -n $said && $said != lacuna:* && $said != *what\(\)* ]]; then
-            # PoCL's, while devices are first looked for: see host/cli/terminal/driver.h.
+            # PoCL's abort while devices are first listed: see host/cli/terminal/driver.h.
             verdict="134, by its driver's own abort"
         else
             verdict="$code, NOT ALLOWED"

@@ -1,4 +1,4 @@
-// Given a set on file, its file tells where it comes from, and analyze and verify listen.
+// Given a set's file, the file says how the set was made, and analyze and verify use that.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -133,7 +133,7 @@ TEST(Dots, HaveTheirSizesAndMillimetresInFilesWhereADotSizeIsGiven) {
     ASSERT_EQ(std::sscanf(csv.c_str() + csv.find('\n'), "%lf,%lf,%lf,%lf,%lf,%lf", &x, &y, &radius,
                           &x_mm, &y_mm, &radius_mm),
               6);
-    // 80 mm wide and 60 high, in the middle of the sheet.
+    // The picture is 80 mm wide and 60 mm high, in the middle of the sheet.
     EXPECT_NEAR(x_mm, 10 + 80 * x, 1e-6);
     EXPECT_NEAR(y_mm, 10 + 80 * y, 1e-6);
     EXPECT_NEAR(radius_mm, 1, 1e-9);
@@ -151,7 +151,7 @@ TEST(Dots, HaveTheirSizesAndMillimetresInFilesWhereADotSizeIsGiven) {
     EXPECT_NE(content_of(folder.path("b.ply")).find("property double radius_mm\n"),
               std::string::npos);
     EXPECT_NE(content_of(folder.path("b.npy")).find("(40, 6)"), std::string::npos);
-    // By radius, no two tones have dots of one size.
+    // Sized by radius, the dots of any two tones differ.
     EXPECT_NE(made("radius", "c.csv"), csv);
 }
 

@@ -31,7 +31,7 @@ int new_file(const std::string& path) {
     return file;
 }
 
-// Between fork and exec: what the test runner ignores or limits must not decide.
+// Called between fork and exec. Undoes what the test runner ignores or limits.
 [[noreturn]] void become_program(char* const* arguments, int out, int err, const Setting& setting) {
     for (const int number : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGXFSZ})
         signal(number, SIG_DFL);
@@ -46,7 +46,7 @@ int new_file(const std::string& path) {
         setrlimit(RLIMIT_STACK, &limit);
     }
     if (setting.no_threads) {
-        // The limit counts a user's processes, and is none for root.
+        // The limit counts a user's processes, and root has none.
         constexpr uid_t kNobody = 65534;
         const rlimit one{1, 1};
         if (geteuid() == 0 && setresuid(kNobody, kNobody, kNobody) != 0) _exit(126);

@@ -1,4 +1,4 @@
-// Runs the program under test as a user would, and keeps what it said.
+// Runs the program under test as a user would, and keeps its output.
 #pragma once
 
 #include <sys/types.h>
@@ -10,7 +10,7 @@
 
 namespace lacuna::test {
 
-// A new folder, gone with all that is in it at the end of the test.
+// A new folder, deleted with its content at the end of the test.
 class Folder {
 public:
     Folder();
@@ -19,7 +19,7 @@ public:
     Folder& operator=(const Folder&) = delete;
 
     std::string path(const std::string& name) const { return (path_ / name).string(); }
-    std::vector<std::string> names() const;  // of what is in it, sorted
+    std::vector<std::string> names() const;  // of its content, sorted
 
 private:
     std::filesystem::path path_;
@@ -35,10 +35,10 @@ struct Outcome {
 struct Setting {
     int stdout_fd = -1;            // instead of a file whose content is Outcome::out
     int stderr_fd = -1;            // likewise
-    long largest_file_bytes = -1;  // what the system lets it write
+    long largest_file_bytes = -1;  // the system's limit
     long stack_bytes = -1;         // likewise
-    bool no_threads = false;       // the system makes the program no thread beside its first
-    std::map<std::string, std::string> environment;  // on top of this process's
+    bool no_threads = false;       // the system refuses the program further threads
+    std::map<std::string, std::string> environment;  // added to this process's
     std::string program;                             // instead of the one under test
 };
 

@@ -33,7 +33,7 @@ public:
     bool exists() const { return ours_ >= 0; }
     int fd() const { return theirs_; }
 
-    // What has been written to it so far.
+    // The text written to it until now.
     std::string text() const {
         std::string text;
         std::array<char, 4096> bytes{};
@@ -50,8 +50,8 @@ private:
     int theirs_ = -1;
 };
 
-// Long enough to be seen, short enough to be waited for; every round is small. In lines, where a
-// small round is little work: in exact each refines all boxes.
+// Long enough to be seen, short enough to be waited for, with small rounds only. In lines a small
+// round is little work; in exact each round would refine all boxes.
 const std::vector<std::string> kRun{"sample",    "--radius",  "0.003",  "--round-size", "4",
                                     "--backend", "reference", "--mode", "lines"};
 

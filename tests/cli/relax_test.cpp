@@ -1,4 +1,4 @@
-// `lacuna relax`, and sample and stipple with --relax, make the same even sets and tell how even.
+// `lacuna relax`, and sample and stipple with --relax, make the same even sets and report how even.
 #include <gtest/gtest.h>
 #include <signal.h>
 

@@ -1,4 +1,4 @@
-// `lacuna reproduce` as a user meets it: lines, files, exit codes.
+// `lacuna reproduce` as a user sees it: lines, files, exit codes.
 #include <gtest/gtest.h>
 #include <signal.h>
 

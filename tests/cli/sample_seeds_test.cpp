@@ -1,4 +1,4 @@
-// Given --seeds, each set goes to a file of its own, with the bytes of its seed alone.
+// Given --seeds, each set goes to its own file, with the same bytes as its seed alone.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// Given a good request, the program writes the points where they were wanted and says what it did.
+// Given a good request, the program writes the points where they were wanted and reports it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

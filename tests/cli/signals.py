@@ -65,7 +65,7 @@ def main():
             found = [stop(program, words, (0.05 if cold else 0.2) * (i + 1), cold)
                      for i in range(runs)]
             times = sorted(1000 * seconds for seconds, _, _ in found)
-            # 0: it was done before.
+            # 0: the program was done before the signal.
             bad = [(code, left) for _, code, left in found
                    if code not in (0, 143) or (code == 143 and left)]
             print(f"{name:<38} {times[0]:6.1f} {times[len(times) // 2]:7.1f} {times[-1]:7.1f}"

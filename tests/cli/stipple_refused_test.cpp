@@ -200,7 +200,7 @@ TEST(AnOutput, ThatIsThePictureIsRefusedAndThePictureStays) {
 TEST(MemoryBeyondTheMachine, IsRefusedAtOnceWithWhatThereIs) {
     const Folder folder;
     const std::string image = grey_picture(folder, 1, 1, bytes({0}));
-    // The most that lattices of one step to the radius take: 320 GB.
+    // The most points for lattices of one step to the radius: 320 GB.
     expect_refusal(run({"stipple", image, "--count", "5000000000", "--lines-per-radius", "1", "-o",
                         folder.path("a.svg")}),
                    2, {"--count 5000000000:", "needs about", "GB of memory, more than the"});

@@ -70,7 +70,7 @@ TEST(Stipple, GivenABlackCornerThenAllDotsLieThereAndItIsUpright) {
     EXPECT_EQ(inverted.size(), 300U);
 }
 
-// How many dots of the dark left half for one of the lighter right half.
+// Ratio of the dots in the dark left half to the dots in the lighter right half.
 double left_to_right(const std::string& image, const Names& arguments) {
     double left = 0, right = 0;
     for (const Point& point : points_of(image, arguments)) ++(point.x < 0.5 ? left : right);
@@ -102,7 +102,7 @@ TEST(Stipple, GivenAScaleThenTheSetIsMaximalAndItsLeastDistanceIsTheScale) {
         }
     EXPECT_GE(closest, 0.03);
     EXPECT_LT(closest, 0.0305);
-    // docs/design.md, section 5, less what a lattice of 10 steps to the radius loses.
+    // docs/design.md, section 5, less the loss of a lattice of 10 steps to the radius.
     EXPECT_NEAR(static_cast<double>(points.size()), 0.66 / (0.03 * 0.03), 30);
     const auto json = nlohmann::json::parse(content_of(report));
     EXPECT_EQ(json.at("maximal"), true);
@@ -128,7 +128,7 @@ TEST(Stipple, GivenAMetricThenMaxLeavesAGapBesideTheDarkSideThatMinDoesNot) {
 TEST(Stipple, GivenThePhotographThenThePictureOfTheDotsLooksLikeIt) {
     const Folder folder;
     const std::vector<double> photograph = blocks_of(lacuna::pictures::read_image(kRaccoon));
-    // Off by no more than docs/stipple.md tells, or in relaxed dots a little less.
+    // The errors that docs/stipple.md states; relaxed dots have slightly smaller ones.
     const std::vector<std::pair<Names, double>> ways{{{"--metric", "min"}, 0.035},
                                                      {{"--metric", "mean"}, 0.035},
                                                      {{"--metric", "max"}, 0.035},
@@ -160,7 +160,7 @@ TEST(Stipple, GivenAFixedDotSizeThenThePictureHasSoMuchInk) {
         for (std::size_t column = 0; column < picture.columns; ++column) {
             const double dark = 1 - picture.luminance[row * picture.columns + column];
             ink += dark;
-            // A dot reaches over the domain, 80 mm x 80 mm in the middle, by half of its size.
+            // Dots may stick out of the domain, 80 mm x 80 mm in the middle, by half of their size.
             if (dark == 0) continue;
             ASSERT_TRUE(column >= 194 && column < 1006 && row >= 94 && row < 906);
         }
@@ -201,7 +201,7 @@ TEST(Stipple, EndsWithOneLineAndReportsWhatItMade) {
 
 TEST(Stipple, WithoutACountMakesAsManyDotsAsSuitThePictureAndSaysSo) {
     const Folder folder;
-    // Half black, 100 x 50 pixels that count as 512 x 256: a dot to 16 of 65,536.
+    // Half black, 100 x 50 pixels that count as 512 x 256: one dot for 16 of 65,536.
     const std::string image =
         grey_picture(folder, 100, 50, std::string(2500, '\0') + std::string(2500, '\xff'));
     const Outcome outcome = run({"stipple", image, "-o", folder.path("a.svg")});

@@ -17,8 +17,8 @@ namespace lacuna::test {
 
 using Names = std::vector<std::string>;
 
-// Runs `lacuna stipple IMAGE ARGUMENTS... --quiet -o OUTPUT`, with --relax 0 unless they have it:
-// most tests are of the set that is then made.
+// Runs `lacuna stipple IMAGE ARGUMENTS... --quiet -o OUTPUT`, with --relax 0 unless the arguments
+// have --relax: most tests are about the set before relaxing.
 inline Outcome stipple(const std::string& image, Names arguments, const std::string& output) {
     if (std::find(arguments.begin(), arguments.end(), "--relax") == arguments.end())
         arguments.insert(arguments.end(), {"--relax", "0"});
@@ -27,7 +27,7 @@ inline Outcome stipple(const std::string& image, Names arguments, const std::str
     return run(arguments);
 }
 
-// The points that it makes.
+// The points that this makes.
 inline std::vector<Point> points_of(const std::string& image, Names arguments) {
     const Folder folder;
     const Outcome outcome = stipple(image, std::move(arguments), folder.path("a.npy"));

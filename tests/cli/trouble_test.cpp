@@ -25,7 +25,7 @@ void expect_one_line(const std::string& text) {
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
 }
 
-// So fine that it would run for minutes; rounds so small that it can be stopped soon.
+// Fine enough to run for minutes, with rounds small enough to be stopped soon.
 const Names kLongRun{"sample",       "--radius", "0.0005", "--backend", "reference",
                      "--round-size", "64",       "--mode", "lines"};
 
@@ -66,7 +66,7 @@ TEST(AFileThatCannotBeFinished, LeavesTheOlderOneUntouched) {
     EXPECT_EQ(folder.names(), Names{"a.txt"});
 }
 
-// Whoever ignores the signal, as nohup and daemons do, wants to be told.
+// A program that ignores the signal, as under nohup or in a daemon, must report the error.
 TEST(StandardOutput, WithoutAReaderIsAnErrorOfOutputWhereTheSignalIsIgnored) {
     std::array<int, 2> ends{};
     ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
@@ -95,7 +95,7 @@ TEST(StandardOutput, OnAFullDiskIsAnErrorOfOutput) {
     close(full.stdout_fd);
 }
 
-// Of the commands whose work is shared out among threads.
+// For the commands that use several threads.
 TEST(ASystem, ThatMakesNoThreadsIsToldOfInOneLine) {
     const Folder folder;
     const std::string points = run({"sample", "--radius", "0.02"}).out;
@@ -151,7 +151,7 @@ TEST_P(AnInterruptedRun, ExitsWithTheSignalsCodeAndLeavesNothing) {
     EXPECT_EQ(folder.names(), Names{"a.txt"});
 }
 
-// Of files, those that are no pipes are finished before.
+// Files that are no pipes are finished first.
 TEST_P(AnInterruptedRun, ThatWaitsForAReaderOfItsPipeEnds) {
     const Folder folder;
     ASSERT_EQ(mkfifo(folder.path("pipe.txt").c_str(), 0600), 0);
@@ -177,7 +177,7 @@ TEST_P(AnInterruptedRun, ThatWaitsForAWriterOfItsPipeEnds) {
     EXPECT_EQ(folder.names(), Names{"pipe.txt"});
 }
 
-// Whenever the signal comes, also while the file has another name.
+// The signal may come at any time, also while the file still has its temporary name.
 TEST_P(AnInterruptedRun, WhileItWritesLeavesAWholeFileOrNone) {
     const std::string whole = run({"sample", "--radius", "0.003", "--format", "csv"}).out;
     for (int i = 0; i < 3; ++i) {
@@ -194,7 +194,7 @@ TEST_P(AnInterruptedRun, WhileItWritesLeavesAWholeFileOrNone) {
     }
 }
 
-// While a compiler of its driver's is at work, too: its cache is empty.
+// Also while the driver's compiler is at work: its cache is empty.
 TEST_P(AnInterruptedRun, OnADeviceDoesNotWaitForIt) {
     const Folder folder;
     Setting cold;
@@ -207,7 +207,7 @@ TEST_P(AnInterruptedRun, OnADeviceDoesNotWaitForIt) {
         if (!program.waits_for(GetParam())) continue;  // there is no such device
         std::this_thread::sleep_for(std::chrono::milliseconds(200));
         program.send(GetParam());
-        // LLVM's handlers, while a driver sets them, swallow one of these: see
+        // LLVM's handlers, while a driver sets them, may swallow a signal: see
         // cli/terminal/driver.h.
         while (GetParam() == SIGQUIT && program.is_running()) {
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -224,7 +224,7 @@ INSTANTIATE_TEST_SUITE_P(ByCtrlCOrTheSystem, AnInterruptedRun,
 
 TEST_P(AnInterruptedRun, OfTheCpuBackendInExactDoesSoToo) {
     const Folder folder;
-    // Takes seconds, in a few dozen rounds: most questions whether to go on come from within one.
+    // Takes seconds, in a few dozen rounds: most polls come from within a round.
     Program program({"sample", "--radius", "0.0005", "--backend", "cpu", "--threads", "1", "-o",
                      folder.path("a.txt")});
     ASSERT_TRUE(program.waits_for(GetParam()));
@@ -237,7 +237,7 @@ TEST_P(AnInterruptedRun, OfTheCpuBackendInExactDoesSoToo) {
 
 TEST(ASecondSignal, DoesNotWaitForTheEndOfTheRound) {
     const Folder folder;
-    // One round that no test would live to see the end of.
+    // One round, which would last longer than any test.
     Program program({"sample", "--radius", "0.0005", "--backend", "reference", "--round-size",
                      "2147483648", "-o", folder.path("a.txt")});
     ASSERT_TRUE(program.waits_for(SIGINT));

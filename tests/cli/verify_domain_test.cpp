@@ -117,7 +117,7 @@ TEST(VerifyPlaces, RefusesOptionsThatMakeNoSense) {
                      {"none.png"});
 }
 
-// Each beside one of docs/domains.md.
+// Each example has a counterpart in docs/domains.md.
 std::vector<std::vector<std::string>> examples_in(const Folder& folder) {
     std::string shades = "P5\n64 16\n255\n";
     std::string discs = shades;
@@ -154,7 +154,7 @@ TEST(VerifyOfWhatSampleMade, ProvesItAndRefutesItWithALineLess) {
         const Outcome whole = proof_of(made.out);
         EXPECT_EQ(whole.exit_code, 0) << whole.out << whole.err;
         expect_has(line_of(whole.out, "verdict"), {"a maximal Poisson-disk set "});
-        // Among the first, so not one that fills a gap within the edge that polygons may be off by.
+        // One of the first points, so that it fills no gap within the tolerance at polygon edges.
         std::size_t fourth = 0;
         for (int line = 0; line < 3; ++line) fourth = made.out.find('\n', fourth) + 1;
         const std::size_t fifth = made.out.find('\n', fourth) + 1;

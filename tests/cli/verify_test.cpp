@@ -1,4 +1,4 @@
-// Given a point file, `lacuna verify` says in words and exit code what holds of it.
+// Given a point file, `lacuna verify` says in words and by its exit code what holds for it.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace lacuna::test;
 
-// 20 x 20 points 0.05 apart, gaps of 0.0354: maximal for any radius between.
+// 20 x 20 points 0.05 apart; the farthest spots are 0.0354 away: maximal for any radius between.
 std::string lattice(double shift = 0) {
     std::ostringstream lines;
     for (int i = 0; i < 20; ++i)
@@ -45,7 +45,7 @@ TEST(Verify, OfAMaximalSetExitsWith0AndTellsTheNumbers) {
         {"a maximal Poisson-disk set of radius 0.04, to a tolerance of 3.725290298461914e-09"});
 }
 
-// A spot 0.0354 from every point is room for a point at a radius of 0.02.
+// A spot 0.0354 from every point has room for a point at a radius of 0.02.
 TEST(Verify, WithAToleranceOverAPercentOfTheRadiusProvesNoMaximalSet) {
     const Folder folder;
     write_file(folder.path("a.txt"), lattice());
@@ -89,7 +89,7 @@ TEST(Verify, OfABoxTakesPointsOnItsFarEdges) {
 
 TEST(Verify, OfSeveralFilesAndSetsTellsOfEachAndFailsIfOneDoes) {
     const Folder folder;
-    write_file(folder.path("a.txt"), "1\n0.5 0.5\n");  // as PSA writes it
+    write_file(folder.path("a.txt"), "1\n0.5 0.5\n");  // PSA's format
     write_file(folder.path("b.dat"), "0.5 0.5\n#\n0.1 0.1\n");
     const Words both{"verify", folder.path("a.txt"), folder.path("b.dat"), "--radius", "0.8"};
     const Outcome outcome = run(both);
@@ -285,7 +285,7 @@ TEST(VerifyWithBadUsage, ExitsWith2AndNamesTheOption) {
                      {"--tolerance -1:", "at least 0"});
     expect_one_error(outcome_of({"--radius", "1", "--domain", "1x0"}), 2, {"--domain 1x0:"});
     expect_one_error(run({"verify", "--radius", "1"}), 2, {"FILE", "lacuna verify --help"});
-    // Told before the file is looked at.
+    // Reported before the file is opened.
     expect_one_error(run({"verify", "missing.txt", "--radius", "-1"}), 2, {"--radius -1:"});
 }
 

@@ -1,5 +1,4 @@
-// Given pictures as the command writes them, programs for plotters and viewers see every dot,
-// round.
+// Given pictures by the command, programs for plotters and viewers see every dot, and see it round.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -15,7 +14,7 @@ namespace {
 
 using namespace lacuna::test;
 
-// What viewers.py prints, under the Python that has vpype and pdfium.
+// The output of viewers.py, run by the Python that has vpype and pdfium.
 std::string seen(const std::string& what, const std::string& path) {
     Setting setting;
     setting.program = LACUNA_VIEWERS_PYTHON;

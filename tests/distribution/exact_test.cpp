@@ -1,6 +1,6 @@
-// Exact sets are as many and as they should be: counts against random sequential adsorption's
-// jamming limit (docs/design.md, section 5), the points against dart throwing's. And the tests have
-// teeth: they notice admission in spatial order, which looks just as good.
+// Exact sets have the right counts and the right distribution: counts agree with the jamming limit
+// of random sequential adsorption (docs/design.md, section 5), points with dart throwing. The tests
+// also notice admission in spatial order, whose sets look just as good.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 using namespace lacuna;
 
 constexpr double kRadius = 0.01;
-// Of N r^2 on the torus.
+// N r^2 on the torus.
 constexpr double kJammed = 0.69656;
 
 #ifdef LACUNA_SPATIAL_ORDER
@@ -51,7 +51,7 @@ tests::Mean mean_count(Request request, std::uint64_t seeds) {
     return tests::mean_of(counts);
 }
 
-// Larger rounds than Lacuna would choose make for a sharper test: a wrong precedence shows more.
+// Rounds larger than Lacuna would choose make a sharper test: a wrong precedence shows more.
 constexpr std::uint64_t kLargeRound = 4000;
 
 struct OnTorus {
@@ -75,7 +75,7 @@ TEST_P(ExactCounts, AreTheJammingLimits) {
     std::printf("%s: m %u, round size %lu, N r^2 = %.5f +- %.5f, z %+.2f\n", LACUNA_VARIANT,
                 GetParam().m, GetParam().round_size, count.value * unit, count.error * unit, z);
     EXPECT_EQ(std::abs(z) < 3, kIsRight) << z;
-    // docs/design.md, section 5: 0.244 sqrt(N), which 100 seeds show within 7 %.
+    // docs/design.md, section 5: 0.244 sqrt(N); 100 seeds measure it within 7 %.
     const double deviation = count.error * std::sqrt(kSeeds) / std::sqrt(count.value);
     if (kIsRight) {
         EXPECT_NEAR(deviation, 0.244, 0.06);
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(OnTheTorus, ExactCounts, kOnTorus, [](const auto& test)
            (set.round_size == 0 ? "" : "InRoundsOf" + std::to_string(set.round_size));
 });
 
-// Prefixes of so much of the expected maximal count, against as many darts.
+// The fraction of the expected maximal count that a prefix has; darts are as many.
 struct Prefix {
     double share;
     std::uint64_t round_size;
@@ -120,7 +120,8 @@ protected:
         return sets;
     }
 
-    // As many as the request's limit. Made once in a process, in which ctest runs all these tests.
+    // Dart throwing's sets up to the request's limit. Made once for a process, in which ctest runs
+    // all these tests.
     static const tests::Sets& darts(const Request& request) {
         static std::map<std::uint64_t, tests::Sets> made;
         const auto known = made.find(*request.limit);

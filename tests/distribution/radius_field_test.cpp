@@ -1,6 +1,6 @@
-// Sets with a radius field are as many and as they should be: on a constant field the jamming
-// limit, on each side of a step its own, and any prefix distributed as dart throwing's with the
-// same field. Admission in spatial order is noticed.
+// Sets with a radius field have the right counts and the right distribution: the jamming limit on a
+// constant field and on each side of a step; and any prefix is distributed as dart throwing's with
+// the same field. Admission in spatial order is noticed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,7 +60,7 @@ TEST(AConstantField, HasAsManySamplesAsAUniformSet) {
     EXPECT_LT(std::abs(z), 3);
 }
 
-// Away from the step by five of the larger radii.
+// Counts start five of the larger radii away from the step.
 TEST(AStep, HasTheDensityOfEachSideOnThatSide) {
     const Field field = tests::step_field(2, 1, 4);
     constexpr double kRadius = 0.01;
@@ -88,7 +88,7 @@ TEST(AStep, HasTheDensityOfEachSideOnThatSide) {
 
 #endif
 
-// Uniform darts, each compared with all that stuck.
+// Uniform darts, each compared with all accepted ones.
 std::vector<Sample> throw_darts(const Request& request, const Plan& plan) {
     std::vector<Sample> stuck;
     std::vector<std::uint64_t> radii;
@@ -131,7 +131,7 @@ TEST(SetsOnAStep, AreDistributedAsDartThrowings) {
     Request request = request_of(field, kRadius);
     // About four fifths of the maximal count.
     request.limit = static_cast<std::uint64_t>(0.8 * kJammed * 0.625 / (kRadius * kRadius));
-    // Larger rounds than Lacuna would choose make for a sharper test.
+    // Rounds larger than Lacuna would choose make a sharper test.
     request.round_size = 3000;
     const tests::Verdict verdict =
         compare(make_sets(request, 1000, throw_darts), make_sets(request, 2000, samples_of));

@@ -1,6 +1,6 @@
 // Rounds do not change the distribution: sets made in rounds of many draws against sets made one
-// sample at a time, as in the paper. And the tests have teeth: they notice admission in spatial
-// order, which looks just as good.
+// sample at a time, as in the paper. The tests also notice admission in spatial order, whose sets
+// look just as good.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -21,7 +21,7 @@ constexpr std::uint64_t kSeeds = 100;
 
 constexpr double kFirst = 0.6;
 
-// Of the same sets, all points and the first ones; counts are of the whole sets in both.
+// The same sets twice: with all points, and with the first ones. Counts are of whole sets in both.
 struct Group {
     tests::Sets whole;
     tests::Sets first;
@@ -49,7 +49,7 @@ Group made_group(const std::string& backend, std::uint64_t round_size, std::uint
     return group;
 }
 
-// Made once in a process, in which ctest runs all tests of rounds.
+// Made once for a process, in which ctest runs all tests of rounds.
 const Group& group_of(const std::string& backend, std::uint64_t round_size,
                       std::uint64_t first_seed) {
     static std::map<std::tuple<std::string, std::uint64_t, std::uint64_t>, Group> made;
@@ -59,7 +59,7 @@ const Group& group_of(const std::string& backend, std::uint64_t round_size,
     return made.emplace(key, made_group(backend, round_size, first_seed)).first->second;
 }
 
-// Larger rounds than Lacuna would choose make for a sharper test: a wrong precedence shows more.
+// Rounds larger than Lacuna would choose make a sharper test: a wrong precedence shows more.
 struct Case {
     std::uint64_t round_size;
     double share;
@@ -84,7 +84,7 @@ TEST_P(Rounds, LeaveTheDistributionAsItIs) {
 }
 
 #ifdef LACUNA_SPATIAL_ORDER
-// Rounds that lose a fifth of their draws show the bias only in more sets than 100.
+// With rounds that lose a fifth of their draws, 100 sets are too few to show the bias.
 const auto kCases = testing::Values(Case{4000, 1.0}, Case{4000, kFirst});
 #else
 const auto kCases = testing::Values(Case{0, 1.0}, Case{0, kFirst}, Case{7, 1.0}, Case{7, kFirst},

@@ -1,4 +1,4 @@
-// Histograms over a grid of cells, and comparison of means.
+// Histograms of distances, and comparison of means.
 #include "distribution/statistics.h"
 
 #include <algorithm>

@@ -10,23 +10,23 @@
 
 namespace lacuna::tests {
 
-// Per set: pairs by distance from 0.9 r to 4.5 r, or nearest neighbours from 0.9 r to 2.1 r, in
-// equal bins, as shares of the number of points.
+// For each set: pairs by distance from 0.9 r to 4.5 r, or nearest neighbours from 0.9 r to 2.1 r,
+// in equal bins, divided by the number of points.
 std::vector<double> pair_histogram(const Plan& plan, const std::vector<Sample>& samples);
 std::vector<double> nearest_histogram(const Plan& plan, const std::vector<Sample>& samples);
 
 struct Comparison {
-    double largest_z = 0;  // of any entry: difference of the means over its standard error
+    double largest_z = 0;  // largest difference of means over its standard error
     double sum_z_squared = 0;
-    int entries = 0;  // that vary at all
-    // No entry beyond what one chance in a thousand allows for so many entries, and the sum of
-    // squares below five of its own standard deviations (the entries of one set correlate, which
+    int entries = 0;  // number of entries that vary
+    // Whether no z is beyond a chance of one in a thousand for all entries together, and the sum of
+    // squares is below five of its own standard deviations (the entries of one set correlate, which
     // widens it).
     bool agree() const;
     std::string text() const;
 };
 
-// Each group is a list of vectors of one length, a vector a set.
+// Each group is a list of vectors of one length, one vector for each set.
 Comparison compare(const std::vector<std::vector<double>>& a,
                    const std::vector<std::vector<double>>& b);
 
@@ -36,7 +36,7 @@ struct Sets {
     std::vector<std::vector<double>> pairs;
     std::vector<std::vector<double>> nearest;
 
-    // `samples` may be the first of a set of so many.
+    // `samples` may be the first ones of a set of `count` samples.
     void add(const Plan& plan, const std::vector<Sample>& samples, std::size_t count);
 };
 

@@ -1,4 +1,4 @@
-// Polygons on masks, held against whether each pixel's middle lies inside, asked one by one.
+// Polygons on masks, compared with a test of each pixel's middle, one by one.
 #include <gtest/gtest.h>
 #include <lacuna/analysis.h>  // one program may include both
 #include <lacuna/domains.h>
@@ -36,17 +36,17 @@ std::string picture_of(const Mask& mask) {
     return text;
 }
 
-// Pixels of side 1: half of their diagonal, and a little, lest the division rounds up.
+// Half the diagonal of a pixel of side 1, and a little more, in case the division rounds up.
 constexpr double kPixel = 0.70710678118654757 * (1 + 1e-12);
 
-// A point of even coordinates, as all corners are below; the middles of pixels, four units wide,
-// are at odd ones. Whole numbers: nothing is rounded.
+// A point in whole numbers, so that nothing is rounded. All corners below have even coordinates;
+// the middles of pixels, which are four units wide, have odd ones.
 struct Whole {
     std::int64_t x;
     std::int64_t y;
 };
 
-// By the crossings of a ray to the left.
+// Counts the crossings of a ray to the left.
 bool is_inside(const std::vector<std::vector<Whole>>& rings, Whole at) {
     bool inside = false;
     for (const std::vector<Whole>& ring : rings)
@@ -115,7 +115,7 @@ TEST(ADrawnMask, IsRightPixelByPixelForRandomRings) {
     for (int turn = 0; turn < 300; ++turn) {
         const auto columns = static_cast<std::uint32_t>(between(1, 40));
         const auto rows = static_cast<std::uint32_t>(between(1, 40));
-        // Often far beyond the domain, and often on lines that other corners are on.
+        // Corners are often far beyond the domain, and often on lines with other corners.
         const std::int64_t reach = turn % 3 == 0 ? 1000 : 10;
         std::vector<std::vector<Whole>> whole(static_cast<std::size_t>(between(1, 4)));
         std::vector<PolygonRing> rings;

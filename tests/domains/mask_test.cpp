@@ -1,4 +1,4 @@
-// Masks from pictures: what is not 0 is allowed.
+// Masks from pictures: pixels that are not 0 are allowed.
 #include <gtest/gtest.h>
 #include <lacuna/domains.h>
 #include <png.h>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace lacuna;
 
-// Of 8 bits a channel.
+// A PNG with 8 bits a channel.
 std::string png_of(std::uint32_t columns, std::uint32_t rows, std::uint32_t format,
                    const std::vector<std::uint8_t>& samples) {
     png_image image{};
@@ -65,7 +65,7 @@ TEST(AMaskFromAPicture, MayBeAnArrayOfTruthsOrNumbers) {
     EXPECT_EQ(
         decode_mask(npy("<i4", std::string_view("\0\0\0\0\0\1\0\0\7\0\0\0", 12)), "file").allowed,
         (Allowed{0, 1, 1}));
-    // The middle one is the least of all floats.
+    // The middle value is the least positive float.
     EXPECT_EQ(
         decode_mask(npy("<f4", std::string_view("\0\0\0\0\1\0\0\0\0\0\0\0", 12)), "file").allowed,
         (Allowed{0, 1, 0}));

@@ -1,4 +1,4 @@
-// Polygons from files of every format, and what is said of broken ones.
+// Polygons from files of every format, and the messages for broken files.
 #include <gtest/gtest.h>
 #include <lacuna/domains.h>
 

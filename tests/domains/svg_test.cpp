@@ -1,4 +1,4 @@
-// Polygons from SVG drawings, and what is said of broken ones.
+// Polygons from SVG drawings, and the messages for broken ones.
 #include <gtest/gtest.h>
 #include <lacuna/domains.h>
 
@@ -142,8 +142,8 @@ TEST(ACurve, OfAnArcTakesTheSideThatItsFlagsTell) {
             rings_of("<svg viewBox='0 0 30 30'><path d='M10 10A5 5 0 " + flags + " 18 10'/></svg>");
         return area_of(rings.at(0));
     };
-    // From left to right on a page seen from above: with sweep the arc goes over the chord, and so
-    // clockwise.
+    // From left to right on a page, whose y points down. With sweep the arc goes over the chord,
+    // which is clockwise.
     EXPECT_NEAR(area("0 1"), -small, 1e-3);
     EXPECT_NEAR(area("1 1"), -large, 1e-3);
     EXPECT_NEAR(area("0 0"), small, 1e-3);

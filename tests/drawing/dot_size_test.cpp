@@ -1,4 +1,4 @@
-// Dots sized from the local radius cover as much of the paper as the importance asks for.
+// Dots sized by the local radius cover as much of the paper as the importance asks for.
 #include "drawing/dot_size.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ struct Range {
     double high;
 };
 
-// The share of places in the middle of a band of x that lie under some dot.
+// The fraction of the middle of a band of x that lies under some dot.
 double covered(const std::vector<Point>& points, const std::vector<double>& diameters, Range x) {
     constexpr int kPlaces = 300;
     int under = 0;

@@ -171,8 +171,8 @@ TEST(Svg, GivenAPenThenThereIsNoBackgroundThatAPlotterWouldDraw) {
     EXPECT_FALSE(contains(drawing::draw({{}, 1, 1, 0.1}, Medium::svg, style), "<rect"));
 }
 
-// Of the chunk pHYs, which must stand before the first IDAT: pixels a metre, across and down, and
-// the unit.
+// The content of the chunk pHYs, which must stand before the first IDAT: pixels a metre, across and
+// down, and the unit.
 std::string resolution_of(const std::string& png) {
     const std::size_t at = png.find("pHYs");
     EXPECT_LT(at, png.find("IDAT"));

@@ -1,4 +1,4 @@
-// Text and array formats: what is read back is what was written, to the last bit.
+// Text and array formats: points read back equal the points written, to the last bit.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -40,7 +40,7 @@ Point parse(const std::string& line, char separator, std::string_view end) {
     return {x, y};
 }
 
-// Unlike ==, tells 0 from -0.
+// Unlike ==, distinguishes 0 from -0.
 void expect_same_bits(const std::vector<Point>& read, const std::vector<Point>& written) {
     ASSERT_EQ(read.size(), written.size());
     for (std::size_t i = 0; i < read.size(); ++i) {

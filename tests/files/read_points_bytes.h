@@ -1,4 +1,4 @@
-// The bytes of files that the readers are tested with.
+// The bytes of files for tests of the readers.
 #pragma once
 
 #include <bit>

@@ -1,4 +1,4 @@
-// Point files: what was written is read back to the last bit, and what is wrong is told in a line.
+// Point files: points are read back to the last bit, and errors take one line.
 #include "files/read_points.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 using Points = std::vector<Point>;
 
-// Unlike ==, tells 0 from -0.
+// Unlike ==, distinguishes 0 from -0.
 void expect_same_bits(const Points& read, const Points& written) {
     ASSERT_EQ(read.size(), written.size());
     for (std::size_t i = 0; i < read.size(); ++i) {

@@ -1,5 +1,4 @@
-// Given files of this program, of PSA and of UTK, their sets are read; what is ambiguous is
-// refused.
+// Given files of this program, of PSA and of UTK, their sets are read; ambiguous files are refused.
 #include "files/read_sets.h"
 
 #include <gtest/gtest.h>
@@ -75,7 +74,7 @@ TEST_F(ReadSets, OfAJsonFileComeWithItsDomainAndRadius) {
     EXPECT_EQ(file.height, 1);
     EXPECT_EQ(file.radius, 0.125);
 
-    // 0 is written for a radius that is not known, and other objects' keys are theirs.
+    // 0 stands for an unknown radius. Keys of other JSON objects are ignored.
     const auto unknown =
         read("a.json", R"({"radius": 0, "of": {"width": 3, "radius": 4}, "points": [[0.5, 0.5]]})");
     EXPECT_EQ(unknown.sets[0], (Points{{0.5, 0.5}}));

@@ -1,4 +1,4 @@
-// Point sets that files and pictures are tested with.
+// Point sets for tests of files and pictures.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -10,7 +10,7 @@
 
 namespace lacuna::files {
 
-// Numbers that a careless writer loses: no short decimal, tiny, huge, whole, next to another.
+// Numbers that a careless writer would change: long decimals, tiny, huge, whole, neighbouring ones.
 inline std::vector<Point> awkward_points() {
     using Limits = std::numeric_limits<double>;
     return {{0.1, 1.0 / 3},

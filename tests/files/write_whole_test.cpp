@@ -203,8 +203,8 @@ TEST_F(WriteWhole, GivenALinkToADeviceThenTheDeviceIsWrittenToAndTheLinkStays) {
 
 void do_nothing(int) {}
 
-// Reads a pipe to its end. Before each piece it interrupts `writer` twice: when write() has done a
-// part, and when it has done nothing.
+// Reads a pipe to its end. Before each piece it interrupts `writer` twice: once when write() has
+// done a part, and once when it has done nothing.
 std::string read_slowly(const std::string& pipe, pthread_t writer) {
     const int descriptor = ::open(pipe.c_str(), O_RDONLY | O_CLOEXEC);
     std::string bytes;
@@ -241,7 +241,7 @@ TEST_F(WriteWhole, GivenAPipeAndSignalsThenEveryByteArrivesInOrder) {
     EXPECT_TRUE(fs::is_fifo(path("pipe.txt")));
 }
 
-// Standard output goes to the end of a file for as long as this lives.
+// While this object lives, standard output is appended to a file.
 class StandardOutputInto {
 public:
     explicit StandardOutputInto(const std::string& path) : before_(::dup(STDOUT_FILENO)) {

@@ -1,5 +1,5 @@
-// Given any bytes, the readers of pictures give a picture that keeps its promises, or refuse in
-// one line.
+// Given any bytes, the readers of pictures give a picture that keeps its promises, or refuse in one
+// line.
 #include <zlib.h>
 
 #include <bit>
@@ -31,8 +31,8 @@ void require_promises(const pictures::Image& image) {
         require(luminance >= 0 && luminance <= image.white);
 }
 
-// Makes the checksums of a PNG's chunks right, as far as there are whole chunks: with wrong ones no
-// change would get past the first chunk.
+// Corrects the checksums of a PNG's whole chunks: with wrong ones the reader would never get past
+// the first chunk.
 void mend_checksums(std::span<std::uint8_t> bytes) {
     constexpr std::string_view kMagic = "\x89PNG\r\n\x1a\n";
     constexpr std::size_t kLengthAndType = 8;
@@ -62,7 +62,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    // A few bytes may well stand for many equal pixels; so many take too long here.
+    // Larger pictures take too long here: a few bytes can stand for many equal pixels.
     constexpr std::uint64_t kMaxPixels = 1U << 16U;
     try {
         const pictures::Image image =

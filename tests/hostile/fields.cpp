@@ -1,11 +1,11 @@
-// hostile_fields: random requests of mode exact with radius fields, whose sets the proof of
-// lacuna/verify.h accepts, and refutes with a point less.
+// hostile_fields: makes random sets of mode exact with radius fields. The proof of lacuna/verify.h
+// must accept each set, and must refute it with one point removed.
 //
 //     hostile_fields [--sets N] [--seconds S] [--seed N] [--skip K] [--backend B]
 //
-// makes N sets (800), or as many as S seconds allow, on backend B (cpu) and tells the seed, which
-// is another one each time unless it is given; --skip goes to set K of the seed. Ends with 1 at the
-// first that is not as it is to be, and names the request.
+// It makes N sets (800), or as many as S seconds allow, on backend B (cpu), and prints the seed,
+// which is a new one each time unless it is given; --skip goes to set K of the seed. Ends with 1 at
+// the first wrong set, and names its request.
 #include <lacuna/domains.h>
 #include <lacuna/lacuna.h>
 #include <lacuna/verify.h>
@@ -40,7 +40,7 @@ constexpr std::uint64_t kSets = 800;
 struct Counts {
     std::uint64_t points = 0;
     std::uint64_t with_mask = 0, with_polygons = 0, with_border = 0, with_kept = 0;
-    std::uint64_t empty = 0;  // sets of kept points alone, which have none to lose
+    std::uint64_t empty = 0;  // sets of kept points only, none of which is removed
     std::uint64_t refuted = 0, spared = 0;
     std::uint64_t refuted_by_polygons = 0, spared_by_polygons = 0;
 };
@@ -76,8 +76,8 @@ void demand_proof(const Proof& proof, const std::string& by) {
     demand(proof.maximal, out.str());
 }
 
-// How far places beside `gone` are over their limits at most: places at random, then steps up
-// from the barest of them, ever smaller ones.
+// The most by which a spot near `gone` exceeds its limit: first among random spots, then by ever
+// smaller steps from the largest gap found.
 double most_over_near(const FieldCase& seen, const std::vector<Point>& points, Point gone,
                       std::mt19937_64& random) {
     constexpr int kPlaces = 4000;
@@ -103,8 +103,8 @@ double most_over_near(const FieldCase& seen, const std::vector<Point>& points, P
     return most;
 }
 
-// A point on the border of unlike pixels, as kept ones may be, covers as much as on either of them
-// and keeps as little distance.
+// A point on the border of unlike pixels, such as a kept one, may cover as the larger radius and
+// keeps the distance of the smaller one.
 bool has_two_radii(const FieldCase& seen, Point at) {
     const double blur = seen.domain.longer_side() * 0x1p-28;
     const auto around = [&](double along, double side, double by) {
@@ -119,10 +119,10 @@ bool has_two_radii(const FieldCase& seen, Point at) {
     return false;
 }
 
-// Less a point of its own a set is refuted: by a place that it covered alone, such as its own. Such
-// a place may be missing for two reasons only. Of polygons, those near the edges need not be
-// covered; and a point that lies on two pixels may cover as one what it leaves room for as the
-// other.
+// Without one of its own points a set is refuted: a spot that this point alone covered, such as its
+// own, is then uncovered. There may be no such spot for two reasons. Spots near the edges of
+// polygons need not be covered. And a point on the border of two pixels may cover by one radius a
+// spot for which it leaves room by the other.
 bool is_refuted_without(const FieldCase& seen, const Claim& claim, std::vector<Point> points,
                         std::size_t index, std::mt19937_64& random) {
     const Point gone = points[index];
@@ -145,7 +145,7 @@ bool is_refuted_without(const FieldCase& seen, const Claim& claim, std::vector<P
     if (points.empty()) return true;
     const double found = bare.emptiest_distance - bare.emptiest_limit;
     demand(found > seen.tolerance(), without + " the bare spot is not bare");
-    // It may lie on the very border of two pixels: that of either.
+    // It may lie on the border of two pixels: then the radius is of either.
     std::optional<double> over;
     const double near = seen.domain.longer_side() * 0x1p-40;
     for (const double dx : {0.0, near, -near})
@@ -196,7 +196,7 @@ void check_field(const tests::HostileOptions& options, std::uint64_t number, Cou
         Result result = sample(made.request());
         demand(result.maximal, "a set is not maximal");
         check(made, result.points, counts, radius_field.random());
-        // One that was stopped, and carried on from there.
+        // A set that was stopped, and is continued.
         if (!made.keep.empty() || number % 4 != 0) return;
         radius_field.resume(made, result.points);
         result = sample(made.request());
@@ -218,7 +218,7 @@ void tell(std::uint64_t made, const Counts& counts) {
               << std::endl;
 }
 
-// Throws what is wrong with the first set that is not as it is to be.
+// Throws an error about the first wrong set.
 void run(const tests::HostileOptions& options) {
     std::cout << "hostile_fields: seed " << options.seed << ", backend " << options.backend
               << std::endl;
@@ -235,7 +235,7 @@ void run(const tests::HostileOptions& options) {
     tell(made, counts);
 }
 
-// Whether no device of a backend for devices can be used.
+// Whether the backend is for devices and none of them can be used.
 bool has_no_device(const std::string& backend) {
     const std::vector<Device> all = devices();
     return (backend == "opencl" || backend == "vulkan") &&

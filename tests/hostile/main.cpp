@@ -2,7 +2,7 @@
 //
 //     hostile [--seconds S] [--seed N] [--skip K]
 //
-// runs for S seconds (20) and tells the seed, which is another one each time unless it is given;
+// It runs for S seconds (20) and prints the seed, which is a new one each time unless it is given;
 // --skip goes to request K of the seed. Ends with 1 at the first difference, and names the request.
 #include <lacuna/lacuna.h>
 
@@ -26,7 +26,7 @@ using namespace lacuna;
 constexpr std::array<std::string_view, 3> kOptions{"--seconds", "--seed", "--skip"};
 constexpr double kSeconds = 20;
 
-// The backends that are there, the reference first.
+// The available backends, the reference first.
 std::vector<std::string> backends() {
     std::vector<std::string> names = {"reference", "cpu"};
     for (const Device& device : devices())
@@ -36,7 +36,7 @@ std::vector<std::string> backends() {
     return names;
 }
 
-// A set, or why there is none: what a backend that is alike answers, too.
+// A set, or the reason why there is none, which must be the same on each backend.
 struct Answer {
     Result result;
     std::string refusal;
@@ -89,7 +89,7 @@ bool passes(const tests::HostileRequest& made, const std::vector<std::string>& n
     return true;
 }
 
-// Ends with what the program is to return.
+// Returns the program's exit code.
 int run(const tests::HostileOptions& options) {
     const std::vector<std::string> names = backends();
     std::cout << "hostile: seed " << options.seed << ", backends";

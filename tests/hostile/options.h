@@ -1,4 +1,4 @@
-// What programs that make random requests are told.
+// The options of programs that make random requests.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct HostileOptions {
     std::string backend = "cpu";
 };
 
-// Names of `known`, each with a value. Throws std::invalid_argument, which tells what is wrong.
+// Reads options named in `known`, each with a value. Throws std::invalid_argument with the reason.
 inline HostileOptions read_hostile_options(int argc, char** argv,
                                            std::span<const std::string_view> known) {
     HostileOptions options;

@@ -26,15 +26,15 @@ namespace lacuna::tests {
 using verify::any_in;
 
 struct HostileField {
-    // What is asked for, as the slow looks of tests/verify see it; `rings` are in `drawn` alone.
+    // The request in the form of the slow checks of tests/verify; only `drawn` has `rings`.
     verify::FieldCase asked;
-    bool has_field = true;  // else one radius, which is the scale
+    bool has_field = true;  // otherwise one radius, the scale
     std::vector<PolygonRing> rings;
     double edge = 0;
     std::vector<Point> keep;
-    Request options;  // what else is asked for
+    Request options;  // the rest of the request
 
-    // Both hold while this one stays where it is.
+    // The requests are valid while this object exists and is not moved.
     Request request() const {
         Request request = options;
         request.width = asked.domain.width;
@@ -56,7 +56,7 @@ struct HostileField {
         claim.radius = asked.scale;
         return claim;
     }
-    // With the polygons for the mask that they were drawn onto.
+    // With the polygons instead of the mask that they were drawn onto.
     verify::FieldCase drawn() const {
         verify::FieldCase seen = asked;
         seen.mask.reset();
@@ -70,7 +70,7 @@ struct HostileField {
     }
 };
 
-// RadiusField number k of a seed is the same whichever was made before.
+// Field number k of a seed does not depend on the fields made before.
 class RandomField {
 public:
     RandomField(std::uint64_t seed, std::uint64_t number) : random_(seed_of(seed, number)) {}
@@ -98,7 +98,7 @@ public:
         return made;
     }
 
-    // Some of the points of a set, as if it had been stopped there.
+    // Keeps some of the points of a set, as if it had been stopped there.
     void resume(HostileField& made, const std::vector<Point>& points) {
         made.asked.name += ", resumed";
         made.keep.assign(points.begin(), points.begin() + below_size(points.size()));
@@ -167,7 +167,7 @@ private:
         open_any(made, mask);
     }
 
-    // Where the field and the border let a sample lie, unless they hardly let any.
+    // A point where the field and the border allow a sample, unless they allow hardly any.
     void open_any(HostileField& made, Mask& mask) {
         made.asked.mask = std::move(mask);
         std::vector<std::uint8_t>& allowed = made.asked.mask->allowed;
@@ -190,7 +190,7 @@ private:
         try {
             made.asked.mask = draw_mask(made.rings, domain.width, domain.height, made.edge);
         } catch (const BadRequest& error) {
-            // Narrower than a pixel everywhere.
+            // The polygons are narrower than a pixel everywhere.
             if (error.option() != "inside") throw;
             made.rings.clear();
             made.asked.name += " that are lost";
@@ -204,7 +204,7 @@ private:
                                                        1 - 1e-3}[below(one_in(4) ? 3 : 2)];
     }
 
-    // One that may lie on any pixel within 2^-28 of the longer side has the least of their radii.
+    // A point within 2^-28 of the longer side of several pixels has the least of their radii.
     std::optional<double> radius_of_kept(const HostileField& made, Point at) const {
         const verify::FieldCase& asked = made.asked;
         const verify::Domain& domain = asked.domain;
@@ -226,7 +226,7 @@ private:
         return is_open ? radius : std::nullopt;
     }
 
-    // At corners, on borders of pixels or as near to them as counts for both, on the border of the
+    // At corners, on borders of pixels or close enough to count for both, on the border of the
     // domain, and beside each other at exactly the least distance.
     Point any_kept(const HostileField& made, const std::vector<Point>& others) {
         const verify::FieldCase& asked = made.asked;
@@ -276,7 +276,7 @@ private:
     std::mt19937_64 random_;
 };
 
-// For one who is to make it again, beside the seed and the number of the radius field.
+// Describes it, to be made again, beside the seed and the number of the radius field.
 inline std::string describe(const HostileField& made) {
     const verify::FieldCase& asked = made.asked;
     const auto size = [](const auto& picture) {

@@ -49,7 +49,7 @@ inline PolygonRing comb(const verify::Domain& domain, double edge) {
     return ring;
 }
 
-// For a mask of whose pixels half a diagonal is `edge`.
+// For a mask where half the diagonal of a pixel is `edge`.
 class RandomPolygons {
 public:
     RandomPolygons(std::mt19937_64& random, const verify::Domain& domain, double edge)
@@ -133,7 +133,7 @@ private:
         return made;
     }
 
-    // What is inside twice is outside; and rings around nothing.
+    // Points inside an even number of rings are outside; also rings around nothing.
     Rings nothings() {
         const PolygonRing box = box_of(place(), place());
         const Point a = place(), b = place();

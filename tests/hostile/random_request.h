@@ -1,5 +1,5 @@
-// Requests at random, with what makes the paper's loop hard: radii as large as the domain, aspects
-// of 1000, rounds of one draw and of a million, fields whose importance spans eight powers of ten.
+// Random requests with everything that is hard for the paper's loop: radii as large as the domain,
+// aspects of 1000, rounds of one draw and of a million, importance over eight powers of ten.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -52,7 +52,7 @@ public:
 private:
     std::uint32_t below(std::uint32_t end) { return static_cast<std::uint32_t>(random_() % end); }
     bool one_in(std::uint32_t many) { return below(many) == 0; }
-    // From low to high, all powers alike.
+    // A number from low to high; all powers are equally likely.
     double power(double low, double high) {
         const double part = static_cast<double>(random_() >> 11) * 0x1p-53;
         return std::min(high, low * std::pow(high / low, part));
@@ -108,7 +108,7 @@ private:
         request.field = made.field.get();
     }
 
-    // Radii that differ by up to 10^6 times.
+    // Radii differ by up to a factor of 10^6.
     void choose_field(HostileRequest& made) {
         Request& request = made.request;
         if (one_in(4)) request.lines_per_radius = below(5) + 1;
@@ -156,7 +156,7 @@ private:
     std::mt19937_64 random_;
 };
 
-// For one who is to make it again, beside the seed and the number of the request.
+// Describes it, to be made again, beside the seed and the number of the request.
 inline std::string describe(const HostileRequest& made) {
     const Request& request = made.request;
     std::ostringstream out;

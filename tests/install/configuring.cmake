@@ -30,7 +30,7 @@ if(EXISTS ${SCRATCH}/prefix)
     message(FATAL_ERROR "as a part Lacuna installs what the whole did not ask for")
 endif()
 
-# With what reads pictures and writes files, where it asks for that.
+# With the parts that read pictures and write files, if the project asks for them.
 execute_process(COMMAND ${CMAKE_COMMAND} ${toolchain} -D LACUNA_EXTRAS=ON -S ${SCRATCH}/whole
     -B ${SCRATCH}/whole/extras OUTPUT_VARIABLE out ERROR_VARIABLE err RESULT_VARIABLE code)
 string(REGEX MATCHALL "-- target [a-z_]+" targets "${out}")

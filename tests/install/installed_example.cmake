@@ -19,12 +19,12 @@ set(toolchain -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPI
 if(SHARED_SOURCE)
     run("configuring the shared library" ${CMAKE_COMMAND} ${toolchain} -S ${SHARED_SOURCE} -B ${BUILD}
         -D BUILD_SHARED_LIBS=ON -D LACUNA_COMMAND=OFF -D LACUNA_TESTS=OFF -D LACUNA_BENCHMARKS=OFF
-        # Unoptimised and by several files at once: what is tested is how it is built and found.
+        # Without optimisation and in a unity build: only building and finding are tested.
         -D CMAKE_BUILD_TYPE=None -D CMAKE_UNITY_BUILD=ON)
     run("building the shared library" ${CMAKE_COMMAND} --build ${BUILD})
 endif()
 
-# From nothing each time: what an earlier run installed must not help.
+# An empty prefix each time, so that an earlier installation cannot help.
 set(prefix ${SCRATCH}/prefix)
 file(REMOVE_RECURSE ${prefix} ${SCRATCH}/example)
 run("installing" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
@@ -37,14 +37,14 @@ if(NOT found MATCHES "=${prefix}/")
     message(FATAL_ERROR "the example found another Lacuna: ${found}; expected one in ${prefix}")
 endif()
 
-# Of this radius 278 points fit on average, with a standard deviation of 4.
+# With this radius 278 points fit on average, with a standard deviation of 4.
 run("running the example" ${SCRATCH}/example/first_points)
 if(NOT output MATCHES "^2[5-9][0-9] points\n([0-9.e-]+ [0-9.e-]+)\n$")
     message(FATAL_ERROR "the example printed:\n${output}expected 250 to 299 points, and the first")
 endif()
 set(first "${CMAKE_MATCH_1}")
 
-# pkg-config leads to the same program.
+# pkg-config builds the same program.
 find_program(PKG_CONFIG pkg-config REQUIRED)
 file(GLOB_RECURSE pc ${prefix}/lacuna.pc)
 cmake_path(GET pc PARENT_PATH pc_folder)
@@ -57,7 +57,7 @@ if(NOT output MATCHES "^2[5-9][0-9] points\n${first}\n$")
     message(FATAL_ERROR "built by pkg-config the example printed:\n${output}")
 endif()
 
-# What is installed beside the library alone: the example that uses all of it, by CMake and pkg-config.
+# The example that uses everything beside the library alone, by CMake and pkg-config.
 file(GLOB_RECURSE extras ${prefix}/lacuna-extras.pc)
 if(extras)
     set(example ${EXAMPLE}/../stippled_picture)

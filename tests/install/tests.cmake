@@ -1,4 +1,4 @@
-# Registers the tests of what is installed: the example against the static and the shared library.
+# Registers the tests of the installation: the example with the static and the shared library.
 function(lacuna_install_test name)
     add_test(NAME install.${name} COMMAND ${CMAKE_COMMAND}
         -D SCRATCH=${PROJECT_BINARY_DIR}/install-test/${name}
@@ -13,7 +13,7 @@ if(LACUNA_SANITIZE)
     set(example_flags "-fsanitize=${LACUNA_SANITIZE}")
 endif()
 lacuna_install_test(as_built -D BUILD=${PROJECT_BINARY_DIR} -D CXX_FLAGS=${example_flags})
-# As a part of another project, and where a package is missing.
+# Lacuna as a part of another project, and with a missing package.
 add_test(NAME install.configuring COMMAND ${CMAKE_COMMAND}
     -D SCRATCH=${PROJECT_BINARY_DIR}/install-test/configuring -D SOURCE=${PROJECT_SOURCE_DIR}
     -D COMPILER=${CMAKE_CXX_COMPILER} -P ${PROJECT_SOURCE_DIR}/tests/install/configuring.cmake)

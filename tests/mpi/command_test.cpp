@@ -1,4 +1,4 @@
-// lacuna-mpi as a user has it.
+// lacuna-mpi as a user runs it.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,5 +1,5 @@
-// Run by mpirun with any number of ranks: on 60 requests, and on some for each device, the file
-// that they write together holds the points of lacuna::sample. Exits with 0 where all do.
+// Run by mpirun with any number of ranks: for 60 requests, and some for each device, the file that
+// the ranks write together holds the points of lacuna::sample. Exits with 0 if all do.
 #include <mpi.h>
 
 #include <lacuna/files.h>
@@ -23,8 +23,7 @@ namespace {
 
 using namespace lacuna;
 
-// The first ranks, as many as the request has room for, make the set; returns whether it is the
-// same, on rank 0.
+// As many ranks as the request has room for make the set; returns on rank 0 whether it is the same.
 bool is_same(const Request& request, const std::string& path, int& ranks_used) {
     int rank = 0;
     int ranks = 0;
@@ -51,7 +50,7 @@ bool is_same(const Request& request, const std::string& path, int& ranks_used) {
             same = sha256 == files::sha256_of(expected.points) &&
                    made.outcome.samples == expected.points.size() &&
                    made.outcome.maximal == expected.maximal && made.radius == expected.radius;
-            // The whole file, its header too.
+            // Compares the whole file, including its header.
             const std::string whole = files::encode(
                 {expected.points, request.width, request.height}, *files::find_format("npy"));
             same = same && files::read_whole(path) == whole;

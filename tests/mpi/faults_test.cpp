@@ -132,7 +132,7 @@ TEST(MpiFaults, ARankThatDoesNotSeeTheFolderIsTold) {
     EXPECT_TRUE(other.names().empty());
 }
 
-// Processes of lacuna-mpi that write into the folder, by what Linux tells of them.
+// Finds the processes of lacuna-mpi that write into the folder, from Linux's /proc.
 std::vector<pid_t> ranks_writing_to(const std::string& path) {
     std::vector<pid_t> found;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -146,7 +146,7 @@ std::vector<pid_t> ranks_writing_to(const std::string& path) {
     return found;
 }
 
-// Of a run that takes some seconds, once its file is there.
+// Ends a rank of a run that takes some seconds, once the run's file exists.
 void end_a_rank_by(int signal) {
     Folder folder;
     const std::string path = folder.path("x.npy");
@@ -158,7 +158,7 @@ void end_a_rank_by(int signal) {
         found = ranks_writing_to(path);
     }
     ASSERT_EQ(found.size(), 3u);
-    // Until all of them know of it: see docs/mpi.md.
+    // Waits until all ranks have noticed it: see docs/mpi.md.
     std::this_thread::sleep_for(std::chrono::milliseconds(700));
     EXPECT_EQ(folder.names().size(), 1u);  // the unfinished one
 

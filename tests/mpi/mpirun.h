@@ -31,7 +31,7 @@ inline Outcome mpirun(const std::vector<std::string>& arguments) {
     return run(command_of(arguments), setting());
 }
 
-// So many ranks of lacuna-mpi with the same options.
+// `count` ranks of lacuna-mpi with the same options.
 inline std::vector<std::string> ranks(int count, const std::vector<std::string>& options) {
     std::vector<std::string> all{"-n", std::to_string(count), LACUNA_MPI_PROGRAM};
     all.insert(all.end(), options.begin(), options.end());

@@ -1,4 +1,4 @@
-// Given a picture, importance is where it is dark, or with invert where it is bright.
+// Given a picture, importance is high where it is dark, or with invert where it is bright.
 #include "pictures/importance.h"
 
 #include <gtest/gtest.h>

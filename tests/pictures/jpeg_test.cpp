@@ -1,4 +1,4 @@
-// Given a JPEG of any kind that is read, its pixels come back as closely as the format keeps them.
+// Given a JPEG of any supported kind, its pixels come back as closely as the format keeps them.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -46,7 +46,7 @@ TEST(AJpeg, OfColourIsWeighedByBt709NotByItsOwnLuma) {
         }
 }
 
-// libjpeg writes Adobe's marker, and its numbers are then those of paper: 255 is no ink.
+// libjpeg writes Adobe's marker, which inverts the numbers: 255 is no ink.
 TEST(AJpeg, OfCmykIsReadWithoutAPrintersProfile) {
     for (const Samples& paper :
          {Samples{255, 255, 255, 255}, Samples{255, 255, 255, 0}, Samples{0, 0, 0, 255},
@@ -60,11 +60,11 @@ TEST(AJpeg, OfCmykIsReadWithoutAPrintersProfile) {
     }
 }
 
-// A camera's picture of which the dark spot is to be seen at the top left, on 3 x 2 blocks of 8.
+// A camera's picture; when turned upright its dark spot is at the top left, on 3 x 2 blocks of 8.
 TEST(AJpeg, IsTurnedAsExifSays) {
     for (int orientation = 1; orientation <= 8; ++orientation)
         for (const bool big_endian : {false, true}) {
-            // The corner where row 0 and column 0 of the stored picture are seen: Exif's table.
+            // The corner where row 0 and column 0 of the stored picture are seen, by Exif's table.
             const bool is_turned = orientation >= 5;
             const bool at_right =
                 orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;

@@ -57,7 +57,7 @@ void set_profile_and_text(png_structp png, png_infop info) {
     png_set_text(png, info, &text, 1);
 }
 
-// A sample a byte, or two, the higher one first; libpng packs small depths.
+// One byte for each sample, or two, the higher one first; libpng packs small depths.
 std::vector<png_byte> row_bytes(const Samples& samples, std::size_t begin, std::size_t count,
                                 int depth) {
     std::vector<png_byte> bytes;
@@ -187,7 +187,7 @@ std::string exif(int orientation, bool big_endian) {
     const auto wide = [&](std::uint16_t value) {
         return big_endian ? numbers({0, value}) : numbers({value, 0});
     };
-    // Two entries: XResolution, whose value stands elsewhere, then Orientation.
+    // Two entries: XResolution, whose value is stored elsewhere, then Orientation.
     return std::string("Exif\0\0", 6) + (big_endian ? "MM" : "II") + numbers({42}) + wide(8) +
            numbers({2}) + numbers({0x011a, 5}) + wide(1) + wide(38) + numbers({0x0112, 3}) +
            wide(1) + numbers({static_cast<std::uint16_t>(orientation), 0}) + wide(0);

@@ -1,5 +1,5 @@
-// Picture files that the readers are tested with, made by other hands than the readers': libpng's
-// and libjpeg's writers, and bytes put together here.
+// Picture files for tests of the readers, made without the readers' code: by libpng's and libjpeg's
+// writers, and from bytes put together here.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace lacuna::pictures {
 
 using Samples = std::vector<std::uint16_t>;
 
-// How libpng is to write a picture; types and filters are its PNG_ constants.
+// The options for libpng's writer; types and filters are its PNG_ constants.
 struct Png {
     std::uint32_t columns = 1;
     std::uint32_t rows = 1;

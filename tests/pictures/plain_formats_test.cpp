@@ -177,7 +177,7 @@ TEST(AnNpyArray, InFortranOrderIsTheSamePicture) {
 TEST(AnNpyArray, OfFourChannelsIsCompositedOverWhite) {
     EXPECT_EQ(luminance_of(npy_bytes("|u1", "(1, 2, 4)", bytes_of({0, 0, 0, 51, 0, 255, 0, 255}))),
               (Values{0.8, 0.7152}));
-    // White is the brightest colour, 4, and so is what shows through.
+    // The brightest colour, 4, is white, and so is the background of transparent pixels.
     const Image image = decode_image(
         npy_bytes("<f8", "(1, 3, 4)", packed(Values{4, 4, 4, 1, 0, 0, 0, 0, 2, 2, 2, 0.5}, false)),
         "file");

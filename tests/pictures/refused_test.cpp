@@ -1,4 +1,4 @@
-// Given a file that is no whole picture, the reader says what and where in one line.
+// Given a file that is no whole picture, the reader says what is wrong and where, in one line.
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -274,7 +274,7 @@ TEST(APicture, ThatIsTooLongIsRefusedByItsHeaderAlone) {
 
 TEST(APicture, CutOffAnywhereIsRefused) {
     for (const auto& [name, bytes] : one_of_each()) {
-        // Text may lose its last line's end, and digits that leave a number.
+        // A text may lose its last line's end, and digits if a number remains.
         const std::size_t spared = name.starts_with("text.") ? 4 : 0;
         for (std::size_t size = 0; size + spared < bytes.size(); ++size) {
             try {

@@ -81,7 +81,7 @@ TEST(KeptPoints, OnTheBorderOfTwoPixelsMayHaveTheRadiusOfEither) {
     EXPECT_EQ(refusal_of(request), "accepted");
 }
 
-// Held against a look at every pair.
+// Compared with a check of every pair.
 TEST(KeptPoints, AreRefusedWhereAnyPairIsTooClose) {
     std::mt19937_64 random(18);
     std::uniform_real_distribution<double> anywhere(0, 1);

@@ -1,4 +1,4 @@
-// What is said to requests whose mask, border or kept points cannot be served.
+// The errors for requests whose mask, border or kept points cannot be served.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
@@ -99,7 +99,7 @@ TEST(AKeptPoint, LiesWhereTheMaskAllowsIt) {
     Request request = of_radius(0.1);
     const Mask mask{2, 2, {0, 1, 1, 1}};  // the upper left quarter is forbidden
     request.mask = &mask;
-    // One on the border of two pixels may be taken to lie on either.
+    // A point on the border of two pixels may be taken to lie on either.
     const std::vector<Point> keep{{0.25, 0.25}, {0.5, 0.5}, {0.25, 0.5}, {0.25, 0.5000001}};
     request.keep = keep;
     EXPECT_EQ(refusal_of(request),

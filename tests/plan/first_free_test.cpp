@@ -1,4 +1,4 @@
-// Before the first sample, spans, free lengths and bits tell of the same places.
+// Before the first sample, spans, free lengths and bits agree.
 #include "plan/first_free.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The plan of mode cells: what a request may not ask for.
+// The plan of mode cells, and the requests that it refuses.
 #include "plan/plan.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(CellsPlan, RefusesAFieldThatIsNoRectangle) {
     EXPECT_EQ(refusal(cells_request(field)), "field 3x2 with 7 values" + needs);
     field = {0, 4, {}};
     EXPECT_EQ(refusal(cells_request(field)), "field 0x4 with 0 values" + needs);
-    // Nor are numbers whose product wraps in 32 bits.
+    // Numbers whose product wraps in 32 bits are refused, too.
     field = {65536, 65536, {}};
     EXPECT_EQ(refusal(cells_request(field)), "field 65536x65536 with 0 values" + needs);
 }
@@ -145,7 +145,7 @@ TEST(CellsPlan, SaysHowMuchMemoryASetNeeds) {
     EXPECT_EQ(message.find("count 500000: needs about 0.0"), 0u) << message;
 }
 
-// More points than a pixel of any lattice has room for, in a field that is white but for it.
+// More points than one pixel of any lattice has room for; the rest of the field is white.
 TEST(CellsPlan, RefusesMorePointsThanLatticePoints) {
     Field field = tests::constant_field(1000, 1000, 0);
     field.importance[777'123] = 1;
@@ -166,7 +166,7 @@ TEST(CellsPlan, RefusesMOutsideItsRange) {
     }
 }
 
-// Steps that differ by more make distances wrong: a radius is counted in the smaller.
+// If the two steps differ more, distances are wrong: a radius is counted in the smaller step.
 TEST(CellsPlan, HasStepsAlikeAtEveryAspect) {
     const Field field = tests::constant_field(2, 2);
     for (const double aspect : {1.0, 7.0, 30.0, 1000.0}) {

@@ -1,4 +1,4 @@
-// What the plan promises about whole numbers, and what a request may not ask for.
+// The plan's promises about whole numbers, and the requests that it refuses.
 #include "plan/plan.h"
 
 #include <gtest/gtest.h>
@@ -64,12 +64,12 @@ RC_GTEST_PROP(Plan, KeepsEveryPromiseOfItsFields, ()) {
     RC_ASSERT(plan.width <= 0x80000000u && plan.height <= 0x80000000u);
     RC_ASSERT(plan.width > 0u && plan.height > 0u);
     if (plan.is_exact()) RC_ASSERT(std::has_single_bit(plan.strip_width));
-    // In exact, whose strips are cut down to a power of two, at least half of 2^31 units are left.
+    // In exact strip widths are rounded down to a power of two: at least half of 2^31 units remain.
     if (plan.is_exact()) RC_ASSERT(std::max(plan.width, plan.height) >= (1u << 30));
     RC_ASSERT(plan.radius * std::min(plan.unit_x, plan.unit_y) >= *request.radius);
     RC_ASSERT((plan.radius - 2) * std::min(plan.unit_x, plan.unit_y) <= *request.radius);
     RC_ASSERT(std::abs(plan.unit_y / plan.unit_x - 1) < std::ldexp(1, -20));
-    // m strips to a radius, or a few thousandths more.
+    // A radius has m strips, or a few thousandths more.
     RC_ASSERT(plan.strip_width * std::uint64_t{*request.lines_per_radius} <= plan.radius);
     const Point last = plan.to_user({plan.width - 1, plan.height - 1});
     RC_ASSERT(last.x < request.width && last.y < request.height);

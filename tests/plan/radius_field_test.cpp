@@ -1,4 +1,4 @@
-// RadiusFields: where pixels lie in whole numbers, what lies under a rectangle, and the first
+// Radius fields: where pixels lie in whole numbers, the radii under a rectangle, and the first
 // boxes.
 #include "plan/radius_field.h"
 
@@ -35,7 +35,7 @@ TEST(PixelAxis, CutsItsLengthIntoPixelsToAUnit) {
     }
 }
 
-// Radii of [x, x + width) times [begin, end), unit by unit, for radius fields of few units.
+// Looks at the radii of [x, x + width) times [begin, end) unit by unit, in fields of few units.
 TEST(AGround, TellsTheLeastAndTheGreatestRadiusUnderARectangle) {
     std::mt19937 random(5);
     const auto below = [&](std::uint32_t end) {
@@ -65,7 +65,7 @@ TEST(AGround, TellsTheLeastAndTheGreatestRadiusUnderARectangle) {
                 }
             }
             const Under under = radius_field.under(place);
-            if (greatest == 0) continue;  // what it tells of pixels around is no harm
+            if (greatest == 0) continue;  // other pixels may then count
             EXPECT_LE(under.least, least);
             EXPECT_NE(under.least, 0u);
             EXPECT_GE(under.greatest, greatest);

@@ -1,4 +1,4 @@
-// The radius map of mode cells: which pixel lies under a lattice point, and how far each must look.
+// The radius map of mode cells: which pixel lies under a lattice point, and each point's reach.
 #include "plan/radius_map.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ struct Place {
     std::uint32_t y;
 };
 
-// In steps, squared.
+// The squared distance in lattice steps.
 double distance_squared(const Plan& plan, Place a, Place b) {
     double dx = std::abs(static_cast<double>(a.x) - b.x);
     double dy = std::abs(static_cast<double>(a.y) - b.y);
@@ -57,8 +57,8 @@ bool no_conflict_is_beyond_the_reach(const Plan& plan, Place a) {
     return true;
 }
 
-// Few of the pixels are pale, and their disks are small beside the domain; images of all widths, so
-// that whatever the map shares them into has odd ends.
+// Few pixels are pale, and their disks are small beside the domain. Images have all widths, so that
+// the map's blocks have odd ends.
 TEST(RadiusMap, NoConflictIsFartherThanTheReachOfEitherPlace) {
     std::mt19937_64 random(20113);
     const auto below = [&](std::uint32_t end) {
@@ -100,7 +100,7 @@ TEST(RadiusMap, ListsTheRowsOfEachPixelColumnByTheirRadiiWidestFirst) {
         for (std::uint32_t i = 0; i < radii.rows; ++i) {
             const std::uint32_t row = radii.widest_rows[first + i];
             rows.insert(row);
-            // Rows of one class come in any order: none later is above an earlier one's bound.
+            // Rows of one class come in any order: no later row is above an earlier row's bound.
             EXPECT_LE(radii.radii[first + row], bound);
             bound = portable::class_bound(radii.radii[first + row]);
         }
@@ -111,7 +111,7 @@ TEST(RadiusMap, ListsTheRowsOfEachPixelColumnByTheirRadiiWidestFirst) {
     EXPECT_TRUE(make_plan(request).radii->widest_rows.empty());
 }
 
-// What makes a search near a place cheap: radii that do not reach it do not count.
+// Radii that do not reach a point do not count there, which makes searches cheap.
 TEST(RadiusMap, WideRadiiFarAwayDoNotLengthenAReach) {
     const Field field =
         tests::made_field(100, 100, [](double x, double) { return x < 0.3 ? 0.01 : 1; });

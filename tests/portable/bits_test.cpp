@@ -33,7 +33,7 @@ TEST(BitOfRank, CountsSetBitsFromTheLowest) {
     const std::uint64_t seed = 7;
     std::mt19937_64 random(seed);
     for (int i = 0; i < 100'000; ++i) {
-        // Of every density, the full word and single bits among them.
+        // Words of every density, including the full word and single bits.
         u32 word = to_u32(random());
         if (i % 3 == 0) word &= to_u32(random()) & to_u32(random());
         if (i % 3 == 1) word |= to_u32(random()) | to_u32(random());

@@ -65,7 +65,7 @@ TEST(Bucket, AscendsWithYAndUsesAtLeastHalfOfWhatThereIs) {
                 last = bucket;
             }
             EXPECT_EQ(bucket_of(0, count, height), 0u);
-            // Where there are as many heights as buckets.
+            // If there are as many heights as buckets, at least half of the buckets are used.
             EXPECT_TRUE(height < count || 2 * (last + 1) >= count) << height << ", " << count;
         }
     }

@@ -1,5 +1,5 @@
-// The arithmetic of the tree over sites: bounds that no site in a box breaks, and lags that tell
-// the difference of two powers, within 32 bits where they say so.
+// The arithmetic of the tree over sites: no site in a box breaks the box's bounds, and lags give
+// the difference of two powers, within 32 bits where they claim it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -81,7 +81,7 @@ TEST_F(SiteTree, a_sites_worst_power_is_that_in_its_worst_corner) {
     }
 }
 
-// Of two rivals near a tile, at lattice points of it.
+// Lags of two rivals near a tile, at the tile's lattice points.
 class Lags : public SiteTree {
 protected:
     static constexpr u32 kMost = 31;

@@ -11,7 +11,7 @@ namespace {
 
 using namespace lacuna::portable;
 
-// Unit by unit.
+// The same cells, found unit by unit.
 std::set<u32> by_units(u32 begin, u32 end, u32 radius, u32 length, u32 period, u32 side) {
     std::set<u32> cells;
     for (u32 unit = 0; unit < length; ++unit)

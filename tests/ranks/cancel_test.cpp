@@ -1,4 +1,4 @@
-// One rank that is told to stop stops all.
+// If one rank is cancelled, all ranks stop.
 #include <gtest/gtest.h>
 
 #include <atomic>

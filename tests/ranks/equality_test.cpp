@@ -1,4 +1,4 @@
-// Any number of ranks makes the set of one process, whole number for whole number.
+// Any number of ranks makes the set of one process, number for number.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -34,7 +34,7 @@ tests::MadeOnRanks expect_same(const Request& request, const Outcome& expected, 
     return made;
 }
 
-// Where whole looks are needed is counted.
+// The number of whole looks that were needed.
 std::uint64_t whole_looks(const tests::MadeOnRanks& made) {
     std::uint64_t looks = 0;
     for (const Border::Tally& tally : made.tallies) looks += tally.whole_looks;
@@ -57,7 +57,7 @@ TEST_P(OnRanks, TheSetOfOneProcess) {
     const std::vector<Request> requests = tests::equality_requests(Mode::exact);
     const bool is_cpu = GetParam() == "cpu";
     std::size_t compared = 0;
-    // Each device's backend takes its time to be made: a few requests of every kind.
+    // Device backends are slow to make: a few requests of every kind.
     for (std::size_t i = 0; i < requests.size(); i += is_cpu ? 1 : 23) {
         const Outcome expected = made_alone(requests[i]);
         const std::uint32_t most = most_ranks(make_plan(requests[i]));
@@ -110,7 +110,7 @@ TEST(Border, LooksAtTheWholeStripWhereItMust) {
     const tests::MadeOnRanks made = expect_same(request, expected, 4, "cpu", 2);
 
     EXPECT_GT(whole_looks(made), 0u);
-    // And not at its usual depth.
+    // No whole looks at its usual depth.
     EXPECT_EQ(whole_looks(expect_same(request, expected, 4, "cpu")), 0u);
 }
 
@@ -138,7 +138,7 @@ TEST(Border, SendsFewBytesASampleAndMessagesThatDoNotGrowWithTheSet) {
         EXPECT_GT(samples, 0u);
         EXPECT_LE(made.bytes, 64 * samples) << "radius " << radius;
     }
-    // To two neighbours: the candidates, then some two or three passes.
+    // Messages to two neighbours: the candidates, then some two or three passes.
     for (const double messages : messages_a_round) EXPECT_LE(messages, 8);
 }
 

@@ -56,12 +56,12 @@ private:
 
 struct MadeOnRanks {
     std::vector<Sample> samples;
-    OutcomeOnRanks outcome;              // as rank 0 knows it
+    OutcomeOnRanks outcome;              // from rank 0
     std::vector<Border::Tally> tallies;  // of each rank
-    std::uint64_t bytes = 0;             // that neighbours sent each other
+    std::uint64_t bytes = 0;             // sent between neighbours
 };
 
-// With one thread a rank. The backends are made one after another: drivers compile then.
+// Each rank has one thread. The backends are made one after another, because drivers compile then.
 inline MadeOnRanks run_on_ranks(const Plan& plan, std::uint32_t count, const std::string& backend,
                                 std::uint32_t depth = Border::kDepth) {
     Ring ring(count);

@@ -1,4 +1,4 @@
-// Strips share a plan out.
+// Strips divide a plan among ranks.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -14,7 +14,7 @@
 
 namespace lacuna::tests {
 
-// What the ranks of one run share. All of them must make the same calls, or the run never ends.
+// The state common to all ranks of a run. All must make the same calls, or the run never ends.
 class Ring {
 public:
     explicit Ring(std::uint32_t count)
@@ -73,7 +73,7 @@ private:
 };
 
 // Calls run(rank) once for each rank, in a thread of its own. It must throw on all ranks or on
-// none: what the first threw is thrown on.
+// none: the first rank's exception is thrown again.
 template <typename Run>
 void on_threads(Ring& ring, Run run) {
     std::vector<std::exception_ptr> thrown(ring.count());

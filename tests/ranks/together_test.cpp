@@ -1,4 +1,4 @@
-// What one rank cannot do, none goes on with.
+// If one rank cannot do something, no rank goes on.
 #include <gtest/gtest.h>
 
 #include <atomic>

@@ -1,5 +1,5 @@
-// Backends of relaxation under test, by name, as in backends/available.h: one that this machine
-// does not have is skipped, or fails where LACUNA_REQUIRE holds its name.
+// Backends of relax under test, by name, as in backends/available.h: tests of a missing one are
+// skipped, or fail if LACUNA_REQUIRE holds its name.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace lacuna::relaxing::tests {
 
-// All but the reference, which they are held against.
+// All except the reference, with which they are compared.
 inline const auto kRelaxBackends = lacuna::tests::kParallelBackends;
 using lacuna::tests::name_of_parameter;
 using lacuna::tests::OnBackend;

@@ -1,4 +1,4 @@
-// lacuna::relax keeps its promises: as many points, in the domain, on importance, the same always.
+// lacuna::relax keeps its promises: as many points, in the domain, on importance, reproducible.
 #include <gtest/gtest.h>
 
 #include <lacuna/lacuna.h>
@@ -39,7 +39,7 @@ double least_distance(const std::vector<Point>& points, const RelaxOptions& opti
     return least;
 }
 
-// In units of the hexagonal lattice's of as many points.
+// The least distance, in units of the hexagonal lattice with as many points.
 double relative_least_distance(const std::vector<Point>& points, const RelaxOptions& options) {
     const double area = options.width * options.height / static_cast<double>(points.size());
     return least_distance(points, options) / std::sqrt(area * 2 / std::sqrt(3.0));
@@ -143,7 +143,7 @@ TEST_P(Relax, is_asked_before_the_first_iteration_too) {
     RelaxOptions options = on(1, 1, Boundary::box);
     options.backend = GetParam();
     std::vector<Point> points = random_points(200'000, 1, 1, 1);
-    points.resize(201'000, {0.5, 0.5});  // a crowd, which is taken apart
+    points.resize(201'000, {0.5, 0.5});  // a crowd, which must spread
     for (int at = 1; at <= 50; ++at) {
         Stop stop(at);
         EXPECT_THROW(relax(points, nullptr, options, stop), Cancelled);

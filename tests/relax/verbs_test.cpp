@@ -1,5 +1,4 @@
-// Each verb of each backend leaves what the reference leaves, on hostile scenes, whole number for
-// whole number.
+// Each verb of each backend gives the reference's results, on hostile scenes, number for number.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -30,7 +29,7 @@ std::string text(std::uint32_t owner) {
     return std::to_string(owner);
 }
 
-// Names the first that differs; empty where none does.
+// Names the first value that differs; empty if none does.
 template <typename Value>
 std::string difference(const char* what, const std::vector<Value>& expected,
                        const std::vector<Value>& got) {
@@ -44,7 +43,7 @@ std::string difference(const char* what, const std::vector<Value>& expected,
     return "";
 }
 
-// After assign and accumulate.
+// Compares the results of assign and accumulate.
 std::string difference_of_looks(RelaxBackend& expected, RelaxBackend& got) {
     expected.assign();
     got.assign();
@@ -66,7 +65,7 @@ TEST_P(Verbs, leave_what_the_references_do) {
         const auto backend = make_backend(GetParam(), lattice, start);
         for (int iteration = 0; iteration < 6; ++iteration) {
             ASSERT_EQ(difference_of_looks(*reference, *backend), "") << scene << ", " << iteration;
-            // Resting from every state, though a run does so once.
+            // Rests in every state, although a run rests only once.
             const std::vector<Site> before = reference->sites();
             reference->rest();
             backend->rest();
@@ -148,7 +147,7 @@ TEST_P(Verbs, give_every_lattice_point_of_importance_to_somebody) {
     }
 }
 
-// What the tests above would say of a backend that is off by little.
+// The tests above must notice a backend that is off by little.
 TEST(Difference, is_found_in_one_step_of_one_site) {
     const Scene scene = scenes()[6];
     const Lattice lattice = scene.lattice();

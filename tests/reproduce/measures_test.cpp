@@ -1,4 +1,4 @@
-// What the figures measure, against closed forms and made sets.
+// The measures of the figures, against closed forms and made sets.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 

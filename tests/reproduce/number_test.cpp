@@ -1,4 +1,4 @@
-// When a number is within its band, and what its line says.
+// Whether a number is within its band, and its line of output.
 #include "reproduce/number.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Draws inverted together are those inverted one by one, sorted.
+// Draws inverted together equal draws inverted one by one, then sorted.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using namespace lacuna;
 
 constexpr std::uint32_t kPlaceWidth = 1000;
 
-// Section 3, word for word: from the first place on, until the weight is used up.
+// Section 3, word for word: walks from the first bin until the weight is used up.
 Draw inverted_alone(const std::vector<std::uint32_t>& lengths, std::uint64_t total,
                     const Plan& plan, std::uint64_t number) {
     const auto u32 = [](std::uint64_t value) { return static_cast<std::uint32_t>(value); };
@@ -30,7 +30,7 @@ Draw inverted_alone(const std::vector<std::uint32_t>& lengths, std::uint64_t tot
     return {place, u32(scaled(random.second, lengths[place])), u32(scaled(bits, kPlaceWidth)), 0};
 }
 
-// Few draws in many places, many in few, and parts of more than one size.
+// Few draws in many bins, many in few, and parts of more than one size.
 void expect_draws_inverted_alone(std::size_t places, std::uint32_t count, bool uniform_x) {
     SCOPED_TRACE(testing::Message()
                  << count << " draws, " << places << " places" << (uniform_x ? ", uniform-x" : ""));
@@ -42,7 +42,7 @@ void expect_draws_inverted_alone(std::size_t places, std::uint32_t count, bool u
     request.uniform_x = uniform_x;
     const Plan plan = make_plan(request);
     std::vector<std::uint32_t> lengths(places);
-    for (std::size_t i = 0; i < places; ++i)  // empty places too, one after the other
+    for (std::size_t i = 0; i < places; ++i)  // also runs of empty bins
         lengths[i] = i % 7 < 3 ? 0 : static_cast<std::uint32_t>(1 + i * 7919 % 100);
     lengths[places / 2] = 1'000'000;
     Workers workers(3);
@@ -77,7 +77,7 @@ TEST(Marginal, InvertsFewDrawsInManyPlaces) {
         expect_draws_inverted_alone(100'000, count, false);
 }
 
-// Ranks that share a cdf draw, between them, what one alone draws, each draw once.
+// Ranks that each hold a part of a cdf together make the draws of one process, each draw once.
 TEST(Marginal, SharesMakeTheDrawsOfTheWhole) {
     Request request;
     request.radius = 0.1;
@@ -94,7 +94,7 @@ TEST(Marginal, SharesMakeTheDrawsOfTheWhole) {
     const std::span<const Draw> all = whole.invert(kFirst, kCount);
     std::vector<Draw> expected(all.begin(), all.end());
 
-    // The second and the last have nothing.
+    // The second and the last rank have nothing.
     std::vector<Draw> made;
     std::uint64_t before = 0;
     std::uint32_t place = 0;

@@ -51,7 +51,7 @@ TEST(Random, EveryArgumentMatters) {
     EXPECT_NE(base.first, random_bits(1, 2, 4).first);
 }
 
-// Runs of every length, from anywhere: also across the carry of a counter's lowest word.
+// Runs of every length, from any draw: also across the carry of a counter's lowest word.
 TEST(Random, RunsAreTheBitsOfEachDraw) {
     for (const lacuna::RandomRun* const way : lacuna::all_random_runs()) {
         SCOPED_TRACE(way->name);

@@ -1,4 +1,4 @@
-// What lacuna.h promises of mode exact, seen from outside: distances in double, the m of the
+// The promises of lacuna.h for mode exact, seen from outside: distances in double, the m of the
 // result, and refusals in one line.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
@@ -62,7 +62,7 @@ TEST(ALargeExactSet, KeepsTheRadiusInDoubleAndComesCloseToIt) {
     }
 }
 
-// Sides, radii and units of which none is a round number.
+// Sides, radii and units that are no round numbers.
 TEST(AnyExactSet, KeepsTheRadiusInDoubleAndItsPointsInTheDomain) {
     constexpr std::uint64_t kSeed = 6;
     constexpr int kSets = 300;

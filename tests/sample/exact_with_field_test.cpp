@@ -1,5 +1,5 @@
-// What lacuna.h promises of mode exact with a field, a mask, a border and kept points, seen from
-// outside: distances and room in double, the points that are kept, and refusals in one line.
+// The promises of lacuna.h for mode exact with a field, a mask, a border and kept points, seen from
+// outside: distances and room in double, the kept points, and refusals in one line.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 #include <lacuna/verify.h>
@@ -21,8 +21,8 @@ namespace {
 using namespace lacuna;
 using tests::FieldRequest;
 
-// What a user would compute. Pixels are cut at their borders to 2^-28 of the longer side, so a
-// point is told to be near one where it is that near.
+// A user's computation. Pixels are cut at their borders to 2^-28 of the longer side, so a point
+// counts as near a border up to that distance.
 class Plane {
 public:
     explicit Plane(const Request& request)
@@ -49,7 +49,7 @@ public:
         const double importance = value_at(*request_.field, request_.field->importance, p);
         return importance == 0 ? 0 : *request_.scale / std::sqrt(importance);
     }
-    // The least and the greatest radius that a point so near to borders may count with.
+    // The least and the greatest radius that a point this near to borders may have.
     double least_radius_at(Point p) const { return of_corners(p, true); }
     double greatest_radius_at(Point p) const { return of_corners(p, false); }
     double blur() const { return blur_; }
@@ -92,8 +92,8 @@ void expect_that_promises_are_kept(const FieldRequest& made, const Result& resul
         }
     }
     if (!result.maximal) return;
-    // Where a sample could lie, one is nearer than both radii: looked for at random, beside samples
-    // and at the corners of pixels, where gaps would be.
+    // Wherever a sample could lie, another one is nearer than both radii. Checked at random, beside
+    // samples and at the corners of pixels, where gaps would be.
     std::mt19937_64 random(11);
     std::uniform_real_distribution<double> share(0, 1);
     for (int k = 0; k < 3000; ++k) {

@@ -1,4 +1,4 @@
-// Given several seeds, the sets are those of each seed alone, in order, however they are made.
+// Given several seeds, the sets equal the sets of each seed alone, in order, however they are made.
 #include <lacuna/many.h>
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Request request_of(double radius, std::uint32_t threads = 0) {
     return request;
 }
 
-// Holds all sets against those of sample(), and counts them.
+// Compares all sets with sample()'s, and counts them.
 std::size_t expect_same_as_alone(const Request& request, const Seeds& seeds) {
     std::size_t at = 0;
     sample_many(request, seeds, [&](std::uint64_t seed, Result set) {
@@ -49,7 +49,8 @@ TEST(SampleMany, GivesTheSetOfEachSeedInOrderOnAnyNumberOfThreads) {
 
 TEST(SampleMany, GivesTheSetOfEachSeedInAllModesAndSizes) {
     const Seeds seeds{1, 2, 3};
-    EXPECT_EQ(expect_same_as_alone(request_of(0.004), seeds), 3U);  // too large to share out
+    EXPECT_EQ(expect_same_as_alone(request_of(0.004), seeds),
+              3U);  // too large to batch
     Request lines = request_of(0.05);
     lines.mode = Mode::lines;
     EXPECT_EQ(expect_same_as_alone(lines, seeds), 3U);

@@ -1,5 +1,5 @@
-// Given an observer, a run tells it its verbs and asks it now and then whether to go on, also
-// within a verb; once told not to, it asks no more and ends.
+// Given an observer, a run reports its verbs and asks now and then whether to go on, also within a
+// verb. After a no it asks no more and ends.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
@@ -19,7 +19,7 @@ std::size_t index_of(Verb verb) {
     return static_cast<std::size_t>(verb);
 }
 
-// Counts what it is told; says no to the question of this number within this verb, if any.
+// Counts the calls; says no to the question of this number within this verb, if there is one.
 class Listener : public Observer {
 public:
     Listener() = default;
@@ -94,8 +94,8 @@ TEST(AnObserver, HearsOfRefiningInExactAndNotInLines) {
 }
 
 TEST(AnObserver, OfOneThreadIsAskedTheMoreOftenWithinAVerbTheMoreThereIsToDo) {
-    // The columns of lines, each as wide as the radius, are 330 and 660. Admit asks once in a slab
-    // of 64 of them, or oftener where a slab has many draws.
+    // There are 330 and 660 columns of lines, each as wide as the radius. Admit asks once in a slab
+    // of 64 columns, or more often where a slab has many draws.
     for (const double radius : {0.003, 0.0015}) {
         Listener listener;
         const Result result = sample(request_of(Mode::exact, radius, 1), listener);
@@ -183,7 +183,7 @@ TEST(ARefusalBeforeTheFirstRound, CancelsWhileRadiiAreFoundForAField) {
     private:
         int at_;
     };
-    // Eight classes of radii, for each of which all pixels are looked at.
+    // Eight classes of radii; for each class all pixels are looked at.
     Field field{1024, 1024, {}};
     for (std::uint32_t i = 0; i < field.columns * field.rows; ++i)
         field.importance.push_back(1.0 / (1u << 2 * (i / 31 % 8)));

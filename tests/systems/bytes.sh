@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# bytes.sh PROGRAM BACKEND...: makes a dozen sets with each backend, and prints a line for each, its
-# SHA-256 and its request. Two systems that keep Lacuna's promise print the same lines.
+# bytes.sh PROGRAM BACKEND...: makes a dozen sets with each backend, and prints SHA-256 and request
+# for each. Two systems that keep Lacuna's promise print the same lines.
 set -euo pipefail
 program=$1
 shift

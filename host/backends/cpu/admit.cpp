@@ -1,7 +1,7 @@
 // admit in lines and cells: a candidate becomes a sample unless an earlier sample covers it.
 //
-// "Earlier" is by the order of the draws, whatever the order of the work. What covers a candidate,
-// and how far away, is the mode's: two small structs, below. Exact is in darts.cpp.
+// "Earlier" means by draw number, whatever the order of the work. Two small structs below say what
+// covers a candidate in each mode, and how far away that may be. Exact is in darts.cpp.
 #include <algorithm>
 #include <atomic>
 #include <span>
@@ -18,8 +18,8 @@
 namespace lacuna::cpu {
 namespace {
 
-// A mode says where candidate i counts as being, in which columns to look and how far, and the
-// square of the distance that it must keep from candidate j.
+// A mode says at which point candidate i counts, which columns to search and how far, and the
+// squared distance that it must keep from candidate j.
 struct InLines {
     const SpanState& state;
     portable::Stretch columns;
@@ -27,7 +27,7 @@ struct InLines {
     InLines(const SpanState& the_state, std::uint32_t column)
         : state(the_state),
           columns(portable::stretch_around(column, 1, state.columns, state.plan.period_x)) {}
-    // On a line, what counts is the chord on that line.
+    // A candidate counts at its line's x: only the chord on that line matters.
     Sample place(std::uint32_t i) const {
         return {state.plan.centre_of_line(state.candidates[i].line), state.candidates[i].y};
     }
@@ -60,8 +60,8 @@ struct InCells {
     }
 };
 
-// Columns of one pass read each other's statuses while they are decided. Whatever they see, a
-// status once decided is the right one.
+// The columns of one pass read each other's statuses while they change. That is safe: a status that
+// is decided is final, and an undecided one only makes the reader wait.
 std::uint32_t read(State& state, std::uint32_t i) {
     return std::atomic_ref(state.statuses[i]).load(std::memory_order_relaxed);
 }
@@ -70,8 +70,8 @@ void decide(State& state, std::uint32_t i, std::uint32_t status) {
     std::atomic_ref(state.statuses[i]).store(status, std::memory_order_relaxed);
 }
 
-// Calls visit(index) for the column's candidates within `reach` of y, until it returns true; true
-// if it did.
+// Calls visit(index) for the column's candidates within `reach` of y until it returns true; true if
+// it did.
 template <typename Visit>
 bool any_within(const State& state, std::uint32_t column, std::uint32_t y, std::uint32_t reach,
                 Visit visit) {
@@ -91,7 +91,7 @@ bool any_within(const State& state, std::uint32_t column, std::uint32_t y, std::
     return any_in(1) || any_in(2);
 }
 
-// What becomes of candidate i, as far as the statuses of those near it are known.
+// The status of candidate i, as far as it follows from the statuses near it.
 template <typename Mode>
 std::uint32_t status_of(State& state, const Mode& mode, std::uint32_t i) {
     const Plan& plan = state.plan;
@@ -114,8 +114,8 @@ std::uint32_t status_of(State& state, const Mode& mode, std::uint32_t i) {
     return waits ? STATUS_UNDECIDED : STATUS_ADMITTED;
 }
 
-// How many candidates share the buckets that candidate i looks into: about so many it is compared
-// with.
+// About how many candidates candidate i is compared with: the number in the buckets that it looks
+// into.
 template <typename Mode>
 std::uint64_t rivals_of(const State& state, const Mode& mode, std::uint32_t i) {
     const std::uint32_t height = state.plan.height;
@@ -123,7 +123,7 @@ std::uint64_t rivals_of(const State& state, const Mode& mode, std::uint32_t i) {
     const std::uint32_t windows = state.plan.period_y == 0 ? 1 : 3;
     std::uint64_t rivals = 0;
     mode.any_column_near(i, [&](std::uint32_t column, std::uint32_t reach) {
-        ++rivals;  // to look at a column takes as long
+        ++rivals;  // looking at a column costs about one comparison
         for (std::uint32_t window = 0; window < windows; ++window)
             rivals += state.count_between(column, portable::window_begin(window, y, reach, height),
                                           portable::window_end(window, y, reach, height));
@@ -132,10 +132,10 @@ std::uint64_t rivals_of(const State& state, const Mode& mode, std::uint32_t i) {
     return rivals;
 }
 
-// One candidate in kSampled tells how many the others are compared with.
+// One candidate in kSampled is counted, to estimate the comparisons of all.
 constexpr std::uint32_t kSampled = 128;
-// With more rivals than kMostRivals a candidate, parts take less time than a comparison of all;
-// unless candidates are so few that even to compare all pairs takes little.
+// With more rivals than kMostRivals a candidate, parts take less time. Where there are at most
+// kFewCandidates candidates, even comparing all pairs takes little.
 constexpr std::uint64_t kMostRivals = 64;
 constexpr std::uint32_t kFewCandidates = 1024;
 

@@ -1,4 +1,4 @@
-// Chords that are cut from a strip, sorted, and what they leave of it.
+// Sorting the chords that are cut from a box, and finding the pieces between them.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace lacuna::cpu {
 
-// Puts the last of so many chords where it belongs among the others, which are sorted by where they
-// begin: few, so by hand.
+// Moves the last of `count` chords to where it belongs among the others, which are sorted by their
+// begin. An insertion, because the chords are few.
 inline void sort_in_last(Span* chords, std::size_t count) {
     const Span chord = chords[count - 1];
     std::size_t to = count - 1;
@@ -17,7 +17,7 @@ inline void sort_in_last(Span* chords, std::size_t count) {
     chords[to] = chord;
 }
 
-// Calls keep(begin, end) for what sorted chords leave of [begin, end).
+// Calls keep(begin, end) for each piece of the strip that the sorted chords do not cover.
 template <typename Chords, typename Keep>
 void leave_of(Span strip, const Chords& chords, Keep keep) {
     std::uint32_t free_from = strip.begin;

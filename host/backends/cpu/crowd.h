@@ -1,11 +1,11 @@
-// Rounds whose draws crowd: most of them conflict with others of the round, and comparing all pairs
+// Rounds that crowd: most draws conflict with others of the round, so that comparing all pairs
 // would take time that grows with the square of their number.
 //
-// Such a round is admitted part by part, in the order of the draws. What the samples of the parts
-// so far cover is taken out of the places, which settles most draws of the next part in one look
-// each; only those left are compared among themselves. A part has as many draws as all before it
-// together. Of n draws after which the next is free with probability p, about n p or fewer have
-// become samples: so no more of the next n are left than samples were made before, anywhere.
+// Such a round is admitted in parts, in the order of the draws. The samples of each part are cut
+// from the bins. So one look at the bin decides most draws of the next part, and only the others
+// are compared with each other. Each part has as many draws as all earlier parts together. If the
+// draw after the first n is free with probability p, at least about n p of the n became samples. So
+// of the next n at most about n p are still free: no more than there are samples.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@
 
 namespace lacuna::cpu {
 
-// Draws [begin, end) of a round.
+// Draws [begin, end) of a round, by their order.
 struct Part {
     std::uint32_t begin;
     std::uint32_t end;
@@ -28,12 +28,13 @@ struct Part {
 template <typename ModeState>
 class Crowd {
 public:
-    // Takes the round out of the state, whose round are then the parts.
+    // Takes the round out of the state, which then holds one part of it at a time.
     explicit Crowd(ModeState& state) { exchange(state); }
     void give_back(ModeState& state) { exchange(state); }
 
-    // Each column, in this order: settles the part's draws that samples of earlier parts cover;
-    // moves those left into the state, to be admitted there; and tells what became of them.
+    // For each column, in this order: screen rejects the part's draws that samples of earlier parts
+    // cover, move_in moves the others into the state to be admitted, and move_out takes their
+    // statuses.
     void screen(const ModeState& state, std::uint32_t column, Part part) {
         std::uint32_t left = 0;
         for (std::uint32_t i = begins_[column]; i < begins_[column + 1]; ++i) {
@@ -82,8 +83,8 @@ private:
     std::vector<Candidate> candidates_;
     std::vector<std::uint32_t> begins_;
     std::vector<std::uint32_t> statuses_;
-    std::vector<std::uint32_t> left_;     // of the part, in each column, after a 0
-    std::vector<std::uint32_t> origins_;  // where the state's candidates come from
+    std::vector<std::uint32_t> left_;     // left_[c + 1]: the part's open draws in column c
+    std::vector<std::uint32_t> origins_;  // index in candidates_ of each candidate in the state
 };
 
 }  // namespace lacuna::cpu

@@ -19,7 +19,7 @@ public:
 protected:
     using RoundBackend<DartState>::state_;
 
-    // In so many slabs, unless that is not worth it.
+    // Decides the round's candidates, in at most most_slabs slabs.
     void throw_darts(std::uint32_t most_slabs) {
         const auto count = static_cast<std::uint32_t>(state_.candidates.size());
         if (!std::exchange(state_.is_screened, false))
@@ -36,9 +36,9 @@ protected:
     }
 
 private:
-    // In each slab: thrown in some 0.02 s, after which a run can be cancelled.
+    // Draws per slab before the run can be cancelled: they take some 0.02 s.
     static constexpr std::uint32_t kTurnsAtOnce = std::uint32_t{1} << 17;
-    // Fewer take one thread less time than slabs take to share out.
+    // Fewer draws take one thread less time than it takes to divide them among slabs.
     static constexpr std::uint32_t kDrawsWorthSlabs = 4096;
 
     Darts darts_;

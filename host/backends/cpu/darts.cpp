@@ -13,24 +13,24 @@
 namespace lacuna::cpu {
 namespace {
 
-// Cells are asked for so many candidates ahead, and the candidates twice as many: what memory
-// needs; 4 to 10 are alike.
+// How many candidates ahead their cells are prefetched; candidates are prefetched twice as far
+// ahead. Memory needs that long; 4 to 10 were equally fast.
 constexpr std::size_t kAhead = 8;
 
-constexpr std::size_t kPollEvery = std::size_t{1} << 14;  // candidates put off: some 2 ms
+constexpr std::size_t kPollEvery = std::size_t{1} << 14;  // in candidates put off: some 2 ms
 
 bool is_in(const Span& stretch, std::uint32_t x) {
     return x >= stretch.begin && x < stretch.end;
 }
 
-// The candidates of a slab, of columns that share out all.
+// The candidates of a slab; the slabs divide the columns evenly.
 Span candidates_of_slab(const State& state, std::uint32_t index, std::size_t slabs) {
     return {state.column_begins[index * std::size_t{state.columns} / slabs],
             state.column_begins[(index + std::size_t{1}) * state.columns / slabs]};
 }
 
-// What darts are thrown at: here the sample grid. A slab settles what lies in so many columns of
-// cells.
+// The board of one radius is the sample grid. A slab decides the candidates that lie in inner_:
+// these read no cells except the slab's own, own_.
 class GridBoard {
 public:
     explicit GridBoard(SpanState& state)
@@ -43,7 +43,7 @@ public:
         const std::uint32_t width = state.plan.strip_width;
         own_.begin = (state.first_lines[begin] * width + side - 1) / side * side;
         own_.end = state.first_lines[end] * width / side * side;
-        // A radius around x touches at most four columns of cells, from that of x - radius on.
+        // A disk around x touches at most four columns of cells; the first contains x - radius.
         inner_.begin = own_.begin + state.plan.radius;
         inner_.end = own_.end - std::min(3 * side, own_.end) + state.plan.radius;
     }
@@ -73,8 +73,8 @@ private:
     Span inner_;
 };
 
-// And the lists of blocks. A slab is a region, and settles what reaches no other: no conflict
-// is farther away than a candidate's own radius.
+// With a radius field the board is the neighbour lists. A slab is a region, and decides the
+// candidates that reach no other: no conflict is farther away than a candidate's own radius.
 class ListBoard {
 public:
     explicit ListBoard(FieldState& state) : state_(state), region_(kWhole) {}
@@ -161,7 +161,7 @@ void Darts::begin(std::uint32_t begin, std::uint32_t end, std::uint32_t slabs) {
     for (std::vector<std::uint32_t>& of_slab : put_off_) of_slab.clear();
 }
 
-// The slab's candidates in their turns; and more entries, to be asked for ahead.
+// Lists the slab's candidates in the order of their turns, and more entries, for prefetching.
 void Darts::list_turns(const State& state, Span slab, Scratch& scratch) const {
     auto& [thrown, starts, unsorted, sorted] = scratch;
     if (slabs() == 1) {
@@ -180,7 +180,7 @@ void Darts::list_turns(const State& state, Span slab, Scratch& scratch) const {
     thrown.resize(thrown.size() + 2 * kAhead, slab.begin);
 }
 
-// By buckets of equally many turns, then among neighbours.
+// Into buckets of equally many turns first, then by insertion.
 void Darts::sort_turns(Scratch& scratch) const {
     auto& [thrown, starts, unsorted, sorted] = scratch;
     const std::uint64_t count = unsorted.size();

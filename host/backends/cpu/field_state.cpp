@@ -17,7 +17,7 @@
 namespace lacuna::cpu {
 namespace {
 
-// Lists are asked for so many places ahead.
+// How many boxes ahead their lists are prefetched.
 constexpr std::size_t kPlacesAhead = 8;
 
 // No radius is larger.
@@ -28,13 +28,13 @@ public:
     Remnants(const FieldState& state, std::uint32_t region, std::vector<FieldState::Place>& left)
         : state_(state), is_at_edge_(wraps(state.first.regions[region])), left_(left) {}
 
-    // Of parts of a block, until the next call.
+    // The boxes to come are parts of this block.
     void begin(std::uint32_t block) {
         block_ = block;
         even_radius_ = state_.first.blocks[block].even_radius;
         wraps_ = is_at_edge_ && wraps(state_.first.blocks[block].node);
     }
-    // Cut by these.
+    // The boxes to come are cut by these samples.
     void cut_by(const SizedSpan& near) { near_ = near; }
 
     void append_halves(const Rectangle& place) {
@@ -47,7 +47,7 @@ public:
 
     void append(const Rectangle& place) { append(place, least_under(place)); }
 
-    // The same of all places of the block.
+    // Appends the pieces of all boxes of the block, or of their halves.
     void append_all(std::span<const FieldState::Place> places, bool halve) {
         for (const FieldState::Place& place : places) {
             const std::uint32_t cut = halve ? middle_of(place.at) : 0;
@@ -69,7 +69,7 @@ private:
         return even_radius_ != 0 ? even_radius_ : state_.radius_field.under(place).least;
     }
 
-    // Whether a sample may be nearer to what lies in the node the other way around.
+    // Whether a sample may be nearer to a box in the node across an edge of the torus.
     bool wraps(std::uint32_t node) const {
         const Plan& plan = state_.plan;
         if (plan.period_x == 0) return false;
@@ -78,8 +78,8 @@ private:
                place.begin < most || plan.height - place.end < most;
     }
 
-    // A chord covers the whole width of a place, and no more than any point of the place lets the
-    // sample cover.
+    // A chord spans the whole width of the box. Its radius is the smaller of the sample's and the
+    // box's, so that the sample conflicts with every point in it.
     void append(const Rectangle& place, std::uint32_t radius) {
         chords_.resize(std::max(chords_.size(), 3 * near_.count + kVectorPadding));
         const std::size_t count =
@@ -88,7 +88,7 @@ private:
         if (count != Vectors::kAll) append_rest(place, count);
     }
 
-    // What so many chords leave.
+    // Appends the pieces between the first `count` chords.
     void append_rest(const Rectangle& place, std::size_t count) {
         const std::span<Span> chords = std::span(chords_).first(count);
         insertion_sort(chords, [](Span a, Span b) { return a.begin < b.begin; });
@@ -97,7 +97,7 @@ private:
         });
     }
 
-    // Where samples may be nearer around the edges of a torus.
+    // The chords where samples may be nearer across an edge of the torus.
     std::size_t find_chords_around(const Rectangle& place, std::uint32_t radius) {
         const Plan& plan = state_.plan;
         const std::uint32_t half = place.width / 2;
@@ -124,9 +124,9 @@ private:
         if (batched_ == batch_.size()) append_batch();
     }
 
-    // Which samples touch which places, of many at once, is found in less time than the chords of
-    // one place. Most are left as they are, or nothing is left of them; few are touched by more
-    // than one. Where the radius is not known, samples may take less than they reach.
+    // find_touching tests eight boxes in less time than the chords of one box take. Most boxes are
+    // left alone by all samples or covered by one; few are touched by several. Where the radius
+    // varies, kAnyRadius finds all samples that may touch; their chords are then shorter.
     void append_batch() {
         const bool is_even = even_radius_ != 0;
         touching_.resize(std::max(touching_.size(), near_.count));
@@ -171,7 +171,7 @@ private:
         return place.width > 1 ? place.x + place.width / 2 : 0;
     }
 
-    // Only at borders of pixels.
+    // Cuts only along borders of pixels.
     void append_parts(const Rectangle& place) {
         const std::uint32_t cut = even_radius_ != 0 ? 0 : state_.radius_field.cut_y(place);
         if (cut == 0) return append_part(place);
@@ -179,24 +179,24 @@ private:
         append_part({place.x, place.width, cut, place.end});
     }
 
-    // Unless no sample may go there.
+    // Drops the part if no sample may lie there.
     void append_part(const Rectangle& place) {
         if (const std::uint32_t radius = least_under(place); radius != 0) append(place, radius);
     }
 
     const FieldState& state_;
     const Vectors& vectors_ = *all_vectors().front();
-    bool is_at_edge_;  // of a torus, the region is
+    bool is_at_edge_;  // the region lies at an edge of a torus
     std::vector<FieldState::Place>& left_;
     std::uint32_t block_ = 0;
     SizedSpan near_{};
-    std::uint32_t even_radius_ = 0;  // 0: it is not even
+    std::uint32_t even_radius_ = 0;  // 0 where the radius varies in the block
     bool wraps_ = false;
-    std::vector<Span> chords_;  // room for them
+    std::vector<Span> chords_;  // room for all
     std::array<Rectangle, Vectors::kPlaces> batch_{};
     std::size_t batched_ = 0;
-    std::vector<std::uint8_t> touching_;  // of each sample, a bit for each place of the batch
-    std::vector<std::array<std::uint32_t, Vectors::kPlaces>> touched_by_;  // its samples, by place
+    std::vector<std::uint8_t> touching_;  // of each sample, a bit for each box of the batch
+    std::vector<std::array<std::uint32_t, Vectors::kPlaces>> touched_by_;  // [k-th sample][box]
 };
 
 }  // namespace
@@ -263,7 +263,7 @@ void refine(FieldState& state, std::uint32_t region, bool halve) {
     SizedList scratch;
     Remnants remnants(state, region, left);
     const std::span<const FieldState::Place> places = state.places[region];
-    // Places that are not cut up are cut by what has not cut them yet.
+    // Boxes that are not halved are cut only by samples that have not cut them yet.
     const auto which = halve ? NeighbourLists::Which::all : NeighbourLists::Which::latest;
     for (std::size_t i = 0, end; i < places.size(); i = end) {
         const std::uint32_t block = places[i].block;

@@ -1,4 +1,4 @@
-// What the cpu backend keeps in mode exact with a radius field: rectangles, region by region, and
+// The cpu backend's memory in mode exact with a radius field: the active boxes of each region, and
 // for each block of first boxes the samples that reach it.
 #pragma once
 
@@ -13,12 +13,12 @@
 
 namespace lacuna::cpu {
 
-// A region (plan/first_boxes.h) stands where other modes have a column. A candidate's line is the
-// block that it lies in.
+// Regions (plan/first_boxes.h) stand for columns here. Candidate::line holds the block that the
+// candidate lies in.
 struct FieldState : State {
     explicit FieldState(const Plan& plan);
 
-    // With the block that it is a part of.
+    // An active box, and the block that it is a part of.
     struct Place {
         Rectangle at;
         std::uint32_t block;
@@ -26,11 +26,11 @@ struct FieldState : State {
 
     const RadiusField& radius_field;
     const FirstBoxes& first;
-    std::vector<std::vector<Place>> places;  // of each region, those of a block together
+    std::vector<std::vector<Place>> places;  // active boxes of each region, block by block
     NeighbourLists near;
 
     void end_locate() { is_screened = true; }
-    // From now on these are the places: then to be called for each region, in parallel.
+    // Makes the active boxes the bins. Call it once, then for each region, in parallel.
     void settle_places();
     void settle_places(std::uint32_t region);
     Snapshot snapshot() const;
@@ -41,8 +41,8 @@ void set_free(FieldState& state, std::uint32_t region);
 void locate(FieldState& state, std::span<const Draw> draws, std::uint32_t region);
 void screen(FieldState& state, std::uint32_t region);
 
-// Replaces the region's places by what all samples near them leave of them, or with `halve` of two
-// halves of each, and of parts where pixels differ.
+// Replaces the region's boxes by the pieces that the samples near them leave. With `halve` each box
+// is halved first, along borders of pixels where it lies on unlike pixels.
 void refine(FieldState& state, std::uint32_t region, bool halve);
 
 }  // namespace lacuna::cpu

@@ -1,4 +1,4 @@
-// locate: the rank of each draw, walked to a y through its place's free length.
+// locate: finds the y of each draw by walking its rank along the bin's free length.
 #include <algorithm>
 #include <bit>
 #include <span>
@@ -10,7 +10,7 @@
 namespace lacuna::cpu {
 namespace {
 
-// What a line's free length consists of: its spans, or the words of its bits.
+// The pieces of a line's free length: its spans, or the words of its bits.
 struct Spans {
     const SpanState& state;
     const Span* first_of(std::uint32_t line) const { return state.slot(line).data(); }

@@ -8,7 +8,7 @@
 namespace lacuna::cpu {
 
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement);
-// Of a plan with a radius field, which make_backend comes to by itself.
+// For plans with a radius field, for which make_backend calls it.
 std::unique_ptr<Backend> make_field_backend(const Plan& plan, const Placement& placement);
 
 }  // namespace lacuna::cpu

@@ -1,4 +1,4 @@
-// Down the tree of blocks.
+// Neighbour lists: the way along the tree of blocks, and the splitting of long lists.
 #include "backends/cpu/neighbour_lists.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace lacuna::cpu {
 namespace {
 
-// Whether the sample is closer to the place than both its own radius and the greatest under it.
+// Whether the sample is closer to the box than both its own radius and the greatest under the box.
 bool is_reached(const Rectangle& place, std::uint32_t greatest, const Sized& sample,
                 std::uint32_t period_x, std::uint32_t period_y) {
     const std::uint64_t reach = std::min(sample.radius, greatest);
@@ -21,7 +21,7 @@ bool is_reached(const Rectangle& place, std::uint32_t greatest, const Sized& sam
            reach * reach;
 }
 
-// The same where nothing is nearer the other way around, without a branch.
+// The same without wrapping, and without a branch.
 bool is_reached(const Rectangle& place, std::uint32_t greatest, const Sized& sample) {
     const auto distance = [](std::uint32_t at, std::uint32_t begin, std::uint32_t last) {
         return std::max(at, last) - last + (begin - std::min(at, begin));
@@ -37,7 +37,7 @@ NeighbourLists::NeighbourLists(const Plan& plan)
     : plan_(plan),
       first_(*plan.first_boxes),
       vectors_(*all_vectors().front()),
-      few_(first_.block_count() + std::size_t{1}),  // vectors read past the last
+      few_(first_.block_count() + std::size_t{1}),  // vector loads read past the last
       long_(first_.block_count()),
       states_(first_.block_count()),
       marked_(first_.regions.size()) {
@@ -82,8 +82,8 @@ void NeighbourLists::for_each_reached(const Sized& sample, std::uint32_t root, V
     }
 }
 
-// Up the tree, and on the way down what lies beside it. All lists that it goes into are asked for
-// before the first is written to.
+// Climbs the tree from the block, and descends into the siblings that it passes. All lists to be
+// written are prefetched before the first one is written.
 void NeighbourLists::insert(const Sized& sample, std::uint32_t block) {
     std::array<std::uint32_t, 32> reached;
     std::size_t count = 0;
@@ -166,7 +166,7 @@ void NeighbourLists::add(List& list, const Rectangle& place, const Sized& sample
         if (reaches(sample, half->place, half->greatest)) add(half->list, half->place, sample);
 }
 
-// Unless one half would have most of it.
+// Does nothing if one half would keep more than three quarters of the list.
 void NeighbourLists::split(List& list, const Rectangle& place) {
     const std::uint32_t height = place.end - place.begin;
     const std::uint32_t x = place.x + place.width / 2;

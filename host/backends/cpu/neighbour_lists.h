@@ -1,9 +1,9 @@
-// The samples with a radius field, listed for each block of first boxes that they reach
+// Neighbour lists: with a radius field, the samples that reach each block of first boxes
 // (plan/first_boxes.h).
 //
-// A sample takes something from a block only where it is closer than its own radius and than the
-// block's: so a tree of the blocks, with the greatest radius under each node, leads to those that
-// it reaches, whatever the range of radii.
+// A sample reaches a block if it is closer to the block than both its own radius and the greatest
+// radius under the block. A tree of the blocks, with the greatest radius under each node, leads to
+// the blocks that a sample reaches, whatever the range of radii.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +24,8 @@ class NeighbourLists {
 public:
     explicit NeighbourLists(const Plan& plan);
 
-    // Those that may take something from a part of a block, some perhaps twice; or only those
-    // that were listed since it was settled. Valid until the next call with the same scratch.
+    // The samples that may cut a part of a block, some perhaps twice; `latest` leaves out samples
+    // that were listed before the last settle(). Valid until the next call with the same scratch.
     enum class Which { all, latest };
     SizedSpan of_part(std::uint32_t block, const Rectangle& part, Which which,
                       SizedList& scratch) const {
@@ -34,23 +34,23 @@ public:
         return few.span().from(which == Which::latest ? few.settled : 0);
     }
 
-    // Whether those that of_part tells may differ from part to part of the block.
+    // Whether of_part may return different samples for different parts of the block.
     bool is_long(std::uint32_t block) const { return few_[block].is_long != 0; }
-    // Whether any was listed since the block was settled, or ever; and settles it.
+    // Whether a sample was listed since settle(), which follows the cuts by all listed samples.
     bool has_latest(std::uint32_t block) const { return (states_[block] & kLatest) != 0; }
     void settle(std::uint32_t block);
-    // Nothing is left of the block: no more samples are listed for it.
+    // The block has no boxes any more: no more samples are listed for it.
     void close(std::uint32_t block) { states_[block] |= kClosed; }
 
-    // Whether a sample in the list of a block keeps one with this radius from lying at a point of
-    // that block: it is closer than the smaller of both radii.
+    // Whether a sample in the block's list conflicts with a candidate of this radius in the block:
+    // their distance is less than the smaller of both radii.
     bool is_any_closer(std::uint32_t block, Sample at, std::uint32_t radius) const {
         const Few& few = few_[block];
         return vectors_.is_any_sized_closer(few.is_long ? long_part(block, at) : few.span(), at,
                                             radius, {plan_.period_x, plan_.period_y});
     }
 
-    // Ask the cache for a list, and for what insert begins with: first for where it is.
+    // Prefetch a list, and the tree node that insert begins with: its index first, then the node.
     void fetch_list(std::uint32_t block) const {
         const Few& few = few_[block];
         __builtin_prefetch(few.x);
@@ -67,37 +67,37 @@ public:
         __builtin_prefetch(node);
         __builtin_prefetch(node + 2);
     }
-    // Lists what lies in a block for all blocks that it reaches, but closed ones. In parallel for
-    // different regions, if it reaches those of its region only.
+    // Lists a sample that lies in `block` for all blocks that it reaches, except closed ones. May
+    // run in parallel for samples that reach no region except their own.
     void insert(const Sized& sample, std::uint32_t block);
-    // Marks the blocks of a region that it reaches: in parallel for different regions. Blocks are
-    // marked as a whole: in a round that crowds, thousands would leave a mark in one.
+    // Marks the blocks of a region that the candidate reaches; may run in parallel for different
+    // regions. A block has one mark: in a round that crowds, thousands of candidates would mark it.
     void mark(const Sized& candidate, std::uint32_t region);
     // Takes all marks away.
     void unmark_all();
     bool is_marked(std::uint32_t block) const { return (states_[block] & kMarked) != 0; }
 
-    // By x, then y.
+    // All samples, sorted by x, then y.
     std::vector<Sample> samples() const;
 
 private:
-    // As many as seven of eight lists end with: seven lines of the cache.
+    // Entries. Seven of eight lists never grow longer, and Few then fills seven cache lines.
     static constexpr std::size_t kFew = 36;
     struct alignas(64) Few {
         std::uint32_t x[kFew];
         std::uint32_t y[kFew];
         std::uint32_t radius[kFew];
         std::uint32_t count;
-        std::uint32_t settled;  // how many of them were listed when the block was settled
-        bool is_long;           // they are in long_
+        std::uint32_t settled;  // the count at the last settle()
+        bool is_long;           // the samples are in long_ instead
 
         SizedSpan span() const { return {x, y, radius, count}; }
     };
     static_assert(sizeof(Few) == 448);
     static constexpr std::uint8_t kMarked = 1, kLatest = 2, kClosed = 4;
 
-    // A block beside one of far smaller radii may have thousands near it: a list of more than
-    // `most` is split in two, each for one half of the block.
+    // A block beside one of far smaller radii may have thousands of samples near it. A list of more
+    // than `most` samples is therefore split in two, one for each half of the block.
     struct Split;
     struct List {
         SizedList near;
@@ -107,7 +107,7 @@ private:
     };
     struct Half {
         Rectangle place;
-        std::uint32_t greatest;  // radius under it
+        std::uint32_t greatest;  // the greatest radius under it
         List list;
     };
     struct Split {
@@ -131,8 +131,7 @@ private:
         return first_.nodes[first_.blocks[block].node].place;
     }
 
-    // Whether all blocks that it reaches lie in the node, whose torus it does not stick out
-    // of.
+    // For samples that do not stick out: whether the node holds all blocks that the sample reaches.
     bool is_within(const Sized& sample, std::uint32_t node) const;
     bool sticks_out(const Sized& sample) const;
     template <typename Visit>
@@ -144,7 +143,7 @@ private:
     ZeroedArray<Few> few_;
     std::vector<std::unique_ptr<List>> long_;
     std::vector<std::uint8_t> states_;
-    std::vector<std::vector<std::uint32_t>> marked_;  // blocks, by region
+    std::vector<std::vector<std::uint32_t>> marked_;  // the marked blocks of each region
 };
 
 }  // namespace lacuna::cpu

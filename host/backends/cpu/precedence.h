@@ -8,19 +8,19 @@
 
 namespace lacuna::cpu {
 
-// By the order of their draws, wherever they lie: deciding in spatial order would favour one side
-// and bias the set. tests/distribution builds that variant and shows that it is noticed.
+// Precedence is the draw's number: spatial order would favour one side and bias the set.
+// tests/distribution builds that variant and shows that it is noticed.
 inline bool precedes(const Candidate& a, const Candidate& b) {
     return a.order < b.order;
 }
 
-// The same in exact, where draws are thrown one after another: whose turn it is.
+// In exact, where draws are thrown one after another: the candidate whose turn it is.
 inline std::uint32_t candidate_of_turn(std::span<const std::uint32_t> by_order,
                                        std::uint32_t turn) {
     return by_order[turn];
 }
 
-// And the turn of candidate i.
+// The turn of candidate i.
 inline std::uint32_t turn_of(const Candidate& candidate, std::uint32_t) {
     return candidate.order;
 }

@@ -1,4 +1,4 @@
-// Which columns a candidate of mode cells may conflict with something in.
+// The columns that may hold a conflict with a candidate of mode cells.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace lacuna::cpu {
 
-// A place on the lattice with its radius, as columns see it.
+// A candidate's point and radius, and the columns within its reach.
 class Reach {
 public:
     Reach(const BitState& state, const Candidate& at, std::uint32_t radius,
@@ -24,8 +24,8 @@ public:
                   portable::is_far_reach(metric(), reach_, radius);
     }
 
-    // Calls visit(column, reach) for the columns within reach, until it returns true; true if it
-    // did. Leaves columns out all whose radii are too small for a conflict.
+    // Calls visit(column, reach) for the columns within reach until it returns true; true if it
+    // did. Skips columns whose radii are all too small for a conflict.
     template <typename Visit>
     bool any(Visit visit) const {
         for (std::uint32_t k = 0; k < columns_.count; ++k) {
@@ -47,13 +47,14 @@ public:
 private:
     std::uint32_t metric() const { return static_cast<std::uint32_t>(state_.plan.metric); }
 
-    // Whether a whole block begins at the column, of `left` to be visited, and none of it is met.
+    // Whether a block of columns begins at `column`, ends within the `left` columns still to visit,
+    // and has no conflict.
     bool skips_block(std::uint32_t column, std::uint32_t left) const {
         constexpr std::uint32_t kBlock = WidestRadii::kBlock;
         return column % kBlock == 0 && std::min(left, state_.columns - column) >= kBlock &&
                distance_to(column, column + kBlock) >= reach_to(widest_.of_blocks[column / kBlock]);
     }
-    // No conflict with something of so wide a radius is as far, in steps. 0: there is nothing.
+    // Conflicts with radii up to `widest` are nearer than this many lattice steps. 0: no conflict.
     std::uint32_t reach_to(std::uint32_t widest) const {
         if (widest == 0) return 0;
         return std::min(reach_, portable::twice_metric_radius(metric(), radius_, widest) / 512 + 1);

@@ -1,4 +1,4 @@
-// refine: what all samples leave of the places, in boxes (docs/design.md, section 4, "exact").
+// refine: cuts the bins by all samples near them into boxes (docs/design.md, section 4, "exact").
 #include <algorithm>
 #include <array>
 #include <span>
@@ -22,12 +22,12 @@ public:
           width_(width),
           own_(state.plan.own_x()) {}
 
-    // Appends what is left of a box as wide as the places were, cut to the new width; in the halo
-    // the box itself.
+    // Cuts a box, as wide as the bins were, into strips of the new width and appends their pieces.
+    // A box in the halo stays as it is.
     void cut(Box box, std::vector<Box>& left) {
         if (box.x - own_.begin >= own_.end - own_.begin) return left.push_back(box);
         near_count_ = 0;
-        // Every cell is written, and kept or not: no branch.
+        // Every cell is written, but only samples raise the count: no branch.
         state_.grid->for_each_cell_near(box.x, box.x + state_.bin_width, box.begin, box.end,
                                         [&](Sample cell) {
                                             near_[near_count_] = cell;
@@ -36,7 +36,7 @@ public:
         for (std::uint32_t x = box.x; x < box.x + state_.bin_width; x += width_)
             cut_strip({x, box.begin, box.end}, left);
     }
-    // The same of a span, which the rows of cells cut into boxes.
+    // The same for a span, which is first cut where rows of cells end.
     void cut(std::uint32_t x, Span span, std::vector<Box>& left) {
         const std::uint32_t side = state_.plan.grid_side;
         while (span.begin < span.end) {
@@ -48,13 +48,13 @@ public:
     }
 
 private:
-    // From the far edge of a strip around centre.
+    // The distance in x to the far edge of the strip around `centre`.
     std::uint32_t distance_to(Sample sample, std::uint32_t centre) const {
         return portable::axis_distance(sample.x, centre, state_.plan.period_x) + width_ / 2;
     }
 
-    // Most strips are covered by one sample, and most samples near leave a strip alone: both show
-    // in squared distances, and only what is left takes a square root.
+    // Most strips are covered by one sample, and most samples near a strip do not touch it. Squared
+    // distances show both, so that square roots are taken for the rest only.
     void cut_strip(const Box& box, std::vector<Box>& left) {
         const std::uint64_t radius_squared = state_.plan.radius_squared;
         const std::uint32_t centre = box.x + width_ / 2;
@@ -77,7 +77,7 @@ private:
                  });
     }
 
-    // Of so many samples that touch the strip.
+    // Finds and sorts the chords of the first `count` samples in touching_.
     void sort_chords(const Box& strip, std::size_t count) {
         const Plan& plan = state_.plan;
         vectors_.find_chords(std::span(touching_).first(count), plan.radius_squared, plan.height,
@@ -89,7 +89,7 @@ private:
             add_wrapped_chords(strip.x + width_ / 2);
     }
 
-    // What sticks out at one end of a torus is cut at the other.
+    // A chord that sticks out at one end of a torus is cut at the other end.
     void add_wrapped_chords(std::uint32_t centre) {
         const Plan& plan = state_.plan;
         Span bottom{0, 0};
@@ -110,8 +110,8 @@ private:
         sort_in_last(chords_.data(), chord_count_);
     }
 
-    // A box and a radius around it reach over at most 7 x 6 cells, those at the seam of a torus
-    // counted twice.
+    // Samples near a box. A box and a radius around it reach over at most 7 x 6 cells, where cells
+    // at the seam of a torus count twice.
     static constexpr std::size_t kMost = 64;
 
     const SpanState& state_;
@@ -122,11 +122,11 @@ private:
     std::size_t near_count_ = 0;
     std::array<Seen, kMost + kVectorPadding> touching_;
     std::array<Span, kMost + kVectorPadding> found_;
-    std::array<Span, kMost + 2> chords_;  // and what wraps
+    std::array<Span, kMost + 2> chords_;  // two of them wrap
     std::size_t chord_count_ = 0;
 };
 
-constexpr std::size_t kBoxesAhead = 4;  // boxes or spans; 4 to 8 are alike
+constexpr std::size_t kBoxesAhead = 4;  // prefetch distance; 4 to 8 are alike
 
 void refine_boxes(const SpanState& state, std::span<const Box> boxes, Refinement& refinement,
                   std::vector<Box>& left) {

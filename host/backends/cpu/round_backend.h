@@ -1,4 +1,4 @@
-// The verbs of the cpu backend as all modes do them: columns of lines, shared out over threads.
+// The verbs of the cpu backend as all modes do them: threads serve columns of lines.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace lacuna::cpu {
 
-// What a mode adds are admit, subtract and refine (make_backend.cpp).
+// A mode adds admit, subtract and refine (make_backend.cpp).
 template <typename ModeState>
 class RoundBackend : public Backend {
 public:
@@ -62,8 +62,8 @@ public:
     }
 
 protected:
-    // All draws at once, or part by part, in the order of the draws, where they crowd: take_out()
-    // takes from the places what the samples of a part cover, so that is_covered tells.
+    // Admits all draws at once or, if they crowd (crowd.h), part by part. take_out() cuts a part's
+    // samples from the bins, so that is_covered sees them.
     template <typename TakeOut>
     void admit_by_passes(TakeOut take_out) {
         const auto count = static_cast<std::uint32_t>(state_.candidates.size());
@@ -78,23 +78,23 @@ protected:
         crowd.give_back(state_);
     }
 
-    // work(column) for all columns, where so much is to be done in all.
+    // Calls work(column) for all columns; `amount` is the number of items in all columns together.
     template <typename Work>
     void for_columns(std::size_t amount, Work work) {
         workers_.for_columns(state_.columns, amount, work);
     }
-    // The same for the round's candidates; true when work is true for all.
+    // The same for the round's candidates. Returns whether work returned true for all columns.
     template <typename Work>
     bool all_columns(Work work) {
         return workers_.all_columns(state_.columns, state_.candidates.size(), work);
     }
 
-    // The same for so many slabs of columns.
+    // The same for slabs of columns.
     template <typename Work>
     void for_slabs(std::uint32_t slabs, std::size_t amount, Work work) {
         workers_.for_columns(slabs, amount, work);
     }
-    // As many as are worth it, on one thread too.
+    // The number of slabs. A single thread uses slabs as well, for the cache's sake.
     std::uint32_t slabs() const {
         return std::clamp(state_.columns / kColumnsOfSlab, 1u, kMostSlabs);
     }
@@ -105,13 +105,12 @@ protected:
     ModeState state_;
 
 private:
-    // In narrower slabs too many draws are put off (darts.h); the cells of wider ones do not stay
-    // in a core's cache. Measured at 8 million points: 32, 64 and more columns, of which 64 was
-    // best.
+    // Columns of a slab. In narrower slabs too many draws are put off (darts.h); the cells of wider
+    // ones do not stay in a core's cache. 64 was the fastest at 8 million points.
     static constexpr std::uint32_t kColumnsOfSlab = 64;
     static constexpr std::uint32_t kMostSlabs = 1024;
 
-    // Of the samples.
+    // Lists the orders of the samples' draws.
     void find_orders() {
         orders_.clear();
         for (std::uint32_t order = 0; order < state_.by_order.size(); ++order)
@@ -135,9 +134,9 @@ private:
     }
 
     Workers workers_;
-    bool is_set_ = false;  // the places are set free in the first round
+    bool is_set_ = false;  // the bins are set free in the first round
     std::vector<Sample> samples_;
-    std::vector<std::uint32_t> orders_;  // where the plan asks for them
+    std::vector<std::uint32_t> orders_;  // with plan.tells_orders
 };
 
 }  // namespace lacuna::cpu

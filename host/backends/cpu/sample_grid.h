@@ -17,8 +17,8 @@
 
 namespace lacuna::cpu {
 
-// Divides whole numbers below 2^31 by one of 2 to 2^31, exactly, in the time of a multiplication: a
-// quotient of 2^64 that is rounded up adds less than 1 / divisor to the result.
+// Divides numbers below 2^31 by a divisor of 2 to 2^31, exactly, in the time of a multiplication.
+// The inverse, 2^64 / divisor, is rounded up, which adds less than 1 / divisor to the result.
 class Divisor {
 public:
     explicit Divisor(std::uint32_t divisor) : inverse_(~std::uint64_t{0} / divisor + 1) {}
@@ -33,7 +33,7 @@ private:
 
 class SampleGrid {
 public:
-    // Room for the plan's samples; clear() all of it before anything else.
+    // Makes room for the plan's samples. Cells hold nothing valid before clear().
     explicit SampleGrid(const Plan& plan)
         : plan_(plan),
           vectors_(vectors_for(plan.radius)),
@@ -44,24 +44,24 @@ public:
         ask_for_large_pages(slots_.get(), (plan.grid_columns + kMargin) * std::size_t{stride_});
     }
 
-    // Empties a share of the cells, of so many shares.
+    // Empties part number `share` of `shares` equal parts of the cells.
     void clear(std::uint32_t share, std::uint32_t shares) {
         const std::size_t columns = plan_.grid_columns + kMargin;
         std::fill(slots_.get() + share * columns / shares * stride_,
                   slots_.get() + (share + 1) * columns / shares * stride_, kNone);
     }
-    // The cells of one column of them, row by row.
+    // One column of cells, row by row.
     Sample* column(std::uint32_t index) { return &slots_[std::size_t{index} * stride_]; }
     const Sample* column(std::uint32_t index) const {
         return &slots_[std::size_t{index} * stride_];
     }
 
-    // In parallel: no two samples share a cell.
+    // May run in parallel: no two samples lie in the same cell.
     void insert(Sample sample) { cell_of(sample) = sample; }
 
-    // Whether some sample is closer than the radius. A disk that touches no edge lies within 4 x 4
-    // cells, 2 sqrt(2) being less than 3, and has no branch: where a sample lies cannot be
-    // foretold. No sample, at -1, is farther away than the radius, and a mark, at (-1, -2), too.
+    // Whether some sample is closer than the radius. A disk lies within 4 x 4 cells: 2 sqrt(2) < 3.
+    // Away from edges all are compared without a branch, which could not be predicted. Empty cells,
+    // at (-1, -1), and marks, at (-1, -2), are farther away than the radius.
     bool is_covered(std::uint32_t x, std::uint32_t y) const {
         if (is_inside(x, x + 1, y, y + 1)) {
             const Sample* const cells =
@@ -77,8 +77,8 @@ public:
         return covered;
     }
 
-    // A mark stands in a cell without a sample, until one is inserted or it is taken away. It
-    // counts as no sample.
+    // A mark stands in an empty cell until a sample is inserted there or the mark is removed. The
+    // cell still counts as empty.
     void mark(Sample place) {
         Sample& cell = cell_of(place);
         if (cell == kNone) cell = kMark;
@@ -94,8 +94,8 @@ public:
         return is_marked;
     }
 
-    // Asks memory for the cells near (x, y), which are to be looked at soon. Inlined by force: a
-    // compiler that sees no effect leaves the call out.
+    // Prefetches the cells near (x, y). Inlined by force, because compilers drop a call without
+    // visible effect.
     [[gnu::always_inline]] void fetch_near(std::uint32_t x, std::uint32_t y) const {
         const std::uint32_t r = plan_.radius;
         if (x < r || y < r) return;
@@ -106,8 +106,8 @@ public:
         }
     }
 
-    // Visits all cells within the radius of [x_begin, x_end) x [y_begin, y_end), around the torus
-    // too; there some may come twice.
+    // Visits all cells within the radius of [x_begin, x_end) x [y_begin, y_end). On a torus it goes
+    // around the edges, and may visit some cells twice.
     template <typename Visit>
     void for_each_cell_near(std::uint32_t x_begin, std::uint32_t x_end, std::uint32_t y_begin,
                             std::uint32_t y_end, Visit visit) const {
@@ -139,7 +139,7 @@ private:
 
     Sample& cell_of(Sample place) { return column(place.x / side_)[place.y / side_]; }
 
-    // Whether all within the radius of [x_begin, x_end) x [y_begin, y_end) touches no edge.
+    // Whether [x_begin, x_end) x [y_begin, y_end), widened by the radius, touches no edge.
     bool is_inside(std::uint32_t x_begin, std::uint32_t x_end, std::uint32_t y_begin,
                    std::uint32_t y_end) const {
         const std::uint32_t r = plan_.radius;
@@ -147,7 +147,7 @@ private:
                x_end <= plan_.width - r && y_end <= plan_.height - r;
     }
 
-    // Empty rows and columns past the last, so that a block of cells needs no bounds.
+    // Empty rows and columns past the last ones, so that 4 x 4 cells need no bounds checks.
     static constexpr std::uint32_t kMargin = 3;
 
     const Plan& plan_;

@@ -1,4 +1,4 @@
-// Growing, all three arrays alike.
+// Growing the three arrays of a SizedList together.
 #include "backends/cpu/sized.h"
 
 #include <algorithm>

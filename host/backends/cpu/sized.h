@@ -1,4 +1,4 @@
-// Samples with their radii, an array for each coordinate: what vectors read.
+// Samples with their radii, an array for each member, as vector instructions read them.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ struct Sized {
     std::uint32_t radius;
 };
 
-// Entries past the end may be read, as many as kVectorPadding (vectors.h).
+// kVectorPadding entries past the end must exist, because they may be read (vectors.h).
 struct SizedSpan {
     const std::uint32_t* x;
     const std::uint32_t* y;
@@ -39,7 +39,7 @@ private:
     void make_room(std::size_t count);
 
     std::size_t count_ = 0;
-    std::vector<std::uint32_t> x_;  // longer than count_
+    std::vector<std::uint32_t> x_;  // padded past count_
     std::vector<std::uint32_t> y_;
     std::vector<std::uint32_t> radius_;
 };

@@ -1,4 +1,4 @@
-// The order of a column's candidates, and where the one at a height is found, by way of buckets.
+// Sorts a column's candidates by y, and finds candidates by y, both by way of buckets.
 #include <algorithm>
 #include <numeric>
 #include <vector>
@@ -8,7 +8,6 @@
 
 namespace lacuna::cpu {
 
-// Most of the work is to find the bucket.
 void State::sort_column(std::uint32_t column) {
     thread_local std::vector<Candidate> of_thread;
     std::vector<Candidate>& located = of_thread;  // looked up once, see subtract.cpp
@@ -24,11 +23,11 @@ void State::sort_column(std::uint32_t column) {
     for (const Candidate& candidate : own) ++begins[bucket_of(candidate)];
     std::inclusive_scan(begins.begin(), begins.end(), begins.begin());
 
-    // Share the candidates out, from each bucket's end down to its begin.
+    // Move the candidates to their buckets, which fill from the end down to the begin.
     located.assign(own.begin(), own.end());
     for (const Candidate& candidate : located) own[--begins[bucket_of(candidate)]] = candidate;
 
-    // Order those of one bucket, which ends where the next one begins.
+    // Sort each bucket, which ends where the next one begins.
     std::uint32_t end = count;
     for (std::uint32_t bucket = count; bucket-- > 0;) {
         const std::uint32_t begin = begins[bucket];

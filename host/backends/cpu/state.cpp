@@ -108,7 +108,7 @@ void SpanState::settle_boxes(std::uint32_t width) {
     }
 }
 
-// As snapshots have them, by y.
+// Snapshots have candidates sorted by y, which exact does not keep.
 void SpanState::sort_columns(Snapshot& snapshot) const {
     std::vector<std::uint32_t> sorted(candidates.size());
     std::iota(sorted.begin(), sorted.end(), 0u);
@@ -134,7 +134,7 @@ Snapshot SpanState::snapshot() const {
     for (std::uint32_t i = 0; i < plan.grid_columns && grid; ++i)
         snapshot.grid.insert(snapshot.grid.end(), grid->column(i),
                              grid->column(i) + plan.grid_rows);
-    // The round's samples are told to be in the grid when the round's last verb put them there.
+    // In a snapshot the round's samples enter the grid with the round's last verb, not with admit.
     for (std::size_t i = 0; is_inserted && i < candidates.size(); ++i)
         if (statuses[i] == STATUS_ADMITTED)
             snapshot.grid[std::size_t{candidates[i].x / plan.grid_side} * plan.grid_rows +
@@ -151,7 +151,7 @@ Snapshot SpanState::snapshot() const {
 void SpanState::restore(const Snapshot& snapshot) {
     State::restore(snapshot);
     is_inserted = is_screened = false;
-    if (grid) grid->clear(0, 1);  // its margin too, which no snapshot has
+    if (grid) grid->clear(0, 1);  // and the grid's margin, which no snapshot has
     for (std::uint32_t i = 0; i < plan.grid_columns && grid; ++i)
         std::copy_n(snapshot.grid.data() + std::size_t{i} * plan.grid_rows, plan.grid_rows,
                     grid->column(i));
@@ -184,7 +184,7 @@ BitState::BitState(const Plan& the_plan)
       widest(plan.lines),
       near_begins(columns + std::size_t{1}) {
     widest_candidates.of_columns.resize(columns);
-    // With min nothing is known of the radii that are open: any may be as wide as the sample's.
+    // With min open radii are not tracked: any may be as large as the sample's.
     widest_open.of_columns.resize(columns, plan.metric == Metric::min ? ~std::uint32_t{0} : 0);
     widest_open.find_blocks();
 }
@@ -236,7 +236,7 @@ void BitState::find_widest_open() {
 }
 
 void BitState::find_near(const std::function<void()>& poll) {
-    // Counted, then listed.
+    // The first pass counts, the second one lists.
     find_widest_open();
     const auto for_each_near = [&](auto visit) {
         for (std::uint32_t i = 0; i < candidates.size(); ++i) {

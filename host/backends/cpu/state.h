@@ -1,5 +1,5 @@
-// What the cpu backend keeps: in all modes columns of lines and the candidates of a round; then the
-// places of each mode, which are spans and boxes, or bits.
+// The cpu backend's memory: in all modes columns of lines and the round's candidates; then the bins
+// of each mode, which are spans and boxes, or bits.
 #pragma once
 
 #include <cstdint>
@@ -15,74 +15,76 @@
 
 namespace lacuna::cpu {
 
-// The order of a column's candidates.
+// The order of candidates within a column.
 inline bool comes_before(const Candidate& a, const Candidate& b) {
     return a.y < b.y || (a.y == b.y && a.order < b.order);
 }
 
 struct State {
-    // Columns of lines.
+    // With columns of lines.
     explicit State(const Plan& plan);
-    // With a radius field: regions, of which these are the first boxes.
+    // With a radius field, where regions stand for columns. region_begins: the first box of each,
+    // then the number of boxes.
     State(const Plan& plan, std::vector<std::uint32_t> region_begins);
 
     const Plan& plan;
-    std::uint32_t columns;                   // of lines, see portable/column.h
-    std::vector<std::uint32_t> first_lines;  // of each column; columns + 1
+    std::uint32_t columns;                   // number of columns, see portable/column.h
+    std::vector<std::uint32_t> first_lines;  // of each column, then the number of lines
 
-    // The places draws fall on: the first of each column, columns + 1; and their free lengths.
+    // The bins that draws fall on: the first of each column, then the number of bins; and their
+    // free lengths.
     std::uint32_t bin_width;
     std::vector<std::uint32_t> bin_begins;
     std::vector<std::uint32_t> free_lengths;
-    std::vector<std::uint32_t> bin_widths;  // with a radius field only: of each
+    std::vector<std::uint32_t> bin_widths;  // of each bin, with a radius field only
 
-    // The round's candidates, column by column, and what became of them. Within a column they are
-    // sorted by y; in exact they are as their draws were, place by place.
+    // The round's candidates, column by column, and their statuses. Within a column they are sorted
+    // by y; in exact they keep the order of their draws, which is by bin.
     std::vector<Candidate> candidates;
     std::vector<std::uint32_t> column_begins;  // columns + 1
     std::vector<std::uint32_t> statuses;       // portable/status.h
     std::vector<std::uint32_t> by_order;       // the candidate of each draw
-    // In exact: candidates that earlier samples cover are settled, ahead of admit.
+    // In exact: whether screen has found the candidates that earlier samples cover.
     bool is_screened = false;
-    // But in exact, a column has as many buckets as candidates (portable/column.h). Bucket b of the
-    // column begins at its candidate number buckets[column_begins[column] + b].
+    // Except in exact, a column has as many buckets as candidates (portable/column.h). Bucket b
+    // begins at the column's candidate number buckets[column_begins[column] + b].
     std::vector<std::uint32_t> buckets;
 
     std::span<const Candidate> candidates_of(std::uint32_t column) const {
         return {candidates.data() + column_begins[column],
                 column_begins[column + 1] - column_begins[column]};
     }
-    // Room for so many candidates.
+    // Makes room for `count` candidates.
     void make_room(std::size_t count);
-    // Notes which draws the column's candidates are.
+    // Enters the column's candidates into by_order.
     void find_orders(std::uint32_t column);
-    // For the draws' candidates; and finds where each column's begin.
+    // Makes room for the draws' candidates, and finds where each column's begin.
     void begin_round(std::span<const Draw> draws);
     // Sorts the column's candidates by y, and by order where y is equal.
     void sort_column(std::uint32_t column);
-    // After all columns' candidates were sorted.
+    // Called after all columns' candidates were sorted.
     void end_locate() {}
-    // The column's first candidate that is not below y, or its end.
+    // Index of the column's first candidate that is not below y, or the column's end.
     std::uint32_t first_from(std::uint32_t column, std::uint32_t y) const;
-    // How many of the column's candidates share a bucket with the heights [low, high).
+    // The number of the column's candidates in the buckets of the heights [low, high).
     std::uint32_t count_between(std::uint32_t column, std::uint32_t low, std::uint32_t high) const;
 
     Snapshot snapshot() const;
     void restore(const Snapshot& snapshot);
 };
 
-// Modes lines and exact: lines, then in exact boxes.
+// Modes lines and exact: free spans of lines, and in exact later boxes.
 struct SpanState : State {
     explicit SpanState(const Plan& plan);
 
     // Line i's free spans are the first span_counts[i] of slot(i): sorted, disjoint, none empty.
-    // Let go of at the first refinement.
+    // Freed at the first refinement.
     std::uint32_t capacity;
     std::unique_ptr<Span[]> spans;
     std::vector<std::uint32_t> span_counts;
 
-    // In exact: the samples so far, with the round's own once they are inserted; and, from the
-    // first refinement on, each column's boxes.
+    // In exact: all samples, the round's own after is_inserted is set; and, from the first
+    // refinement on, each column's boxes.
     std::optional<SampleGrid> grid;
     bool is_inserted = false;
     bool has_boxes = false;
@@ -94,9 +96,9 @@ struct SpanState : State {
     // Sets the line's spans, for which there must be room.
     void set_spans(std::uint32_t line, std::span<const Span> of_line);
     void end_locate() { is_screened = grid.has_value(); }
-    // Twice the room for every line.
+    // Doubles the room of every line.
     void grow();
-    // From now on the boxes are the places, all so wide.
+    // Makes the boxes the bins; all are `width` wide.
     void settle_boxes(std::uint32_t width);
     Snapshot snapshot() const;
     void restore(const Snapshot& snapshot);
@@ -105,15 +107,15 @@ private:
     void sort_columns(Snapshot& snapshot) const;
 };
 
-// In cells: the widest radius of something in each column, and in each block of so many columns: a
-// sample whose reach is long need not look at columns that have but small ones.
+// In cells: the largest radius in each column, and in each block of kBlock columns. A candidate
+// with a long reach skips the columns where all radii are small.
 struct WidestRadii {
     static constexpr std::uint32_t kBlock = 64;
 
     std::vector<std::uint32_t> of_columns;
     std::vector<std::uint32_t> of_blocks;
 
-    // From those of the columns.
+    // Computes of_blocks from of_columns.
     void find_blocks();
 };
 
@@ -126,44 +128,45 @@ struct BitState : State {
     // Bit y of a line is set while its lattice point is free.
     std::size_t words;  // of each line
     std::unique_ptr<std::uint64_t[]> bits;
-    // With mean and max, of each line: where in RadiusMap::widest_rows of the line's pixels the
-    // first row stands that may still have a free point. Goes up as points are blocked.
+    // With mean and max, for each line: the index in RadiusMap::widest_rows of the first row, in
+    // the line's column of pixels, that may still have a free point. It goes up as points are
+    // blocked.
     std::vector<std::uint32_t> widest;
 
-    // The radius of each candidate, and the widest.
+    // The radius of each candidate, and the largest ones.
     std::vector<std::uint32_t> candidate_radii;
     WidestRadii widest_candidates;
-    // The candidates admitted that may reach each column: near[near_begins[column]] and on.
+    // near holds the admitted candidates that may reach each column, of which column c has
+    // [near_begins[c], near_begins[c + 1]).
     std::vector<std::uint32_t> near_begins;
     std::vector<std::uint32_t> near;
-    WidestRadii widest_open;  // of points that may still be free
+    WidestRadii widest_open;  // radii of points that may still be free
 
     std::span<std::uint64_t> line(std::uint32_t index) const {
         return {&bits[index * words], words};
     }
-    // How far a conflict with the candidate may be, in lattice steps.
+    // The greatest distance of a conflict with the candidate, in lattice steps.
     std::uint32_t reach_of(const Candidate& candidate) const {
         return radii.reaches[radii.pixel_at(candidate.x, candidate.y)];
     }
     void make_room(std::size_t count);
     void begin_round(std::span<const Draw> draws);
-    // Sets the line's bits from words of 32.
+    // Sets the line's bits from words of 32 bits.
     void set_bits(std::uint32_t line, std::span<const std::uint32_t> of_line);
     // Looks up the radii of the column's candidates.
     void find_radii(std::uint32_t column);
     void end_locate() { widest_candidates.find_blocks(); }
-    // What the widest rows of the lines tell.
+    // Computes widest_open from `widest`.
     void find_widest_open();
-    // For subtract: finds which candidates admitted may reach each column. Sequential; calls poll
-    // now and then, which may throw.
+    // For subtract: fills near. Sequential; calls poll now and then, which may throw.
     void find_near(const std::function<void()>& poll);
     Snapshot snapshot() const;
     void restore(const Snapshot& snapshot);
 };
 
-// The verbs, a column at a time; any order, in parallel.
+// The verbs, one column a call: in any order, and in parallel.
 
-// Before the first round: all places of the column are free.
+// Before the first round: makes all of the column free.
 void set_free(SpanState& state, std::uint32_t column);
 void set_free(BitState& state, std::uint32_t column);
 
@@ -171,26 +174,25 @@ void set_free(BitState& state, std::uint32_t column);
 void locate(SpanState& state, std::span<const Draw> draws, std::uint32_t column);
 void locate(BitState& state, std::span<const Draw> draws, std::uint32_t column);
 
-// Leaves the column's candidates as admit takes them: sorted, and undecided.
+// Prepares the column's candidates for admit: sorts them, except in exact, and sets them undecided.
 void set_undecided(SpanState& state, std::uint32_t column);
 void set_undecided(BitState& state, std::uint32_t column);
 
-// In exact, before the column is first admitted: settles the candidates that samples of earlier
-// rounds cover.
+// In exact, ahead of admit: finds the candidates that samples of earlier rounds cover.
 void screen(SpanState& state, std::uint32_t column);
 
-// In lines and cells: settles what can be settled of the column's undecided candidates; true when
-// all are. Several passes settle all: the earliest undecided candidate never waits for another. In
-// exact see darts.h.
+// In lines and cells: decides the column's undecided candidates where possible; true when all are
+// decided. A few passes decide all: the earliest undecided candidate waits for no other. In exact
+// see darts.h.
 bool admit(SpanState& state, std::uint32_t column);
 bool admit(BitState& state, std::uint32_t column);
 
-// In lines and cells: whether a sample that was taken out covers the candidate.
+// In lines and cells: whether the candidate's point was cut from its bin.
 bool is_covered(const SpanState& state, const Candidate& candidate);
 bool is_covered(const BitState& state, const Candidate& candidate);
 
-// In lines and cells: into how many draws admit should look at first: all of the round's, or so
-// many that they have few enough others within reach of them to be compared with each.
+// In lines and cells: how many draws admit decides first: all, unless the round crowds (crowd.h);
+// then few enough that each has few others within its reach.
 std::uint32_t first_part(const SpanState& state);
 std::uint32_t first_part(const BitState& state);
 
@@ -203,8 +205,8 @@ bool subtract(SpanState& state, std::uint32_t column);
 // Blocks the column's lattice points that fail the metric with a sample of the round.
 void subtract(BitState& state, std::uint32_t column);
 
-// Replaces the column's places by what all samples near them leave of them, `width` wide: its own
-// places' width, or half of it.
+// Replaces the column's bins by the pieces that the samples near them leave, as boxes of this
+// width: the bins' own width, or half of it.
 void refine(SpanState& state, std::uint32_t column, std::uint32_t width);
 
 }  // namespace lacuna::cpu

@@ -23,7 +23,7 @@ namespace {
 // replaces an empty one. So a typical cut has two branches.
 class SpanBuffer {
 public:
-    // Loads the line's spans; so many cuts may follow.
+    // Loads the line's spans. At most `cuts` chords may be cut afterwards.
     void load(std::span<const Span> spans, std::size_t cuts) {
         const std::size_t size = spans.size() + cuts + 3;  // two sentinels and a gap to write to
         if (buffer_.size() < size) buffer_.resize(size);
@@ -35,7 +35,6 @@ public:
         std::copy(spans.begin(), spans.end(), rest_);
     }
 
-    // Takes all chords out.
     void cut(std::span<const Span> chords) {
         Span* done = done_;
         Span* rest = rest_;
@@ -67,7 +66,7 @@ public:
 private:
     static constexpr std::uint32_t kBeyond = ~std::uint32_t{0};  // above every y
 
-    // In one word of 64 bits: for a struct g++ takes an instruction for strings, which is slow.
+    // Copies one word of 64 bits: for a struct g++ uses a string instruction, which is slow.
     static void move(const Span& from, Span& to) {
         to = std::bit_cast<Span>(std::bit_cast<std::uint64_t>(from));
     }
@@ -78,8 +77,8 @@ private:
     Span* end_ = nullptr;
 };
 
-// What a thread keeps from column to column, so that memory is asked for once. The vectors are as
-// long as the largest column needed, with the padding that vectors.h asks for.
+// A thread's memory, reused from column to column. The vectors are as long as the largest column
+// needed, with the padding of vectors.h.
 struct Scratch {
     std::vector<Sample> found;
     std::vector<Sample> near;
@@ -94,12 +93,12 @@ struct Scratch {
         near.resize(samples + kVectorPadding);
         ends.resize(samples);
         seen.resize(samples + kVectorPadding);
-        chords.resize(samples + 2 + kVectorPadding);  // one for each end of a torus
+        chords.resize(samples + 2 + kVectorPadding);  // two for the ends of a torus
     }
 };
 
-// Sorts the first `count` samples found by y: by buckets, as a column's candidates, then among
-// neighbours.
+// Sorts the first `count` samples found by y: into buckets, as in sort_column.cpp, then by
+// insertion.
 std::span<const Sample> sorted(Scratch& scratch, std::uint32_t count, std::uint32_t height) {
     const std::span<const Sample> found = std::span(scratch.found).first(count);
     const std::span<Sample> near = std::span(scratch.near).first(count);
@@ -137,12 +136,12 @@ std::span<const Sample> find_near(const SpanState& state, std::uint32_t column, 
     return sorted(scratch, count, state.plan.height);
 }
 
-// The chords of a line in the order of their samples' y, all found before the first is cut: the
-// square roots then overlap, and the cuts are what remains to be predicted.
+// The chords of a line in the order of their samples' y. All are found before the first is cut, so
+// that square roots overlap and only the cuts have branches.
 std::span<const Span> chords_of_line(const Plan& plan, std::uint32_t centre,
                                      std::span<const Sample> near, Scratch& scratch) {
     Span* next = scratch.chords.data();
-    // On a torus, what sticks out at one end is cut at the other.
+    // On a torus, a chord that sticks out at one end is cut at the other end.
     Span bottom{0, 0};
     Span top{plan.height, plan.height};
     const auto distance_to = [&](Sample sample) {
@@ -166,7 +165,7 @@ std::span<const Span> chords_of_line(const Plan& plan, std::uint32_t centre,
     }
     *next = bottom;
     next += bottom.end > 0;
-    // Two samples in five are too far away: they are left out before any root is taken.
+    // Two samples in five are too far away from the line: they take no square root.
     std::size_t count = 0;
     for (const Sample sample : near) {
         scratch.seen[count] = {distance_to(sample), sample.y};
@@ -183,7 +182,8 @@ std::span<const Span> chords_of_line(const Plan& plan, std::uint32_t centre,
 }  // namespace
 
 bool subtract(SpanState& state, std::uint32_t column) {
-    // Looked up once: in a shared library, as Python's, each look at a thread's own takes a call.
+    // Looked up once: in a shared library, such as Python's module, each use of a thread_local is a
+    // call.
     thread_local Scratch of_thread;
     Scratch& scratch = of_thread;
     const std::span<const Sample> near = find_near(state, column, scratch);

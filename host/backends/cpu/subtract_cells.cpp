@@ -1,5 +1,5 @@
-// subtract in mode cells: the lattice points that the round's samples block, taken out of every
-// line by the two-way check of section 4.2, a pixel's run of points at a time.
+// subtract in mode cells: clears the lattice points that the round's samples block, by the two-way
+// check of section 4.2. The points of a line are served in runs that lie under one pixel.
 #include <algorithm>
 #include <bit>
 
@@ -26,7 +26,7 @@ std::uint32_t clear(std::span<std::uint64_t> line, std::uint32_t begin, std::uin
     return cleared;
 }
 
-// Shrinks [begin, end) to its first and last set bit; to nothing if there is none.
+// Shrinks [begin, end) to its first and last set bit, or to nothing if there is none.
 void shrink(std::span<const std::uint64_t> line, std::uint32_t& begin, std::uint32_t& end) {
     std::uint32_t word = begin / 64;
     std::uint64_t bits = line[word] & ~std::uint64_t{0} << (begin % 64);
@@ -48,7 +48,7 @@ void shrink(std::span<const std::uint64_t> line, std::uint32_t& begin, std::uint
     end = word * 64 + 64 - static_cast<std::uint32_t>(std::countl_zero(bits));
 }
 
-// One sample on one line.
+// Blocks the points of one line that conflict with one sample.
 class Cut {
 public:
     Cut(const BitState& state, std::uint32_t radius, std::uint32_t dx, std::uint32_t x)
@@ -58,8 +58,8 @@ public:
           pixels_(&state.radii.radii[std::size_t{state.radii.column_of[x]} * state.radii.rows]),
           dx_(dx) {}
 
-    // Blocks what a sample at height y takes of the points [begin, end) of the line, as if they lay
-    // `shift` higher: so does the line's other end around a torus.
+    // Blocks the points in [begin, end) that conflict with a sample at height y, as if they lay
+    // `shift` higher, which serves the line's other end on a torus.
     void block(std::uint32_t y, std::uint32_t begin, std::uint32_t end, std::uint32_t shift) {
         if (begin >= end) return;
         shrink(line_, begin, end);
@@ -84,10 +84,10 @@ public:
     std::uint32_t blocked() const { return blocked_; }
 
 private:
-    // What the metric of the sample and such a pixel takes of the run, above which lies that pixel
-    // alone. Mostly all or nothing, which squared distances tell without a root.
+    // The part of the run that conflicts with the sample; the run lies under this pixel. Mostly it
+    // is all or nothing, which squared distances show without a square root.
     Span blocked_of_run(std::uint32_t pixel, std::uint32_t y, Span run) const {
-        if (pixel == 0) return run;  // no importance: never set
+        if (pixel == 0) return run;  // no importance: its bits are never set
         const std::uint64_t limit = portable::metric_squared(portable::twice_metric_radius(
             static_cast<std::uint32_t>(state_.plan.metric), radius_, pixel));
         if (portable::squared_length(dx_, portable::farthest_distance(y, run.begin, run.end)) <
@@ -118,9 +118,9 @@ bool any_set(std::span<const std::uint64_t> line, std::uint32_t begin, std::uint
     return begin < end;
 }
 
-// How far from the sample's height a free point of line x can be that it blocks, plus 1; 0 if none.
-// With min no farther than its radius. With mean and max the widest pixels reach farthest, and they
-// are the first to be blocked.
+// 1 more than the largest distance in y of a free point of line x that the sample may block; 0 if
+// there is none. With min the radius bounds it. With mean and max the widest pixels are blocked
+// from farthest away, and are the first to have no free point.
 std::uint32_t half_chord(BitState& state, std::uint32_t reach, std::uint32_t radius,
                          std::uint32_t dx, std::uint32_t x) {
     const RadiusMap& radii = state.radii;
@@ -130,7 +130,7 @@ std::uint32_t half_chord(BitState& state, std::uint32_t reach, std::uint32_t rad
     const auto metric = static_cast<std::uint32_t>(state.plan.metric);
     if (!portable::is_far_reach(metric, reach, radius)) return portable::chord_reach(dx, limit);
 
-    // Pass over pixels without a free point until one has some, or all that are left are too small.
+    // Skip pixels without a free point until one has some, or all the others are too small.
     const std::size_t pixels = std::size_t{radii.column_of[x]} * radii.rows;
     for (std::uint32_t& i = state.widest[x]; i < radii.rows; ++i) {
         const std::uint32_t row = radii.widest_rows[pixels + i];

@@ -1,9 +1,8 @@
-// The cpu backend's inner loops over samples near a place, for the vectors of the processor at
-// hand.
+// The cpu backend's inner loops over samples near a point or box, for the processor's vectors.
 //
-// Each is there in plain C++, which says what it does with the arithmetic of kernels/portable/, and
-// in the words of AVX2 (vectors_avx2.cpp). All give the same whole numbers; tests go through all
-// that the processor has, by name.
+// Each loop exists in plain C++, which says what it does with the arithmetic of kernels/portable/,
+// and for AVX2 (vectors_avx2.cpp). Both give the same numbers; tests run all that the processor
+// has, by name.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +15,7 @@
 
 namespace lacuna::cpu {
 
-// A sample as a line sees it: the distance in x that counts, and the height.
+// A sample as a strip sees it: its distance in x, to the strip's far edge in exact, and its y.
 struct Seen {
     std::uint32_t distance;
     std::uint32_t y;
@@ -25,39 +24,40 @@ struct Seen {
 
 struct Vectors {
     const char* name;
-    // Whether one of the 4 x 4 cells from *cells on, in columns `stride` apart, holds a sample
-    // closer to the place than the radius. No coordinate wraps.
+    // Whether one of 4 x 4 cells holds a sample closer to `place` than the radius. *cells is the
+    // first; columns are `stride` entries apart. No coordinate wraps.
     bool (*is_any_closer)(const Sample* cells, std::size_t stride, Sample place,
                           std::uint64_t radius_squared);
-    // The chord of each, cut to [0, height). All distances are below the radius.
+    // Writes the chord of each sample, cut to [0, height). All distances are below the radius.
     void (*find_chords)(std::span<const Seen> seen, std::uint64_t radius_squared,
                         std::uint32_t height, Span* chords);
 
-    // With a radius field: whether a sample is closer to the place than both its own radius and
-    // this one. Axes wrap after their periods, if these are not 0.
+    // With a radius field: whether a sample is closer to `place` than both its own radius and
+    // `radius`. An axis whose period is not 0 wraps.
     bool (*is_any_sized_closer)(const SizedSpan& samples, Sample place, std::uint32_t radius,
                                 Sample periods);
-    // And what samples take from a place all along its width: their chords at its farther side,
-    // each as long as the smaller of its own radius and this one makes it, of those that touch the
-    // place. Returns how many; or kAll as soon as one covers all of it. Nothing wraps.
+    // With a radius field: writes the chords that the samples cut from the box `place`, at its far
+    // edge. The chord's radius is the smaller of the sample's and `radius`. Samples that do not
+    // touch the box are left out. Returns the number of chords, or kAll if one sample covers the
+    // box. No wrapping.
     std::size_t (*find_sized_chords)(const SizedSpan& samples, const Rectangle& place,
                                      std::uint32_t radius, Span* chords);
     static constexpr std::size_t kAll = ~std::size_t{0};
-    // And of eight places: bit i of touching[k] tells whether sample k touches place i, and of what
-    // is handed back whether one covers all of it.
+    // The same test for eight boxes: bit i of touching[k] says whether sample k touches box i, and
+    // bit i of the result whether some sample covers box i.
     std::uint32_t (*find_touching)(const SizedSpan& samples, const Rectangle* places,
                                    std::uint32_t radius, std::uint8_t* touching);
     static constexpr std::size_t kPlaces = 8;
 };
 
-// So many entries past the end of what is read may be read, and past what is written overwritten.
+// Buffers are padded by this many entries: the loops read and write that far past the end.
 inline constexpr std::size_t kVectorPadding = 8;
 
-// All that the processor has, the fastest first; the last are those in plain C++. Except on a
-// radius_field, the others are for radii below kLargestVectorRadius only.
+// All that the processor has, the fastest first; the last is plain C++. Without a radius field, the
+// others serve radii below kLargestVectorRadius only.
 std::span<const Vectors* const> all_vectors();
 inline constexpr std::uint32_t kLargestVectorRadius = std::uint32_t{1} << 30;
-// The fastest that are for the radius.
+// The fastest that serve the radius.
 const Vectors& vectors_for(std::uint32_t radius);
 
 }  // namespace lacuna::cpu

@@ -1,8 +1,8 @@
-// The inner loops in the words of AVX2, by way of Highway.
+// The inner loops for AVX2, written with Highway.
 //
-// Highway includes this file once more for AVX2 alone, which the rest of the library is not
-// compiled for. Its own choice while the program runs is in a shared library, which a wheel would
-// have to carry for the few lines at the end; and the words of AVX-512 bring nothing here.
+// Highway includes this file once more, compiled for AVX2, which the rest of the library is not.
+// Highway's own choice at run time is in a shared library, which a wheel would have to carry; the
+// few lines at the end replace it. AVX-512 brings nothing here.
 #include "backends/cpu/vectors_avx2.h"
 
 #if defined(__x86_64__)
@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <array>
 
-// Highway's checks in builds for debugging are in its shared library, too.
+// Highway's checks in debug builds are in its shared library, too.
 #undef HWY_IS_DEBUG_BUILD
 #define HWY_IS_DEBUG_BUILD 0
 #undef HWY_DISABLED_TARGETS
@@ -27,7 +27,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Two words of 32 bits make one of 64: a sample's x is the lower, its y the upper.
+// A pair of 32-bit words is a 64-bit word: a sample's x is its lower half, y its upper half.
 using Words = hn::ScalableTag<std::uint32_t>;
 using Pairs = hn::ScalableTag<std::uint64_t>;
 using Signed = hn::ScalableTag<std::int64_t>;
@@ -101,7 +101,7 @@ void find_chords(std::span<const Seen> seen, std::uint64_t radius_squared, std::
     for (std::size_t i = 0; i < seen.size(); i += hn::Lanes(kPairs)) {
         const PairVector entries = load(seen.data() + i);
         const WordVector y = words_of(hn::ShiftRight<32>(entries));
-        // What stands past the end may be nonsense: its root is of nothing.
+        // Entries past the end may be anything; their n may be negative, which has no root.
         const SignedVector n =
             hn::Max(hn::Sub(most, signed_of(low_squares(words_of(entries)))), hn::Zero(kSigned));
         const WordVector reach = hn::Add(words_of(roots(n)), one);
@@ -113,7 +113,7 @@ void find_chords(std::span<const Seen> seen, std::uint64_t radius_squared, std::
     }
 }
 
-// Eight samples at a time, of which the lower and the upper words of pairs are squared apart.
+// The squares of eight words, in two vectors: of the lower and of the upper word of each pair.
 struct Squares {
     SignedVector even;
     SignedVector odd;
@@ -133,7 +133,7 @@ HWY_INLINE hn::Mask<Words> less(const Squares& a, const Squares& b) {
     return hn::MaskFromVec(
         hn::OddEven(bits_of(hn::Lt(a.odd, b.odd)), bits_of(hn::Lt(a.even, b.even))));
 }
-// The squares of the smaller of both radii, from entry i on.
+// The squares of the smaller of both radii, from entry i onwards.
 HWY_INLINE Squares limits_of(const SizedSpan& samples, std::size_t i, WordVector radius) {
     return squares_of(hn::Min(hn::LoadU(kWords, samples.radius + i), radius));
 }
@@ -144,7 +144,8 @@ HWY_INLINE WordVector distance(WordVector a, WordVector b) {
     return hn::Sub(hn::Max(a, b), hn::Min(a, b));
 }
 
-// No place of a radius field is so far away that it would be nearer the other way around.
+// The period of an axis that does not wrap. A radius field has coordinates of at most 2^30, so the
+// distance around is never the smaller one.
 constexpr std::uint32_t kNoPeriod = std::uint32_t{1} << 31;
 
 bool is_any_sized_closer(const SizedSpan& samples, Sample place, std::uint32_t radius,
@@ -165,7 +166,7 @@ bool is_any_sized_closer(const SizedSpan& samples, Sample place, std::uint32_t r
     return !hn::AllFalse(kWords, closer);
 }
 
-// For each set of eight lanes, byte by byte: where the lanes of the set are.
+// For each set of lanes, as 8 bits: the numbers of its lanes, one a byte.
 constexpr std::array<std::uint64_t, 256> lanes_of_sets() {
     std::array<std::uint64_t, 256> lanes{};
     for (std::uint64_t set = 0; set < 256; ++set)
@@ -173,10 +174,10 @@ constexpr std::array<std::uint64_t, 256> lanes_of_sets() {
             if ((set >> lane & 1) != 0) lanes[set] |= std::uint64_t{lane} << 8 * count++;
     return lanes;
 }
-// Highway's own words for this copy their table with every use.
+// Highway's own functions for this copy their table with every use.
 constexpr std::array<std::uint64_t, 256> kLanesOfSets = lanes_of_sets();
 
-// Samples that touch a place, as find_chords sees them, with their limits.
+// Samples that touch a box: distance in x to its far edge, y, and the smaller radius.
 struct Touching {
     static constexpr std::size_t kMost = 32;
 
@@ -200,7 +201,6 @@ struct Touching {
     }
 };
 
-// Of their chords.
 HWY_INLINE void write_chords(const Touching& touching, Span* chords) {
     const hn::Rebind<std::uint32_t, Pairs> halves;
     const auto load_as_pairs = [&](const std::uint32_t* words) {
@@ -221,7 +221,7 @@ HWY_INLINE void write_chords(const Touching& touching, Span* chords) {
     }
 }
 
-// How far heights are outside [begin, last], and from its farther end.
+// The distance of y from [begin, last] and, below, from its farther end.
 HWY_INLINE WordVector nearest_distance(WordVector y, WordVector begin, WordVector last) {
     const WordVector outside = hn::Sub(hn::Max(hn::Max(y, begin), last), hn::Min(y, begin));
     return hn::Sub(outside, hn::Sub(last, begin));
@@ -261,7 +261,7 @@ std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& place,
     return count;
 }
 
-// Eight places, their words apart.
+// Eight boxes, a vector for each member.
 struct Places {
     WordVector x;
     WordVector width;
@@ -330,7 +330,7 @@ namespace lacuna::cpu {
 
 const Vectors* avx2_vectors() {
 #if defined(__x86_64__)
-    // What Highway asks of a processor before it uses AVX2 there.
+    // The features that Highway requires of a processor before it uses AVX2.
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
         __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma"))
         return &N_AVX2::kVectors;

@@ -1,4 +1,4 @@
-// The inner loops in the words of x86 processors that have AVX2.
+// The inner loops for x86 processors that have AVX2.
 #pragma once
 
 #include "backends/cpu/vectors.h"

@@ -1,4 +1,4 @@
-// The places of a mode on the device: where draws fall, and what samples take from them.
+// The bins of a mode on a device: draws fall on them, and samples are cut from them.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace lacuna::device {
 
-// Every call but the last few queues work on the round's memory.
+// The calls up to start_download queue work on the round's memory.
 class Bins {
 public:
     explicit Bins(RoundMemory& round) : round_(round) {}
@@ -19,40 +19,40 @@ public:
     Bins(const Bins&) = delete;
     Bins& operator=(const Bins&) = delete;
 
-    // The first box of each column; columns + 1.
+    // The first bin of each column, then the number of bins.
     virtual std::span<const std::uint32_t> begins() const = 0;
-    // Of a round of so many draws.
+    // The limits of the parts of a round of `count` draws.
     virtual PartLimits part_limits(std::uint32_t) const { return {}; }
-    // After a part of the round's draws, or of its candidates restored, was opened.
+    // Called after a part of the round's draws, or of restored candidates, was opened.
     virtual void begin_part() = 0;
     virtual void locate(std::span<const Draw> draws) = 0;
-    // What was located, into the order in which admit looks for it.
+    // Sorts the located candidates into the order that admit needs.
     virtual void sort() { round_.sort(); }
-    // Before the first pass of the first part: settles what samples of earlier rounds cover.
+    // Before the first pass of the first part: finds what samples of earlier rounds cover.
     virtual void screen() {}
-    // Before the first pass of a later part: settles what samples of earlier parts cover, of the
+    // Before the first pass of a later part: finds what samples of earlier parts cover, among the
     // draws from the part's begin to `end`.
     virtual void screen_again(std::uint32_t end) = 0;
     virtual void admit(std::uint32_t pass) = 0;
     virtual void subtract() = 0;
-    // Takes the part's samples out, so that screen_again sees them. In exact they are only put into
-    // the grid, and subtract is still to do.
+    // Cuts the part's samples from the bins, so that screen_again sees them. In exact it only puts
+    // them into the grid, and subtract is still to do.
     virtual void take_out() { subtract(); }
     virtual bool is_cut_by_take_out() const { return true; }
-    // What refine must know before it can be queued, see there; false: nothing.
+    // Queues what must be known before refine can be queued; false: nothing.
     virtual bool queue_before_refine() { return false; }
     virtual void refine(bool halve) = 0;
 
-    // What a round hands back on its way down, with flags.
+    // Queues the download of the round's results and flags.
     virtual void start_download() = 0;
-    // By these flags, what else the round takes once admission is settled; false: nothing.
+    // By these flags, queues what the round still needs; false: nothing.
     virtual bool queue_rest() = 0;
-    // Once that is nothing.
+    // Called once nothing more is needed.
     virtual void end_round() {}
 
     virtual std::span<const std::uint32_t> free_lengths() const = 0;
     virtual std::uint32_t width() const = 0;
-    // Of each place, where they differ.
+    // The width of each bin, where widths differ.
     virtual std::span<const std::uint32_t> widths() const { return {}; }
     virtual void snapshot(Snapshot& snapshot) = 0;
     virtual void restore(const Snapshot& snapshot) = 0;
@@ -61,7 +61,7 @@ protected:
     RoundMemory& round_;
 };
 
-// Those of the plan's mode.
+// The bins of the plan's mode.
 std::unique_ptr<Bins> make_spans(RoundMemory& round, const Tuning& tuning);    // lines, exact
 std::unique_ptr<Bins> make_lattice(RoundMemory& round, const Tuning& tuning);  // cells
 std::unique_ptr<Bins> make_field_boxes(RoundMemory& round);  // exact with a radius field

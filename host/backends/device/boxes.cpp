@@ -1,4 +1,4 @@
-// The active boxes of mode exact on a device: one cut, which counts, and one keep, which writes.
+// The active boxes of mode exact on a device. The kernel cut counts pieces, keep writes them.
 #include "backends/device/boxes.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace lacuna::device {
 namespace {
 
-// Room for pieces beyond those that are expected: seldom as many are left.
+// Pieces that there is room for beyond the expected number, which is seldom reached.
 constexpr std::uint32_t kSpareRoom = 1024;
 
 // The work of a box, see Queue::launch.
@@ -88,9 +88,8 @@ std::uint32_t Boxes::strip_bits() const {
     return has_field() ? 2 : 1;
 }
 
-// The samples of a round cut few boxes in two. Of the halves of uniform sets at least every second
-// is covered; with a radius field as many boxes as there were are left, or more where they lie on
-// unlike pixels.
+// The samples of a round split few boxes. In uniform sets at least every second half is covered.
+// With a radius field the number of boxes stays about the same, or grows if pixels are unlike.
 std::uint32_t Boxes::expected_pieces(bool halve) const {
     const std::uint32_t more = !has_field() ? 0 : halve ? count_ : count_ / 32;
     return count_ + more + kSpareRoom;
@@ -117,8 +116,8 @@ void Boxes::launch_over_boxes(std::uint32_t count, std::uint32_t chunk, std::uin
 void Boxes::refine(bool halve, std::uint32_t first_recent) {
     refinement_ = {halve, first_recent, expected_pieces(halve)};
     Memory& m = round_.memory;
-    // Room for as many boxes as there will most likely be: their number grows for some rounds, and
-    // memory made anew is cleared page by page.
+    // Room for the likely number of boxes at its highest: it grows for some rounds, and a driver
+    // clears new memory page by page.
     const std::uint64_t boxes = std::max<std::uint64_t>(count_, room_for_boxes(round_.plan));
     round_.make_room(m.strip_pieces, 2 * boxes << strip_bits());
     make_room_to_count(boxes);

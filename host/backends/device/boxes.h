@@ -1,5 +1,5 @@
-// The active boxes of mode exact on a device, whichever index finds the samples near them: drawing
-// from them starts at the first refinement or, with a radius field, with the first round.
+// The active boxes of mode exact on a device, with either neighbour index. They are the bins from
+// the first refinement or, with a radius field, from the first round.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class Boxes {
 public:
     explicit Boxes(RoundMemory& round);
 
-    // Whether draws are made from boxes.
+    // Whether the boxes are the bins.
     bool are_bins() const { return are_bins_; }
     // The width of every box; not with a radius field, where widths() has it.
     std::uint32_t width() const { return width_; }
@@ -31,29 +31,30 @@ public:
     }
     std::span<const std::uint32_t> widths() const { return std::span(widths_).first(count_); }
 
-    // These are the boxes now; `width` is 0 where widths differ. `origins`: see portable/kernels.h;
-    // none without a radius field. Waits.
+    // Replaces the boxes; `width` is 0 where widths differ. `origins`: see portable/kernels.h;
+    // empty without a radius field. Waits.
     void put(std::span<const Rectangle> boxes, std::span<const std::uint32_t> origins,
              std::uint32_t width);
     std::vector<Rectangle> get() const;
 
-    // Makes room for `count` boxes `width` wide, which a kernel is to write.
+    // Makes room for `count` boxes of this width, which a kernel will write.
     void make_room(std::uint32_t count, std::uint32_t width);
     // Makes room for the counts of `count` lines or boxes, and for their sums.
     void make_room_to_count(std::uint64_t count);
-    std::uint32_t total() const { return total_.front(); }  // of the counts summed last
+    std::uint32_t total() const { return total_.front(); }  // sum of the last counts
 
-    // Queues the cut: boxes are halved first where `halve` is set. With lists, samples before entry
-    // `first_recent` have been taken out of the boxes before.
+    // Queues the cut: boxes are halved first where `halve` is set. With neighbour lists, only
+    // samples from entry `first_recent` onwards cut the boxes, which the earlier ones have cut
+    // before.
     void refine(bool halve, std::uint32_t first_recent = 0);
 
     void start_download();
-    // True where more pieces were left than there was room for: they are written again.
+    // True where there were more pieces than room: they are written again.
     bool queue_rest();
     void end_round();
 
 private:
-    // What refine is in the middle of.
+    // A refinement that has been queued.
     struct Refinement {
         bool is_halving;
         std::uint32_t first_recent;
@@ -63,7 +64,7 @@ private:
     bool has_field() const { return round_.plan.radius_field != nullptr; }
     std::uint32_t strip_bits() const;
     std::uint32_t expected_pieces(bool halve) const;
-    // Serves the first `count` boxes, or new boxes, `chunk` of them an item.
+    // Serves the first `count` boxes, or new boxes, `chunk` of them for each item.
     template <typename Kernel>
     void launch_over_boxes(std::uint32_t count, std::uint32_t chunk, std::uint64_t work_of_box);
     void make_room_for_pieces();
@@ -77,7 +78,7 @@ private:
     std::vector<std::uint32_t> bin_begins_;
     std::vector<std::uint32_t> free_lengths_;
     std::vector<std::uint32_t> widths_;  // with a radius field
-    std::vector<Rectangle> new_boxes_;   // with a radius field, on their way down
+    std::vector<Rectangle> new_boxes_;   // with a radius field, as downloaded
 
     std::optional<Refinement> refinement_;
     std::array<std::uint32_t, 1> total_{};

@@ -6,7 +6,7 @@
 namespace lacuna::device {
 
 std::uint64_t turns_of_line(const Plan& plan, std::uint32_t reach) {
-    // A turn a run, and one a word of it; a few more for roots, and for what begins and ends runs.
+    // One turn for each run and one for each of its words; others for roots and the ends of runs.
     constexpr std::uint64_t kOthers = 16;
     const std::uint64_t points = std::min(2 * std::uint64_t{reach} + 1, std::uint64_t{plan.height});
     const std::uint64_t pixels = points * plan.radii->rows / plan.height + 2;

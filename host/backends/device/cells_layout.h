@@ -1,4 +1,4 @@
-// How the subtract of mode cells is shared out on a device. No call of a device in here.
+// How work items divide the subtract of mode cells on a device. No call of a device in here.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace lacuna::device {
 
-// Turns that the loops of subtract_in_cells take for one sample of such a reach, at most, of one
-// line and of all that are near it.
+// The most turns that the loops of subtract_in_cells take for a sample with this reach: on one
+// line, and on all lines near it.
 std::uint64_t turns_of_line(const Plan& plan, std::uint32_t reach);
 std::uint64_t turns_of_sample(const Plan& plan, std::uint32_t reach);
 
-// Among how many work items the lines near such a sample are shared out, so that none takes more
-// turns than `most` where a single line does not.
+// The number of work items that divide the lines near such a sample, so that each takes at most
+// `most` turns, unless a single line takes more.
 std::uint32_t slices_of_sample(const Plan& plan, std::uint32_t reach, std::uint64_t most);
 
 }  // namespace lacuna::device

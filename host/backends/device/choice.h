@@ -1,4 +1,4 @@
-// What the device backends tell of their devices, and how one is chosen by number or name.
+// The devices of the device backends, and how one is chosen by number or name.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace lacuna {
 
-// A device, or what stands where one was hoped for, as `lacuna devices` lists it.
+// An entry of `lacuna devices`: a device, or the reason why there is none.
 struct DeviceEntry {
     std::string name;  // as the driver gives it
     std::string kind;  // cpu, gpu or other
@@ -27,8 +27,8 @@ namespace device {
 std::size_t choose(std::string_view backend, std::span<const DeviceEntry> entries,
                    std::string_view wanted);
 
-// Why this process cannot use a device: it was forked from one that did, whose drivers' threads
-// stayed behind. Empty where it can. To be asked before anything else of a driver.
+// Why this process cannot use a device: it was forked from a process that did, and a fork does not
+// copy the drivers' threads. Empty where it can. Ask this before any other call of a driver.
 std::string why_forked();
 
 }  // namespace device

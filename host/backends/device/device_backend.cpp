@@ -1,4 +1,4 @@
-// The backend of every device: the settle-grow-retry loop over a queue.
+// The backend of every device: queues verbs, and repeats them until all draws are decided and fit.
 #include "backends/device/device_backend.h"
 
 #include <bit>
@@ -19,7 +19,7 @@ public:
     DeviceBackend(std::unique_ptr<Queue> queue, const Plan& plan, const Tuning& tuning)
         : queue_(std::move(queue)), round_(plan, *queue_), bins_(make_bins(tuning)) {}
 
-    // Transfers into this object's memory may be on their way when an error ends a run.
+    // Transfers into this object's memory may still be under way when an error ends a run.
     ~DeviceBackend() override { queue_->drain(); }
     DeviceBackend(const DeviceBackend&) = delete;
     DeviceBackend& operator=(const DeviceBackend&) = delete;
@@ -45,7 +45,7 @@ public:
         settle_later();
     }
 
-    // Part by part: the samples of each are taken out, but for those of the last.
+    // Part by part: each part's samples are taken out of the bins before the next part.
     void admit() override {
         bins_->screen();
         const bool had_statuses = has_statuses_;
@@ -108,7 +108,7 @@ public:
         bins_->restore(snapshot);
         const auto count = static_cast<std::uint32_t>(snapshot.candidates.size());
         round_.restore_candidates(snapshot, bins_->part_limits(count));
-        for_parts([&] { bins_->sort(); });  // for the buckets' sake
+        for_parts([&] { bins_->sort(); });  // which makes the buckets
         round_.restore_statuses(snapshot);
         ends_with_ = End::none;
         has_statuses_ = true;
@@ -121,14 +121,14 @@ private:
         return round_.plan.is_cells() ? make_lattice(round_, tuning) : make_spans(round_, tuning);
     }
 
-    // Of the samples.
+    // Lists the orders of the samples' draws.
     void find_orders() {
         orders_.clear();
         for (std::uint32_t order = 0; order < round_.by_order.size(); ++order)
             if (round_.by_order[order].x != NO_SAMPLE) orders_.push_back(order);
     }
 
-    enum class End { none, take_out, subtract, refine };  // of the part, or the round
+    enum class End { none, take_out, subtract, refine };  // how a part or the round ends
 
     void open_part(std::uint32_t part) {
         if (round_.parts() > 1) queue_->wait();
@@ -144,51 +144,50 @@ private:
         }
     }
 
-    // Ends the part that is open, once it is settled.
+    // Ends the open part, after its draws are decided.
     void end_part(End with) {
         ends_with_ = with;
         queue_end();
         settle(false);
         ends_with_ = End::none;
     }
-    // Takes its samples out.
     void take_out() { end_part(End::take_out); }
-    // Of several parts, ends all; the last one is then to be ended once more, which does nothing.
+    // If there are several parts, ends all. Ending the last one once more then does nothing.
     void end_parts(End with) {
         if (round_.parts() == 1) return;
         if (is_open_) settle(false);
         for_parts([&] { end_part(with); });
     }
 
-    // The part that was opened, and now and then all later ones too: most have nothing left after
-    // the first few, and are done.
+    // Screens the open part, and now and then all later parts too: after the first few, most have
+    // no undecided draw and are done.
     void screen_again(std::uint32_t part, std::vector<bool>& is_done) {
         if (!std::has_single_bit(part)) return bins_->screen_again(round_.part.end);
         bins_->screen_again(round_.draw_count);
         round_.find_done(part, is_done);
     }
 
-    // Passes after the first kPasses take up what those left undecided.
+    // Passes after the first kPasses go on with the draws still undecided.
     void queue_passes() {
         if (has_statuses_) round_.begin_more_passes();
         for (std::uint32_t pass = has_statuses_ ? 1 : 0; pass < kPasses; ++pass) bins_->admit(pass);
         has_statuses_ = true;
     }
 
-    // Does nothing on the device while admission is unsettled.
+    // On the device this does nothing while a draw is undecided.
     void queue_end() {
         if (ends_with_ == End::take_out) bins_->take_out();
         if (ends_with_ == End::subtract) bins_->subtract();
         if (ends_with_ == End::refine) bins_->refine(halves_);
     }
 
-    // What has been queued leaves something to find out at the round's end.
+    // The result of the queued work must be checked at the end of the round.
     void settle_later() {
         is_open_ = true;
         queue_->wait();
     }
 
-    // Waits until the verbs are done, with what more they take: passes, room, samples left over.
+    // Waits for the verbs, and queues what they still need: passes, room, samples left over.
     void finish() {
         if (!is_open_) return;
         settle(true);
@@ -217,10 +216,10 @@ private:
     RoundMemory round_;
     std::unique_ptr<Bins> bins_;
     std::vector<Sample> samples_;
-    std::vector<std::uint32_t> orders_;  // where the plan asks for them
-    bool is_open_ = false;               // verbs whose outcome is not known yet
-    bool has_statuses_ = false;          // passes have something to take up
-    bool are_out_ = false;               // the samples of all parts but the one that is open
+    std::vector<std::uint32_t> orders_;  // with plan.tells_orders
+    bool is_open_ = false;               // some verb's result is unchecked
+    bool has_statuses_ = false;          // some passes have been made
+    bool are_out_ = false;               // samples of all parts except the open one
     End ends_with_ = End::none;
     bool halves_ = false;
 };

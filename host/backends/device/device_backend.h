@@ -1,4 +1,4 @@
-// The backend of every device: queues the verbs, and takes a round to its end.
+// The backend of every device: queues the verbs, and completes each round.
 #pragma once
 
 #include <memory>

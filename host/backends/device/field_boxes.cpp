@@ -1,5 +1,5 @@
-// The bins of mode exact with a radius field on a device: active boxes, which the samples in lists
-// of neighbours cut (docs/design.md, section 4).
+// The bins of mode exact with a radius field on a device: active boxes, which the samples in
+// neighbour lists cut (docs/design.md, section 4).
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -50,7 +50,7 @@ public:
     }
     void sort() override {}
 
-    // Of all parts: no sample of the round is in a list yet.
+    // Serves all parts at once: no sample of the round is in a list yet.
     void screen() override {
         portable::DrawArguments arguments = round_.arguments();
         arguments.status = STATUS_COVERED;
@@ -79,8 +79,7 @@ public:
     void subtract() override { throw std::logic_error("with a radius field every round refines"); }
     void take_out() override { lists_.enlist(); }
 
-    // Halves are cut by all samples in their lists, boxes that are not halved by those of the
-    // round.
+    // Halves are cut by all samples in their lists; boxes that are not halved only by the round's.
     void refine(bool halve) override {
         take_out();
         is_refining_ = true;
@@ -135,7 +134,7 @@ private:
         boxes_.put(first_.places, origins, 0);
     }
 
-    // The least radius under a first box, as devices have it: see portable/kernels.h.
+    // The least radius under a first box, in the form of portable/kernels.h.
     std::uint32_t first_radius(std::uint32_t box, std::uint32_t block) const {
         const std::uint32_t even_radius = first_.blocks[block].even_radius;
         if (even_radius != 0) return even_radius | IS_EVEN;
@@ -162,7 +161,7 @@ private:
     const FirstBoxes& first_;
     Boxes boxes_;
     NeighbourLists lists_;
-    bool is_refining_ = false;  // what end_round ends
+    bool is_refining_ = false;  // until end_round
     // The fraction of the domain that a candidate's disk covers: on average, and at most.
     double mean_disk_area_ = 0;
     double widest_disk_area_ = 0;

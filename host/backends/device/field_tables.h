@@ -1,5 +1,5 @@
-// A radius field in words, as kernels read it (portable/radius_field.h), but for its radii, which
-// are so already.
+// A radius field in words, as kernels read it (portable/radius_field.h). Its radii are words
+// already and not in here.
 #pragma once
 
 #include <cstdint>

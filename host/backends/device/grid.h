@@ -12,11 +12,11 @@ class Grid {
 public:
     explicit Grid(RoundMemory& round);
 
-    // Queues this: candidates of the whole round that samples of earlier rounds cover.
+    // Queues the search for the round's candidates that samples of earlier rounds cover.
     void screen();
-    // Candidates of the open part and those up to `end` that samples of earlier parts cover.
+    // The same for samples of earlier parts: candidates from the open part's begin to `end`.
     void screen_again(std::uint32_t end);
-    // The samples of the part, into the grid.
+    // Queues putting the part's samples into the grid.
     void insert();
 
     void snapshot(Snapshot& snapshot);

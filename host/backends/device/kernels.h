@@ -11,7 +11,7 @@
 
 namespace lacuna::device {
 
-// Every buffer that some kernel names. A launch binds those of its kernel by their names.
+// Every buffer that some kernel names. A launch binds the buffers of its kernel by their names.
 struct Memory {
 #define LACUNA_BUFFER(type, name) Buffer name;
     LACUNA_BUFFERS(LACUNA_BUFFER)
@@ -19,7 +19,7 @@ struct Memory {
 };
 
 inline constexpr std::size_t kMostBuffers = 16;     // of a kernel: many devices allow no more
-inline constexpr std::size_t kMostArguments = 128;  // bytes: every Vulkan device allows so many
+inline constexpr std::size_t kMostArguments = 128;  // bytes: every Vulkan device allows these
 
 template <std::size_t count>
 constexpr bool are_in_order(const std::array<std::uint32_t, count>& numbers) {
@@ -59,7 +59,7 @@ inline constexpr std::array kAll{
 
 }  // namespace kernels
 
-// GLSL and OpenCL C lay these out as C++ does: 8-byte words first, no padding but at the end.
+// GLSL and OpenCL C lay these out as C++ does: 8-byte words first, padding only at the end.
 static_assert(sizeof(portable::Geometry) == 64 && offsetof(portable::DrawArguments, g) == 8 &&
               offsetof(portable::SlabArguments, g) == 8 &&
               offsetof(portable::StripArguments, g) == 8 &&

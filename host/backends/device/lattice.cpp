@@ -1,4 +1,4 @@
-// The places of mode cells: the lattice's bits, and the radius map that says what a sample blocks.
+// The bins of mode cells: lines of the lattice's bits, and the radius map for subtract.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -17,21 +17,21 @@
 namespace lacuna::device {
 namespace {
 
-// Such turns of subtract, as cells_layout.h counts them. For each it takes up to 9: lavapipe goes
-// through the roots' loops also where no root is needed, runs end with their words, and where a
-// reach is longer than a torus, the chord is seen from three heights. And a look takes up to 64 a
-// line.
+// The most turns of a slice of subtract, as cells_layout.h counts them. A counted turn costs up to
+// 9 real ones: lavapipe runs the loops of square roots even where none is needed, runs end with
+// their words, and where a reach is longer than a torus the chord is seen from three heights.
+// Looking at a line takes up to 64 more.
 constexpr std::uint64_t kMostTurnsOfSlice = kMostTurns / 4;
 // Neighbouring items, which lavapipe runs in lockstep, serve neighbouring lines.
 constexpr std::uint32_t kLeastSlices = 16;
-// Candidates of one item of subtract: a sample is much more work than a draw.
+// Candidates of one item of subtract: few, because a sample is much more work than a draw.
 constexpr std::uint32_t kLongestChunk = 64;
 
 // See Queue::launch.
 constexpr std::uint64_t kWordsPerWork = 32;
 constexpr std::uint64_t kTurnsPerWork = 8;
 
-constexpr std::uint32_t kPartWords = 1 << 20;  // of bits on their way up
+constexpr std::uint32_t kPartWords = 1 << 20;  // in one upload of bits
 
 class Lattice : public Bins {
 public:
@@ -120,7 +120,7 @@ public:
         round_.get<std::uint32_t>(round_.memory.left_count, left_);
     }
 
-    // What reaches farther than the samples that were served comes after, twice as far at a time.
+    // Serves the samples of longer reach later, twice as far at a time.
     bool queue_rest() override {
         if (!is_subtracting_ || left_.front() == 0) return false;
         std::swap(round_.memory.todo, round_.memory.left);
@@ -149,7 +149,7 @@ public:
     }
 
 private:
-    // Some lines at a time: a lattice may have as many points as the device has room for.
+    // Uploads some lines at a time: a lattice may fill most of the device's memory.
     void upload_first_bits() {
         const std::uint32_t lines = round_.plan.lines;
         const std::uint32_t step = std::max(kPartWords / words_, 1u);
@@ -161,9 +161,9 @@ private:
         }
     }
 
-    // On a processor that runs items one by one, an item serves samples whole. Elsewhere an item
-    // serves a slice of the lines near a sample, and reaches for which the least number of slices
-    // will not do are left for later launches.
+    // On a processor, which runs items one by one, an item serves whole samples. Elsewhere an item
+    // serves a slice of the lines near a sample. Samples whose reach needs more than the least
+    // number of slices are left for later launches.
     void find_reaches(const Tuning& tuning) {
         const RadiusMap& map = *round_.plan.radii;
         widest_ = *std::max_element(map.reaches.begin(), map.reaches.end());
@@ -177,7 +177,7 @@ private:
         share_ = share_of_lines_ * std::min(side / round_.plan.height, 1.0);
         find_mean_disk_area();
 
-        // Of a sample anywhere: samples are as dense as their reaches are short, squared.
+        // The mean reach of a sample: samples are as dense as their reaches are short, squared.
         double density = 0;
         double pixels = 0;
         for (const std::uint32_t reach : map.reaches) {
@@ -189,7 +189,7 @@ private:
             std::min(static_cast<std::uint32_t>(std::sqrt(pixels / density)), short_reach_);
     }
 
-    // Of the lattice, within the radius of a pixel with importance, on average.
+    // The fraction of the lattice within the radius of a pixel with importance, on average.
     void find_mean_disk_area() {
         constexpr double kUnitsPerStep = 256;
         double sum = 0;
@@ -204,13 +204,13 @@ private:
         mean_disk_area_ = sum / static_cast<double>(open);
     }
 
-    // Into how many slices the lines near a sample are cut that reaches so far.
+    // The number of slices that divide the lines near a sample with this reach.
     std::uint32_t slices_of(std::uint32_t reach) const {
         if (fixed_slices_ != 0) return fixed_slices_;
         return std::max(kLeastSlices, slices_of_sample(round_.plan, reach, kMostTurnsOfSlice));
     }
 
-    // Draws that one item serves, of so many turns each.
+    // The number of draws that one item serves if each takes this many turns.
     std::uint32_t chunk_of(std::uint64_t turns) const {
         const std::uint32_t chunk = round_.queue.run_of(round_.part_count());
         if (serves_chunks_) return chunk;
@@ -227,7 +227,7 @@ private:
     void queue_cuts(std::uint32_t count, bool is_listed, std::uint32_t usual_reach) {
         const std::uint32_t chunk = std::min(round_.queue.chunk_of(count), kLongestChunk);
         const std::uint64_t items = items_of(count, chunk);
-        // Fewer slices where there would be more items than can be counted: then there are enough.
+        // The slices are fewer where the items could not be counted in 32 bits: they suffice then.
         const std::uint64_t most = std::numeric_limits<std::uint32_t>::max() / 2;
         const auto slices = static_cast<std::uint32_t>(std::min<std::uint64_t>(
             slices_of(served_reach_),
@@ -246,17 +246,17 @@ private:
     }
 
     std::vector<std::uint32_t> first_lines_;
-    std::uint32_t words_;  // of a line's bits
+    std::uint32_t words_;  // of a line
     bool serves_chunks_;
     std::vector<std::uint32_t> free_lengths_;
     std::array<std::uint32_t, 1> left_{};
 
-    std::uint32_t widest_ = 0;       // reach of all
-    std::uint32_t short_reach_ = 0;  // for which the least number of slices will do
+    std::uint32_t widest_ = 0;       // the longest reach
+    std::uint32_t short_reach_ = 0;  // the longest reach that needs only the fewest slices
     std::uint32_t mean_reach_ = 0;
-    std::uint32_t served_reach_ = 0;  // of subtract, so far
+    std::uint32_t served_reach_ = 0;  // the longest reach served
     std::uint32_t fixed_slices_ = 0;
-    double share_of_lines_ = 0;  // that the widest reach spans of the lattice
+    double share_of_lines_ = 0;  // of the lattice's lines, within widest_
     double share_ = 0;
     double mean_disk_area_ = 0;
     bool is_subtracting_ = false;

@@ -119,15 +119,15 @@ std::string gigabytes(std::uint64_t bytes) {
     return out.str();
 }
 
-// Of draws, located, candidates; buckets, statuses; samples; and three samples near for each draw.
+// Bytes of a draw: draws, located, candidates; buckets, statuses; samples; three entries of near.
 constexpr std::uint64_t kBytesPerDraw = 48 + 8 + 8 + 24;
-constexpr std::uint64_t kLargestPerDraw = 24;  // of one buffer: the samples near
+constexpr std::uint64_t kLargestPerDraw = 24;  // of the largest buffer, near
 
-// In exact, of a cell; and of a box: it before and after a round, the pieces of its two strips, its
-// length and its count.
+// In exact, bytes of a cell; and of a box: itself before and after a round, the pieces of its two
+// strips, its length and its count.
 constexpr std::uint64_t kBytesPerCell = 8;
 constexpr std::uint64_t kBytesPerBox = 2 * 16 + 2 * 8 + 2 * 4;
-// Boxes for a sample of the maximal set, at most: 0.45 to 0.5 have been seen.
+// Most boxes for each sample of the maximal set: 0.45 to 0.5 have been seen.
 constexpr double kBoxesPerSample = 0.75;
 
 Needs needs_of_lines(const Plan& plan, std::uint64_t round) {
@@ -143,7 +143,7 @@ Needs needs_of_lines(const Plan& plan, std::uint64_t round) {
                       cells * kBytesPerCell / 2, boxes * 16})};
 }
 
-// Mode cells. Of draws, located, candidates; buckets, statuses, radii, todo, left; samples.
+// In cells, of a draw: draws, located, candidates; buckets, statuses, radii, todo, left; samples.
 constexpr std::uint64_t kCellsBytesPerDraw = 48 + 20 + 8;
 constexpr std::uint64_t kCellsLargestPerDraw = 16;
 
@@ -158,9 +158,9 @@ Needs needs_of_cells(const Plan& plan, std::uint64_t round) {
             std::max({bits, pixels, lines, rows, round * kCellsLargestPerDraw})};
 }
 
-// With a radius field. Of a draw: itself, located and candidate; bucket, status, radius and count;
-// its sample; and the blocks that it reaches. Of a box: it and its origin, before and after a
-// round; the pieces of its four strips, the borders between them and their radii, and its count.
+// With a radius field, bytes of a draw: itself, located, candidate; bucket, status, radius, count;
+// its sample; the blocks that it reaches. And of a box: itself and its origin, before and after a
+// round; the pieces of its four strips, the borders between them and their radii; its count.
 constexpr std::uint64_t kFieldBytesPerDraw = 48 + 16 + 8 + 10 * 8;
 constexpr std::uint64_t kFieldBytesPerBox = 2 * (16 + 8) + 4 * 8 + 2 * 16 + 4;
 constexpr std::uint64_t kBytesPerEntry = 16;

@@ -1,5 +1,5 @@
 // How a plan's memory is laid out on a device: slabs of whole lines, and the tables of a round.
-// What the device backends share; no call of a device in here.
+// Common to all devices; no call of a device in here.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace lacuna::device {
 
-// Lines [first_line, end_line), whose spans lie in one buffer, so that none is larger than the
-// device allows.
+// Lines [first_line, end_line), whose spans lie in one buffer. Several slabs keep each buffer below
+// the device's limit.
 struct Slab {
     std::uint32_t first_line;
     std::uint32_t end_line;
@@ -29,50 +29,50 @@ struct Range {
 
 // For tests.
 struct Tuning {
-    std::uint64_t largest_slab_bytes = 0;  // 0: what the device allows; lower values, more slabs
-    // In cells: work items that share the lines near a sample; 0: as many as the device needs.
+    std::uint64_t largest_slab_bytes = 0;  // 0: the device's limit; lower values make more slabs
+    // In cells: work items that divide the lines near a sample; 0: as many as the device needs.
     std::uint32_t slices_of_sample = 0;
 };
 
-// All lines, as many a slab as fit into largest_bytes, at least one.
+// Divides all lines into slabs of at most largest_bytes, but at least one line each.
 std::vector<Slab> share_out(std::uint32_t lines, std::uint32_t capacity,
                             std::uint64_t largest_bytes);
 
 portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uint32_t capacity);
 
-// The draws of a slab's lines, which are their places; draws are sorted by place.
+// The draws that fall on a slab's lines. The draws are sorted by line.
 Range draws_of(const Slab& slab, std::span<const Draw> draws);
 
-// begins[column] .. begins[column + 1] is room for all samples that may cut the column's lines:
-// as many as the column and its neighbours have draws.
+// Column c gets the room [begins[c], begins[c + 1]) for all samples that may cut its lines: as many
+// as the column and its neighbours have draws.
 void find_near_begins(const Plan& plan, std::uint32_t columns,
                       std::span<const std::uint32_t> column_begins,
                       std::vector<std::uint32_t>& begins);
 
-// The samples of a round, from those of its draws in order: draws not admitted have x == NO_SAMPLE
-// and their status in y. Returns how many draws no sample of an earlier round covers.
+// Takes the samples of a round from the table of its draws, by order: a draw not admitted has x ==
+// NO_SAMPLE and its status in y. Returns how many draws no sample of an earlier round covers.
 std::uint64_t take_admitted(std::span<const Sample> by_order, std::vector<Sample>& samples);
 
-// The same the other way round: what a snapshot's statuses make of its candidates, by order.
+// The reverse: that table, from a snapshot's candidates and statuses.
 std::vector<Sample> samples_by_order(const Snapshot& snapshot);
 
-// A slab's spans as the device holds them, `capacity` a line, from a snapshot and back into one.
+// Converts a slab's spans between a snapshot and the device's form, `capacity` spans a line.
 std::vector<Span> pack(const Slab& slab, const Snapshot& snapshot);
 void unpack(const Slab& slab, std::span<const Span> slots,
             std::span<const std::uint32_t> span_counts, Snapshot& snapshot);
 
-// For how many active boxes there is to be room and, with a radius field, for how many entries of
-// lists. In sets of a million samples and more 0.45 to 0.5 boxes a sample have been seen with one
-// radius, and with a radius field 2.2 to 2.5, and 2.1 to 2.7 entries.
+// The number of active boxes that there is room for, and of entries of neighbour lists with a
+// radius field. Sets of a million samples and more have 0.45 to 0.5 boxes a sample with one radius;
+// with a radius field 2.2 to 2.5, and 2.1 to 2.7 entries.
 std::uint64_t room_for_boxes(const Plan& plan);
 std::uint64_t room_for_entries(const Plan& plan);
 
-// What the plan needs of a device that has so much memory and allows buffers so large: throws
-// Unavailable, naming the device, when it is not there.
+// Throws Unavailable, naming the device, if the plan needs more memory than memory_bytes or a
+// buffer larger than largest_buffer_bytes.
 void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint64_t memory_bytes,
                          std::uint64_t largest_buffer_bytes);
 
-// The same of what anything else needs: all its buffers, and the largest.
+// The same for any needs: the bytes of all buffers together, and of the largest one.
 struct Needs {
     std::uint64_t bytes = 0;
     std::uint64_t largest = 0;

@@ -1,4 +1,4 @@
-// Lists of samples, and of the candidates that may become samples, on a device.
+// Neighbour lists on a device: of samples, and of candidates that may become samples.
 #include "backends/device/neighbour_lists.h"
 
 #include <algorithm>
@@ -16,8 +16,8 @@ namespace {
 constexpr std::uint64_t kReachWork = 4;
 constexpr std::uint64_t kEnlistWork = 1;
 
-// Blocks that a draw reaches, most of which are soon covered; where it is more, they are
-// listed again.
+// Blocks that a draw reaches, at first; most draws are soon covered. If the room is too small, the
+// blocks are listed again.
 constexpr std::uint64_t kVisitsPerDraw = 8;
 
 }  // namespace
@@ -107,7 +107,7 @@ void NeighbourLists::list_visitors() {
     has_visitors_ = true;
 }
 
-// Keeps what is there. Half as many again, if the device allows so many.
+// Keeps the entries. Makes room for half as many again, if the device allows it.
 void NeighbourLists::make_room_for_entries(std::uint64_t count) {
     Buffer& entries = round_.memory.entries;
     if (4 * count <= entries.words()) return;

@@ -1,5 +1,6 @@
-// The samples with a radius field, listed on a device for each block of first boxes that they reach
-// (plan/first_boxes.h): kernels/bodies/exact/reach.h finds those, enlist.h lists the samples.
+// Neighbour lists on a device: with a radius field, the samples that reach each block of first
+// boxes (plan/first_boxes.h). reach.h in kernels/bodies/exact finds the blocks, enlist.h adds
+// samples.
 #pragma once
 
 #include <array>
@@ -14,23 +15,22 @@ class NeighbourLists {
 public:
     explicit NeighbourLists(RoundMemory& round);
 
-    // As if they were candidates of a round, all of them admitted.
+    // Lists the kept samples, as if they were the admitted candidates of a round.
     void enlist_kept();
 
     void begin_part() { has_visitors_ = false; }
-    // Of a round in one part, screen lists the survivors, and those alone reach blocks.
+    // If the round has one part, screen lists the survivors, and reach serves only these.
     bool has_survivors() const { return round_.parts() == 1; }
     void begin_survivors();
     bool has_visitors() const { return has_visitors_; }
-    // Lists the part's candidates for the blocks that they reach, and makes room for them in the
-    // lists of samples. Waits in between.
+    // Lists the part's candidates for the blocks that they reach, which makes them visitors there,
+    // and makes room for them in the lists of samples. Waits in between.
     void list_visitors();
-    // Queues this: those of them that were admitted are listed for good. A part without candidates
-    // left has no visitors.
+    // Queues adding the admitted visitors to the lists. A part without open candidates has none.
     void enlist();
 
     void start_download();
-    // From here on entries are of samples that have not cut the places yet.
+    // The first entry of a sample that has not cut the boxes yet.
     std::uint32_t first_recent() const { return first_recent_; }
     void end_round() { first_recent_ = entry_count_.front(); }
 

@@ -1,8 +1,8 @@
-// The parts of a round whose draws crowd, see cpu/crowd.h: each is admitted after the samples of
-// those before it were taken out of the places. No call of a device in here.
+// The parts of a round that crowds, see cpu/crowd.h: each part is admitted after the samples of the
+// earlier ones were cut from the bins. No call of a device in here.
 //
-// On a device parts do one thing more: they bound the loops of a work item, since lavapipe allows
-// an item so many turns and no more (portable/failure.h).
+// On a device parts have one more purpose: they bound the loops of a work item, because lavapipe
+// ends a loop after a fixed number of turns (portable/failure.h).
 #pragma once
 
 #include <algorithm>
@@ -13,35 +13,35 @@
 
 namespace lacuna::device {
 
-// Draws of one column that a part has at most: a work item sorts them, and a candidate is compared
-// with those of three columns.
+// The most draws of a column in one part: a work item sorts them, and a candidate is compared with
+// the draws of three columns.
 inline constexpr std::uint32_t kMostOfColumn = 512;
 
-// Draws that a part has at most, and the first one; each later one as many as all before it.
+// The most draws of any part and of the first part; a later part has as many as all before it.
 struct PartLimits {
     std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t most = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t of_column = kMostOfColumn;
 };
 
-// Of a round of so many draws, where radii differ: within a candidate's own radius lies such a
-// share of the domain, on average and at most. The first part is so small that a candidate has few
-// others there, where those of wide radii lie beside those of small ones. All are so small that one
-// of the widest reach, which may look at all others, takes no more turns than there are.
+// The limits of a round of `count` draws whose radii differ. mean_disk_area and widest_disk_area
+// are the average and the largest fraction of the domain that a candidate's disk covers. The first
+// part is small enough that a candidate has few others within its radius. All parts are small
+// enough that the candidate of the largest radius compares with at most kMostTurns others.
 PartLimits limits_by_area(std::uint32_t count, double mean_disk_area, double widest_disk_area);
 
-// Where the parts end, by the order of the draws, whose columns are given in that order.
+// Where the parts end, in draws by their order. The argument holds the column of each draw.
 std::vector<std::uint32_t> find_part_ends(std::span<const std::uint32_t> column_of_order,
                                           std::uint32_t columns, PartLimits limits);
 
-// Whether one part has room for all.
+// Whether all draws fit into one part.
 bool is_one_part(std::span<const std::uint32_t> column_begins, PartLimits limits);
 
-// Draws or candidates that come column by column: which come where, part by part and column by
-// column within a part.
+// How draws or candidates, given column by column, are arranged part by part, and column by column
+// within a part.
 struct Arrangement {
     std::vector<std::uint32_t> ends;     // of the parts
-    std::vector<std::uint32_t> origins;  // of each entry, among those given; empty with one part
+    std::vector<std::uint32_t> origins;  // index given, of each entry; empty with one part
     std::vector<std::uint32_t> columns;  // of each entry; empty with one part
 };
 
@@ -56,7 +56,7 @@ Arrangement arrange(std::span<const Entry> entries, std::span<const std::uint32_
         for (std::uint32_t i = column_begins[column]; i < column_begins[column + 1]; ++i)
             of_order[entries[i].order] = column;
 
-    // A part's entries are as many as its orders.
+    // A part has as many entries as orders.
     Arrangement made{find_part_ends(of_order, columns, limits), std::vector<std::uint32_t>(count),
                      std::vector<std::uint32_t>(count)};
     std::vector<std::uint32_t> next = made.ends;

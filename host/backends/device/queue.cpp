@@ -7,11 +7,11 @@
 namespace lacuna::device {
 namespace {
 
-// Work is told too high rather than too low: slices of half this took 1 to 16 ms on average, and 28
-// at most, on two threads. Between short ones a thread waits for the other. A desktop's driver
-// gives up on a launch after two seconds.
+// Work of a slice. Callers estimate work too high rather than too low: slices of half this took 1
+// to 16 ms on average, 28 at most, on two threads. Between short slices threads wait for each
+// other. A desktop's driver gives up on a launch after two seconds.
 constexpr std::uint64_t kWorkPerSlice = std::uint64_t{1} << 19;
-// Between pauses: with two slices on their way, a run is cancelled in a fraction of 0.2 s.
+// Work between pauses: with two slices under way, a run is cancelled in a fraction of 0.2 s.
 constexpr std::uint64_t kWorkPerPause = std::uint64_t{1} << 20;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What a device is to Lacuna: memory, and a queue of a few commands. OpenCL and Vulkan implement
+// A device as Lacuna sees it: memory, and a queue of a few commands. OpenCL and Vulkan implement
 // it.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace lacuna::device {
 
 inline constexpr std::uint64_t kWord = sizeof(std::uint32_t);
 
-// Memory on the device. Copies mean the same memory; a queue holds on to what its commands need.
+// Memory on the device. Copies refer to the same memory; a queue keeps what its commands need.
 class Buffer {
 public:
     Buffer() = default;
@@ -26,7 +26,7 @@ public:
         : handle_(std::move(handle)), bytes_(bytes) {}
 
     std::uint64_t bytes() const { return bytes_; }
-    // Room for words; none before the buffer is made.
+    // The room in words; 0 before the buffer is made.
     std::uint64_t words() const { return bytes_ / kWord; }
     void* handle() const { return handle_.get(); }
 
@@ -42,14 +42,14 @@ struct KernelShape {
     std::uint32_t argument_bytes;
 };
 
-// Commands run in order: each sees what those before it have done. They may wait for wait() before
-// they begin. All calls throw DeviceError, which names the device, the call and the driver's log.
+// Commands run in order, and each sees the results of earlier ones. They may begin only in wait().
+// All calls throw DeviceError, which names the device, the call and the driver's log.
 class Queue {
 public:
     virtual ~Queue() = default;
 
     virtual const DeviceEntry& device() const = 0;
-    // At least so many bytes; what is in them is anything.
+    // Makes a buffer of at least `bytes` bytes, whose content is undefined.
     virtual Buffer make(std::uint64_t bytes) = 0;
     // Sets the first words.
     virtual void fill(const Buffer& buffer, std::uint32_t value, std::uint64_t words) = 0;
@@ -59,24 +59,24 @@ public:
     // `to` is filled when wait() returns.
     virtual void download(const Buffer& from, std::span<std::byte> to) = 0;
 
-    // How many units of work in a row, of so many, an item serves where one goes on from where the
-    // last one was: long runs on a processor, 1 on a graphics card.
+    // The number of consecutive units of work, out of `amount`, that an item serves where each goes
+    // on from the last one: many on a processor, 1 on a graphics card.
     virtual std::uint32_t run_of(std::uint32_t amount) const = 0;
-    // Whether neighbouring items run in lockstep, so that they should do alike work.
+    // Whether neighbouring items run in lockstep, and so should do similar work.
     virtual bool runs_in_lockstep() const = 0;
-    // How many units of work an item serves where each is for itself.
+    // The number of units that an item serves where each unit is independent.
     std::uint32_t chunk_of(std::uint32_t amount) const {
         return runs_in_lockstep() ? 1 : run_of(amount);
     }
 
-    // Runs the kernel for items 0, 1, ... and perhaps some more. `work` is about how many steps of
-    // a tenth of a microsecond an item takes: long work is cut into slices, between which the run
+    // Runs the kernel for items 0, 1, ... `items` - 1 and perhaps some more. `work` estimates an
+    // item's time in tenths of a microsecond: long work is cut into slices, between which the run
     // can be cancelled. `arguments` begin with the number of the first item, which is filled in.
     void launch(const KernelShape& kernel, std::span<std::byte> arguments,
                 std::span<const Buffer> buffers, std::uint64_t items, std::uint64_t work);
-    // Does what is queued. Throws Cancelled.
+    // Completes the queued commands. Throws Cancelled.
     void wait();
-    // Waits for what has begun, whatever became of it: no transfer is on its way afterwards.
+    // Waits for commands that have begun, even after errors: then no transfer is under way.
     virtual void drain() noexcept = 0;
     // Asked before each wait and between slices; false cancels the run.
     void watch(std::function<bool()> may_go_on) { may_go_on_ = std::move(may_go_on); }
@@ -89,10 +89,10 @@ protected:
     virtual std::uint64_t most_groups() const = 0;
     virtual void enqueue(const KernelShape& kernel, std::span<const std::byte> arguments,
                          std::span<const Buffer> buffers, std::uint32_t groups) = 0;
-    // Begins what is queued, and waits for all of it but perhaps what came after the last pause.
+    // Begins the queued commands. Waits for all, except perhaps those after the last pause.
     virtual void pause() = 0;
     virtual void finish() = 0;
-    // Forgets what is queued and has not begun.
+    // Drops queued commands that have not begun.
     virtual void discard() {}
 
 private:
@@ -103,15 +103,15 @@ private:
     std::uint64_t queued_ = 0;  // work since the last pause
 };
 
-// Turns of all its loops that an item is given work for: lavapipe grants 65,535.
+// The most turns of all its loops that an item is given: lavapipe ends loops after 65,535.
 inline constexpr std::uint32_t kMostTurns = 1u << 14;
 
-// How many items it takes to serve so many units of work in chunks.
+// The number of items that serve `amount` units of work in chunks.
 inline std::uint64_t items_of(std::uint64_t amount, std::uint32_t chunk) {
     return (amount + chunk - 1) / chunk;
 }
 
-// For a job whose kernel says that it could not finish its loops (portable/failure.h).
+// The error for a job whose kernel could not finish its loops (portable/failure.h).
 DeviceError ended_early(const DeviceEntry& device, const std::string& job);
 
 }  // namespace lacuna::device

@@ -1,4 +1,4 @@
-// What every mode keeps on the device of a round, and what moves between it and the host.
+// A round's memory on the device in every mode, and the transfers between it and the host.
 #include "backends/device/round_memory.h"
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 namespace lacuna::device {
 namespace {
 
-constexpr std::uint64_t kSortWork = 4;  // a draw; see Queue::launch
-// Buffers are no smaller: small sets then never make them anew.
+constexpr std::uint64_t kSortWork = 4;  // of a draw; see Queue::launch
+// The smallest buffer: small sets then never replace their buffers.
 constexpr std::uint64_t kLeastWords = 4096;
 
 constexpr std::array kJobs{"locate", "sort_columns", "admit", "collect", "subtract", "refine"};
@@ -40,7 +40,7 @@ void RoundMemory::make_room(Buffer& buffer, std::uint64_t words) const {
     const DeviceEntry& device = queue.device();
     refuse_if_too_large(device.name, Needs{0, bytes}, device.memory_bytes,
                         device.largest_buffer_bytes);
-    buffer = {};  // first let go of what was there
+    buffer = {};  // frees the old memory first
     buffer = queue.make(bytes);
 }
 

@@ -1,5 +1,5 @@
-// What every mode keeps on the device of a round: its draws, their candidates, what becomes of
-// them, and whether the work was finished.
+// A round's memory on the device in every mode: its draws, their candidates and statuses, and flags
+// that say whether the work was finished.
 #pragma once
 
 #include <algorithm>
@@ -18,41 +18,40 @@
 
 namespace lacuna::device {
 
-// Passes of admit queued at a time; one that finds nothing undecided returns at once. Most rounds
-// settle in five or six.
+// The number of passes of admit queued at a time. A pass that finds nothing undecided returns at
+// once; most rounds need five or six.
 inline constexpr std::uint32_t kPasses = 8;
 
 // The queue may use the host's vectors until it has been waited for.
 struct RoundMemory {
     RoundMemory(const Plan& plan, Queue& queue);
 
-    // The draws, part by part, on their way up; makes room for what becomes of them. bin_begins:
-    // see columns.h.
+    // Queues the upload of the draws, part by part, and makes room for their candidates.
+    // bin_begins: see columns.h.
     void upload(std::span<const Draw> draws, std::span<const std::uint32_t> bin_begins,
                 PartLimits limits);
     std::uint32_t parts() const { return static_cast<std::uint32_t>(arrangement_.ends.size()); }
-    // The commands that follow are about one part: its table is on its way up. Where there are
-    // several, the queue must have been waited for.
+    // The commands that follow serve this part, whose table is uploaded. If there are several
+    // parts, the queue must have been waited for.
     void open_part(std::uint32_t number);
-    // Waits, and tells of the parts from one on which have no draw left undecided.
+    // Blocks until the queue is idle; is_done says which parts, from `first` on, are fully decided.
     void find_done(std::uint32_t first, std::vector<bool>& is_done);
     std::span<const Draw> draws_of_part() const {
         return draws_.subspan(part.begin, part.end - part.begin);
     }
-    // What was located of the part, sorted by column and y.
+    // Sorts the part's located candidates by column and y.
     void sort();
-    // For passes after the first kPasses: all but the last count as done. From then on an item of
-    // admit serves one candidate: where they crowd, an item leaves some of a longer chunk to the
-    // next pass (bodies/common/admit.h), and those that it never comes to may be what the others
-    // wait for.
+    // For passes after the first kPasses: all passes except the last count as done. Then an item of
+    // admit serves one candidate. If draws crowd, an item with a longer chunk leaves some of them
+    // to the next pass (bodies/common/admit.h), and the others might wait for one that it never
+    // comes to.
     void begin_more_passes();
     std::uint32_t chunk_of_admit(std::uint32_t chunk) const { return has_more_passes_ ? 1 : chunk; }
-    // Of a draw, see Queue::launch: the first pass looks at all of them, the others at few.
+    // Work of a draw, see Queue::launch: the first pass looks at all draws, the others at few.
     static std::uint64_t admit_work(std::uint32_t pass) { return pass == 0 ? 6 : 1; }
 
-    // Flags on their way down that tell, after the wait, whether the passes have settled admission;
-    // and by_order, which a round hands back. throw_if_failed throws DeviceError where a kernel
-    // could not finish its work.
+    // Queues the download of flags which say, after the wait, whether the passes have decided all
+    // draws; and of by_order. throw_if_failed throws DeviceError if a kernel could not finish.
     void start_download(bool with_samples);
     bool is_unsettled() const { return undecided_.back() != 0; }
     void throw_if_failed() const;
@@ -65,11 +64,11 @@ struct RoundMemory {
                        items_of(arguments.count - arguments.first, arguments.chunk),
                        work_of_draw * arguments.chunk);
     }
-    // Draws of the part, and of a column of it, on average and rounded up.
+    // The number of draws of the part; and of one of its columns on average, rounded up.
     std::uint32_t part_count() const { return part.end - part.begin; }
     std::uint32_t draws_per_column() const { return part_count() / geometry.columns + 1; }
 
-    // A table on its way up, and one on its way down.
+    // Queues the upload and the download of a table.
     template <typename T>
     void put(const Buffer& to, std::span<const T> from, std::uint64_t first_word = 0) {
         queue.upload(to, std::as_bytes(from), first_word * kWord);
@@ -78,10 +77,10 @@ struct RoundMemory {
     void get(const Buffer& from, std::span<T> to) {
         queue.download(from, std::as_writable_bytes(to));
     }
-    // Room for so many words, or more of what there was; what was there is lost.
+    // Makes room for at least `words` words. The old content is lost if there was less room.
     void make_room(Buffer& buffer, std::uint64_t words) const;
-    // Room with these at its begin, for kernels to write to, and zeros: Oclgrind takes what kernels
-    // write beyond what was uploaded last for uninitialized. Waits.
+    // Makes room and fills it with `from`, then zeros, for kernels to write to: Oclgrind takes what
+    // kernels write past the last upload for uninitialized. Waits.
     template <typename T>
     void put_in_room(Buffer& buffer, std::span<const T> from) {
         make_room(buffer, from.size_bytes() / kWord);
@@ -90,14 +89,13 @@ struct RoundMemory {
         queue.upload(buffer, rest, from.size_bytes());
         queue.wait();
     }
-    // A buffer with these words.
     Buffer copy_of(std::span<const std::uint32_t> words);
 
-    // Once they were sorted. Waits.
+    // The sorted candidates. Waits.
     std::vector<Candidate> candidates();
 
     void snapshot(Snapshot& snapshot);
-    // The candidates, part by part, to be sorted; and then what became of them.
+    // The candidates, part by part, to be sorted; then their statuses.
     void restore_candidates(const Snapshot& snapshot, PartLimits limits);
     void restore_statuses(const Snapshot& snapshot);
 
@@ -107,12 +105,12 @@ struct RoundMemory {
     portable::Geometry geometry;
     std::uint32_t draw_count = 0;              // of the round
     Range part{0, 0};                          // of the draws
-    std::vector<std::uint32_t> column_begins;  // of the part, in draws; columns + 1
+    std::vector<std::uint32_t> column_begins;  // of the part, in draws; then its end
     std::vector<Sample> by_order;              // of each draw, see take_admitted
 
 private:
     void begin(std::uint32_t count);
-    // Candidates in the order of one part.
+    // Sorts the candidates as if the round had one part.
     void merge_parts(Snapshot& snapshot) const;
 
     Arrangement arrangement_;

@@ -1,4 +1,4 @@
-// Prefix sums: of the values of blocks, then of the blocks.
+// Prefix sums: first of the values within each block, then of the blocks' sums.
 #include "backends/device/scan.h"
 
 #include <algorithm>

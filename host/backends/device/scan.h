@@ -1,4 +1,4 @@
-// Prefix sums on a device: where what was counted goes.
+// Prefix sums on a device: they turn counts into the places to write to.
 #pragma once
 
 #include <cstdint>
@@ -7,14 +7,14 @@
 
 namespace lacuna::device {
 
-// Makes room for so many counts, and their sums.
+// Makes room for `count` counts, and their sums.
 void make_room_to_scan(RoundMemory& round, std::uint64_t count);
 
-// Queues this: each of so many `counts` becomes the sum of those before it in its block, `sums` of
-// each block the sum of all blocks before it, and `total` that of all.
+// Queues the sums: each of `count` counts becomes the sum of the earlier ones in its block,
+// sums[block] the sum of all earlier blocks, and `total` the sum of all counts.
 void scan(RoundMemory& round, std::uint32_t count);
-// A block has 2^block_bits_of_scan() counts: about as many as there are blocks, two short sums in
-// place of a long one. Lavapipe takes each item's division one by one, but shifts eight at a time.
+// A block has 2^block_bits_of_scan() counts, about as many as there are blocks: two short sums
+// replace a long one. A power of 2, because lavapipe divides one item at a time but shifts eight.
 std::uint32_t block_bits_of_scan(std::uint64_t count);
 
 }  // namespace lacuna::device

@@ -183,7 +183,7 @@ public:
     }
 
 private:
-    // Draws that one item serves, each of which may walk along a whole line.
+    // The number of draws that one item serves; each may walk along a whole line.
     std::uint32_t chunk_of_lines() const {
         const std::uint32_t run = round_.queue.run_of(round_.part_count());
         if (!round_.queue.runs_in_lockstep()) return run;
@@ -192,8 +192,7 @@ private:
 
     bool has_boxes() const { return boxes_ && boxes_->are_bins(); }
 
-    // At the first refinement: the boxes of each line are counted, and once there is room for all,
-    // written.
+    // At the first refinement: counts the boxes of each line and, once there is room, writes them.
     void unfold(bool is_counting) {
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
             portable::SlabArguments arguments = arguments_of(i);
@@ -204,7 +203,7 @@ private:
         }
     }
 
-    // What is free at the start, with no room between lines, then spread out.
+    // Uploads the lines' first spans, packed, and then spreads them out.
     void make_lines() {
         Snapshot first;
         first.capacity = 1;
@@ -244,7 +243,7 @@ private:
             round_.make_room(spans_[i], 2 * std::uint64_t{slabs_[i].lines()} * capacity);
     }
 
-    // Room for so many spans a line, with those it has.
+    // Makes room for `larger` spans a line, and keeps the spans.
     void grow(std::uint32_t larger) {
         const std::vector<Slab> old_slabs = std::move(slabs_);
         const std::vector<Buffer> old_spans = std::move(spans_);
@@ -307,7 +306,7 @@ private:
     std::optional<Grid> grid_;    // in exact
     std::optional<Boxes> boxes_;  // in exact
     std::vector<Slab> slabs_;
-    std::vector<Buffer> spans_;  // of each slab; let go of at the first refinement
+    std::vector<Buffer> spans_;  // of each slab; freed at the first refinement
     std::vector<std::uint32_t> near_begins_;
     std::vector<std::uint32_t> free_lengths_;
     std::array<std::uint32_t, 1> overflow_{};

@@ -1,5 +1,5 @@
 // OpenCL's C++ bindings with the settings that all of Lacuna needs: exceptions, and kernels of
-// OpenCL C 1.2. Costly to compile: for the .cpp files of this folder only.
+// OpenCL C 1.2. They take long to compile: for the .cpp files of this folder only.
 #pragma once
 
 #define CL_HPP_ENABLE_EXCEPTIONS

@@ -48,8 +48,8 @@ cl::Program Device::compiled(std::string_view source) {
             for (const auto& [device, text] : error.getBuildLog()) log_.add(text.c_str());
             throw;
         } catch (const std::bad_alloc&) {
-            // It came through the driver, which did not let go of its lock of the program: to
-            // release that, or to count it once more, would wait for ever.
+            // The exception passed through the driver, which still holds its lock of the program.
+            // Releasing the program, or counting one more use of it, would wait for ever.
             static_cast<void>(program.release());
             throw DeviceError("backend opencl, device " + entry_.name +
                               ": out of memory while kernels were built");

@@ -1,4 +1,4 @@
-// A device in use, and the kernels compiled for it: kept for the process, for all backends.
+// A device in use and its compiled kernels: one for the process, which all backends use.
 #pragma once
 
 #include <condition_variable>
@@ -15,10 +15,10 @@
 
 namespace lacuna::opencl {
 
-// Which of several queues may have kernels under way. PoCL (3.1 and others) has a binary of a
-// kernel for small grids and one for large ones. When a kernel is done it counts the use of the
-// first that it finds as over, which is another one where queues use both: an assertion then ends
-// the process.
+// At most one queue at a time, the one that has the turn, may have kernels under way. PoCL (3.1 and
+// others) compiles a kernel into one binary for small grids and one for large ones. When a kernel
+// is done, PoCL counts down the uses of the first binary that it finds. That may be the wrong one
+// where queues use both, and then an assertion ends the process.
 class Turns {
 public:
     // Waits until no queue has the turn.
@@ -59,11 +59,11 @@ private:
     std::map<std::string, cl::Program, std::less<>> programs_;
 };
 
-// The device that a request names, opened once a process. Throws Unavailable.
+// The device that a request names, opened once for the process. Throws Unavailable.
 std::shared_ptr<Device> kept_device(const std::string& wanted);
 
 // The files of kernels/, includes expanded, in groups that are compiled together; and the first
-// source that has the kernel's ENTRY, empty if none has.
+// source that has the kernel's ENTRY, empty if there is none.
 std::span<const std::string_view> kernel_sources();
 std::string_view source_of(std::string_view kernel, std::span<const std::string_view> sources);
 

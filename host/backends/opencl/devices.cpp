@@ -16,7 +16,7 @@ std::string kind_of(cl_device_type type) {
     return "other";
 }
 
-// The full profile brings 64-bit whole numbers and 32-bit atomics along.
+// The full profile includes 64-bit whole numbers and 32-bit atomics.
 std::string why_unusable(const cl::Device& device) {
     if (!device.getInfo<CL_DEVICE_AVAILABLE>()) return "the driver says it is not available";
     if (!device.getInfo<CL_DEVICE_COMPILER_AVAILABLE>()) return "its driver has no compiler";
@@ -38,7 +38,7 @@ DeviceEntry describe(const cl::Device& device) {
     return entry;
 }
 
-// A platform without a device is worth an entry: its driver is there, yet does not work.
+// A platform without a device gets an entry: its driver is installed, but does not work.
 Found without_device(const std::string& platform, const std::string& reason) {
     Found found;
     found.entry.name = platform;
@@ -73,7 +73,7 @@ std::vector<DeviceEntry> entries_of(const std::vector<Found>& all) {
 std::vector<Found> find_devices() {
     const std::string forked = device::why_forked();
     if (!forked.empty()) return {without_device("OpenCL", forked)};
-    // Drivers set themselves up when they are first asked, and not all of them for several threads.
+    // Drivers initialise themselves at the first call, and some cannot do it for several threads.
     static std::mutex mutex;
     const std::lock_guard lock(mutex);
     const std::string no_loader = why_no_loader();

@@ -9,7 +9,7 @@
 
 namespace lacuna::opencl {
 
-// An entry's device is null where a platform has none to offer.
+// The device is null for the entry of a platform that has none.
 struct Found {
     DeviceEntry entry;
     cl::Device device;

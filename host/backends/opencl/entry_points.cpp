@@ -17,7 +17,7 @@ bool find(EntryPoint<Function>& entry, void* where, const char* name) {
     return entry.found != nullptr;
 }
 
-// The name of a function that is not there; empty when all were found.
+// The name of a function that was not found; empty when all were found.
 std::string first_missing(void* where) {
 #define LACUNA_FIND(name) \
     if (!find(lacuna_##name, where, #name)) return #name;

@@ -1,5 +1,5 @@
-// OpenCL's functions, which the library looks up when it first wants them: a program that holds
-// Lacuna starts, and runs on other backends, where no OpenCL is installed.
+// OpenCL's functions, which the library looks up at their first use: so a program that links Lacuna
+// also starts, and runs on other backends, where OpenCL is not installed.
 #pragma once
 
 #define CL_TARGET_OPENCL_VERSION 200
@@ -7,8 +7,7 @@
 
 #include <string>
 
-// What the C++ bindings call of them for this folder. One that this list lacks is a symbol that the
-// linker does not find.
+// The functions that the C++ bindings call in this folder; a missing one fails to link.
 // clang-format off
 #define LACUNA_OPENCL_ENTRIES(ENTRY) \
     ENTRY(clBuildProgram) ENTRY(clCreateBuffer) ENTRY(clCreateCommandQueueWithProperties) \
@@ -25,7 +24,7 @@
 
 namespace lacuna::opencl {
 
-// Is called, and its address is taken, as if it were the function that was found.
+// Can be called, and its address taken, like the function that was found.
 template <typename Function>
 struct EntryPoint {
     Function* found = nullptr;
@@ -35,22 +34,22 @@ struct EntryPoint {
 
 }  // namespace lacuna::opencl
 
-// In the global namespace, for the bindings call ::clFinish and the like.
+// In the global namespace, because the bindings call ::clFinish and the like.
 #define LACUNA_DECLARE(name) extern lacuna::opencl::EntryPoint<decltype(::name)> lacuna_##name;
 LACUNA_OPENCL_ENTRIES(LACUNA_DECLARE)
 #undef LACUNA_DECLARE
 
 namespace lacuna::opencl {
 
-// Looks the functions up, once a process: among what the process has loaded, as Oclgrind has itself
-// loaded first, or else in libOpenCL.so.1. Returns why they are not there; empty when they are.
-// To be called before any of them.
+// Looks the functions up, once for the process: first among the libraries already loaded, which
+// Oclgrind relies on, then in libOpenCL.so.1. Returns why they were not found, or nothing. Call it
+// before any of them.
 std::string why_no_loader();
 
 }  // namespace lacuna::opencl
 
-// Under these names the bindings call what was found, and define nothing that a program's own
-// OpenCL defines too. Their messages keep OpenCL's names.
+// The bindings call the functions by these names, so that no symbol here clashes with a program's
+// own OpenCL. Messages keep OpenCL's names.
 // clang-format off
 #ifndef LACUNA_OPENCL_OWN_NAMES
 #define clBuildProgram lacuna_clBuildProgram

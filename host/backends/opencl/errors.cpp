@@ -10,7 +10,7 @@
 namespace lacuna::opencl {
 namespace {
 
-// OpenCL has no call that gives the name.
+// OpenCL has no call that returns the name.
 #define NAME(code) \
     { code, #code }
 constexpr std::pair<int, const char*> kNames[] = {
@@ -94,7 +94,7 @@ void Log::add(const char* message) {
 std::string Log::take() {
     const std::lock_guard lock(mutex_);
     std::string text = std::exchange(text_, {});
-    // An error is one line.
+    // An error message is one line.
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
 }

@@ -1,4 +1,4 @@
-// OpenCL's error codes by name, and what its driver says, made into Lacuna's errors.
+// OpenCL's error codes by name, and its errors turned into Lacuna's.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -14,7 +14,7 @@ namespace lacuna::opencl {
 // "CL_OUT_OF_RESOURCES (-5)".
 std::string error_name(int code);
 
-// What the driver of a context has to say, in its own words, from any of its threads.
+// The messages of a context's driver, which may come from any of its threads.
 class Log {
 public:
     void add(const char* message);

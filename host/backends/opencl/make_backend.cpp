@@ -1,4 +1,4 @@
-// The opencl backend: chooses a device, and has it ready.
+// The opencl backend: chooses a device and prepares it.
 #include "backends/opencl/make_backend.h"
 
 #include "backends/device/device_backend.h"

@@ -18,9 +18,9 @@ std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placeme
 
 std::vector<DeviceEntry> list_devices();
 
-// For tests, which must be able to tell that these kernels do the work.
+// For tests, which must be able to show that these kernels do the work.
 struct Trial {
-    std::vector<std::string> sources{};  // sought for a kernel before those embedded
+    std::vector<std::string> sources{};  // searched for a kernel before the embedded ones
     std::uint64_t* launches = nullptr;   // counts the kernels launched
 };
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement,

@@ -16,8 +16,8 @@ namespace {
 using device::Buffer;
 using device::KernelShape;
 
-constexpr std::uint32_t kProcessorChunks = 32;  // a core: short ones, to share out evenly
-constexpr std::uint32_t kLongestChunk = 1024;   // so that a slice of a launch has many
+constexpr std::uint32_t kProcessorChunks = 32;  // for each core: short, for an even load
+constexpr std::uint32_t kLongestChunk = 1024;   // so that a slice of a launch has many chunks
 constexpr std::uint32_t kGraphicsGroup = 64;
 constexpr std::size_t kFillWords = std::size_t{1} << 16;
 
@@ -79,7 +79,7 @@ public:
     void drain() noexcept override {
         try {
             queue_.finish();
-        } catch (const cl::Error&) {  // of the run, and told by it
+        } catch (const cl::Error&) {  // an error of the run, which throws it
         }
         give_turn_back();
     }
@@ -107,7 +107,7 @@ protected:
         });
     }
 
-    // One slice is left to work at.
+    // Waits for all but the latest slice, so that the device stays busy.
     void pause() override {
         guard([&] {
             queue_.flush();
@@ -128,7 +128,7 @@ private:
         return *static_cast<const cl::Buffer*>(buffer.handle());
     }
 
-    // From a source that was used before, if one has it: a kernel of all modes is in several.
+    // Prefers a source that was used before: a kernel of all modes is in several sources.
     cl::Kernel made(std::string_view name) {
         std::string_view source = source_of(name, sources_);
         if (source.empty()) {
@@ -150,14 +150,14 @@ private:
 
     std::shared_ptr<Device> device_;
     std::vector<std::string> tried_;
-    std::vector<std::string_view> sources_;  // of the kernels so far, those tried first
+    std::vector<std::string_view> sources_;  // of all kernels made; searched first
     cl::CommandQueue queue_;
     bool has_turn_ = false;
     std::uint32_t group_size_ = 1;
-    std::uint32_t chunks_ = 0;  // 0: as many as there are units of work
+    std::uint32_t chunks_ = 0;  // 0: one for each unit of work
     std::map<std::string_view, cl::Kernel> kernels_;
     cl::Event last_, before_pause_;
-    std::vector<std::vector<std::uint32_t>> filling_;  // what fill() has on its way
+    std::vector<std::vector<std::uint32_t>> filling_;  // uploads of fill() under way
 };
 
 }  // namespace

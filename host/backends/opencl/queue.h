@@ -10,8 +10,8 @@
 
 namespace lacuna::opencl {
 
-// A kernel is compiled when it is first launched: from the first of the sources that has it, or
-// else from kernel_sources().
+// A kernel is compiled when it is first launched: from the first of `sources` that has it, else
+// from kernel_sources().
 std::unique_ptr<device::Queue> make_queue(std::shared_ptr<Device> device,
                                           const std::vector<std::string>& sources);
 

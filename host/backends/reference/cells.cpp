@@ -36,8 +36,8 @@ public:
         return is_free_[index_of(candidate.x, candidate.y)];
     }
 
-    // Loops over all lattice points that may be near enough, and takes those out that fail the
-    // two-way check. With mean and max a point farther than the sample's radius may.
+    // Loops over all lattice points that may be near enough, and blocks the points that fail the
+    // two-way check. With mean and max they may be farther away than the sample's radius.
     void add(Sample sample) override {
         const std::uint32_t radius = plan_.metric == Metric::min ? radius_at(sample) : widest_;
         const std::uint32_t reach = radius / 256 + 1;

@@ -1,5 +1,5 @@
-// Mode exact: places that hold all of the free space, candidates that count only where they are
-// truly free, and ever finer places until none is left (docs/design.md, section 4).
+// Mode exact: bins that hold all of the free space, candidates that count only where they are truly
+// free, and ever finer boxes until no box is left (docs/design.md, section 4).
 #include <algorithm>
 #include <span>
 #include <utility>
@@ -13,8 +13,8 @@
 namespace lacuna::reference {
 namespace {
 
-// All samples, in square bins at least a radius wide, so that what is near a point lies in its own
-// bin or in one beside it.
+// All samples, in square cells (Bins) at least a radius wide, so that everything near a point lies
+// in its own cell or in one beside it.
 class Samples {
 public:
     explicit Samples(const Plan& plan)
@@ -34,7 +34,7 @@ public:
         return covered;
     }
 
-    // All samples within two radii of the place, and others. On a small torus some more than once.
+    // Visits all samples within two radii of `place`, and others; on a small torus some twice.
     template <typename Visit>
     void for_each_near(Sample place, Visit visit) const {
         for (std::int64_t i = -2; i <= 2; ++i) {
@@ -58,7 +58,7 @@ private:
     std::vector<Sample>& bin(std::uint32_t column, std::uint32_t row) {
         return bins_[std::size_t{column} * rows_ + row];
     }
-    // -1 where a box has nothing.
+    // -1 beyond the edge of a box.
     static std::int64_t shifted(std::int64_t index, std::int64_t by, std::int64_t count,
                                 bool wraps) {
         const std::int64_t there = index + by;
@@ -109,7 +109,7 @@ private:
         are_boxes_ = true;
     }
 
-    // Free spans, as boxes that end where a row of the sample grid does.
+    // Free spans as boxes, which end where a row of the sample grid does.
     std::vector<Box> boxes_of_lines() const {
         std::vector<Box> all;
         for (std::uint32_t line = 0; line < plan_.lines; ++line) {
@@ -125,7 +125,7 @@ private:
         return all;
     }
 
-    // What is left of the strip after all samples' chords are cut from it. A chord covers the
+    // Appends the pieces of the strip after all samples' chords are cut from it. A chord covers the
     // strip's whole width: it is cut at the far edge.
     void append_remnants(Box strip, std::uint32_t width) {
         std::vector<Span> chords;

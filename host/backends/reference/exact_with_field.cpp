@@ -1,6 +1,6 @@
-// Mode exact with a radius field: radii that differ from pixel to pixel, and places where no sample
-// may go (docs/design.md, section 4, "exact with a radius field"). Two samples keep the smaller of
-// their radii apart.
+// Mode exact with a radius field: radii differ from pixel to pixel, and some pixels allow no sample
+// (docs/design.md, section 4, "exact with a radius field"). Two samples keep the smaller of their
+// radii apart.
 #include <algorithm>
 #include <bit>
 #include <map>
@@ -23,8 +23,8 @@ struct Sized {
     std::uint32_t radius;
 };
 
-// All samples, those of each class of radii in square bins of their own: radii of one class differ
-// by less than 2, and its bins are wider than all of them. So what is within a sample's radius of a
+// All samples, with square bins for each class of radii. Radii of one class differ by less than a
+// factor of 2, and its bins are wider than all of them. So everything within a sample's radius of a
 // point lies in the point's own bin or in one beside it.
 class SizedSamples {
 public:
@@ -36,7 +36,7 @@ public:
         classes_[index][{sample.x >> index, sample.y >> index}].push_back(sized);
     }
 
-    // Every sample that could be closer than its own radius to the place, and others.
+    // Visits every sample that could be closer to the box than its own radius, and others.
     template <typename Visit>
     void for_each_near(const Rectangle& place, Visit visit) const {
         for (unsigned index = 0; index < 32; ++index) {
@@ -55,7 +55,7 @@ public:
 private:
     using Bins = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Sized>>;
 
-    // Where [begin, end) of an axis lies on it: what sticks out wraps around.
+    // The parts of [begin, end) on an axis: what sticks out of a torus wraps around.
     static std::vector<Span> stretches(std::int64_t begin, std::int64_t end, std::uint32_t length,
                                        std::uint32_t period) {
         std::vector<Span> found;
@@ -83,7 +83,7 @@ private:
     }
 
     const Plan* plan_;
-    std::vector<Bins> classes_;  // by the bits of a radius
+    std::vector<Bins> classes_;  // by the number of bits of a radius
 };
 
 class ExactWithField : public FreeSpace {
@@ -121,9 +121,8 @@ public:
         add(Sized{sample, radius_field_.radius_at(sample.x, sample.y)});
     }
 
-    // With a radius field places are rectangles from the start. They are cut by the samples of the
-    // round, or cut up; then their parts are cut by all samples, but for those where no sample may
-    // go.
+    // Bins are boxes from the start. Either the round's samples cut them, or they are halved, and
+    // then all samples cut the halves. Parts where no sample may lie are dropped.
     void end_round(std::span<const Sample>, const RoundPolicy& policy) override {
         const std::vector<Rectangle> old = std::exchange(places_, {});
         for (const Rectangle& place : old) {
@@ -160,16 +159,16 @@ private:
         return {{place.x, cut - place.x, place.begin, place.end},
                 {cut, place.x + place.width - cut, place.begin, place.end}};
     }
-    // Only at the borders of pixels that are unlike.
+    // Cuts only along borders of unlike pixels.
     std::vector<Rectangle> parts_along_y(const Rectangle& place) const {
         const std::uint32_t cut = radius_field_.cut_y(place);
         if (cut == 0) return {place};
         return {{place.x, place.width, place.begin, cut}, {place.x, place.width, cut, place.end}};
     }
 
-    // What is left of the place after the samples' chords are cut from it. A chord covers the
-    // place's whole width, and no more than any of its points would let the sample cover: it is
-    // that of the smaller of the sample's radius and the least one under the place.
+    // Appends the pieces of the box after the samples' chords are cut from it. A chord spans the
+    // box's whole width. Its radius is the smaller of the sample's and the least one under the box,
+    // so that the sample conflicts with every point in it.
     void append_remnants(const Rectangle& place, const SizedSamples& samples) {
         const Under under = radius_field_.under(place);
         std::vector<Span> chords;
@@ -201,7 +200,7 @@ private:
     const Plan& plan_;
     const RadiusField& radius_field_;
     SizedSamples samples_;
-    SizedSamples recent_;  // those that have not cut the places yet
+    SizedSamples recent_;  // samples that have not cut the boxes yet
     std::vector<Rectangle> places_;
     std::vector<std::uint32_t> lengths_;
     std::vector<std::uint32_t> widths_;

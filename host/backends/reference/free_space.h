@@ -1,6 +1,5 @@
-// What the loop of reference.cpp asks of a mode: where samples may still be placed, and what one
-// takes from that. A file each: lines.cpp, exact.cpp, cells.cpp, and
-// exact_with_field.cpp.
+// What the loop of reference.cpp needs of a mode: the free space, and how a sample is cut from it.
+// Each mode has a file: lines.cpp, exact.cpp, cells.cpp, exact_with_field.cpp.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +15,19 @@ class FreeSpace {
 public:
     virtual ~FreeSpace() = default;
 
-    // Of the places that draws fall on: lines or boxes.
+    // The free length of each bin: a line or a box.
     virtual std::span<const std::uint32_t> free_lengths() const = 0;
     virtual std::uint32_t bin_width() const = 0;
-    // Of each; none where all are alike.
+    // The width of each bin; empty where all are bin_width() wide.
     virtual std::span<const std::uint32_t> bin_widths() const { return {}; }
-    // The rank-th free y of the place, counted from below, at this offset from its low x.
+    // The rank-th free y of the bin, counted from below, and the x at this offset from its low
+    // edge.
     virtual Sample at(std::uint32_t place, std::uint32_t rank, std::uint32_t offset) const = 0;
 
-    // Whether no sample so far covers the candidate.
+    // Whether no sample covers the candidate.
     virtual bool is_free(Sample candidate) const = 0;
     virtual void add(Sample sample) = 0;
-    // Where add() leaves the places as they are: cuts or refines them once the round is over.
+    // For modes where add() does not cut the bins: cuts or refines them at the end of the round.
     virtual void end_round(std::span<const Sample> samples, const RoundPolicy& policy);
 };
 

@@ -77,7 +77,7 @@ void FreeSpans::subtract(std::uint32_t line, Span chord) {
         first, spans.end(), [&](const Span& span) { return span.begin < chord.end; });
     if (first == last) return;
 
-    // Only what lies in the free space is subtracted, so that nothing is counted twice.
+    // Cuts only the free parts of the chord, so that nothing is counted twice.
     Span pieces[2];
     int count = 0;
     if (first->begin < chord.begin) pieces[count++] = {first->begin, chord.begin};

@@ -16,12 +16,12 @@ public:
     explicit FreeSpans(const Plan& plan);
 
     const std::vector<Span>& of_line(std::uint32_t line) const { return spans_[line]; }
-    // The total length of every line's.
+    // The total length of each line's spans.
     std::span<const std::uint32_t> lengths() const { return lengths_; }
     // The rank-th free y of the line, counted from below. rank < lengths()[line].
     std::uint32_t y_at_rank(std::uint32_t line, std::uint32_t rank) const;
     bool is_free(std::uint32_t line, std::uint32_t y) const;
-    // Takes the sample's disk out of every line that crosses it.
+    // Cuts the sample's disk from every line that crosses it.
     void subtract_disk(Sample sample);
 
 private:
@@ -32,8 +32,8 @@ private:
     std::vector<std::uint32_t> lengths_;
 };
 
-// Visits what the sample's disk covers of a line at x or, with a margin, of the strip that reaches
-// as far to both sides of x: nothing, a chord, or a chord and what of it wraps around a torus.
+// Visits the chords of the sample's disk on a line at x or, with a margin, on the strip that
+// reaches as far to both sides of x: none, one, or one and its part that wraps around a torus.
 template <typename Visit>
 void for_each_chord(const Plan& plan, Sample sample, std::uint32_t x, std::uint32_t margin,
                     Visit visit) {

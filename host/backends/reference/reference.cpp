@@ -1,9 +1,9 @@
 // The loop of the paper, written to be read beside it: build the cdf, invert it for x, pick y on
 // that line, subtract the disk (sections 3, 4.1 and 4.2).
 //
-// A round (docs/design.md, section 3) does the first three several times from one cdf and keeps, in
-// the order of the draws, what no sample kept before it covers. What is free, and what a sample
-// takes from that, is the mode's: lines.cpp, exact.cpp, cells.cpp.
+// A round (docs/design.md, section 3) does the first three several times from one cdf. In the order
+// of the draws, it keeps a candidate unless a sample kept earlier covers it. Each mode says what is
+// free and how a sample is cut from it: lines.cpp, exact.cpp, cells.cpp.
 #include "backends/reference/reference.h"
 
 #include <algorithm>
@@ -25,8 +25,8 @@ std::unique_ptr<FreeSpace> make_free_space(const Plan& plan) {
     return make_lines(plan);
 }
 
-// F_X: the running sum of the places' weights. A place weighs its free length (Eq. 1), or its area
-// where not all are equally wide, or, with uniform-x, 1 while it has any.
+// F_X: the running sum of the bins' weights. A bin weighs its free length (Eq. 1), or its area if
+// widths differ, or, with uniform-x, 1 while it has free length.
 std::vector<std::uint64_t> marginal_cdf(const Plan& plan, const FreeSpace& space) {
     const std::span<const std::uint32_t> lengths = space.free_lengths();
     std::vector<std::uint64_t> cdf(lengths.size());
@@ -41,19 +41,19 @@ std::vector<std::uint64_t> marginal_cdf(const Plan& plan, const FreeSpace& space
 
 struct Candidate {
     Sample sample;
-    std::uint64_t number;  // of its draw
+    std::uint64_t number;  // number of its draw
 };
 
 Candidate draw(const Plan& plan, const FreeSpace& space, const std::vector<std::uint64_t>& cdf,
                std::uint64_t number) {
     const RandomBits random = random_bits(plan.seed, number);
 
-    // Eq. 2: x = F_X^{-1}(c). The two values of F_X that straddle c give the place.
+    // Eq. 2: x = F_X^{-1}(c). The two values of F_X that straddle c give the bin.
     const std::uint64_t c = scaled(random.first, cdf.back());
     const auto above = std::upper_bound(cdf.begin(), cdf.end(), c);
     const auto place = static_cast<std::uint32_t>(above - cdf.begin());
 
-    // y: uniform over the free length of that place. What c exceeds F_X by is already that.
+    // y: uniform over the free length of that bin, as is the excess of c over F_X.
     std::uint64_t rank = c - (place == 0 ? 0 : cdf[place - 1]);
     if (!space.bin_widths().empty()) {
         const std::uint32_t width = space.bin_widths()[place];

@@ -1,4 +1,4 @@
-// The samplers, one sample at a time: the yardstick of every backend.
+// The samplers, one sample at a time: every backend must give the same sets.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -8,7 +8,7 @@
 
 namespace lacuna::reference {
 
-// In rounds of any size; rounds of one are the paper's algorithm. Throws Cancelled.
+// Works in rounds of any size; rounds of one are the paper's algorithm. Throws Cancelled.
 Outcome sample(const Plan& plan, Observer& observer);
 
 }  // namespace lacuna::reference

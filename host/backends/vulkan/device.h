@@ -1,5 +1,5 @@
-// A Vulkan device with its queue and pipelines: made once a process and kept. Includes all of
-// Vulkan's C++ headers, which cost seconds: only for this folder's .cpp files.
+// A Vulkan device with its queue and pipelines: made once and kept for the process. Includes all of
+// Vulkan's C++ headers, which take seconds to compile: for this folder's .cpp files only.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +20,10 @@
 
 namespace lacuna::vulkan {
 
-// Lavapipe runs a group on one thread; graphics cards want a few subgroups in one.
+// Items of a group. Lavapipe runs it on one thread; graphics cards want a few subgroups in one.
 inline constexpr std::uint32_t kGroupSize = 64;
 
-// The words of a shader that a test has in place of the embedded one, by the kernel's name.
+// Shaders that a test puts in place of the embedded ones, as SPIR-V words, by the kernel's name.
 using Shaders = std::map<std::string, std::vector<std::uint32_t>, std::less<>>;
 
 struct Pipeline {
@@ -43,7 +43,7 @@ public:
     const vk::PhysicalDeviceMemoryProperties& memory() const { return memory_; }
     std::uint64_t most_groups() const { return most_groups_; }
 
-    // Made at its first use; stays where it is. May be called from any thread, as may run().
+    // Made at its first use; its address stays valid. May be called from any thread, as may run().
     const Pipeline& pipeline(const device::KernelShape& kernel);
     // Submits the commands and waits for them.
     void run(const vk::raii::CommandBuffer& commands);
@@ -76,7 +76,7 @@ private:
     std::mutex queue_mutex_;
 };
 
-// The device that is wanted, the same one on every call. Throws Unavailable, DeviceError.
+// The wanted device, the same one on every call. Throws Unavailable, DeviceError.
 std::shared_ptr<Device> kept_device(std::string_view wanted);
 
 // The queue of one backend on the device.

@@ -27,8 +27,8 @@ vk::raii::Context load() {
     }
 }
 
-// A template, because the headers of Vulkan 1.3.304 and later declare the callback with the types
-// of namespace vk, and earlier ones with those of C.
+// A template, because the headers of Vulkan 1.3.304 and later declare the callback with types of
+// namespace vk, and earlier ones with the types of C.
 template <class Severity, class Types, class Data>
 VKAPI_ATTR VkBool32 VKAPI_CALL pass_on(Severity, Types, const Data* data, void* validation) {
     const std::string id = data->pMessageIdName == nullptr ? "no id" : data->pMessageIdName;
@@ -68,7 +68,7 @@ vk::raii::Instance make_validated(const vk::raii::Context& context, const Valida
     if (gpu_assisted) features.setDisabledValidationFeatures(disabled);
     features.pNext = nullptr;
 
-    // The messenger in the chain hears of the making of the instance itself.
+    // A messenger in the chain also receives messages about the creation of the instance.
     vk::DebugUtilsMessengerCreateInfoEXT messenger = messenger_info(validation);
     messenger.pNext = &features;
     const std::array extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME,
@@ -152,7 +152,7 @@ vk::raii::Device make_device(const vk::raii::PhysicalDevice& physical, std::uint
     vk::PhysicalDeviceFeatures features;
     features.shaderInt64 = true;
     if (validation != nullptr && validation->checks == Checks::gpu_assisted) {
-        // The layer's own shader code writes what it finds to a buffer.
+        // The validation layer's own shader code writes its findings to a buffer.
         const vk::PhysicalDeviceFeatures all = physical.getFeatures();
         features.fragmentStoresAndAtomics = all.fragmentStoresAndAtomics;
         features.vertexPipelineStoresAndAtomics = all.vertexPipelineStoresAndAtomics;

@@ -1,5 +1,5 @@
 // The Vulkan loader, its devices, and the validation layer. Includes all of Vulkan's C++ headers,
-// which cost seconds: only for this folder's .cpp files.
+// which take seconds to compile: for this folder's .cpp files only.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ namespace lacuna::vulkan {
 
 class Instance {
 public:
-    // Throws Unavailable when there is no loader, no driver, or no validation layer to be had.
+    // Throws Unavailable when there is no loader, no driver, or no validation layer.
     explicit Instance(const Validation* validation);
     Instance(const Instance&) = delete;
     Instance& operator=(const Instance&) = delete;
@@ -30,18 +30,18 @@ private:
     std::vector<vk::raii::PhysicalDevice> devices_;
 };
 
-// The one that all of the process share, made at its first use.
+// The instance of the process, made at its first use.
 std::shared_ptr<const Instance> kept_instance();
 
 DeviceEntry describe(const vk::raii::PhysicalDevice& device);
 
-// The first queue family that computes, if any does.
+// The first queue family that can compute, if there is one.
 std::optional<std::uint32_t> compute_family(const vk::raii::PhysicalDevice& device);
 
-// The number of the device that is wanted. Throws Unavailable.
+// The number of the wanted device. Throws Unavailable.
 std::size_t choose_device(const Instance& instance, std::string_view wanted);
 
-// With one queue of the family.
+// Makes a device with one queue of the family.
 vk::raii::Device make_device(const vk::raii::PhysicalDevice& physical, std::uint32_t family,
                              const Validation* validation);
 

@@ -1,4 +1,4 @@
-// The vulkan backend: chooses a device, and has it ready.
+// The vulkan backend: chooses a device and prepares it.
 #include "backends/vulkan/make_backend.h"
 
 #include "backends/device/device_backend.h"
@@ -7,7 +7,7 @@
 namespace lacuna::vulkan {
 namespace {
 
-// A device of a test's own, with its shaders and the layer that watches them.
+// A device for one test, with the test's shaders and the layer that checks them.
 std::shared_ptr<Device> tried_device(const Placement& placement, const Trial& trial) {
     auto instance = std::make_shared<const Instance>(trial.validation);
     const std::size_t number = choose_device(*instance, placement.device);

@@ -1,5 +1,5 @@
-// The vulkan backend: the verbs as compute shaders (shaders/*.comp). Needs Vulkan 1.2 and
-// 64-bit integers in shaders, nothing else.
+// The vulkan backend: the verbs as compute shaders (shaders/*.comp). It needs only Vulkan 1.2 and
+// 64-bit integers in shaders.
 #pragma once
 
 #include <cstdint>
@@ -21,9 +21,9 @@ std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placeme
 
 std::vector<DeviceEntry> list_devices();
 
-// For tests, which must be able to tell that these shaders do the work, and do it by the rules.
+// For tests, which must be able to show that these shaders do the work, and by Vulkan's rules.
 struct Trial {
-    // Words in place of an embedded shader's, by the name of its kernel.
+    // SPIR-V words in place of an embedded shader's, by the name of its kernel.
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> shaders{};
     const Validation* validation = nullptr;  // must outlive the backend
     std::uint64_t* launches = nullptr;       // counts the kernels launched

@@ -17,7 +17,7 @@ using device::KernelShape;
 constexpr std::uint32_t kServedTogether = 32;  // units of work on a processor, see run_of
 constexpr std::uint32_t kSetsPerPool = 64;
 constexpr std::uint32_t kMostBuffers = 16;
-// Of the host's memory that transfers go through, kept from one wait to the next.
+// The host's memory for transfers, kept from one wait to the next.
 constexpr std::uint64_t kStagingBytes = std::uint64_t{1} << 22;
 
 constexpr auto kStages =
@@ -30,7 +30,7 @@ using PropertyBit = vk::MemoryPropertyFlagBits;
 constexpr Properties kHost = PropertyBit::eHostVisible | PropertyBit::eHostCoherent;
 
 struct Allocation {
-    vk::raii::DeviceMemory memory;  // goes last
+    vk::raii::DeviceMemory memory;  // destroyed last
     vk::raii::Buffer buffer;
 };
 
@@ -94,7 +94,7 @@ public:
         return device().kind == "cpu" ? kServedTogether : 1;
     }
     bool runs_in_lockstep() const override { return true; }
-    void drain() noexcept override {}  // what has been submitted has been waited for
+    void drain() noexcept override {}  // submit() has waited already
 
 protected:
     std::uint32_t group_size() const override { return kGroupSize; }
@@ -131,7 +131,7 @@ protected:
     }
 
 private:
-    // Memory that is handed out piece by piece and all given back at once.
+    // Memory that is handed out in pieces, and all of it given back at once.
     class Staging {
     public:
         explicit Staging(Properties preferred) : preferred_(preferred) {}
@@ -149,7 +149,7 @@ private:
             return staged;
         }
 
-        // Keeps the block that was needed last, which is as large as any.
+        // Keeps the block that was made last, which is as large as any.
         void give_back() {
             while (blocks_.size() > 1) blocks_.pop_front();
             if (!blocks_.empty()) blocks_.front().used = 0;
@@ -180,7 +180,7 @@ private:
         return device_->guarded([&] {
             using Usage = vk::BufferUsageFlagBits;
             const auto usage = Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst;
-            const auto size = std::max<std::uint64_t>(bytes, 16);  // none may be empty
+            const auto size = std::max<std::uint64_t>(bytes, 16);  // no buffer may be empty
             vk::raii::Buffer buffer(device_->handle(), vk::BufferCreateInfo({}, size, usage));
             const vk::MemoryRequirements needs = buffer.getMemoryRequirements();
             const auto& types = device_->memory();
@@ -205,7 +205,7 @@ private:
         return std::nullopt;
     }
 
-    // Ready for the next command, which sees what all before it have done.
+    // Ready for the next command, which sees the results of all earlier ones.
     vk::raii::CommandBuffer& recording() {
         if (!is_recording_) commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
         is_recording_ = true;
@@ -266,7 +266,7 @@ private:
 
     std::vector<vk::raii::DescriptorPool> set_pools_;
     std::uint32_t sets_used_ = 0;
-    std::vector<Buffer> in_use_;  // by commands that have not run yet
+    std::vector<Buffer> in_use_;  // by commands that have not run
     Staging up_{Properties{}};
     Staging down_{PropertyBit::eHostCached};
     std::vector<Arriving> arriving_;

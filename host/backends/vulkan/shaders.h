@@ -7,7 +7,7 @@
 
 namespace lacuna::vulkan {
 
-// The words of the shader that cmake/vulkan.cmake has compiled for the kernel.
+// The SPIR-V words of the shader that cmake/vulkan.cmake compiled for the kernel.
 std::span<const std::uint32_t> embedded_shader(std::string_view kernel);
 
 }  // namespace lacuna::vulkan

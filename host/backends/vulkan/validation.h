@@ -1,4 +1,4 @@
-// Vulkan's validation layer, for tests: what it is to check, and who hears of it.
+// Vulkan's validation layer, for tests: what it checks, and where its messages go.
 #pragma once
 
 #include <functional>

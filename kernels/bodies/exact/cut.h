@@ -1,9 +1,9 @@
-// The body of cut: takes the chords of all samples near it out of each box, strip by strip, and
-// counts the pieces. Comes after pieces.h.
+// The body of cut: cuts each box, strip by strip, by all samples near it, and counts the pieces.
+// Comes after pieces.h.
 
 // counts[box] becomes the number of its pieces. strip_pieces[] has an entry for each strip,
-// 2^strip_bits for a box: [x, y) of its piece; y is 0 where there is none, and NO_SAMPLE where
-// there are several. A plan's halo is not cut. Does nothing while admission is unsettled.
+// 2^strip_bits for a box: [x, y) of its piece; y is 0 if there is none, and NO_SAMPLE if there are
+// several. A plan's halo is not cut. Does nothing while a draw is undecided.
 BODY void serve_cut(MEMORY const StripArguments a, const u32 item) {
     if (AT(undecided, a.last_pass) != 0u) return;
     const u32 end_box = min((item + 1u) * a.chunk, a.boxes);

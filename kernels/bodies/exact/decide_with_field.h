@@ -1,8 +1,8 @@
-// Whether an earlier sample of its round conflicts with a candidate with a radius field: all that
-// could are visitors of its block (bodies/exact/reach.h).
+// With a radius field: whether an earlier sample of its round conflicts with a candidate. All that
+// could conflict are visitors of the candidate's block (bodies/exact/reach.h).
 #include "portable/conflict.h"
 
-// As in decide.h.
+// Returns what decide.h returns.
 BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate) {
     const Sized one = {candidate.x, candidate.y, AT(candidate_radii, i)};
     bool waits = false;

@@ -1,5 +1,5 @@
-// The body of enlist: puts the samples among the candidates that reach a block into the list of
-// that block. Does nothing while admission is unsettled. There is room: the host has seen to it.
+// The body of enlist: adds the admitted candidates that reach a block to the block's neighbour
+// list. Does nothing while a draw is undecided. The host has made enough room.
 
 BODY void serve_enlist(MEMORY const DrawArguments a, const u32 item) {
     if (AT(undecided, a.last_pass) != 0u) return;

@@ -1,15 +1,14 @@
 // The neighbour index where there is one radius: the sample grid. A box and a radius around it
-// reach over at most 7 x 6 cells, each of which holds one sample at most. See lists.h for the other
-// index.
+// reach over at most 7 x 6 cells, each with at most one sample. The other index is lists.h.
 #include "bodies/exact/strip.h"
 #include "portable/bits.h"
 #include "portable/conflict.h"
 #include "portable/stretch.h"
 
-// Bits for the cells of a column, in a word that has one for each cell near a box.
+// The bits for a column of cells, in a word that has a bit for each cell near a box.
 #define NEAR_SIDE 8u
 
-// The cells near a box, and which of them have a sample that may take something from it.
+// The cells near a box, and a bit for each whose sample may cut the box.
 struct Near {
     Stretch columns;
     Stretch rows;
@@ -17,7 +16,7 @@ struct Near {
 };
 LACUNA_TYPEDEF(Near)
 
-// Goes through the samples near a box: the cells that it has not come to yet.
+// A walk through the samples near a box: the bits of the cells still to visit.
 struct Walk {
     u64 cells;
 };
@@ -39,9 +38,9 @@ BODY u32 cell_of(const Geometry g, const Near near, const u32 number) {
            nth_of_stretch(near.rows, number % NEAR_SIDE, g.grid_rows);
 }
 
-// A bit where the sample of a cell takes something from the box or from one of its strips. A chord
-// is cut at the far edge of a strip, which is no farther than the middle of the box, less 1 unit
-// where strips are one unit wide.
+// A bit if the cell's sample cuts the box or one of its strips. A chord is cut at the far edge of a
+// strip, which is at least as far as the middle of the box, less 1 unit where strips are one unit
+// wide.
 BODY u64 bit_of_cell(MEMORY const Geometry g, const u32x4 box, const u32 cell, const u32 number) {
     const u32 x = AT(grid_x, cell);
     const u32 distance = axis_distance(x, box.x + box.y / 2u, g.period_x);
@@ -60,7 +59,7 @@ BODY Near near_of(MEMORY const StripArguments a, const u32 number, const Strip b
         cells_near(box.at.z, box.at.w, g.radius, g.height, g.period_y, g.grid_side, g.grid_rows);
     near.cells = 0u;
     if (max(near.columns.count, near.rows.count) > NEAR_SIDE) ATOMIC_OR(failure, 0, FAILED_CHORDS);
-    // No branch: where samples lie cannot be foretold.
+    // No branch: where samples lie cannot be predicted.
     for (u32 i = 0u; i < near.columns.count; ++i) {
         for (u32 j = 0u; j < near.rows.count; ++j) {
             const u32 bit = i * NEAR_SIDE + j;
@@ -79,7 +78,7 @@ BODY bool has_sample(const StripArguments a, const Near near, const Walk walk) {
     return walk.cells != 0u;
 }
 
-// x, y, radius; the fourth word serves the other index.
+// x, y, radius; the fourth word is for the other index.
 BODY u32x4 sample_at(MEMORY const StripArguments a, const Near near, const Walk walk) {
     const u32 cell = cell_of(a.g, near, lowest_bit_of_64(walk.cells));
     return U32X4(AT(grid_x, cell), AT(grid_y, cell), a.g.radius, 0u);
@@ -90,7 +89,7 @@ BODY Walk walk_past(const Near near, const Walk walk, const u32x4 neighbour) {
     return next;
 }
 
-// What the host needs of a new box: all boxes have one radius and one width.
+// What the host needs of a new box: its length, since all have one radius and one width.
 BODY void keep_origin(MEMORY const u32 from, const Strip strip, const u32x4 box, const u32 to) {
     AT(free_lengths, to) = box.w - box.z;
 }

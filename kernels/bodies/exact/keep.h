@@ -1,6 +1,6 @@
 // The body of keep: writes the pieces that cut has counted to the new boxes. Comes after pieces.h.
 
-// A piece that does not fit into the room is left out: the host sees the total, and asks again.
+// A piece that does not fit into the room is left out: the host sees the total, and launches again.
 BODY void keep_piece(MEMORY const StripArguments a, const u32 from, const Strip strip,
                      const u32x2 piece, const u32 to) {
     if (to >= a.room) return;
@@ -9,8 +9,8 @@ BODY void keep_piece(MEMORY const StripArguments a, const u32 from, const Strip 
     keep_origin(ON from, strip, box, to);
 }
 
-// Writes the pieces of a strip that has several, which takes cutting it once more, from index `to`
-// upwards. Returns the index after the last.
+// Cuts a strip that has several pieces once more, and writes these from index `to` upwards. Returns
+// the index after the last.
 BODY u32 keep_several(MEMORY const StripArguments a, const u32 number, const Strip box,
                       const Strip strip, const u32 to) {
     const Near near = near_of(ON a, number, box);
@@ -27,14 +27,14 @@ BODY u32 keep_several(MEMORY const StripArguments a, const u32 number, const Str
 }
 
 // counts[box] + sums[box's block] is the index of the first piece of a box; its other pieces
-// follow. Does nothing while admission is unsettled.
+// follow. Does nothing while a draw is undecided.
 BODY void serve_keep(MEMORY const StripArguments a, const u32 item) {
     if (AT(undecided, a.last_pass) != 0u) return;
     const u32 end = min((item + 1u) * a.chunk, a.boxes) << a.strip_bits;
     u32 number = NO_SAMPLE;
     u32 to = 0u;
     for (u32 index = item * a.chunk << a.strip_bits; index < end; ++index) {
-        // Items in lockstep look for work together.
+        // Items in lockstep then find work together.
         while (index < end && AT(strip_pieces, index).y == 0u) ++index;
         if (index == end) break;
         if (index >> a.strip_bits != number) {

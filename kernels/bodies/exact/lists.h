@@ -1,21 +1,21 @@
-// The neighbour index where radii differ: for each block of first boxes (plan/first_boxes.h) the
-// list of the samples that reach it, from the latest to the first. See grid.h for the other index.
+// The neighbour index where radii differ: for each block of first boxes (plan/first_boxes.h) a list
+// of the samples that reach it, the latest first. The other index is grid.h.
 #include "bodies/exact/strip.h"
 #include "portable/conflict.h"
 #include "portable/radius_field.h"
 
-// The samples that may take something from a box: the numbers of their entries, while there are no
-// more than MOST_NEAR. Of more, all entries of the list are gone through, from `first` on.
+// The samples that may cut a box: the numbers of their entries in the list, if there are at most
+// MOST_NEAR. If there are more, a walk visits all entries of the list from `first`.
 #define MOST_NEAR 8u
 struct Near {
     u32 first;
     u32 count;
-    u32x4 low;   // the numbers of the last four found, the last of all in x
+    u32x4 low;   // the last four numbers found, the very last in x
     u32x4 high;  // the four before
 };
 LACUNA_TYPEDEF(Near)
 
-// Goes through the samples near a box: how many are left, and the number of the next entry.
+// A walk through the samples near a box: how many remain, and the number of the next entry.
 struct Walk {
     u32 left;
     u32 number;
@@ -26,8 +26,7 @@ BODY bool is_even(const u32 radius) {
     return (radius & IS_EVEN) != 0u;
 }
 
-// A box where no sample may lie, which only looking up its radius has shown, stays until it is
-// halved.
+// A box where no sample may lie stays until it is halved if only measure has shown it.
 BODY Strip box_at(MEMORY const StripArguments a, const u32 number) {
     const u32 radius = AT(origins, number).y;
     const Strip box = {AT(boxes, number), radius & ~IS_EVEN, is_even(radius)};
@@ -38,9 +37,9 @@ BODY u32 component(const u32x4 words, const u32 k) {
     return k < 2u ? (k == 0u ? words.x : words.y) : (k == 2u ? words.z : words.w);
 }
 
-// Half k of a box on like pixels, which has no strips 2 and 3. Of the others, strip k of the left
-// half, below and above a border of pixels, and then of the right half: split has found the
-// borders, and the radii.
+// Strip k of a box. A box on like pixels has two, its halves, and no strips 2 and 3. A box on
+// unlike pixels has four, below and above a border of pixels: two in the left half, two in the
+// right. split has found the borders and the radii.
 BODY Strip strip_of(MEMORY const StripArguments a, const u32 number, const Strip box, const u32 k) {
     if (a.strip_bits == 0u) return box;
     Strip strip = box;
@@ -61,12 +60,12 @@ BODY Strip strip_of(MEMORY const StripArguments a, const u32 number, const Strip
     return strip;
 }
 
-// Entries before first_recent have been taken out of the box already.
+// Entries before first_recent have cut the box already.
 BODY bool is_in_list(const StripArguments a, const u32 number) {
     return number != NO_SAMPLE && number >= a.first_recent;
 }
 
-// The greatest of the radii of a box's strips: no sample takes more than that from one of them.
+// The greatest radius of a box's strips: no chord is of a larger radius.
 BODY u32 greatest_radius(MEMORY const StripArguments a, const u32 number, const Strip box) {
     if (a.strip_bits == 0u || box.is_even) return box.radius;
     const u32x4 radii = AT(strip_radii, number);
@@ -74,16 +73,16 @@ BODY u32 greatest_radius(MEMORY const StripArguments a, const u32 number, const 
                max(radii.z & ~IS_EVEN, radii.w & ~IS_EVEN));
 }
 
-// How far away along x a sample is from every strip of the box, at least. A chord is cut at the far
-// edge of a strip, which is no nearer than the middle of a box that is halved there, less 1 unit
-// where halves are one unit wide; the strips of a box on unlike pixels may lie anywhere in it.
+// The least distance in x of a sample from the far edges of the box's strips. Where a box is halved
+// in its middle, no far edge is nearer than the middle, less 1 unit where halves are one unit wide.
+// Strips of a box on unlike pixels may lie anywhere in it.
 BODY u32 least_distance(const StripArguments a, const Strip box, const u32 x) {
     const u32 to_middle = axis_distance(x, box.at.x + box.at.y / 2u, a.g.period_x);
     const u32 to_box = distance_to_stretch(x, box.at.x, box.at.x + box.at.y, a.g.period_x);
     return box.is_even ? to_middle - min(to_middle, 1u) : to_box;
 }
 
-// Goes through the list once.
+// Walks along the list once.
 BODY Near near_of(MEMORY const StripArguments a, const u32 number, const Strip box) {
     const u32 greatest = greatest_radius(ON a, number, box);
     Near near = {AT(lists, AT(origins, number).x), 0u, U32X4(0u, 0u, 0u, 0u),
@@ -126,9 +125,8 @@ BODY Walk walk_past(const Near near, const Walk walk, const u32x4 neighbour) {
     return next;
 }
 
-// What a new box needs besides where it lies: its block, and the least radius under it. That is the
-// strip's where the box is all of the strip, or the strip lies on like pixels; elsewhere measure is
-// to look it up.
+// A new box's block, and the least radius under it. The radius is the strip's where the box is all
+// of the strip, or the strip lies on like pixels; elsewhere it is 0, and measure looks it up.
 BODY void keep_origin(MEMORY const u32 from, const Strip strip, const u32x4 box, const u32 to) {
     const bool is_whole = box.z == strip.at.z && box.w == strip.at.w;
     const u32 radius = strip.is_even ? strip.radius | IS_EVEN : is_whole ? strip.radius : 0u;

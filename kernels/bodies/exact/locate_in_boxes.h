@@ -1,4 +1,4 @@
-// The body of locate where places are boxes: draws are place, rank, offset, order.
+// The body of locate where bins are boxes: draws are bin, rank, offset, order.
 
 BODY void serve_locate_in_boxes(MEMORY const DrawArguments a, const u32 item) {
     const u32 begin = a.first + item * a.chunk;

@@ -1,5 +1,5 @@
-// The body of locate with a radius field: draws are place, rank, offset, order; a candidate's line
-// is the block that it lies in. Comes after radius_field.h.
+// The body of locate with a radius field: draws are bin, rank, offset, order; a candidate's line is
+// the block that it lies in. Comes after radius_field.h.
 
 BODY void serve_locate_with_field(MEMORY const DrawArguments a, const u32 item) {
     const u32 begin = a.first + item * a.chunk;

@@ -1,8 +1,8 @@
-// What the samples near a box leave of a strip of it: its pieces (docs/design.md, section 4). Comes
-// after the neighbour index that finds those samples, grid.h or lists.h.
+// Cuts a strip of a box by the samples near the box, and finds its pieces (docs/design.md, section
+// 4). Comes after the neighbour index that finds the samples, grid.h or lists.h.
 
-// All pieces lie in [low, high). `insides` counts chords that may have cut something out between:
-// where it is 0, [low, high) is the only piece. Most chords cover an end of the strip.
+// All pieces lie in [low, high). `insides` counts the chords that cover neither end, which are few:
+// if it is 0, [low, high) is the only piece.
 struct Pieces {
     u32 low;
     u32 high;
@@ -21,7 +21,7 @@ BODY u32 chord_of(const Geometry g, const Strip strip, const u32x4 neighbour) {
     return chord(sized, cut_distance(g, strip, neighbour.x), strip.radius);
 }
 
-// Chords that stick out of a torus come in again at the other edge: see window_begin in chord.h.
+// A chord that sticks out of a torus comes in at the other edge: see window_begin in chord.h.
 BODY u32 windows_of(const Geometry g, const Strip strip) {
     const bool is_at_edge = strip.at.z < strip.radius || g.height - strip.at.w < strip.radius;
     return g.period_y != 0u && is_at_edge ? 3u : 1u;
@@ -39,7 +39,7 @@ BODY Pieces without_chord(const Pieces all, const u32 begin, const u32 end) {
     return pieces;
 }
 
-// Whether one sample covers all of the strip, as most halves are covered: squared distances tell.
+// Whether one sample covers all of the strip, which is so for most halves. Takes no square root.
 BODY bool is_covered_by_one(MEMORY const StripArguments a, const Near near, const Strip strip) {
     bool is_covered = false;
     Walk walk = walk_over(a, near);
@@ -54,8 +54,8 @@ BODY bool is_covered_by_one(MEMORY const StripArguments a, const Near near, cons
     return is_covered;
 }
 
-// Goes on to the next sample that takes something from the strip, from this one on. Squared
-// distances tell, so that items in lockstep take roots together, and of those samples alone.
+// The first sample, from this one on, that touches the strip. It compares squared distances, so
+// that items in lockstep take square roots together, and only for such samples.
 BODY Walk next_touching(MEMORY const StripArguments a, const Near near, const Strip strip,
                         const Walk from) {
     Walk walk = from;
@@ -90,7 +90,7 @@ BODY Pieces cut_strip(MEMORY const StripArguments a, const Near near, const Stri
     return pieces;
 }
 
-// The lowest piece that begins at `from` or above: [x, y); empty if there is none.
+// The lowest piece [x, y) that begins at `from` or above; empty if there is none.
 BODY u32x2 next_piece(MEMORY const StripArguments a, const Near near, const Strip strip,
                       const Pieces pieces, const u32 from) {
     if (pieces.insides == 0u) return U32X2(from, pieces.high);

@@ -1,17 +1,16 @@
-// The radius field on a device: what radius each place asks for, and where samples may go
-// (plan/radius_field.h).
-// A rectangle is x, width, begin, end; one of pixels the first and last of its columns, and of its
-// rows.
+// The radius field on a device: the radius of each point, and where samples may lie
+// (plan/radius_field.h). A rectangle is x, width, begin, end; a rectangle of pixels is first
+// column, last column, first row, last row.
 #include "portable/radius_field.h"
 
 struct Under {
-    u32 least;      // of the radii that are not 0; 0 where no sample may go
-    bool is_mixed;  // the radii are
-    u32 allowed;    // of the mask
+    u32 least;      // least radius except 0; 0 where no sample may lie
+    bool is_mixed;  // whether radii differ
+    u32 allowed;    // what the mask allows
 };
 LACUNA_TYPEDEF(Under)
 
-// One side of a grid of pixels, see portable/radius_field.h.
+// An axis of a grid of pixels, see portable/radius_field.h.
 struct Axis {
     u32 pixels;
     u32 shift;
@@ -27,8 +26,8 @@ struct Grid {
 };
 LACUNA_TYPEDEF(Grid)
 
-// Those of the field and of the mask. A kernel reads them once: each word read costs on lavapipe as
-// much as some steps of arithmetic.
+// The grids of the field and of the mask. A kernel reads them once: on lavapipe each read of a word
+// costs as much as some steps of arithmetic.
 struct Grids {
     Grid field;
     Grid mask;
@@ -42,9 +41,9 @@ struct Touched {
 };
 LACUNA_TYPEDEF(Touched)
 
-// Values that stand column by column.
+// A level of a pyramid; its values are stored column by column.
 struct Level {
-    u32 shift;  // a value is of 2^shift x 2^shift pixels
+    u32 shift;  // a value is for 2^shift x 2^shift pixels
     u32 first;
     u32 rows;
 };
@@ -58,7 +57,7 @@ BODY Axis axis_of(MEMORY const u32 number) {
     return axis;
 }
 
-// Of the axis of columns and the one of rows after it.
+// `columns` is the number of the axis of columns; the axis of rows follows it.
 BODY Grid grid_of(MEMORY const u32 columns) {
     const Grid grid = {axis_of(ON columns), axis_of(ON columns + 1u)};
     return grid;
@@ -83,7 +82,7 @@ BODY Touched touched_by(const Grids grids, const u32x4 place) {
     return touched;
 }
 
-// The lowest level of a pyramid of which a rectangle of pixels touches at most 4 x 4 values.
+// The lowest level of a pyramid where a rectangle of pixels touches at most 4 x 4 values.
 BODY Level level_over(const Grid grid, const u32x4 pixels) {
     Level level = {0u, 0u, grid.rows.pixels};
     u32 columns = grid.columns.pixels;
@@ -97,7 +96,7 @@ BODY Level level_over(const Grid grid, const u32x4 pixels) {
     return level;
 }
 
-// The least and the greatest, see portable/radius_field.h.
+// The least and the greatest radius, see portable/radius_field.h.
 BODY u32x2 radii_over(MEMORY const Grid field, const u32x4 pixels) {
     const Level level = level_over(field, pixels);
     u32x2 all = U32X2(0u, 0u);
@@ -110,7 +109,7 @@ BODY u32x2 radii_over(MEMORY const Grid field, const u32x4 pixels) {
     return all;
 }
 
-// Of value `number` of the mask's pyramid.
+// Value `number` of the mask's pyramid.
 BODY u32 allowed_of(MEMORY const u32 number) {
     return AT(mask_bits, number / ALLOWED_PER_WORD) >> number % ALLOWED_PER_WORD * 2u & 3u;
 }
@@ -134,13 +133,13 @@ BODY Under under(MEMORY const Grids grids, const Touched touched) {
     return found;
 }
 
-// The least radius, with IS_EVEN where there is no other; 0 where no sample may go.
+// The least radius, with IS_EVEN if it is the only one; 0 where no sample may lie.
 BODY u32 radius_under(const Under all) {
     const bool is_even = all.least != 0u && !all.is_mixed && all.allowed == ALLOWED_ALL;
     return is_even ? all.least | IS_EVEN : all.least;
 }
 
-// 0 where no sample may go.
+// 0 where no sample may lie.
 BODY u32 radius_at(MEMORY const Grids grids, const u32 x, const u32 y) {
     const Grid field = grids.field;
     const u32 pixel = pixel_of(field.columns, x) * field.rows.pixels + pixel_of(field.rows, y);
@@ -152,14 +151,14 @@ BODY u32 radius_at(MEMORY const Grids grids, const u32 x, const u32 y) {
     return allowed == ALLOWED_NONE ? 0u : radius;
 }
 
-// Of pixels first to last but the first, where the one in the middle begins; 0 where there is none.
+// Where the middle one of the pixels first + 1 to last begins; 0 if there is none.
 BODY u32 middle_border(MEMORY const Axis axis, const u32 first, const u32 last) {
     if (first == last) return 0u;
     return AT(axes, axis.begins + first + (last - first + 1u) / 2u);
 }
 
-// Where to cut a place with this under it in two: along a border of pixels near its middle where it
-// lies on unlike ones, or else, along x, in its middle. 0 where it is not to be cut.
+// The x at which to halve a box, under which lies `all`: at a border of pixels near its middle if
+// the pixels are unlike, else in its middle. 0: not to be cut.
 BODY u32 cut_x(MEMORY const Grids grids, const u32x4 place, const Touched touched,
                const Under all) {
     u32 cut = 0u;

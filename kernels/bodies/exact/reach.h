@@ -1,9 +1,9 @@
-// The body of reach: lists each candidate for all blocks that it reaches, itself or as a sample, so
-// that all that could conflict with one in a block is in the list of that block
-// (plan/first_boxes.h). Down the tree of blocks, as the cpu's neighbour_lists.cpp goes.
+// The body of reach: lists each candidate for all blocks that it reaches (plan/first_boxes.h). So
+// all that could conflict with a candidate in a block are in the list of that block. Walks down the
+// tree of blocks, as the cpu's neighbour_lists.cpp does.
 #include "portable/distance.h"
 
-// Whether a candidate is closer to a box than both its own radius and the greatest under it.
+// Whether a candidate is closer to a box than both its own radius and the greatest under the box.
 BODY bool is_reached(const u32x4 box, const u32 greatest, const u32x4 candidate, const u32 radius,
                      const u32 period_x, const u32 period_y) {
     u64 reach = min(radius, greatest);
@@ -12,8 +12,8 @@ BODY bool is_reached(const u32x4 box, const u32 greatest, const u32x4 candidate,
                           distance_to_stretch(candidate.y, box.z, box.w, period_y)) < reach;
 }
 
-// Whether all that is closer than the radius lies in [begin, end), or beyond the edge that it
-// shares with [all_begin, all_end) where the axis does not wrap.
+// Whether [begin, end) = `part` contains everything nearer than the radius. Beyond an edge that it
+// has in common with `all` there is nothing, unless the axis wraps.
 BODY bool is_within(const u32 at, const u32 radius, const u32x2 part, const u32x2 all,
                     const u32 period) {
     const bool ends_at_begin = period == 0u && part.x == all.x;
@@ -21,8 +21,8 @@ BODY bool is_within(const u32 at, const u32 radius, const u32x2 part, const u32x
     return (at - part.x >= radius || ends_at_begin) && (part.y - at > radius || ends_at_end);
 }
 
-// The smallest node that holds all blocks that a candidate reaches: the first one, the root,
-// for one that lies in no block.
+// The smallest node that holds all blocks that a candidate reaches; the root, which is node 0, for
+// a candidate that lies in no block.
 BODY u32 node_around(MEMORY const DrawArguments a, const u32x4 candidate, const u32 radius) {
     if (candidate.z == NO_SAMPLE) return 0u;
     const u32x4 all = AT(tree_boxes, 0u);
@@ -38,13 +38,13 @@ BODY u32 node_around(MEMORY const DrawArguments a, const u32x4 candidate, const 
     return node;
 }
 
-// Lists what a candidate reaches. What there is no room for is only counted: the host sees the
-// number, makes room and asks again.
+// Lists a candidate for the blocks that it reaches. If the room is too small, the rest is only
+// counted: the host sees the number, makes room and launches again.
 BODY void list_reached(MEMORY const DrawArguments a, const u32 i) {
     const u32x4 candidate = AT(candidates, i);
     const u32 radius = AT(candidate_radii, i);
     const u32 root = node_around(ON a, candidate, radius);
-    // Nothing in a part of the domain is nearer the other way around.
+    // Within a part of the domain the way around the torus is never shorter.
     const u32 period_x = root == 0u ? a.g.period_x : 0u;
     const u32 period_y = root == 0u ? a.g.period_y : 0u;
     const u32 end = AT(tree_links, root).y;
@@ -64,8 +64,8 @@ BODY void list_reached(MEMORY const DrawArguments a, const u32 i) {
     }
 }
 
-// What is covered or was rejected reaches nothing: of a round in one part the survivors are served
-// alone, so that no items in lockstep wait for others.
+// Covered and rejected candidates reach nothing. If a round has one part, only the survivors are
+// served, so that no items in lockstep wait for others.
 BODY void serve_reach(MEMORY const DrawArguments a, const u32 item) {
     const bool is_listed = a.is_listed != 0u;
     const u32 begin = a.first + item * a.chunk;

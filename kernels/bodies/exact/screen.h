@@ -1,10 +1,10 @@
-// The body of screen: in exact, settles the candidates that samples of the grid cover: those of
-// earlier rounds or, for the later parts of a round, those of earlier parts.
+// The body of screen: finds the candidates that samples in the grid cover. These are samples of
+// earlier rounds or, for later parts of a round, of earlier parts.
 #include "portable/distance.h"
 #include "portable/stretch.h"
 
-// 1 where the cell has a sample that is closer than the radius, or 0: numbers, since compilers keep
-// branches for truths.
+// 1 if the cell has a sample closer than the radius, else 0. Numbers instead of truth values, for
+// which compilers keep branches.
 BODY u32 is_covered_from(MEMORY const Geometry g, const u32 cell, const u32 x, const u32 y,
                          const u32 period_x, const u32 period_y) {
     const u32 sample_x = AT(grid_x, cell);
@@ -13,8 +13,8 @@ BODY u32 is_covered_from(MEMORY const Geometry g, const u32 cell, const u32 x, c
     return (is_near ? 1u : 0u) & (sample_x != NO_SAMPLE ? 1u : 0u);
 }
 
-// A disk that touches no edge lies within 4 x 4 cells, 2 sqrt(2) being less than 3. No branch:
-// where samples lie cannot be foretold, and neighbouring items look together.
+// A disk that touches no edge lies within 4 x 4 cells, because 2 sqrt(2) is less than 3. No branch:
+// neighbouring items, which run in lockstep, look at different places.
 BODY bool is_covered_inside(MEMORY const Geometry g, const u32 x, const u32 y) {
     const u32 column = min((x - g.radius) / g.grid_side, g.grid_columns - 4u);
     const u32 row = min((y - g.radius) / g.grid_side, g.grid_rows - 4u);
@@ -27,7 +27,7 @@ BODY bool is_covered_inside(MEMORY const Geometry g, const u32 x, const u32 y) {
     return covered != 0u;
 }
 
-// Whether a sample of an earlier round is closer than the radius.
+// Whether a sample in the grid is closer than the radius.
 BODY bool is_covered(MEMORY const Geometry g, const u32 x, const u32 y) {
     if (min(g.grid_columns, g.grid_rows) >= 4u && g.radius < min(g.width, g.height) &&
         min(x, y) >= g.radius && x < g.width - g.radius && y < g.height - g.radius)
@@ -46,7 +46,7 @@ BODY bool is_covered(MEMORY const Geometry g, const u32 x, const u32 y) {
     return covered != 0u;
 }
 
-// samples[order] is where the host looks for what became of that draw.
+// samples[order] tells the host the draw's status.
 BODY void serve_screen(MEMORY const DrawArguments a, const u32 item) {
     const u32 begin = a.first + item * a.chunk;
     const u32 end = min(begin + a.chunk, a.count);

@@ -1,6 +1,6 @@
-// The body of screen with a radius field: settles the candidates that no sample may be, and those
-// that samples in the list of their block cover: those of earlier rounds or, for the later parts of
-// a round, those of earlier parts. The others are listed in survivors[], if that is asked for.
+// The body of screen with a radius field: finds the candidates that lie where no sample may lie, or
+// that samples in the list of their block cover. These are samples of earlier rounds or, for later
+// parts of a round, of earlier parts. Lists the others in survivors[] if a.is_listed.
 #include "portable/conflict.h"
 
 BODY bool is_covered(MEMORY const DrawArguments a, const u32x4 candidate, const u32 radius) {
@@ -15,7 +15,7 @@ BODY bool is_covered(MEMORY const DrawArguments a, const u32x4 candidate, const 
     return false;
 }
 
-// samples[order] is where the host looks for what became of that draw.
+// samples[order] tells the host the draw's status.
 BODY void serve_screen_with_field(MEMORY const DrawArguments a, const u32 item) {
     const u32 begin = a.first + item * a.chunk;
     const u32 end = min(begin + a.chunk, a.count);

@@ -1,9 +1,9 @@
-// The body of split: where to cut the boxes to be halved that lie on unlike pixels, into four
-// strips (bodies/exact/strip.h). Comes after radius_field.h. Does nothing while admission is
-// unsettled.
+// The body of split: where to cut the boxes on unlike pixels that are to be halved, into four
+// strips (bodies/exact/strip.h). Comes after radius_field.h. Does nothing while a draw is
+// undecided.
 
-// The y of the border of pixels that cuts a half in two, or its end, and the least radii below and
-// above: 0 where no sample may lie.
+// The y at which a border of pixels cuts a half in two, or its end; then the least radii below and
+// above it, 0 where no sample may lie.
 BODY u32x4 borders_in(MEMORY const Grids grids, const u32x4 part) {
     if (part.y == 0u) return U32X4(part.w, 0u, 0u, 0u);
     const Touched touched = touched_by(grids, part);
@@ -15,14 +15,14 @@ BODY u32x4 borders_in(MEMORY const Grids grids, const u32x4 part) {
         radius_under(under(ON grids, touched_by(grids, U32X4(part.x, part.y, y, part.w)))), 0u);
 }
 
-// borders[box] becomes the x between its halves, and the y that cuts the left half and the right
-// one; strip_radii[box] the least radius of each strip, perhaps with IS_EVEN.
+// borders[box] becomes the x between its halves, and the y that cuts each half; strip_radii[box]
+// becomes the least radius of each strip, perhaps with IS_EVEN.
 BODY void serve_split(MEMORY const StripArguments a, const u32 item) {
     if (AT(undecided, a.last_pass) != 0u) return;
     const Grids grids = {grid_of(ON COLUMNS_OF_FIELD), grid_of(ON COLUMNS_OF_MASK)};
     const u32 end = min((item + 1u) * a.chunk, a.boxes);
     for (u32 number = item * a.chunk; number < end; ++number) {
-        // Items in lockstep look for work together.
+        // Items in lockstep then find work together.
         while (number < end && (AT(origins, number).y & IS_EVEN) != 0u) ++number;
         if (number == end) break;
         const u32x4 box = AT(boxes, number);

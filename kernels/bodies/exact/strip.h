@@ -1,8 +1,8 @@
-// An active box on a device, and the strips that refine cuts it into before it takes chords out.
+// An active box on a device, and the strips that refine divides it into before it cuts chords.
 //
-// A box that is not halved is one strip. A halved box is two: its left and its right half. With a
-// radius field, a box on unlike pixels is up to four: each half is cut once more, along y, where a
-// border of pixels runs through it.
+// A box that is not halved is one strip. A halved box is two strips, its left and its right half.
+// With a radius field, a halved box on unlike pixels is up to four: each half is divided along y,
+// too, where a border of pixels runs through it.
 
 struct Strip {
     u32x4 at;      // x, width, begin, end; empty (begin == end) where no sample may lie
@@ -15,7 +15,7 @@ BODY bool is_empty(const Strip strip) {
     return strip.at.z == strip.at.w;
 }
 
-// Half k of a box; all of a box that is one unit wide is its left half.
+// Half k of a box. The left half of a box that is one unit wide is the whole box.
 BODY u32x4 half_of(const u32x4 box, const u32 k) {
     const u32 left = max(box.y / 2u, 1u);
     u32x4 part = box;

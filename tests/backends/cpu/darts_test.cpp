@@ -1,4 +1,4 @@
-// Draws thrown in slabs become what they become thrown one after another.
+// Draws thrown in slabs get the statuses of draws thrown one after another.
 #include "backends/cpu/darts.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 namespace lacuna::cpu {
 namespace {
 
-// A state with so many candidates at random places, in random order, none decided.
+// A state with `count` candidates at random points, in random order, all undecided.
 SpanState thrown_at(const Plan& plan, std::uint32_t count, tests::Chance chance) {
     SpanState state(plan);
     for (std::uint32_t column = 0; column < state.columns; ++column) set_free(state, column);
@@ -34,11 +34,11 @@ SpanState thrown_at(const Plan& plan, std::uint32_t count, tests::Chance chance)
     return state;
 }
 
-// A thread for each slab.
+// Throws the darts with a thread for each slab.
 void throw_all(SpanState& state, std::uint32_t slabs) {
     const auto count = static_cast<std::uint32_t>(state.candidates.size());
     Darts darts;
-    // In two parts, of which the second sees the samples of the first.
+    // In two parts; the second one sees the samples of the first.
     for (const auto& [begin, end] : {std::pair{0u, count / 3}, std::pair{count / 3, count}}) {
         darts.begin(begin, end, slabs);
         {
@@ -50,7 +50,7 @@ void throw_all(SpanState& state, std::uint32_t slabs) {
     }
 }
 
-// One after another, each compared with all samples.
+// Decides candidates one after another; each is compared with all samples.
 std::vector<std::uint32_t> expected_statuses(const SpanState& state) {
     const Plan& plan = state.plan;
     std::vector<std::uint32_t> statuses(state.candidates.size(), STATUS_REJECTED);

@@ -1,4 +1,4 @@
-// The inner loops for the processor's vectors give the whole numbers of the portable arithmetic.
+// The loops for the processor's vectors give the numbers of the portable arithmetic.
 #include "backends/cpu/vectors.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ INSTANTIATE_TEST_SUITE_P(Words, OfVectors,
                          [](const auto& named) { return std::string(named.param->name); });
 
 TEST_P(OfVectors, ASampleIsCloserThanTheRadiusOrNot) {
-    // Four columns among others, of which none counts.
+    // Room for four columns among others, which must not count.
     constexpr std::size_t kStride = 7;
     int closer = 0;
     for (std::size_t i = 0; i < 200'000; ++i) {
@@ -42,7 +42,7 @@ TEST_P(OfVectors, ASampleIsCloserThanTheRadiusOrNot) {
         for (std::size_t column = 0; column < 4; ++column)
             for (std::size_t row = 0; row < 4; ++row)
                 cells[column * kStride + row] = below(2) == 0 ? kNone : kMark;
-        // One or none is at about the radius' distance, in any direction.
+        // At most one sample is at about the radius' distance, in any direction.
         const std::uint32_t dx = below(r + 1);
         const auto dy = static_cast<std::uint32_t>(
             portable::isqrt(std::uint64_t{r} * r - std::uint64_t{dx} * dx));
@@ -74,7 +74,7 @@ TEST_P(OfVectors, ChordsAreThoseOfTheirDistances) {
         std::vector<Seen> seen(below(20));
         for (Seen& one : seen) {
             one = {below(r), below(2) == 0 ? below(height) : height - 1};
-            // A chord of a whole number's length, or a unit beside one.
+            // The chord's exact length is a whole number, or the distance is a unit off that.
             const std::uint64_t t = below(r);
             const auto dx = static_cast<std::uint32_t>(portable::isqrt(radius_squared - t * t));
             if (below(2) == 0) one.distance = std::min(dx + 1 - below(2), r - 1);
@@ -95,8 +95,7 @@ TEST_P(OfVectors, ChordsAreThoseOfTheirDistances) {
     }
 }
 
-// Samples of all radii around a place, some of which are at about the distance that counts, and
-// nonsense past the end.
+// Samples of all radii around a point; some lie at about the limit, and nonsense follows the end.
 SizedList samples_around(Sample place, std::uint32_t period, std::mt19937_64& random) {
     const auto below = [&](std::uint64_t end) {
         return static_cast<std::uint32_t>(random() % end);

@@ -40,7 +40,8 @@ namespace fs = std::filesystem;
 
 #ifdef LACUNA_OPENCL
 opencl::Trial faulty_kernels(const Fault& fault) {
-    // PoCL compiles every faulty kernel anew, for one small set: unoptimised in half the time.
+    // PoCL compiles every faulty kernel anew, for one small set: without optimisation in half the
+    // time.
     setenv("POCL_EXTRA_BUILD_FLAGS", "-cl-opt-disable", 1);
     opencl::Trial trial;
     for (const std::string_view embedded : opencl::kernel_files()) {
@@ -57,7 +58,7 @@ opencl::Trial faulty_kernels(const Fault& fault) {
 #endif
 
 #ifdef LACUNA_VULKAN
-// Whether the text includes the file, itself or by what it includes.
+// Whether the text includes the file, directly or through others.
 bool includes(const std::string& text, const std::string& file) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
@@ -71,7 +72,7 @@ bool includes(const std::string& text, const std::string& file) {
     return false;
 }
 
-// Of each entry of a shader's file, the text between its #ifdef and its #endif.
+// Maps each entry of a shader's file to the text between its #ifdef and its #endif.
 std::map<std::string, std::string> entries_of(const std::string& text) {
     std::map<std::string, std::string> entries;
     const std::string word = "#ifdef ENTRY_";

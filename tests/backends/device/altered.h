@@ -1,4 +1,4 @@
-// Kernels with a fault planted, on both devices: the same text of kernels/ changed, compiled anew.
+// Kernels with a planted fault, on both device APIs: the text of kernels/, changed and compiled.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace lacuna::tests {
 
-// In a file of kernels/, the first `from` becomes `to`.
+// Replaces the first `from` in a file of kernels/ by `to`.
 struct Fault {
     const char* file;
     const char* from;
@@ -28,11 +28,11 @@ std::unique_ptr<Backend> make_faulty(const std::string& backend, const Plan& pla
 // The same for the kernels of relax.
 std::unique_ptr<device::Queue> open_faulty_queue(const std::string& backend, const Fault& fault);
 
-// The backend as it is; counts the kernels that it launches.
+// The backend without a fault; counts the kernels that it launches.
 std::unique_ptr<Backend> make_counted(const std::string& backend, const Plan& plan,
                                       const device::Tuning& tuning, std::uint64_t* launches);
 
-// Nothing where a set is not done after so many rounds: wrong kernels need not come to an end.
+// The outcome is empty if a set takes more than `most` rounds: wrong kernels may never end.
 inline constexpr std::uint64_t kMostRounds = 30;
 Outcome run_rounds(const Plan& plan, Backend& backend, std::uint64_t most = kMostRounds);
 Outcome run_on_cpu(const Plan& plan);

@@ -1,4 +1,4 @@
-// Answers every set of numbers, and tells how far the estimate of the square root was off.
+// Answers every set of numbers, and notes the error of the square root's estimate.
 #include "arithmetic.h"
 
 typedef struct Arguments {

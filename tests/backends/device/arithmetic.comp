@@ -1,4 +1,4 @@
-// Answers every set of numbers, and tells how far the estimate of the square root was off.
+// Answers every set of numbers, and notes the error of the square root's estimate.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require

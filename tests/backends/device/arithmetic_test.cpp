@@ -41,12 +41,12 @@ struct Arguments {
     u32 items;
 };
 
-// Numbers of every size are equally likely; at most `most`.
+// A random number of at most `most`; every number of bits is equally likely.
 u32 any_size(std::mt19937_64& random, u32 most) {
     return std::min(static_cast<u32>((random() >> 32) >> (random() % 32)), most);
 }
 
-// Beside a square, beside a power of two, at an end, or anything below 2^63.
+// A number beside a square, beside a power of two, at an end, or anything below 2^63.
 u64 radicand(std::mt19937_64& random) {
     const u64 root = random() >> (33 + random() % 31);
     const u64 power = u64{1} << (random() % 63);
@@ -117,7 +117,7 @@ std::unique_ptr<device::Queue> queue_of(const std::string& backend, const std::s
 
 class Arithmetic : public tests::OnBackend {
 protected:
-    // Of an OpenCL C source that begins with the prefix.
+    // Tests an OpenCL C source that begins with the prefix.
     static void expect_equal(const std::string& prefix) {
         std::mt19937_64 random(11);
         std::uint64_t launches = 0;

@@ -31,18 +31,18 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Device, Launches, tests::kDeviceBackends, tests::name_of_parameter);
 
 TEST_P(Launches, AreAFewARoundNeverOneASample) {
-    // locate, sort_columns, eight passes, gather, subtract; and what is left of the start.
+    // locate, sort_columns, eight passes, collect, subtract; some launches at the start.
     Outcome outcome = run(lines_);
     EXPECT_TRUE(outcome.samples == tests::run_on_cpu(lines_).samples);
     EXPECT_GE(launches_, 12 * outcome.rounds);
     EXPECT_LE(launches_, 16 * outcome.rounds + 10);
-    // screen and insert besides; then, in place of gather and subtract, cut, scan twice, keep and
-    // find_bin_begins.
+    // These and screen and insert; then, in place of collect and subtract: cut, scan twice, keep
+    // and find_bin_begins.
     outcome = run(exact_);
     EXPECT_TRUE(outcome.samples == tests::run_on_cpu(exact_).samples);
     EXPECT_GE(launches_, 14 * outcome.rounds);
     EXPECT_LE(launches_, 18 * outcome.rounds + 10);
-    // locate, sort_columns, look_up_radii, eight passes, subtract; and what reaches far.
+    // locate, sort_columns, look_up_radii, eight passes, subtract; and subtract for long reaches.
     outcome = run(cells_);
     EXPECT_TRUE(outcome.samples == tests::run_on_cpu(cells_).samples);
     EXPECT_GE(launches_, 12 * outcome.rounds);
@@ -67,7 +67,7 @@ TEST_P(Launches, MakeTheSameSetFromManySlabs) {
     }
 }
 
-// Rounds so large that launches are sliced.
+// Rounds large enough that launches are sliced.
 class LongLaunches : public tests::OnBackend {
 protected:
     static constexpr std::uint32_t kDraws = 400'000;
@@ -109,7 +109,7 @@ TEST_P(LongLaunches, LeaveWhatTheCpuLeaves) {
     EXPECT_GT(expected.boxes.size(), 100'000u);
     EXPECT_TRUE(expected.samples == got.samples);
     EXPECT_TRUE(expected.boxes == got.boxes);
-    // A round of one slice a launch takes 14, a refinement 21, and the start a few.
+    // With one slice a launch, a round has 14 launches, a refinement 21, and the start a few.
     EXPECT_GT(launches, 14u * 2 + 21 + 10);
 }
 

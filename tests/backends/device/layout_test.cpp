@@ -63,7 +63,7 @@ TEST(SlicesOfSample, AreSoManyThatNoneTakesMoreTurns) {
     }
 }
 
-// What a device with so much memory and such a buffer says of the plan.
+// The message of a device of this size that refuses the plan; empty if it does not.
 std::string refusal(const Plan& plan, std::uint64_t memory, std::uint64_t buffer) {
     try {
         refuse_if_too_large("Toy", plan, memory, buffer);
@@ -97,8 +97,7 @@ TEST(Requests, OfModeCellsThatDoNotFitAreRefusedToo) {
 }
 
 TEST(Requests, WithARadiusFieldThatDoNotFitAreRefusedToo) {
-    // 696,500 samples, of 16 bytes for each of three entries; and the places, and what becomes of
-    // them.
+    // 696,500 samples with three entries of 16 bytes each; and the boxes, before and after a round.
     const tests::FieldRequest made = tests::radius_field_request(
         "one pixel", tests::constant_field(1, 1), 696'500, Boundary::torus);
     const Plan plan = make_plan(made.request);

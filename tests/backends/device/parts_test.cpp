@@ -1,4 +1,4 @@
-// The parts of a round whose draws crowd: by order, few enough in each column, and all there.
+// The parts of a round that crowds: in order, with few draws in each column, and complete.
 #include "backends/device/parts.h"
 
 #include <gtest/gtest.h>

@@ -44,7 +44,7 @@ protected:
         return on_cpu(lattice, scene.sites(lattice));
     }
 
-    // A fault is noticed when it changes where sites go, or is an error.
+    // A fault is noticed if it changes where sites go, or causes an error.
     void expect_noticed(const tests::Scene& scene, const std::vector<Fault>& faults) {
         const std::vector<Site> right = on_cpu(scene);
         for (const Fault& fault : faults) {
@@ -60,12 +60,12 @@ protected:
         }
     }
 
-    // Sites enough for a tree of three levels.
+    // Enough sites for a tree of three levels.
     const tests::Scene torus_{"random on a torus",
                               tests::random_points(600, 1, 1, 1),
                               {},
                               tests::on(1, 1, Boundary::torus)};
-    // Many in a place of few pixels: leaves that are late, and crowded ones.
+    // Many sites on few pixels: leaves that are late, and crowded ones.
     const tests::Scene crowd_{"a crowd", tests::random_points(600, 0.02, 0.02, 1),
                               lacuna::tests::ramp_field(30, 30), tests::on(1, 1, Boundary::box)};
 };
@@ -104,7 +104,7 @@ TEST_P(RelaxFaults, InGatherAreNoticed) {
                             {"bodies/relax/assign.h", "image % 3u", "1u"}});
 }
 
-// A few samples with many lattice points each: their moments take more than 32 bits.
+// Few samples with many lattice points each: their moments take more than 32 bits.
 TEST_P(RelaxFaults, InTheCarryOfSumsAreNoticed) {
     const tests::Scene few{"few", tests::random_points(3, 1, 1, 1),
                            lacuna::tests::constant_field(64, 64), tests::on(1, 1, Boundary::torus)};
@@ -132,7 +132,7 @@ TEST_P(RelaxFaults, InCrowdedLeavesAreNoticed) {
                     {"bodies/relax/late.h", "= leaf;", "= 0u;"}});
 }
 
-// What a driver that ends loops early would leave behind.
+// The result of a driver that ends loops early.
 TEST_P(RelaxFaults, ThatEndLoopsEarlyAreAnErrorAndNeverASet) {
     for (const char* const file : {"bodies/relax/find_hints.h", "bodies/relax/find_rivals.h",
                                    "bodies/relax/assign.h", "bodies/relax/assign_crowded.h"}) {

@@ -1,4 +1,4 @@
-// What a round keeps on a device: no buffer is larger than the device allows.
+// A round's memory on a device: no buffer is larger than the device allows.
 #include "backends/device/round_memory.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace lacuna::device {
 namespace {
 
-// Makes buffers that hold nothing, and forgets all else.
+// Makes buffers without memory, and ignores all other commands.
 class Toy : public Queue {
 public:
     explicit Toy(std::uint64_t largest_buffer_bytes) {

@@ -1,4 +1,4 @@
-// What is OpenCL's own: errors of kernels that do not compile, and small sets for Oclgrind.
+// Tests of OpenCL alone: errors of kernels that do not compile, and small sets for Oclgrind.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -23,7 +23,7 @@ std::string altered(const std::string& from, const std::string& to) {
     return source;
 }
 
-// What DeviceError says of a set made from the source; empty when nothing was thrown.
+// The message of the DeviceError for a set made from the source; empty when nothing was thrown.
 std::string error_of(const Plan& plan, const std::string& source) {
     Observer nobody;
     try {
@@ -97,8 +97,8 @@ struct SmallSet {
     std::uint32_t slices;
 };
 
-// Under Oclgrind too, see oclgrind.cmake: it takes a buffer for uninitialized that lies where one
-// was released. So each makes one backend in its process, and rounds of one size.
+// Run under Oclgrind too, see oclgrind.cmake. Oclgrind takes a new buffer for uninitialized where
+// one was released before. So each test makes one backend in its process, and rounds of one size.
 class CellsSmallSet : public testing::TestWithParam<SmallSet> {
 protected:
     void SetUp() override {

@@ -15,7 +15,7 @@ endfunction()
 file(MAKE_DIRECTORY ${SCRATCH}/no_drivers)
 check(OCL_ICD_VENDORS=${SCRATCH}/no_drivers "backend opencl: no device: no driver")
 
-# PoCL drops its device, without a word, when it cannot write its cache.
+# PoCL silently drops its device when it cannot write its cache.
 set(pocl /etc/OpenCL/vendors/pocl.icd)
 if(EXISTS ${pocl})
     check("OCL_ICD_VENDORS=${pocl};POCL_CACHE_DIR=/proc/none" "lists no device.*set POCL_CACHE_DIR")

@@ -1,12 +1,12 @@
-# Script: PROGRAM needs neither OpenCL's loader nor Vulkan's to start. Where they cannot be opened,
-# `devices` says so of each, their backends exit with 4 and that reason, and the cpu backend works.
+# Script: PROGRAM starts without OpenCL's and Vulkan's loaders. Where they cannot be opened,
+# `devices` says so for each, their backends exit with 4 and that reason, and the cpu backend works.
 find_program(READELF readelf REQUIRED)
 execute_process(COMMAND ${READELF} -d ${PROGRAM} OUTPUT_VARIABLE needed COMMAND_ERROR_IS_FATAL ANY)
 if(NOT needed MATCHES "NEEDED.*libc\\.so" OR needed MATCHES "lib(OpenCL|vulkan)")
     message(FATAL_ERROR "a loader is among what the program needs to start:\n${needed}")
 endif()
 
-# Empty files in the place of the loaders: the system finds them first, and cannot open them.
+# Empty files with the loaders' names: the system finds them first, and cannot open them.
 set(hidden ${SCRATCH}/no_loaders)
 foreach(library IN ITEMS libOpenCL.so.1 libvulkan.so libvulkan.so.1)
     file(WRITE ${hidden}/${library} "")

@@ -1,5 +1,6 @@
-# Script: PROGRAM, and the test program TESTS, make small sets under Oclgrind, which must find no race, no use of uninitialized
-# memory, no access out of bounds. It tells by its log alone. SCRATCH is a folder to write to.
+# Script: PROGRAM, and the test program TESTS, make small sets under Oclgrind, which must find no
+# race, no use of uninitialized memory and no access out of bounds. Only its log shows this. SCRATCH
+# is a folder to write to.
 find_program(OCLGRIND oclgrind)
 if(NOT OCLGRIND)
     if("$ENV{LACUNA_REQUIRE}" MATCHES "oclgrind")
@@ -14,7 +15,7 @@ set(log ${SCRATCH}/oclgrind.log)
 # Runs the command under Oclgrind, and sets `printed` to what it prints.
 function(run_under_oclgrind)
     file(REMOVE ${log})
-    # Unoptimised: it does not know all that its compiler makes of whole-number arithmetic.
+    # Without optimisation: Oclgrind does not know all whole-number code that its compiler makes.
     execute_process(
         COMMAND ${OCLGRIND} --build-options -cl-opt-disable --data-races --uninitialized
             --log ${log} ${ARGN}
@@ -41,7 +42,7 @@ function(check)
     endif()
 endfunction()
 
-# Rounds of one size: it takes a buffer for uninitialized that lies where one was released.
+# Rounds of one size: Oclgrind takes a buffer for uninitialized where one was released before.
 check(sample --mode lines --radius 0.2 --lines-per-radius 2 --torus --round-size 16)
 check(sample --mode lines --radius 0.2 --lines-per-radius 2 --round-size 16)
 check(sample --mode lines --radius 0.06 --lines-per-radius 3 --round-size 64)
@@ -49,14 +50,14 @@ check(sample --mode lines --radius 0.4 --lines-per-radius 5 --torus --round-size
 check(sample --mode exact --radius 0.2 --lines-per-radius 2 --torus --round-size 16)
 check(sample --mode exact --radius 0.08 --lines-per-radius 3 --round-size 64)
 
-# With a radius field: a triangle as a mask, a border, and points that were there before.
+# With a radius field: a triangle as a mask, a border, and kept points.
 file(WRITE ${SCRATCH}/triangle.txt "0.1 0.1\n0.9 0.2\n0.4 0.95\n")
 file(WRITE ${SCRATCH}/kept.txt "0.4 0.4\n0.6 0.4\n")
 check(sample --radius 0.15 --inside ${SCRATCH}/triangle.txt --edge 0.05 --border 0.05
     --keep ${SCRATCH}/kept.txt --round-size 16)
 check(sample --radius 0.15 --inside ${SCRATCH}/triangle.txt --edge 0.05 --torus --round-size 16)
 
-# Relaxing: leaves that stick out of the lattice, and one with more sites than it has room for.
+# Relax: leaves that stick out of the lattice, and one with more sites than it has room for.
 file(WRITE ${SCRATCH}/few.txt "0.1 0.2\n0.6 0.7\n0.9 0.3\n0.5 0.5\n0.52 0.5\n0.1 0.9\n")
 check(relax ${SCRATCH}/few.txt --torus --iterations 2)
 set(crowd "")

@@ -43,7 +43,7 @@ protected:
         request.snap = snap;
         request.round_size = 1;
         request.backend = "reference";
-        // The counts of large sets differ less: of 8 the mean is known six times better than asked.
+        // Counts of large sets vary less: the mean of 8 is six times more precise than is asked.
         const std::uint64_t seeds = row.radius < 0.01 ? 8 : 20;
         std::size_t total = 0;
         for (request.seed = 0; request.seed < seeds; ++request.seed)

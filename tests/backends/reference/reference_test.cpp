@@ -19,8 +19,8 @@ Outcome run(const Request& request) {
     return reference::sample(make_plan(request), nobody);
 }
 
-// By brute force over every line and every sample: is any y of any line left uncovered? The
-// covered stretches of a line are sorted and joined, apart from the spans the sampler keeps.
+// Checks by brute force over every line and every sample that no y of a line is left uncovered. The
+// covered stretches of a line are sorted and joined, apart from the spans that the sampler keeps.
 bool every_line_is_covered(const Plan& plan, const std::vector<Sample>& samples) {
     for (std::uint32_t line = 0; line < plan.lines; ++line) {
         std::vector<std::pair<std::int64_t, std::int64_t>> covered;
@@ -112,8 +112,7 @@ TEST(Reference, KeepsItsDistancesInALargeSet) {
 }
 
 TEST(Reference, InterpolatedDistancesDoFallBelowTheRadius) {
-    // The paper's approximation, and the reason for --snap: were this to fail, x is not
-    // interpolated.
+    // The paper's approximation, and the reason for --snap: if this fails, x is not interpolated.
     Request request;
     request.mode = Mode::lines;
     request.radius = 0.01;
@@ -167,7 +166,7 @@ TEST_P(ReferenceInMode, ACountIsMetExactly) {
                 const double least =
                     tests::least_distance(result.points, 1, 1, boundary == Boundary::torus);
                 EXPECT_GE(least, result.radius);
-                // No smaller than it need be: within a tenth of the maximal set's density.
+                // Not too small: within a tenth of the maximal set's density.
                 if (count > 1000 && (m == 30 || request.mode == Mode::exact)) {
                     EXPECT_LT(expected_count(1, 1, boundary, result.radius),
                               1.1 * static_cast<double>(count));

@@ -1,4 +1,4 @@
-// What is the vulkan backend's own: that its shaders do the work, its slabs, and its messages.
+// Tests of the vulkan backend alone: its shaders do the work; its slabs and its messages.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -62,7 +62,7 @@ TEST_F(VulkanBackend, ServesSpansBeyondTheLargestBufferOfManyDevices) {
               samples_of_cpu(plan));
 }
 
-// No samples anywhere: every box is halved, and all of both halves is kept.
+// No samples anywhere: every box is halved, and both halves are kept whole.
 TEST_F(VulkanBackend, MakesRoomForMoreBoxesThanThereWere) {
     const Plan plan = make_plan(torus(0.02));
     Snapshot scene;
@@ -107,7 +107,7 @@ TEST_F(VulkanBackend, NamesTheDevicesWhenTheOneAskedForIsMissing) {
     EXPECT_NE(message.find(vulkan::list_devices().front().name), std::string::npos) << message;
 }
 
-// In a process of its own, since a driver that was once loaded is kept.
+// In its own process, because a driver that was once loaded is kept.
 void expect_no_driver_told() {
     for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"})
         setenv(name, "/no/such/driver.json", 1);

@@ -1,5 +1,4 @@
-// The backend under Vulkan's validation layer; and misuse, planted, to show that the layer is
-// heard.
+// The backend under Vulkan's validation layer; and planted misuse, which the layer must report.
 #include <gtest/gtest.h>
 
 #include <mutex>
@@ -108,8 +107,8 @@ TEST_P(ValidatedAnyhow, MakesRoomForBoxesWithoutAMessage) {
 }
 
 TEST_P(ValidatedAnyhow, GrowsAndTakesMorePassesWithoutAMessage) {
-    // Each candidate is covered by the next one only, which is earlier: one is settled after the
-    // other, in more passes than a round has. And there is room for one span a line.
+    // Each candidate is covered only by the next one, which is earlier: they are decided one after
+    // the other, in more passes than a round has. And there is room for one span a line.
     Request request;
     request.radius = 0.02;
     request.mode = Mode::lines;
@@ -155,7 +154,7 @@ TEST_P(ValidatedAnyhow, MakesSetsInCellsWithoutAMessage) {
 }
 
 TEST_P(ValidatedAnyhow, TakesMorePassesInCellsWithoutAMessage) {
-    // Each candidate is blocked by the next one only, which is earlier.
+    // Each candidate is blocked only by the next one, which is earlier.
     const Field field = tests::constant_field(1, 1);
     const Plan plan = tests::cells_plan(field, 1, 5, Metric::min, Boundary::box, 1, 40);
     vulkan::Trial trial;
@@ -181,7 +180,7 @@ using ValidatedCalls = Validated;
 INSTANTIATE_TEST_SUITE_P(Vulkan, ValidatedCalls, testing::Values(Checks::core_and_synchronization),
                          name_of_checks);
 
-// Not with the GPU-assisted checks, for which lavapipe compiles these shaders for minutes.
+// Without the GPU-assisted checks, for which lavapipe would compile these shaders for minutes.
 TEST_P(ValidatedCalls, MakesSetsWithARadiusFieldWithoutAMessage) {
     const Field field = tests::noise_field(12, 9, 7);
     Mask mask{3, 2, {1, 1, 0, 1, 1, 1}};

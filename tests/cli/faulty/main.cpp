@@ -1,5 +1,5 @@
-// The command with faults: on any backend but cpu, one bit of point 17 is wrong; with seed 9 the
-// backend fails at its third set, and with 10, 11 and 12 the program is ended as drivers do.
+// The command with faults: on any backend except cpu, one bit of point 17 is wrong; with seed 9 the
+// backend fails at its third set; with 10, 11 and 12 the program is ended as drivers end it.
 #include <signal.h>
 
 #include <bit>

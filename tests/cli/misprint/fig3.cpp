@@ -1,5 +1,4 @@
-// A figure 3 with a number that is not within its band. This object takes precedence over the
-// library's.
+// A figure 3 with a number outside its band. This object takes precedence over the library's.
 #include "reproduce/reproduce.h"
 
 namespace lacuna::reproduce {

@@ -1,4 +1,4 @@
-// A pen path visits every dot once, and its length is near the shortest there is.
+// A pen path visits every dot once, and its length is near the shortest possible.
 #include "drawing/pen/pen_path.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ double shortest_length(const Points& points) {
 }
 
 RC_GTEST_PROP(PenPath, GivenAnyPointsThenEachIsVisitedOnce, ()) {
-    // Few places, so that some points coincide and many distances are equal.
+    // Few different coordinates, so that some points coincide and many distances are equal.
     const auto places = *rc::gen::container<std::vector<std::pair<int, int>>>(
         rc::gen::pair(rc::gen::inRange(0, 12), rc::gen::inRange(0, 12)));
     Points points;
@@ -107,7 +107,7 @@ TEST(PenPath, GivenRandomPointsThenItIsAboutFivePercentLongerThanTheShortest) {
     EXPECT_LT(length, 0.78 * length_along(points, hilbert_order(points)));
 }
 
-// From a dot to the eighth of its near ones.
+// The distance from a dot to its eighth neighbour.
 double eighth_distance(const Points& points, const Point& from) {
     std::vector<double> distances;
     for (const Point& other : points) distances.push_back(between(from, other));
@@ -115,7 +115,7 @@ double eighth_distance(const Points& points, const Point& from) {
     return distances[8];  // itself is the first
 }
 
-// Distances of whole numbers differ from those of doubles by less than this.
+// Distances in whole numbers differ from distances in doubles by less than this.
 constexpr double kRounding = 1e-6;
 
 TEST(PenPath, WhenTwoOfItsEdgesAreExchangedBesideNearDotsThenItIsNoShorter) {
@@ -185,7 +185,7 @@ TEST(PenPath, WhenToldToStopThenItThrowsCancelled) {
 
 TEST(HilbertOrder, GivenTheMiddlesOfSquaresThenEachStepIsToTheNextSquare) {
     constexpr int kSquares = 32;
-    Points points{{0, 0}, {1, 1}};  // what the squares are parts of
+    Points points{{0, 0}, {1, 1}};  // they set the extent of the squares
     for (int x = 0; x < kSquares; ++x)
         for (int y = 0; y < kSquares; ++y)
             points.push_back({(x + 0.5) / kSquares, (y + 0.5) / kSquares});

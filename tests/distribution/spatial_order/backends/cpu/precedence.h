@@ -1,5 +1,5 @@
-// The biased variant: the candidate further down comes first. Found before host/cpu/precedence.h
-// on the include path of the test that must notice it.
+// The biased variant: the candidate further down comes first. The test that must notice it finds
+// this file before host/backends/cpu/precedence.h on its include path.
 #pragma once
 
 #include <cstdint>
