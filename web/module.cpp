@@ -167,7 +167,7 @@ EMSCRIPTEN_KEEPALIVE bool lacuna_prove(double radius) {
         state().text =
             std::string("{\"kept\":") + truth(proof.kept) + ",\"covered\":" + truth(proof.covered) +
             ",\"maximal\":" + truth(proof.maximal) + ",\"least\":" + number(proof.least_distance) +
-            ",\"emptiest\":" + number(proof.emptiest_distance) + "}";
+            ",\"largestGap\":" + number(proof.largest_gap_distance) + "}";
     });
 }
 

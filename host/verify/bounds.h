@@ -1,4 +1,4 @@
-// Bounds of how far the spots of a cell are over their limits, and the disks that matter to them.
+// Bounds of how far the spots of a cell are over their limits, and which samples matter to them.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -9,31 +9,34 @@
 #include <vector>
 
 #include "verify/cell.h"
-#include "verify/emptiest_by_limit.h"
-#include "verify/ground.h"
+#include "verify/domain.h"
+#include "verify/radius_field.h"
 
 namespace lacuna::verify {
 
-// How far the spots of a cell may be over their limits, as one sample sees it.
+// How far the spots of a cell may be over their limits, as one sample sees them.
 class Bounds {
 public:
     Bounds(const Frame& frame, const Under& under)
         : frame_(frame), least_(under.radii.least), most_(under.radii.most) {}
 
-    // No spot is over by more than this.
-    double most_over(const Disk& disk) const {
-        return std::sqrt(frame_.to_farthest(disk.at)) - std::min(disk.radius, least_);
+    // Lowers `over` to this sample's bound, if that is lower: no spot of the cell is over its limit
+    // by more. A square root is only taken when it is.
+    void lower_to_most_over(const Disk& disk, double& over) const {
+        const double sure = std::min(disk.radius, least_);
+        const double farthest = frame_.to_farthest(disk.at);
+        if (farthest < square(sure + over)) over = std::sqrt(farthest) - sure;
     }
-    // Whether that is at most `over`, which is at least 0.
+    // Whether that bound is at most `over`, which is at least 0.
     bool is_at_most(const Disk& disk, double over) const {
         return frame_.to_farthest(disk.at) <= square(std::min(disk.radius, least_) + over);
     }
-    // Whether some spot may be over by no more than this, so that the sample can matter to a cell
-    // whose spots are over by no more in the eyes of another sample.
+    // Whether some spot of the cell may be over its limit by no more than `over`, as this sample
+    // sees it. If another sample has the bound `over`, no other samples matter to the cell.
     bool may_matter(const Disk& disk, double over) const {
         return frame_.to_nearest(disk.at) <= square(effective(disk) + std::max(over, 0.0));
     }
-    // How far the sample reaches in this cell at most.
+    // The largest limit between the sample and a spot of the cell.
     double effective(const Disk& disk) const { return std::min(disk.radius, most_); }
 
 private:
@@ -42,11 +45,12 @@ private:
     double most_;
 };
 
-// Drops most of the disks from `begin` on if they are a crowd far from the cell: one that is no
-// nearer to any of the four corners than some other that reaches as far is of no use, as the spots
-// that are nearer to one of two points are a half-plane. `before`: how many there were for the cell
-// that this one is a part of; a crowd is hardly fewer.
-void thin_out(const Cell& cell, const Bounds& bounds, std::size_t before, std::vector<Disk>& disks,
-              std::size_t begin);
+// Removes most of the samples from index `begin` to the end if they are a crowd far from the cell.
+// A sample is of no use if another one is no farther from any of the four corners and has no
+// smaller radius, because the spots that are nearer to one of two points are a half-plane.
+// `before`: how many samples there were for the cell of which this one is a part. If their number
+// hardly falls, they are a crowd.
+void thin_out(const Cell& cell, const Bounds& bounds, std::size_t before,
+              std::vector<Disk>& samples, std::size_t begin);
 
 }  // namespace lacuna::verify

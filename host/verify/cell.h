@@ -8,7 +8,8 @@
 
 namespace lacuna::verify {
 
-// A closed rectangle. Halves share the very double that they are cut at: no gap between them.
+// A rectangle with its edges. The two halves of a cell have the same double where they meet, so
+// there is no gap between them.
 struct Cell {
     double left;
     double right;

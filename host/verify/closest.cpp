@@ -1,17 +1,24 @@
-// The closest pair by divide and conquer (Shamos & Hoey 1975), then across the seams of a torus.
+// The closest pair by divide and conquer (Shamos & Hoey 1975), then across the edges of a torus.
+//
+// Radii may differ. Let q be the ratio of the closest pair found until now. Two samples are a
+// closer pair only if their distance is at most q times the radius of either of them. So each
+// sample has its own reach, q times its radius. Within a half that was searched, samples of similar
+// radius are at least their reach apart, so a strip along the cut has few of them near any sample.
 #include "verify/closest.h"
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <tuple>
 #include <vector>
 
 namespace lacuna::verify {
 namespace {
 
-// A point, or an image of it beyond a seam.
+// A sample, or an image of it beyond an edge of a torus.
 struct Located {
     Point at;
+    double radius;
     std::size_t index;
 };
 
@@ -25,11 +32,11 @@ bool is_below(const Located& a, const Located& b) {
 
 class ClosestPair {
 public:
-    ClosestPair(const Domain& domain, std::span<const Point> points, const Patience& patience)
-        : domain_(domain), points_(points), patience_(patience) {}
+    ClosestPair(const Domain& domain, std::span<const Disk> samples, const Patience& patience)
+        : domain_(domain), samples_(samples), patience_(patience) {}
 
-    // Looks at all pairs of `located` that could be closer than the closest so far. `blur` is how
-    // far the distance of two images may be off.
+    // Looks at all pairs of `located` that could be closer than the closest pair found until now.
+    // `blur` is the largest error of the distance between two images.
     void search(std::vector<Located> located, double blur) {
         blur_ = blur;
         std::sort(located.begin(), located.end(), patience_.looking(is_left));
@@ -38,8 +45,14 @@ public:
 
     const Pair& closest() const { return closest_; }
 
+    // The largest distance to another sample at which this one could be in a closer pair. Its last
+    // factor is for the roundings of ratios.
+    double reach_of(double radius) const { return closest_.ratio * radius * (1 + 1e-12); }
+
 private:
+    // Up to this number of samples, comparing all pairs is faster than halving.
     static constexpr std::size_t kFewEnoughForAllPairs = 8;
+    // Up to this number of samples, the search takes too little time to ask whether it is wanted.
     static constexpr std::size_t kFewEnoughToHurry = 1000;
 
     // Leaves `part` sorted by y.
@@ -51,7 +64,7 @@ private:
         }
         if (part.size() > kFewEnoughToHurry) patience_.look();
         const std::size_t half = part.size() / 2;
-        const double seam = part[half].at.x;
+        const double cut = part[half].at.x;
         divide(part.first(half));
         divide(part.subspan(half));
         buffer_.clear();
@@ -61,71 +74,117 @@ private:
         std::copy(buffer_.begin(), buffer_.end(), part.begin());
         buffer_.clear();
         for (const Located& located : part)
-            if (is_within_reach(std::abs(located.at.x - seam))) buffer_.push_back(located);
+            if (is_within_reach(located, std::abs(located.at.x - cut))) buffer_.push_back(located);
         compare_upwards(buffer_);
     }
 
     void compare_upwards(std::span<const Located> rising) {
         for (std::size_t i = 0; i < rising.size(); ++i) {
             for (std::size_t j = i + 1; j < rising.size(); ++j) {
-                if (!is_within_reach(rising[j].at.y - rising[i].at.y)) break;
+                if (!is_within_reach(rising[i], rising[j].at.y - rising[i].at.y)) break;
                 compare(rising[i].index, rising[j].index);
             }
         }
     }
 
-    // Nothing is closer than 0: points that coincide would else be compared all with all.
-    bool is_within_reach(double gap) const {
-        return closest_.distance > 0 && gap <= closest_.distance + blur_;
+    // No pair is closer than 0. Without this rule, samples that coincide would all be compared with
+    // each other.
+    bool is_within_reach(const Located& located, double gap) const {
+        return closest_.distance > 0 && gap <= reach_of(located.radius) + blur_;
     }
 
     void compare(std::size_t a, std::size_t b) {
         if (a == b) return;
-        const Pair pair{std::min(a, b), std::max(a, b), domain_.distance(points_[a], points_[b])};
-        if (std::tie(pair.distance, pair.first, pair.second) <
-            std::tie(closest_.distance, closest_.first, closest_.second))
+        Pair pair{std::min(a, b), std::max(a, b), domain_.distance(samples_[a].at, samples_[b].at),
+                  std::min(samples_[a].radius, samples_[b].radius)};
+        pair.ratio = pair.distance / pair.limit;
+        if (std::tie(pair.ratio, pair.first, pair.second) <
+            std::tie(closest_.ratio, closest_.first, closest_.second))
             closest_ = pair;
     }
 
     const Domain& domain_;
-    std::span<const Point> points_;
+    std::span<const Disk> samples_;
     const Patience& patience_;
     double blur_ = 0;
     Pair closest_;
     std::vector<Located> buffer_;
 };
 
-// The points within `reach` of the domain's edges, and images of those on one side of a seam beyond
-// those on the other: any pair that is closest across a seam is a pair of these.
-std::vector<Located> near_seams(const Domain& domain, std::span<const Point> points, double reach) {
+// The samples within reach of the domain's edges, and beyond an edge the images of samples at the
+// opposite one. Every pair that is closest across an edge is a pair of these.
+std::vector<Located> near_edges(const Domain& domain, std::span<const Disk> samples,
+                                const ClosestPair& search) {
     std::vector<Located> located;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto [x, y] = points[i];
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const auto [x, y] = samples[i].at;
+        const double radius = samples[i].radius;
+        const double reach = search.reach_of(radius) + domain.rounding();
         const bool left = x <= reach;
         const bool low = y <= reach;
         const bool high = y >= domain.height - reach;
-        if (left || low || high || x >= domain.width - reach) located.push_back({{x, y}, i});
-        if (left) located.push_back({{x + domain.width, y}, i});
-        if (low) located.push_back({{x, y + domain.height}, i});
-        if (left && low) located.push_back({{x + domain.width, y + domain.height}, i});
-        if (left && high) located.push_back({{x + domain.width, y - domain.height}, i});
+        const auto append = [&](double at_x, double at_y) {
+            located.push_back({{at_x, at_y}, radius, i});
+        };
+        if (left || low || high || x >= domain.width - reach) append(x, y);
+        if (left) append(x + domain.width, y);
+        if (low) append(x, y + domain.height);
+        if (left && low) append(x + domain.width, y + domain.height);
+        if (left && high) append(x + domain.width, y - domain.height);
     }
     return located;
 }
 
+Pair least_ratio(const Domain& domain, std::span<const Disk> samples, const Patience& patience) {
+    std::vector<Located> located(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        located[i] = {samples[i].at, samples[i].radius, i};
+    ClosestPair search(domain, samples, patience);
+    search.search(std::move(located), 0);
+    // Across an edge no pair can be seen to be closer than rounding.
+    if (domain.torus && samples.size() > 1 && search.closest().distance > domain.rounding())
+        search.search(near_edges(domain, samples, search), domain.rounding());
+    return search.closest();
+}
+
+// The pair that a walk from the largest radius to the smallest meets first: the closest pair of the
+// shortest beginning of that walk which has a hopeless pair.
+Pair first_hopeless(const Domain& domain, std::span<const Disk> samples, const Patience& patience,
+                    double hopeless) {
+    std::vector<std::size_t> order(samples.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return samples[a].radius > samples[b].radius;
+    });
+    std::vector<Disk> walk;
+    for (const std::size_t index : order) walk.push_back(samples[index]);
+    const auto closest_of = [&](std::size_t count) {
+        return least_ratio(domain, std::span(walk).first(count), patience);
+    };
+    std::size_t without = 1;
+    std::size_t with = walk.size();
+    while (with - without > 1) {
+        const std::size_t middle = without + (with - without) / 2;
+        (closest_of(middle).ratio < hopeless ? with : without) = middle;
+    }
+    Pair pair = closest_of(with);
+    std::tie(pair.first, pair.second) = std::minmax({order[pair.first], order[pair.second]});
+    return pair;
+}
+
 }  // namespace
 
+Pair closest_pair(const Domain& domain, std::span<const Disk> samples, const Patience& patience,
+                  double hopeless) {
+    const Pair pair = least_ratio(domain, samples, patience);
+    return pair.ratio < hopeless ? first_hopeless(domain, samples, patience, hopeless) : pair;
+}
+
 Pair closest_pair(const Domain& domain, std::span<const Point> points, const Patience& patience) {
-    std::vector<Located> located(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) located[i] = {points[i], i};
-    ClosestPair search(domain, points, patience);
-    search.search(std::move(located), 0);
-    const double distance = search.closest().distance;
-    const double rounding = domain.rounding();
-    // Points that are closer than rounding are the closest that a seam could show, too.
-    if (domain.torus && points.size() > 1 && distance > rounding)
-        search.search(near_seams(domain, points, distance + rounding), rounding);
-    return search.closest();
+    std::vector<Disk> samples;
+    samples.reserve(points.size());
+    for (const Point& point : points) samples.push_back({point, 1});
+    return closest_pair(domain, samples, patience);
 }
 
 }  // namespace lacuna::verify

@@ -1,4 +1,4 @@
-// The two points of a set that are closest to each other.
+// The closest pair: the two samples of a set that are nearest to each other for what they ask.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -12,14 +12,29 @@
 
 namespace lacuna::verify {
 
+// Two samples must keep their limit apart: the smaller of their two radii.
 struct Pair {
     std::size_t first = 0;  // less than `second`
     std::size_t second = 0;
-    double distance = std::numeric_limits<double>::infinity();  // so for fewer than two points
+    double distance = std::numeric_limits<double>::infinity();  // infinite for fewer than 2 samples
+    double limit = 0;
+    double ratio = std::numeric_limits<double>::infinity();  // distance / limit
 };
 
-// All points must lie in the domain. Of several closest pairs, the one of lowest indices, but for
-// points that coincide. Never compares all pairs, however the points are crowded.
+// For sets on a radius field, closest_pair takes this as `hopeless`: a pair at a millionth of its
+// limit is as bad as one that coincides.
+constexpr double kHopeless = 1e-6;
+
+// The pair of the least ratio. If several pairs have it, the pair of lowest indices is returned, or
+// any pair if they coincide.
+// If a ratio is below `hopeless`, this is different: samples are walked through from the largest
+// radius to the smallest, and the pair is the first one found whose ratio is below `hopeless`.
+// All samples must lie in the domain, and all radii are positive. Never compares all pairs, however
+// crowded the samples are and whatever their radii.
+Pair closest_pair(const Domain& domain, std::span<const Disk> samples,
+                  const Patience& patience = {}, double hopeless = 0);
+
+// The same for one radius everywhere: the two points at the least distance. Their limit is 1.
 Pair closest_pair(const Domain& domain, std::span<const Point> points,
                   const Patience& patience = {});
 

@@ -1,4 +1,4 @@
-// The domain of a point set under proof, and distances in it as a user would compute them.
+// The domain of a point set under proof, its samples, and distances as a user would compute them.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -9,6 +9,12 @@
 
 namespace lacuna::verify {
 
+// A sample and its radius.
+struct Disk {
+    Point at;
+    double radius;
+};
+
 struct Domain {
     double width;
     double height;
@@ -16,15 +22,21 @@ struct Domain {
 
     double longer_side() const { return std::max(width, height); }
 
-    // More than all roundings together of a distance that is reckoned in doubles, from sums of
-    // coordinates under twice the longer side, and compared with another a hundred times.
+    // An upper bound of the error of a distance that is computed in doubles, from coordinates that
+    // are at most twice the longer side. It is over a hundred times the rounding of one sum.
     double rounding() const { return longer_side() * 0x1p-44; }
 
-    // A box has its far edges, which programs that write float32 round up to; on a torus they are
-    // the near ones, and no point should stand for them.
+    // The far edges belong to a box, because programs that write float32 round up to them. On a
+    // torus the far edges are the near ones, and points should lie on those.
     bool contains(Point p) const {
         const bool is_inside = p.x >= 0 && p.x <= width && p.y >= 0 && p.y <= height;
         return is_inside && (!torus || (p.x < width && p.y < height));
+    }
+
+    // The distance of two coordinates along a side, around a torus' edges.
+    double along(double a, double b, double side) const {
+        const double straight = std::abs(a - b);
+        return torus ? std::min(straight, side - straight) : straight;
     }
 
     double distance(Point a, Point b) const {
@@ -33,19 +45,14 @@ struct Domain {
         return std::sqrt(dx * dx + dy * dy);
     }
 
-    // A place along a side and those `blur` before and behind it, around a torus' edges.
+    // A coordinate along a side, and the two that are `blur` before and behind it, around the edges
+    // of a torus.
     std::array<double, 3> around(double at, double blur, double side) const {
         double before = at - blur;
         double behind = at + blur;
         if (torus && before < 0) before += side;
         if (torus && behind >= side) behind -= side;
         return {before, at, behind};
-    }
-
-private:
-    double along(double a, double b, double side) const {
-        const double straight = std::abs(a - b);
-        return torus ? std::min(straight, side - straight) : straight;
     }
 };
 

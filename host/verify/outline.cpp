@@ -1,4 +1,4 @@
-// The tree of edges: built by halving the longer side of what is around them.
+// The tree of edges, which is built by halving the longer side of the rectangle around them.
 #include "verify/outline.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ double squared_distance_between(const Cell& a, const Cell& b) {
     return square(dx) + square(dy);
 }
 
-// Whether a straight line from one point to another has a place in the cell, its sides included.
+// Whether the line from one point to another meets the cell, including its sides.
 bool is_met_by(const Cell& cell, Point from, Point to) {
     double begin = 0;
     double end = 1;
@@ -46,7 +46,7 @@ bool is_met_by(const Cell& cell, Point from, Point to) {
            cut(from.y, to.y - from.y, cell.bottom, cell.top);
 }
 
-// Nodes still to be seen: never more than the tree is deep.
+// The nodes that are still to be visited. There are never more of them than the tree is deep.
 class OpenNodes {
 public:
     void push(std::size_t node) { nodes_[count_++] = node; }
@@ -65,7 +65,7 @@ Outline::Outline(std::span<const std::vector<Point>> rings) {
         for (std::size_t i = 0; i < ring.size(); ++i)
             edges_.push_back({ring[i], ring[(i + 1) % ring.size()]});
     if (edges_.empty()) return;
-    // A node's edges are halved, so the tree is as deep as the number of leaves' logarithm.
+    // Each node halves its edges, so the depth of the tree is the logarithm of the leaves.
     const std::size_t leaves = std::bit_ceil((edges_.size() + kFewEdges - 1) / kFewEdges);
     nodes_.resize(4 * leaves);
     build(0, 0, edges_.size());
@@ -146,7 +146,7 @@ double Outline::least_squared_distance(const Cell& cell) const {
                  to_edge);
 }
 
-// Of a cell's places a corner is the farthest from an edge, and from a rectangle.
+// The place of a cell that is farthest from an edge, or from a rectangle, is a corner.
 double Outline::least_of_farthest_squared(const Cell& cell) const {
     const auto most_of_corners = [&](auto to_corner) {
         double most = 0;
@@ -162,7 +162,8 @@ double Outline::least_of_farthest_squared(const Cell& cell) const {
         });
 }
 
-// Counts the edges that a ray to the right crosses. Each has its lower end and not its upper one.
+// Counts the edges that a ray to the right crosses. The lower end of an edge belongs to it, the
+// upper end does not.
 bool Outline::is_inside(Point place) const {
     bool inside = false;
     OpenNodes open;
@@ -188,9 +189,10 @@ bool Outline::is_inside(Point place) const {
     return inside;
 }
 
-// A place deeper than the clearance has a circle of that radius around it without an edge in it. So
-// if the cell has one, the cell made smaller by half of the clearance on each side has a place that
-// lies inside too. And if no edge meets that smaller cell all of it lies on the same side.
+// Around a place that is deeper than the clearance, a circle of that radius has no edge in it. So
+// if the cell has such a place, then the inner cell, which is smaller by half of the clearance on
+// each side, has a place that lies inside the polygons. And if no edge meets the inner cell, all of
+// it lies on the same side of them.
 Openness Outline::under(const Cell& cell, double clearance) const {
     if (edges_.empty()) return {false, true};
     const Frame frame(cell);
@@ -201,8 +203,7 @@ Openness Outline::under(const Cell& cell, double clearance) const {
     if (depth <= 0) {
         const double x = std::min(clearance / 2, frame.half_width);
         const double y = std::min(clearance / 2, frame.half_height);
-        // What rounding leaves of a thin cell must not be less than nothing: no edge would meet
-        // that.
+        // Rounding must not give a thin cell an inner cell of negative size: no edge would meet it.
         const Cell inner{
             std::min(cell.left + x, frame.centre.x), std::max(cell.right - x, frame.centre.x),
             std::min(cell.bottom + y, frame.centre.y), std::max(cell.top - y, frame.centre.y)};

@@ -1,4 +1,4 @@
-// Polygons as a proof sees them: how far a place is from their edges, and on which side.
+// Polygons, as a proof needs them: how far a place is from their edges, and on which side.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "verify/cell.h"
-#include "verify/mask_pixels.h"
+#include "verify/pixels.h"
 
 namespace lacuna::verify {
 
-// Rings with their edges in a tree of rectangles. An edge that two rings share is one of each.
+// Rings with their edges in a tree of rectangles. An edge that two rings share is an edge of both.
 class Outline {
 public:
     // A ring is a list of points, the last of which is joined to the first.
@@ -20,14 +20,14 @@ public:
 
     bool is_empty() const { return edges_.empty(); }
 
-    // Whether a cell has places that lie deeper inside than `clearance`, which is positive: they
-    // are open, and others closed. A cell near its edges may be said to have more than it has. One
-    // that edges only touch is seen to be closed, so that none need be cut along an edge without an
-    // end.
+    // Whether a cell has open places, which lie deeper inside than `clearance`, and closed places,
+    // which do not. `clearance` is positive. For a cell near edges, the answer may include a kind
+    // of places that it does not have. But a cell that edges only touch is always found to be
+    // closed. Otherwise a search would cut cells along an edge without end.
     Openness under(const Cell& cell, double clearance) const;
 
-    // Distance to the nearest edge: positive inside, where an odd number of rings goes around, and
-    // negative outside; infinitely so if there is no ring.
+    // Distance to the nearest edge. It is positive inside, where an odd number of rings goes around
+    // the place, and negative outside. Without any ring it is -infinity.
     double depth_of(Point place) const;
 
 private:
@@ -35,7 +35,7 @@ private:
         Point from;
         Point to;
     };
-    // Of the edges in [begin, end): the nodes of its halves are 2 i + 1 and 2 i + 2.
+    // A node holds the edges in [begin, end). Node i has its halves in nodes 2 i + 1 and 2 i + 2.
     struct Node {
         Cell around;
         std::size_t begin;
@@ -47,14 +47,15 @@ private:
 
     static double squared_distance(Point place, const Edge& edge);
     void build(std::size_t node, std::size_t begin, std::size_t end);
-    // The least of what `to_edge` says of edges, where of a node's edges it is at least `to_node`
-    // of the rectangle around them.
+    // The smallest to_edge(edge). For a node, to_node(rectangle around its edges) is a lower bound.
     template <typename ToNode, typename ToEdge>
     double least(ToNode to_node, ToEdge to_edge) const;
     double nearest(Point place) const;
     bool is_inside(Point place) const;
-    // How near an edge comes to the cell, squared, and how far from one all its places may be.
+    // The squared distance from the cell to the nearest edge.
     double least_squared_distance(const Cell& cell) const;
+    // For each edge, take the place of the cell that is farthest from it: the least of these
+    // squared distances.
     double least_of_farthest_squared(const Cell& cell) const;
 
     std::vector<Edge> edges_;

@@ -1,4 +1,4 @@
-// Whether a proof is still wanted: asked often, by every thread that works at it.
+// Asks whether a proof is still wanted. Every thread that works at the proof asks often.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -13,23 +13,24 @@ public:
     Patience() = default;
     explicit Patience(const std::function<bool()>& keep_going) : keep_going_(&keep_going) {}
 
-    // Throws Cancelled once the proof is not wanted any more.
+    // Throws Cancelled if the proof is not wanted any more.
     void look() const {
         if (keep_going_ != nullptr && *keep_going_ && !(*keep_going_)()) throw Cancelled();
     }
 
-    // `less` as an order to sort by, which looks now and then: millions of points take a second.
+    // Makes of `less` an order for sorting that calls look() now and then, because sorting millions
+    // of points takes a second.
     template <typename Less>
     auto looking(Less less) const {
         return [this, less, asked = std::uint32_t{0}](const auto& a, const auto& b) mutable {
-            constexpr std::uint32_t kSeldom = 1U << 14U;
-            if (++asked % kSeldom == 0) look();
+            constexpr std::uint32_t kCallsPerLook = 1U << 14U;
+            if (++asked % kCallsPerLook == 0) look();
             return less(a, b);
         };
     }
 
 private:
-    const std::function<bool()>* keep_going_ = nullptr;  // null: nobody asks to stop
+    const std::function<bool()>* keep_going_ = nullptr;  // null: the proof is always wanted
 };
 
 }  // namespace lacuna::verify

@@ -1,52 +1,148 @@
-// The public door to the proofs.
+// Proves or refutes a claim: gives each sample its radius, then asks for the closest pair and the
+// largest gap.
 #include <lacuna/verify.h>
+#include <oneapi/tbb/parallel_invoke.h>
 
-#include "verify/ground_proof.h"
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "base/threads.h"
+#include "verify/closest.h"
+#include "verify/largest_gap.h"
+#include "verify/radius_field.h"
 #include "verify/verify.h"
 
 namespace lacuna {
+namespace verify {
 namespace {
 
-// The proof for one radius everywhere is faster.
-bool is_on_ground(const Claim& claim) {
-    return claim.field != nullptr || claim.mask != nullptr || !claim.inside.empty() ||
-           claim.border != 0;
+std::optional<std::size_t> first_moved(std::span<const Point> points, std::span<const Point> kept) {
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        if (i >= points.size() || points[i] != kept[i]) return i;
+    return std::nullopt;
+}
+
+std::optional<std::size_t> first_outside(std::span<const Point> points, const Domain& domain) {
+    const auto outside = std::find_if(points.begin(), points.end(),
+                                      [&](const Point& p) { return !domain.contains(p); });
+    if (outside == points.end()) return std::nullopt;
+    return static_cast<std::size_t>(outside - points.begin());
+}
+
+// The samples with the smallest and with the largest radius that each may have.
+struct Samples {
+    std::vector<Disk> least;
+    std::vector<Disk> most;
+};
+
+// Stops at the first point that lies where no point may, and sets proof.forbidden.
+Samples samples_of(std::span<const Point> points, const RadiusField& radius_field, Proof& proof) {
+    Samples samples;
+    samples.least.reserve(points.size());
+    samples.most.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto found = radius_field.radii_of_sample(points[i]);
+        if (const auto* closed = std::get_if<Proof::Closed>(&found)) {
+            proof.forbidden = i;
+            proof.forbidden_by = *closed;
+            return samples;
+        }
+        const SampleRadii radii = std::get<SampleRadii>(found);
+        samples.least.push_back({points[i], radii.least});
+        samples.most.push_back({points[i], radii.most});
+    }
+    return samples;
+}
+
+void tell_of(const Pair& pair, double limit, Proof& proof) {
+    proof.kept = pair.distance >= limit;
+    proof.first = pair.first;
+    proof.second = pair.second;
+    proof.least_distance = pair.distance;
+    proof.least_limit = limit;
+}
+
+// `most_over`: how far over the gap's limit a covered spot may be.
+void tell_of(const Gap& gap, double most_over, double limit, Proof& proof) {
+    proof.covered = gap.over <= most_over;
+    proof.largest_gap = gap.at;
+    proof.largest_gap_distance = gap.distance;
+    proof.largest_gap_limit = limit;
+}
+
+// Runs both questions side by side, or only the one for the closest pair.
+void ask(const Claim& claim, const std::function<void()>& for_closest_pair,
+         const std::function<void()>& for_largest_gap) {
+    if (claim.distances_only) return for_closest_pair();
+    make_sure_of_threads();
+    oneapi::tbb::parallel_invoke(for_closest_pair, for_largest_gap);
+}
+
+void prove_uniform(std::span<const Point> points, const Claim& claim, const Domain& domain,
+                   double tolerance, const Patience& patience, Proof& proof) {
+    const double reach = claim.radius + tolerance;
+    ask(
+        claim, [&] { tell_of(closest_pair(domain, points, patience), claim.radius, proof); },
+        [&] {
+            tell_of(largest_gap(domain, points, reach, patience), reach + domain.rounding(),
+                    claim.radius, proof);
+        });
+}
+
+void prove_on_field(std::span<const Point> points, const Claim& claim,
+                    const RadiusField& radius_field, double tolerance, const Patience& patience,
+                    Proof& proof) {
+    const Domain& domain = radius_field.domain();
+    const Samples samples = samples_of(points, radius_field, proof);
+    if (proof.forbidden) return;
+    ask(
+        claim,
+        [&] {
+            const Pair pair = closest_pair(domain, samples.least, patience, kHopeless);
+            tell_of(pair, pair.limit, proof);
+        },
+        [&] {
+            const Gap gap = largest_gap(radius_field, samples.most, tolerance, patience);
+            tell_of(gap, tolerance + domain.rounding(), gap.limit, proof);
+        });
 }
 
 }  // namespace
+}  // namespace verify
 
 Proof prove(std::span<const Point> points, const Claim& claim,
             const std::function<bool()>& keep_going) {
-    const verify::Patience patience(keep_going);
-    if (const auto moved = verify::first_moved(points, claim.keep)) {
-        Proof proof;
-        proof.moved = moved;
-        return proof;
-    }
-    if (is_on_ground(claim)) return verify::prove_on_ground(points, claim, patience);
-    const bool torus = claim.boundary == Boundary::torus;
-    const double tolerance =
-        claim.tolerance.value_or(verify::default_tolerance(claim.width, claim.height));
-    const verify::Verdict verdict = claim.distances_only
-                                        ? verify::check_distances(points, claim.width, claim.height,
-                                                                  torus, claim.radius, patience)
-                                        : verify::check(points, claim.width, claim.height, torus,
-                                                        claim.radius, tolerance, patience);
+    using namespace verify;
+    const Patience patience(keep_going);
     Proof proof;
-    proof.outside = verdict.outside;
+    proof.moved = first_moved(points, claim.keep);
+    if (proof.moved) return proof;
+    const double tolerance = tolerance_of(claim);
+    check_claim(claim, tolerance);
+    const Domain domain{claim.width, claim.height, claim.boundary == Boundary::torus};
+    const Field one_pixel{1, 1, {1}};
+    const RadiusField radius_field(domain,
+                                   {.field = claim.field != nullptr ? claim.field : &one_pixel,
+                                    .scale = claim.field != nullptr ? claim.scale : claim.radius,
+                                    .mask = claim.mask,
+                                    .inside = claim.inside,
+                                    .edge_tolerance = claim.edge_tolerance,
+                                    .border = claim.border});
+    check_least_radius(claim, radius_field.least_radius());
+    proof.outside = first_outside(points, domain);
     if (proof.outside) return proof;
-    proof.kept = verdict.kept;
-    proof.first = verdict.closest.first;
-    proof.second = verdict.closest.second;
-    proof.least_distance = verdict.closest.distance;
-    proof.least_limit = claim.radius;
-    if (claim.distances_only) return proof;
-    proof.covered = verdict.covered;
-    proof.emptiest = verdict.emptiest.at;
-    proof.emptiest_distance = verdict.emptiest.distance;
-    proof.emptiest_limit = claim.radius;
+    if (is_uniform(claim)) {
+        prove_uniform(points, claim, domain, tolerance, patience, proof);
+    } else {
+        prove_on_field(points, claim, radius_field, tolerance, patience, proof);
+    }
     proof.maximal =
-        proof.kept && proof.covered && tolerance <= verify::kMostTolerance * claim.radius;
+        proof.kept && proof.covered && tolerance <= kMostTolerance * radius_field.least_radius();
     return proof;
 }
 

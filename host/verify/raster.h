@@ -1,4 +1,4 @@
-// A picture stretched over the domain: where its pixels lie, and what is under a rectangle of them.
+// A picture stretched over the domain: where its pixels lie, and a summary of a rectangle of them.
 #pragma once
 
 #include <algorithm>
@@ -24,11 +24,11 @@ public:
 
     std::uint32_t count() const { return count_; }
 
-    // Where pixel `i` begins; that of `count` is the end of the side.
+    // Where pixel `i` begins. border(count()) is the end of the side.
     double border(std::uint32_t i) const { return side_ * (i / static_cast<double>(count_)); }
 
-    // The pixel that a place lies on: on a border, the one that begins there; what lies beyond the
-    // side counts as the outermost's.
+    // The pixel that a place lies on. A place on a border lies on the pixel that begins there. A
+    // place beyond the side counts as lying on the outermost pixel.
     std::uint32_t pixel_of(double at) const {
         const double last = count_ - 1.0;
         const double guess = std::clamp(std::floor(at / side_ * count_), 0.0, last);
@@ -38,7 +38,7 @@ public:
         return pixel;
     }
 
-    // Those that have more than a border between two places.
+    // The pixels that have more than a border between two places.
     Span between(double low, double high) const {
         Span span{pixel_of(low), pixel_of(high)};
         if (span.last > span.first && border(span.last) >= high) --span.last;
@@ -62,9 +62,8 @@ private:
     std::uint32_t count_;
 };
 
-// What `Leaves` says of single pixels, summed up over rectangles of them. Leaves has a type
-// Summary, whose default is of no pixel and which adds another by +=, columns(), rows() and
-// at(column, row).
+// Summaries of rectangles of pixels. Leaves has columns(), rows(), and at(column, row), which is
+// the Summary of one pixel. Summary() is the summary of no pixel, and += adds that of other pixels.
 template <typename Leaves>
 class Pyramid {
 public:
@@ -90,8 +89,8 @@ public:
 
     const Leaves& leaves() const { return leaves_; }
 
-    // Exact for rectangles of up to four pixels a side; for larger ones of a few more pixels, which
-    // are those of the same squares of the pyramid.
+    // The summary of a rectangle. It is exact up to four pixels a side. For a larger rectangle it
+    // includes a few pixels beside it, which are in the same squares of the pyramid.
     Summary over(Span columns, Span rows) const {
         constexpr std::uint32_t kFew = 4;
         std::uint32_t level = 0;
@@ -119,7 +118,7 @@ private:
     }
 
     Leaves leaves_;
-    std::vector<Level> levels_;  // of squares of 2, 4, 8 ... pixels a side
+    std::vector<Level> levels_;  // level i has squares of 2^(i + 1) pixels a side
 };
 
 }  // namespace lacuna::verify

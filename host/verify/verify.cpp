@@ -1,7 +1,5 @@
-// What makes a proof, and which questions make no sense.
+// Refuses claims that make no sense.
 #include "verify/verify.h"
-
-#include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
@@ -9,35 +7,51 @@
 #include <cmath>
 #include <string>
 
-#include "base/threads.h"
-
 namespace lacuna::verify {
 namespace {
 
 constexpr double kSmallestSide = 1e-100;
 constexpr double kLargestSide = 1e100;
 constexpr double kLargestAspect = 1000;
-void check_lengths(double radius, double tolerance, double longer) {
-    if (!std::isfinite(radius) || radius <= 0)
-        throw BadRequest("radius", text(radius), "must be a finite number greater than 0");
-    if (radius < longer * kSmallestRadius)
-        throw BadRequest("radius", text(radius),
-                         "must be at least " + text(longer * kSmallestRadius) +
-                             ", the longer side / 2^32, or doubles run out of digits");
-    check_tolerance(tolerance);
+
+void check_positive(const char* option, double value) {
+    if (!std::isfinite(value) || value <= 0)
+        throw BadRequest(option, text(value), "must be a finite number greater than 0");
 }
 
-// Refuses what makes no sense, and looks for a point outside.
-Verdict begin(std::span<const Point> points, const Domain& domain, double radius,
-              double tolerance) {
-    check_domain(domain.width, domain.height);
-    check_lengths(radius, tolerance, domain.longer_side());
-    Verdict verdict;
-    const auto outside = std::find_if(points.begin(), points.end(),
-                                      [&](const Point& p) { return !domain.contains(p); });
-    if (outside != points.end())
-        verdict.outside = static_cast<std::size_t>(outside - points.begin());
-    return verdict;
+void check_at_least_0(const char* option, double value) {
+    if (!std::isfinite(value) || value < 0)
+        throw BadRequest(option, text(value), "must be a finite number of at least 0");
+}
+
+void check_pixels(const char* option, std::uint32_t columns, std::uint32_t rows,
+                  std::size_t values) {
+    const std::string size = std::to_string(columns) + "x" + std::to_string(rows);
+    if (columns == 0 || rows == 0) throw BadRequest(option, size, "must have a pixel");
+    if (values != std::size_t{columns} * rows)
+        throw BadRequest(option, size,
+                         "must have columns * rows values, not " + std::to_string(values));
+}
+
+void check_field(const Field& field) {
+    check_pixels("field", field.columns, field.rows, field.importance.size());
+    for (const double importance : field.importance)
+        if (!std::isfinite(importance) || importance < 0)
+            throw BadRequest("field", text(importance),
+                             "importance must be a finite number of at least 0");
+}
+
+void check_polygons(const Claim& claim) {
+    for (const std::vector<Point>& ring : claim.inside) {
+        if (ring.size() < 3)
+            throw BadRequest("inside", "a ring of " + std::to_string(ring.size()) + " points",
+                             "must have at least 3");
+        for (const Point& point : ring)
+            if (!std::isfinite(point.x) || !std::isfinite(point.y))
+                throw BadRequest("inside", "(" + text(point.x) + ", " + text(point.y) + ")",
+                                 "must be finite numbers");
+    }
+    check_at_least_0("edge", claim.edge_tolerance);
 }
 
 }  // namespace
@@ -46,11 +60,6 @@ std::string text(double value) {
     std::array<char, 32> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
     return {digits.data(), end};
-}
-
-void check_tolerance(double tolerance) {
-    if (!std::isfinite(tolerance) || tolerance < 0)
-        throw BadRequest("tolerance", text(tolerance), "must be a finite number of at least 0");
 }
 
 void check_domain(double width, double height) {
@@ -65,33 +74,43 @@ void check_domain(double width, double height) {
         throw BadRequest("domain", domain, "the longer side may be at most 1000 times the shorter");
 }
 
-double default_tolerance(double width, double height) {
-    return std::max(width, height) * 0x1p-28;
+void check_claim(const Claim& claim, double tolerance) {
+    check_domain(claim.width, claim.height);
+    if (claim.field != nullptr) {
+        check_field(*claim.field);
+        check_positive("scale", claim.scale);
+    } else {
+        check_positive("radius", claim.radius);
+    }
+    // Without gaps to look for, a uniform set needs no tolerance.
+    if (!is_uniform(claim) || !claim.distances_only) check_at_least_0("tolerance", tolerance);
+    if (claim.mask != nullptr)
+        check_pixels("mask", claim.mask->columns, claim.mask->rows, claim.mask->allowed.size());
+    check_polygons(claim);
+    check_at_least_0("border", claim.border);
+    if (claim.border > 0 && claim.boundary == Boundary::torus)
+        throw BadRequest("border", text(claim.border), "is not for a torus, which has no edges");
 }
 
-Verdict check(std::span<const Point> points, double width, double height, bool torus, double radius,
-              double tolerance, const Patience& patience) {
-    const Domain domain{width, height, torus};
-    Verdict verdict = begin(points, domain, radius, tolerance);
-    if (verdict.outside) return verdict;
-    const double limit = radius + tolerance;
-    make_sure_of_threads();
-    oneapi::tbb::parallel_invoke(
-        [&] { verdict.closest = closest_pair(domain, points, patience); },
-        [&] { verdict.emptiest = emptiest_spot(domain, points, limit, patience); });
-    verdict.kept = verdict.closest.distance >= radius;
-    verdict.covered = verdict.emptiest.distance <= limit + domain.rounding();
-    return verdict;
+void check_least_radius(const Claim& claim, double least_radius) {
+    const double smallest = std::max(claim.width, claim.height) * kSmallestRadius;
+    if (least_radius >= smallest) return;
+    const std::string found =
+        is_uniform(claim) ? "" : "gives a least radius of " + text(least_radius) + ", but it ";
+    throw BadRequest(claim.field != nullptr ? "scale" : "radius",
+                     text(claim.field != nullptr ? claim.scale : claim.radius),
+                     found + "must be at least " + text(smallest) +
+                         ", the longer side / 2^32, or doubles run out of digits");
 }
 
-Verdict check_distances(std::span<const Point> points, double width, double height, bool torus,
-                        double radius, const Patience& patience) {
-    const Domain domain{width, height, torus};
-    Verdict verdict = begin(points, domain, radius, 0);
-    if (verdict.outside) return verdict;
-    verdict.closest = closest_pair(domain, points, patience);
-    verdict.kept = verdict.closest.distance >= radius;
-    return verdict;
+bool is_uniform(const Claim& claim) {
+    return claim.field == nullptr && claim.mask == nullptr && claim.inside.empty() &&
+           claim.border == 0;
+}
+
+double tolerance_of(const Claim& claim) {
+    const double units = std::max(claim.width, claim.height) * 0x1p-28;
+    return claim.tolerance.value_or(is_uniform(claim) ? units : 2 * units);
 }
 
 }  // namespace lacuna::verify

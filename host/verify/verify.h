@@ -1,68 +1,49 @@
-// Proves or refutes what a maximal Poisson-disk set promises, from its coordinates alone.
+// Which claims about a point set make sense, and what a tolerance may be.
 //
-// Shares no code with the samplers, whose whole numbers it knows nothing of: everything is done in
-// doubles on what the user reads back, with bounds for their rounding.
+// The proofs share no code with the samplers and do not know their whole numbers: everything is
+// computed in doubles from what the user reads back, with bounds for the rounding of doubles.
 #pragma once
 
-#include <lacuna/lacuna.h>
+#include <lacuna/verify.h>
 
-#include <cstddef>
-#include <optional>
-#include <span>
 #include <string>
 
-#include "verify/closest.h"
-#include "verify/emptiest.h"
-#include "verify/patience.h"
+#include "verify/radius_field.h"
 
 namespace lacuna::verify {
 
-struct Verdict {
-    // The first point that is not in the domain: a box with its far edges, a torus without. If any,
-    // nothing else was looked at.
-    std::optional<std::size_t> outside;
-    Pair closest;
-    Spot emptiest;
-    bool kept = false;     // no two points are closer than the radius
-    bool covered = false;  // no spot is farther than radius + tolerance from every point
-
-    bool is_maximal() const { return kept && covered; }
-};
-
-// A gap wider by more than this share of the radius is no rounding: a point taken out of a maximal
-// set leaves its own place at least a radius from every other point, in the mean 1.054 radii, so
-// that with a tolerance of some 5 % a set with holes would pass for maximal.
+// The largest tolerance, as a share of the radius, with which a set is proven maximal. A gap that
+// is wider by more is no effect of rounding: a point taken out of a maximal set leaves a place that
+// is at least one radius from every other point, on average 1.054 radii. So with a tolerance of
+// some 5 % a set with holes would pass for maximal.
 inline constexpr double kMostTolerance = 0.01;
+
+// The smallest radius, as a share of the longer side. It is far larger than what doubles can tell
+// apart, and far smaller than the radius of any set that fits a disk.
+inline constexpr double kSmallestRadius = 0x1p-32;
+
+// A value as messages show it.
+std::string text(double value);
 
 // Throws BadRequest("domain", ...) unless both sides lie between 1e-100 and 1e100 and neither is
 // over 1000 times the other.
 void check_domain(double width, double height);
 
-// Throws BadRequest("tolerance", ...) unless it is finite and at least 0.
-void check_tolerance(double tolerance);
+// Throws BadRequest for a domain, field, scale, radius, tolerance, mask, polygons or border that
+// makes no sense.
+void check_claim(const Claim& claim, double tolerance);
 
-// Of the longer side. Far above what doubles can tell apart, far below any set that fits a disk.
-inline constexpr double kSmallestRadius = 0x1p-32;
+// Throws BadRequest if the smallest radius that the claim asks for is below kSmallestRadius.
+void check_least_radius(const Claim& claim, double least_radius);
 
-// A value as it stands in a message.
-std::string text(double value);
+// Whether the claim has one radius, and lets points lie everywhere.
+bool is_uniform(const Claim& claim);
 
-// More than samplers on a grid may lose: 2^-28 of the longer side. That is at least four units of a
-// grid with 2^30 or more of them along that side; rounding the radius up to whole units takes up to
-// two, and a spot between the grid's is up to sqrt(2) from one of them.
-double default_tolerance(double width, double height);
-
-// Distances wrap around the edges of a torus, and are what a user would compute: in double,
-// sqrt(dx * dx + dy * dy). A point and its own image are not a pair.
-//
-// `kept` is exact. When `covered` is false, emptiest is a spot that is too far from every point;
-// when true, no spot is, but for kFinest of the longer side.
-// Throws BadRequest for a domain, radius or tolerance that makes no sense, and Cancelled.
-Verdict check(std::span<const Point> points, double width, double height, bool torus, double radius,
-              double tolerance, const Patience& patience = {});
-
-// The same without a look for gaps: emptiest and covered stay as they are made.
-Verdict check_distances(std::span<const Point> points, double width, double height, bool torus,
-                        double radius, const Patience& patience = {});
+// The claim's tolerance, or if it has none, more than samplers on a grid may lose. For a uniform
+// claim that is 2^-28 of the longer side: at least four units of a grid with 2^30 or more units
+// along that side. Rounding the radius up to whole units takes up to two units, and a spot between
+// the lines of the grid is up to sqrt(2) units from one that is on them. Otherwise it is twice as
+// much, because borders of pixels are rounded to the grid too, by up to two units.
+double tolerance_of(const Claim& claim);
 
 }  // namespace lacuna::verify

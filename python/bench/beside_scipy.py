@@ -84,7 +84,7 @@ def main() -> None:
     for name in names:
         middle, least = statistics.median(seconds[name]), min(seconds[name])
         verdict = lacuna.verify(last[name], radius)
-        said = "maximal" if verdict.maximal else f"a spot {verdict.emptiest_distance:.4f} from all"
+        said = "maximal" if verdict.maximal else f"a spot {verdict.largest_gap_distance:.4f} from all"
         print(
             f"{name:28} {middle:9.5f} {least:9.5f} {slowest / middle:7.0f}"
             f" {statistics.mean(counts[name]):8.0f}   {said}"

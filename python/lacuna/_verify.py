@@ -1,4 +1,4 @@
-"""verify: proves or refutes that a set is maximal."""
+"""verify: proves or refutes a set."""
 
 from __future__ import annotations
 
@@ -21,38 +21,40 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Verdict:
-    """The result of ``verify``. It is true if the claim holds.
+    """What ``verify`` has found. True where the claim holds.
 
-    With a field each pixel has its own radius. Two points must be at least the smaller of their
-    radii apart, and a spot must have a point within the smaller of its own and the point's radius.
+    With a field each place has a radius of its own: two points must be the smaller of theirs apart,
+    and that is how near a spot must have a point.
 
     Attributes
     ----------
     holds : bool
-        No two points are closer than the radius and, unless ``distances_only``, no spot is farther
+        No two points are closer than the radius and, where that was asked, no spot is farther
         from every point than radius + tolerance.
     maximal : bool
-        ``holds`` is true, gaps were looked for, and the tolerance is at most 1 % of the radius.
+        Holds, and with a tolerance of at most 1 % of the radius: nothing is missing.
     kept, covered : bool or None
-        Whether distances are large enough; whether there are no gaps. covered is None with
-        ``distances_only``. Both are None if outside, moved or forbidden is not None.
+        The two halves of the claim; covered is None with ``distances_only``, and both are where
+        a point lies outside, where none may, or not where it was kept.
     outside : int or None
-        The first point outside the domain. Nothing else is then checked.
+        The first point outside the domain: nothing else is then looked at.
     moved : int or None
-        The first point of ``keep`` that the set does not begin with. Nothing else is then checked.
+        The first point of ``keep`` that is not in its place: nothing else is then looked at.
     forbidden, forbidden_by : int or None, str or None
-        The first point that lies where none may lie, and the reason: 'field', 'mask', 'inside' or
-        'border'. Nothing else is then checked.
+        The first point that lies where none may, and what says so: 'field', 'mask', 'inside' or
+        'border'. Nothing else is then looked at.
     closest_pair, least_distance : tuple of int or None, float
-        The indices of the closest two points, and their distance, which is infinite for fewer than
-        two points. With a field, closest in terms of their limit.
+        The indices of the closest two points; how far: infinite for fewer than two. With a field
+        the two of the least distance for what they must keep.
     least_limit : float or None
-        The limit of these two points: the radius, or the smaller of their radii.
-    emptiest_spot, emptiest_distance : tuple of float or None, float or None
-        The spot of the largest gap, and its distance from the nearest point. With a field, largest
-        in terms of the limit, and the distance is from the point that covers the spot best.
-    emptiest_limit : float or None
-        The limit of that spot: the distance within which it must have a point.
+        What these two must keep: the radius, or the smaller of theirs.
+    largest_gap, largest_gap_distance : tuple of float or None, float or None
+        The spot of the domain that is farthest from every point; how far. With a field the spot
+        that is farthest over its limit, and how far it is from the point that covers it best.
+    largest_gap_limit : float or None
+        How near that spot must have a point.
+    emptiest_spot, emptiest_distance, emptiest_limit
+        Deprecated names of ``largest_gap``, ``largest_gap_distance`` and ``largest_gap_limit``.
     radius, tolerance : float
         As claimed; with a field radius is the least of all radii.
     scale : float or None
@@ -70,12 +72,17 @@ class Verdict:
     closest_pair: tuple[int, int] | None
     least_distance: float
     least_limit: float | None
-    emptiest_spot: tuple[float, float] | None
-    emptiest_distance: float | None
-    emptiest_limit: float | None
+    largest_gap: tuple[float, float] | None
+    largest_gap_distance: float | None
+    largest_gap_limit: float | None
     radius: float
     tolerance: float
     scale: float | None
+
+    # Deprecated names, for programs that were written for them.
+    emptiest_spot = property(lambda self: self.largest_gap)
+    emptiest_distance = property(lambda self: self.largest_gap_distance)
+    emptiest_limit = property(lambda self: self.largest_gap_limit)
 
     def __bool__(self) -> bool:
         return self.holds
@@ -84,7 +91,7 @@ class Verdict:
 def _claimed(
     points: object, radius: SupportsFloat | None, scale: SupportsFloat | None, has_field: bool
 ) -> float:
-    """The radius, or with a field the scale, as given or else as the PointSet has it."""
+    """The radius, with a field the scale: what was given, or else what a set knows of itself."""
     if not has_field:
         if scale is not None:
             raise BadRequest(f"scale {scale!r:.60}: is for a field", "scale")
@@ -103,7 +110,7 @@ def _claimed(
 
 
 def _shape(pixels: _core.Field | _core.Mask | None, inside: object) -> tuple[float, float]:
-    """The default domain for points that are no PointSet."""
+    """The domain where nobody tells it."""
     if pixels is not None:
         return shape_of(pixels)
     page = inside.domain if isinstance(inside, Polygons) else None
@@ -131,41 +138,41 @@ def verify(
     Parameters
     ----------
     points : PointSet or array_like, shape (N, 2)
-        Points of any program.
+        Whoever made them.
     radius : float, optional
-        Least distance between two points. By default the PointSet's. Not with a field.
+        Least distance between two points. By default a PointSet's own. Not with a field.
     field : array_like, shape (rows, columns), optional
-        Importance, as for ``sample``: each pixel has its own radius, and the limit of two points,
-        or of a point and a spot, is the smaller of their radii. Within 2^-28 of the longer side of
-        a pixel's border, a point may have the radius of either pixel.
+        Importance, as of ``sample``: each place has its pixel's radius, and two points, or a point
+        and a spot, the smaller of theirs. Within 2^-28 of the longer side of a border of pixels a
+        point may count for either.
     scale : float, optional
-        With a field the radius where importance is 1. By default the PointSet's.
+        With a field the radius where importance is 1. By default a PointSet's own.
     mask : array_like, shape (rows, columns), optional
-        Where points may lie, as for ``sample``. Other spots need not be covered.
+        Where points may lie, as of ``sample``: spots where none may need not be covered.
     inside : Polygons or iterable of array_like, each of shape (N, 2), optional
-        Polygons in which points must lie, as for ``draw_mask``. They are checked without a mask.
+        Polygons in which points must lie, as of ``draw_mask``, but not drawn.
     edge : float
-        How far the polygons' outline may be off: points may lie up to this distance outside, and
-        spots up to this distance inside need not be covered.
+        How far their edges may be off: a point may lie so far outside, and a spot that is no
+        farther inside need not be covered.
     border : float
-        As for ``sample``: no point may be closer to the domain's edges.
+        As of ``sample``: no point may be closer to the domain's edges.
     keep : array_like, shape (N, 2), optional
-        The points that the set must begin with, bit for bit.
+        What the points begin with, to the bit.
     domain : tuple of float, optional
-        Width and height. By default the PointSet's, else the shape of the field or of the mask with
-        a longer side of 1, else the page of ``inside``, else (1, 1).
+        Width and height. By default a PointSet's own, else the shape of the field or of the mask,
+        its longer side 1, else the page of ``inside``, or (1, 1).
     torus : bool, optional
-        Whether the edges wrap. By default as in the PointSet, else False.
+        Whether the edges wrap. By default as a PointSet's do; else they do not.
     tolerance : float, optional
-        By how much a gap may exceed the radius. By default 2^-28 of the longer side; twice that
-        with a field, mask, polygons or border.
+        How far over the radius a gap may be; by default 2^-28 of the longer side, with a field,
+        mask, polygons or border twice that.
     distances_only : bool
         Do not look for gaps, which takes most of the time.
 
     Returns
     -------
     Verdict
-        True if the claim holds. It has the closest pair and the largest gap.
+        True where the claim holds; with the closest pair and the largest gap.
 
     Raises
     ------
@@ -182,7 +189,7 @@ def verify(
     >>> verdict.kept, verdict.covered
     (True, False)
 
-    A set that follows a field, in a disk:
+    Of a set that follows a field, in a part of it:
 
     >>> import numpy as np
     >>> ramp = np.linspace(0, 1, 64) * np.ones((64, 1))
@@ -229,9 +236,9 @@ def verify(
         closest_pair=(found["first"], found["second"]) if pair_known else None,
         least_distance=found["least_distance"] if pair_known else np.inf,
         least_limit=found["least_limit"] if pair_known else None,
-        emptiest_spot=found["emptiest"] if spot_known else None,
-        emptiest_distance=found["emptiest_distance"] if spot_known else None,
-        emptiest_limit=found["emptiest_limit"] if spot_known else None,
+        largest_gap=found["largest_gap"] if spot_known else None,
+        largest_gap_distance=found["largest_gap_distance"] if spot_known else None,
+        largest_gap_limit=found["largest_gap_limit"] if spot_known else None,
         radius=claimed if importance is None else claimed / float(importance.values.max()) ** 0.5,
         tolerance=blur if claim.tolerance is None else claim.tolerance,
         scale=None if importance is None else claimed,

@@ -93,9 +93,9 @@ nb::dict verify_points(const PointArray& array, const Claim& asked, const Field*
     found["least_distance"] = proof.least_distance;
     found["least_limit"] = proof.least_limit;
     found["covered"] = proof.covered;
-    found["emptiest"] = nb::make_tuple(proof.emptiest.x, proof.emptiest.y);
-    found["emptiest_distance"] = proof.emptiest_distance;
-    found["emptiest_limit"] = proof.emptiest_limit;
+    found["largest_gap"] = nb::make_tuple(proof.largest_gap.x, proof.largest_gap.y);
+    found["largest_gap_distance"] = proof.largest_gap_distance;
+    found["largest_gap_limit"] = proof.largest_gap_limit;
     found["maximal"] = proof.maximal;
     return found;
 }

@@ -141,5 +141,5 @@ def test_no_points_are_a_set() -> None:
     for empty in sets:
         assert len(lacuna.relax(empty)) == 0
         verdict = lacuna.verify(empty, 0.1)
-        assert not verdict and verdict.closest_pair is None and verdict.emptiest_spot is None
+        assert not verdict and verdict.closest_pair is None and verdict.largest_gap is None
         refused(ValueError, "points", lacuna.analyze, empty)

@@ -224,15 +224,15 @@ def test_a_set_on_a_field_is_proven_and_one_with_a_hole_is_not() -> None:
     verdict = lacuna.verify(made, field=field)
     assert verdict and verdict.maximal and verdict.kept and verdict.covered
     assert verdict.scale == 0.02 and verdict.radius == made.radius == 0.02
-    assert verdict.least_limit is not None and verdict.emptiest_limit is not None
+    assert verdict.least_limit is not None and verdict.largest_gap_limit is not None
     assert 1 <= verdict.least_distance / verdict.least_limit < 1.1
     missing = made.points[17]
     refuted = lacuna.verify(np.delete(made.points, 17, axis=0), field=field, scale=0.02)
     assert not refuted and refuted.kept and not refuted.covered
-    assert refuted.emptiest_spot is not None
-    assert math.dist(refuted.emptiest_spot, missing) < 0.1
+    assert refuted.largest_gap is not None
+    assert math.dist(refuted.largest_gap, missing) < 0.1
     only = lacuna.verify(made.points[:9], field=field, scale=0.02, distances_only=True)
-    assert only and only.covered is None and only.emptiest_limit is None
+    assert only and only.covered is None and only.largest_gap_limit is None
 
 
 def test_a_point_where_the_field_is_0_is_told() -> None:

@@ -19,8 +19,12 @@ def test_a_set_of_ours_is_proven_and_one_with_a_hole_is_not(torus: bool) -> None
     missing = made.points[17]
     refuted = lacuna.verify(np.delete(made.points, 17, axis=0), 0.03, domain=(2, 1), torus=torus)
     assert not refuted and refuted.kept and not refuted.covered
-    assert refuted.emptiest_spot is not None
-    assert math.dist(refuted.emptiest_spot, missing) < 0.03
+    assert refuted.largest_gap is not None
+    assert math.dist(refuted.largest_gap, missing) < 0.03
+    # The deprecated names.
+    assert refuted.emptiest_spot == refuted.largest_gap
+    assert refuted.emptiest_distance == refuted.largest_gap_distance
+    assert refuted.emptiest_limit == refuted.largest_gap_limit
 
 
 def test_the_closest_pair_is_named() -> None:

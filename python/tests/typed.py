@@ -83,13 +83,13 @@ verdict: lacuna.Verdict = lacuna.verify(made, 0.1, domain=(1, 1), torus=True, to
 only: lacuna.Verdict = lacuna.verify([[0.1, 0.2], [0.3, 0.4]], 0.1, distances_only=True)
 holds: bool = bool(verdict)
 pair: tuple[int, int] | None = verdict.closest_pair
-spot: tuple[float, float] | None = verdict.emptiest_spot
+spot: tuple[float, float] | None = verdict.largest_gap
 outside: int | None = verdict.outside
 facts: tuple[bool | None, bool | None, bool] = (verdict.kept, verdict.covered, verdict.maximal)
-lengths: tuple[float, float | None] = (verdict.least_distance, verdict.emptiest_distance)
+lengths: tuple[float, float | None] = (verdict.least_distance, verdict.largest_gap_distance)
 
 of_a_field: lacuna.Verdict = lacuna.verify(on_a_field, field=field, scale=0.2)
-limits: tuple[float | None, float | None] = (of_a_field.least_limit, of_a_field.emptiest_limit)
+limits: tuple[float | None, float | None] = (of_a_field.least_limit, of_a_field.largest_gap_limit)
 forbidden: tuple[int | None, str | None] = (of_a_field.forbidden, of_a_field.forbidden_by)
 moved: int | None = of_a_field.moved
 claimed: tuple[float, float | None] = (of_a_field.radius, of_a_field.scale)

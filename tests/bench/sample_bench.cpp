@@ -6,6 +6,7 @@
 // of large/verify are also proven maximal, and the proof is timed too.
 #include <benchmark/benchmark.h>
 #include <lacuna/lacuna.h>
+#include <lacuna/verify.h>
 
 #include <cmath>
 #include <string>
@@ -13,7 +14,6 @@
 #include <vector>
 
 #include "cli/reports/peak_memory.h"
-#include "verify/verify.h"
 
 #include "cells_cases.h"
 
@@ -68,11 +68,11 @@ void make_one_set(benchmark::State& state, const Request& request) {
 
 void verify_one_set(benchmark::State& state, const Request& request) {
     const std::vector<Point> points = sample(request).points;
+    Claim claim;
+    claim.radius = *request.radius;
+    claim.boundary = request.boundary;
     bool is_proven = false;
-    for (auto _ : state)
-        is_proven =
-            verify::check(points, 1, 1, true, *request.radius, verify::default_tolerance(1, 1))
-                .is_maximal();
+    for (auto _ : state) is_proven = prove(points, claim).maximal;
     state.counters["points"] = static_cast<double>(points.size());
     if (!is_proven) state.SkipWithError("the set is not maximal");
 }

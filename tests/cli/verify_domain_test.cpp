@@ -31,13 +31,13 @@ TEST(VerifyAField, TellsThePairAndTheSpotInTermsOfTheirLimits) {
     expect_has(line_of(whole.out, "field"), {"field.pgm"});
     expect_has(line_of(whole.out, "tolerance"), {" 7.450580596923828e-09"});
     expect_has(line_of(whole.out, "least distance"), {" 0.5 of 0.36 (points 0 and 1)", "kept"});
-    expect_has(line_of(whole.out, "farthest spot"), {" none over its limit", "covered"});
+    expect_has(line_of(whole.out, "largest gap"), {" none over its limit", "covered"});
     expect_has(line_of(whole.out, "verdict"),
                {"a maximal Poisson-disk set that follows the field at scale 0.36, to a tolerance"});
 
     const Outcome bare = run({"verify", points, "--field", field, "--scale", "0.3"});
     EXPECT_EQ(bare.exit_code, 1);
-    expect_has(line_of(bare.out, "farthest spot"), {" 0.353553", " of 0.3, at (", "not covered"});
+    expect_has(line_of(bare.out, "largest gap"), {" 0.353553", " of 0.3, at (", "not covered"});
     expect_has(line_of(bare.out, "verdict"), {"not maximal: there is room for a point at ("});
 
     const Outcome close = run({"verify", points, "--field", field, "--scale", "0.51"});

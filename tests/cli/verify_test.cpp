@@ -39,7 +39,7 @@ TEST(Verify, OfAMaximalSetExitsWith0AndTellsTheNumbers) {
     expect_has(line_of(outcome.out, "radius"), {" 0.04"});
     expect_has(line_of(outcome.out, "tolerance"), {" 3.725290298461914e-09"});
     expect_has(line_of(outcome.out, "least distance"), {" 0.04999", "points ", "kept"});
-    expect_has(line_of(outcome.out, "farthest spot"), {" 0.03535533", "at (", "covered"});
+    expect_has(line_of(outcome.out, "largest gap"), {" 0.03535533", "at (", "covered"});
     expect_has(
         line_of(outcome.out, "verdict"),
         {"a maximal Poisson-disk set of radius 0.04, to a tolerance of 3.725290298461914e-09"});
@@ -114,6 +114,9 @@ TEST(Verify, AsJsonTellsTheSame) {
     EXPECT_EQ(set.at("distances_kept"), false);
     EXPECT_EQ(set.at("closest_pair").at("points"), (std::vector<int>{148, 149}));
     EXPECT_NEAR(set.at("closest_pair").at("distance").get<double>(), 0.03, 1e-9);
+    EXPECT_GT(set.at("largest_gap").at("distance").get<double>(), 0.035);
+    // Programs may still read the old key.
+    EXPECT_EQ(set.at("emptiest_spot"), set.at("largest_gap"));
     EXPECT_EQ(set.at("domain").at("boundary"), "box");
 }
 
@@ -126,7 +129,7 @@ TEST(Verify, OfPointsTooCloseExitsWith1AndNamesThePair) {
     EXPECT_EQ(outcome.err, "");
     expect_has(line_of(outcome.out, "least distance"),
                {" 0.0300000", "points 148 and 149", "too close"});
-    expect_has(line_of(outcome.out, "farthest spot"), {"   covered"});
+    expect_has(line_of(outcome.out, "largest gap"), {"   covered"});
     expect_has(line_of(outcome.out, "verdict"),
                {"not a Poisson-disk set", "148 at (0.375, 0.425)", "149 at (0.375, 0.455)"});
 }
@@ -140,7 +143,7 @@ TEST(Verify, OfASetWithAHoleExitsWith1AndNamesTheSpot) {
     const Outcome outcome = run({"verify", folder.path("a.txt"), "--radius", "0.04"});
     EXPECT_EQ(outcome.exit_code, 1);
     expect_has(line_of(outcome.out, "least distance"), {"kept"});
-    expect_has(line_of(outcome.out, "farthest spot"), {"not covered"});
+    expect_has(line_of(outcome.out, "largest gap"), {"not covered"});
     const std::string verdict = line_of(outcome.out, "verdict");
     expect_has(verdict, {"not maximal"});
     double x = 0;

@@ -71,8 +71,8 @@ void demand_proof(const Proof& proof, const std::string& by) {
         out << "points " << proof.first << " and " << proof.second << " are "
             << proof.least_distance << " apart, not " << proof.least_limit;
     else
-        out << told(proof.emptiest) << " is " << proof.emptiest_distance << " from a point, not "
-            << proof.emptiest_limit;
+        out << told(proof.largest_gap) << " is " << proof.largest_gap_distance
+            << " from a point, not " << proof.largest_gap_limit;
     demand(proof.maximal, out.str());
 }
 
@@ -143,19 +143,20 @@ bool is_refuted_without(const FieldCase& seen, const Claim& claim, std::vector<P
     }
     demand(!bare.maximal, without + " the proof says two things");
     if (points.empty()) return true;
-    const double found = bare.emptiest_distance - bare.emptiest_limit;
+    const double found = bare.largest_gap_distance - bare.largest_gap_limit;
     demand(found > seen.tolerance(), without + " the bare spot is not bare");
     // It may lie on the border of two pixels: then the radius is of either.
     std::optional<double> over;
     const double near = seen.domain.longer_side() * 0x1p-40;
     for (const double dx : {0.0, near, -near})
         for (const double dy : {0.0, near, -near})
-            if (const auto one = seen.over(points, {bare.emptiest.x + dx, bare.emptiest.y + dy}))
+            if (const auto one =
+                    seen.over(points, {bare.largest_gap.x + dx, bare.largest_gap.y + dy}))
                 over = std::max(over.value_or(*one), *one);
-    demand(over.has_value(), without + " the bare spot " + told(bare.emptiest) + " is closed");
+    demand(over.has_value(), without + " the bare spot " + told(bare.largest_gap) + " is closed");
     demand(std::abs(*over - found) <= 1e-9 * seen.domain.longer_side(),
-           without + " the bare spot " + told(bare.emptiest) + " is over by another length");
-    demand(seen.domain.distance(bare.emptiest, gone) < seen.most_radius_near(gone).value(),
+           without + " the bare spot " + told(bare.largest_gap) + " is over by another length");
+    demand(seen.domain.distance(bare.largest_gap, gone) < seen.most_radius_near(gone).value(),
            without + " a spot is bare that it did not cover");
     return true;
 }

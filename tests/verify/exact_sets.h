@@ -1,4 +1,4 @@
-// Small exact sets of every kind, and what geometry says of a point of one that was moved.
+// Small exact sets of every kind, and the gap that geometry finds where a point was moved.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -24,8 +24,9 @@ Value pick(std::mt19937_64& random, std::initializer_list<Value> values) {
     return values.begin()[random() % values.size()];
 }
 
-// Box or torus, any rectangle, m from 1 to 60, from one sample to some hundreds: a radius may be
-// all of a torus's shorter side, or nearly a box's diagonal.
+// A request on a box or torus, with sides of any ratio and m from 1 to 60, for one sample up to
+// some hundreds. The radius may be as large as a torus's shorter side, or nearly as a box's
+// diagonal.
 inline Request small_exact_request(std::uint64_t seed) {
     std::mt19937_64 random(seed);
     Request request;
@@ -36,7 +37,7 @@ inline Request small_exact_request(std::uint64_t seed) {
     const double scale = pick(random, {1.0, 1.0, 1e-7, 3e8});
     request.width = scale * pick(random, {1.0, 1.0, random_in(random, 0.2, 5)});
     request.height = scale * pick(random, {1.0, 1.0, random_in(random, 0.2, 5)});
-    // Of a strip: as narrow as may be, or as long.
+    // Some domains are strips, as narrow or as long as is allowed.
     if (random() % 20 == 0) request.height = request.width / 999;
     if (random() % 20 == 0) request.width = request.height / 999;
 
@@ -57,13 +58,13 @@ inline Domain domain_of(const Request& request) {
     return {request.width, request.height, request.boundary == Boundary::torus};
 }
 
-// What is left around a point of a maximal set that was moved: reckoned without the search of
-// verify, from all places that can be locally farthest from all points. Those are the centres of
-// the circles through three points, on a box also the places of an edge as far from two, and the
-// corners. Nothing farther than a radius from where the point was can have become free.
+// The largest gap where a point of a maximal set was moved away, computed without the search of
+// verify. It looks at all places that can be locally farthest from all points: the centres of the
+// circles through three points, and on a box also the places of an edge that are as far from one
+// point as from another, and the corners. Only places within a radius of the point can become free.
 class Surroundings {
 public:
-    // `reach`: the radius and what is tolerated.
+    // `reach`: the radius plus the tolerance.
     Surroundings(const Domain& domain, std::span<const Point> points, Point was, double reach)
         : domain_(domain), was_(was), reach_(reach) {
         const int wraps = domain.torus ? 2 : 0;
@@ -94,7 +95,7 @@ private:
     }
 
     void look_at(Point place) {
-        // Also turns NaN away, which the centre of a circle through three points of a line is.
+        // This also refuses NaN, which is the centre of the circle through three points of a line.
         if (!(between(place, was_) < 1.05 * reach_)) return;
         const bool is_outside =
             place.x < 0 || place.x > domain_.width || place.y < 0 || place.y > domain_.height;

@@ -10,7 +10,6 @@
 #include "backends/requests.h"
 #include "verify/exact_sets.h"
 #include "verify/sets.h"
-#include "verify/verify.h"
 
 namespace lacuna::verify {
 namespace {
@@ -18,7 +17,7 @@ namespace {
 constexpr std::uint64_t kFirstSeed = 20110;
 constexpr int kSets = 2000;
 
-// A set, and what the command would say of it and of variants.
+// A set, and the proof of the set or of a variant of it.
 struct Made {
     explicit Made(std::uint64_t seed)
         : request(small_exact_request(seed)),
@@ -27,8 +26,8 @@ struct Made {
           random(~seed) {}
 
     double radius() const { return *request.radius; }
-    double tolerance() const { return default_tolerance(domain.width, domain.height); }
-    Verdict verdict_of(const std::vector<Point>& some) const {
+    double tolerance() const { return domain.longer_side() * 0x1p-28; }
+    Proof proof_of(const std::vector<Point>& some) const {
         return check(some, domain.width, domain.height, domain.torus, radius(), tolerance());
     }
     std::size_t any_index() { return random() % points.size(); }
@@ -39,7 +38,7 @@ struct Made {
     std::mt19937_64 random;
 };
 
-// Made once in a process, in which ctest runs all tests of small sets.
+// The sets are made once in a process, and ctest runs all tests of small sets in one process.
 const std::vector<Made>& small_sets() {
     static const std::vector<Made> sets = [] {
         std::vector<Made> all;
@@ -51,7 +50,7 @@ const std::vector<Made>& small_sets() {
     return sets;
 }
 
-// Each test gets sets, and their random numbers, as they were made.
+// Each test gets fresh copies of the sets, with their random numbers as they were made.
 template <typename Test>
 void for_each_set(Test test) {
     std::printf("seeds %lu to %lu\n", kFirstSeed, kFirstSeed + kSets - 1);
@@ -68,10 +67,10 @@ TEST(ASmallExactSet, IsMaximalWhateverTheRequest) {
     std::size_t points = 0;
     std::size_t with_few = 0;
     for_each_set([&](Made& set) {
-        const Verdict verdict = set.verdict_of(set.points);
-        EXPECT_FALSE(verdict.outside.has_value());
-        EXPECT_TRUE(verdict.kept) << verdict.closest.distance;
-        EXPECT_TRUE(verdict.covered) << verdict.emptiest.distance;
+        const Proof proof = set.proof_of(set.points);
+        EXPECT_FALSE(proof.outside.has_value());
+        EXPECT_TRUE(proof.kept) << proof.least_distance;
+        EXPECT_TRUE(proof.covered) << proof.largest_gap_distance;
         points += set.points.size();
         with_few += set.points.size() <= 4 ? 1U : 0U;
     });
@@ -83,13 +82,13 @@ TEST(ASmallExactSet, LessAnyOfItsPointsIsRefuted) {
     for_each_set([](Made& set) {
         std::vector<Point> others = set.points;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(set.any_index()));
-        const Verdict verdict = set.verdict_of(others);
-        EXPECT_TRUE(verdict.kept);
-        EXPECT_FALSE(verdict.covered);
+        const Proof proof = set.proof_of(others);
+        EXPECT_TRUE(proof.kept);
+        EXPECT_FALSE(proof.covered);
     });
 }
 
-// Somewhere r / 50 from the point, in the domain.
+// A random place of the domain at a distance of r / 50 from the point.
 Point moved(Made& set, Point point) {
     for (;;) {
         const double angle = random_in(set.random, 0, 2 * std::numbers::pi);
@@ -116,7 +115,7 @@ struct Share {
     }
 };
 
-// Not every move breaks a set: where the neighbours leave some slack, the moved set is as good.
+// Not every move breaks a set: if the neighbours leave some room, the moved set is maximal, too.
 TEST(ASmallExactSet, WithAPointMovedIsRefutedExactlyWhenTheMoveBrokeIt) {
     Share on_torus, in_box, of_many_on_torus, of_many_in_box;
     int too_close_to_call = 0;
@@ -127,23 +126,23 @@ TEST(ASmallExactSet, WithAPointMovedIsRefutedExactlyWhenTheMoveBrokeIt) {
             const Point was = set.points[index];
             std::vector<Point> points = set.points;
             points[index] = moved(set, was);
-            const Verdict verdict = set.verdict_of(points);
+            const Proof proof = set.proof_of(points);
 
             double nearest = std::numeric_limits<double>::infinity();
             for (std::size_t other = 0; other < points.size(); ++other)
                 if (other != index)
                     nearest = std::min(nearest, set.domain.distance(points[index], points[other]));
-            EXPECT_EQ(verdict.kept, nearest >= set.radius());
+            EXPECT_EQ(proof.kept, nearest >= set.radius());
 
             const double limit = set.radius() + set.tolerance();
             const double beyond = Surroundings(set.domain, points, was, limit).gap() - limit;
             const bool is_plain = std::abs(beyond) > 1e-10 * set.domain.longer_side();
             too_close_to_call += is_plain ? 0 : 1;
             if (is_plain) {
-                EXPECT_EQ(verdict.covered, beyond < 0) << beyond;
+                EXPECT_EQ(proof.covered, beyond < 0) << beyond;
             }
 
-            const bool is_refuted = !verdict.is_maximal();
+            const bool is_refuted = !proof.maximal;
             (set.domain.torus ? on_torus : in_box).add(is_refuted);
             if (points.size() >= 30)
                 (set.domain.torus ? of_many_on_torus : of_many_in_box).add(is_refuted);
@@ -156,8 +155,8 @@ TEST(ASmallExactSet, WithAPointMovedIsRefutedExactlyWhenTheMoveBrokeIt) {
     EXPECT_LT(too_close_to_call, kSets / 100);
 }
 
-// In a set of so many points some two are nearer than 1.02 r, but for one set in a million: there
-// are about 0.245 such pairs a point (g at contact is 5.6).
+// In all but one of a million sets of 60 points, some two points are nearer than 1.02 r. A set has
+// about 0.245 such pairs for each of its points (the pair correlation g is 5.6 at distance r).
 TEST(ASmallExactSet, OfAtLeast60PointsIsRefutedWhenOneOfTheClosestMovesTowardsTheOther) {
     int sets = 0;
     for_each_set([&](Made& set) {
@@ -173,10 +172,10 @@ TEST(ASmallExactSet, OfAtLeast60PointsIsRefutedWhenOneOfTheClosestMovesTowardsTh
             return there < 0 ? there + side : there >= side ? there - side : there;
         };
         from = {step(from.x, to.x, set.domain.width), step(from.y, to.y, set.domain.height)};
-        const Verdict verdict = set.verdict_of(set.points);
-        EXPECT_FALSE(verdict.kept);
-        EXPECT_EQ(verdict.closest.first, pair.first);
-        EXPECT_EQ(verdict.closest.second, pair.second);
+        const Proof proof = set.proof_of(set.points);
+        EXPECT_FALSE(proof.kept);
+        EXPECT_EQ(proof.first, pair.first);
+        EXPECT_EQ(proof.second, pair.second);
     });
     std::printf("%d sets\n", sets);
     EXPECT_GT(sets, 100);
@@ -190,14 +189,14 @@ TEST(ALargeExactSet, IsMaximalAndLessOneOfItsPointsIsNot) {
     std::vector<Point> points = sample(request).points;
     std::printf("seed %lu, %zu points\n", request.seed, points.size());
     EXPECT_GT(points.size(), 690'000U);
-    EXPECT_TRUE(check(points, 1, 1, true, 0.001, default_tolerance(1, 1)).is_maximal());
+    EXPECT_TRUE(check(points, 1, 1, true, 0.001).maximal);
 
     const Point gone = points[314'159];
     points.erase(points.begin() + 314'159);
-    const Verdict verdict = check(points, 1, 1, true, 0.001, default_tolerance(1, 1));
-    EXPECT_TRUE(verdict.kept);
-    EXPECT_FALSE(verdict.covered);
-    EXPECT_LT(Domain({1, 1, true}).distance(verdict.emptiest.at, gone), 0.001);
+    const Proof proof = check(points, 1, 1, true, 0.001);
+    EXPECT_TRUE(proof.kept);
+    EXPECT_FALSE(proof.covered);
+    EXPECT_LT(Domain({1, 1, true}).distance(proof.largest_gap, gone), 0.001);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Given fields and sets that can be reckoned by hand, the proof finds what geometry says.
+// Given fields and sets for which one can compute it by hand, the proof finds what geometry says.
 #include <gtest/gtest.h>
 #include <lacuna/verify.h>
 
@@ -11,7 +11,7 @@
 namespace lacuna::verify {
 namespace {
 
-// The unit square, the left half with one radius and the right half with another.
+// The unit square, whose left half has one radius and whose right half has another.
 FieldCase halves(double left, double right, bool torus = false) {
     const auto importance = [](double radius) { return radius == 0 ? 0 : 1 / (radius * radius); };
     return {"halves", {2, 1, {importance(left), importance(right)}}, 1, {1, 1, torus}};
@@ -23,10 +23,10 @@ TEST(ALargeRadius, CoversASpotOfASmallOneNoFartherThanTheSmallOne) {
     const Proof proof = prove(points, made.claim());
     EXPECT_TRUE(proof.kept);
     EXPECT_FALSE(proof.covered || proof.maximal);
-    EXPECT_NEAR(proof.emptiest.x, 1, 1e-6);
-    EXPECT_NEAR(std::abs(proof.emptiest.y - 0.5), 0.5, 1e-6);
-    EXPECT_NEAR(proof.emptiest_distance, std::hypot(0.75, 0.5), 1e-6);
-    EXPECT_NEAR(proof.emptiest_limit, 0.1, 1e-15);
+    EXPECT_NEAR(proof.largest_gap.x, 1, 1e-6);
+    EXPECT_NEAR(std::abs(proof.largest_gap.y - 0.5), 0.5, 1e-6);
+    EXPECT_NEAR(proof.largest_gap_distance, std::hypot(0.75, 0.5), 1e-6);
+    EXPECT_NEAR(proof.largest_gap_limit, 0.1, 1e-15);
 }
 
 TEST(ASmallRadius, CoversASpotOfALargeOneNoFartherThanItself) {
@@ -34,9 +34,9 @@ TEST(ASmallRadius, CoversASpotOfALargeOneNoFartherThanItself) {
     const std::vector<Point> points{{0.75, 0.5}};
     const Proof proof = prove(points, made.claim());
     EXPECT_FALSE(proof.covered);
-    EXPECT_NEAR(proof.emptiest.x, 0, 1e-6);
-    EXPECT_NEAR(proof.emptiest_distance, std::hypot(0.75, 0.5), 1e-6);
-    EXPECT_NEAR(proof.emptiest_limit, 0.1, 1e-15);
+    EXPECT_NEAR(proof.largest_gap.x, 0, 1e-6);
+    EXPECT_NEAR(proof.largest_gap_distance, std::hypot(0.75, 0.5), 1e-6);
+    EXPECT_NEAR(proof.largest_gap_limit, 0.1, 1e-15);
 }
 
 TEST(TwoPoints, KeepTheSmallerOfTheirRadii) {
@@ -48,7 +48,7 @@ TEST(TwoPoints, KeepTheSmallerOfTheirRadii) {
     EXPECT_FALSE(is_kept({0.45, 0.5}, {0.54, 0.5}));
     EXPECT_FALSE(is_kept({0.2, 0.5}, {0.39, 0.5}));
     EXPECT_TRUE(is_kept({0.2, 0.5}, {0.41, 0.5}));
-    // Around the edges of a torus.
+    // The same around the edges of a torus.
     const FieldCase wrapped = halves(0.2, 0.1, true);
     EXPECT_FALSE(prove(std::vector<Point>{{0.04, 0.5}, {0.95, 0.5}}, wrapped.claim()).kept);
     EXPECT_TRUE(prove(std::vector<Point>{{0.06, 0.5}, {0.95, 0.5}}, wrapped.claim()).kept);
@@ -68,11 +68,11 @@ TEST(TheClosestPair, IsTheOneOfTheLeastDistanceForItsLimit) {
 TEST(APointOnABorder, MayBeOnEitherPixel) {
     const FieldCase made = halves(0.2, 0.1);
     for (const double x : {0.5, 0.5 + 0x1p-29, 0.5 - 0x1p-29}) {
-        // The smaller radius holds for what it keeps, from a point of the larger one too.
+        // For distances the point has the smaller radius, even from a point of the larger one.
         EXPECT_TRUE(prove(std::vector<Point>{{x, 0.5}, {0.39, 0.5}}, made.claim()).kept);
         EXPECT_FALSE(prove(std::vector<Point>{{x, 0.5}, {0.41, 0.5}}, made.claim()).kept);
     }
-    // The larger one holds for what it covers: the left half is as far as 0.707 from the point.
+    // For covering the point has the larger radius: a corner of the left half is 0.707 from it.
     const FieldCase wide = halves(0.8, 0.6);
     EXPECT_TRUE(prove(std::vector<Point>{{0.5 - 0x1p-20, 0.5}, {0.99, 0}, {0.99, 1}}, wide.claim())
                     .covered);
@@ -88,11 +88,11 @@ TEST(APixelWithoutImportance, MustHaveNoPointAndNeedsNone) {
     const Proof proof = prove(std::vector<Point>{{0.25, 0.5}, {0.75, 0.5}}, made.claim());
     EXPECT_EQ(proof.forbidden, 1U);
     EXPECT_FALSE(proof.kept || proof.covered || proof.maximal);
-    // By the border it may belong to the left half.
+    // A point very near the border may belong to the left half.
     EXPECT_TRUE(prove(std::vector<Point>{{0.5 + 0x1p-29, 0.5}}, made.claim()).maximal);
     EXPECT_EQ(prove(std::vector<Point>{{0.5 + 0x1p-27, 0.5}}, made.claim()).forbidden, 0U);
     EXPECT_EQ(prove(std::vector<Point>{{0.75, 2}}, made.claim()).outside, 0U);
-    // On a torus the right half ends where the left one begins.
+    // On a torus the right half ends where the left half begins.
     EXPECT_TRUE(prove(std::vector<Point>{{1 - 0x1p-29, 0.5}}, halves(2, 0, true).claim()).maximal);
 }
 
@@ -134,8 +134,8 @@ TEST(AnOnlyPixel, ProvesWhatTheUniformProofProves) {
             const Proof proof = prove(points, claim);
             const Proof expected = prove(points, uniform);
             EXPECT_FALSE(proof.covered);
-            EXPECT_NEAR(proof.emptiest_distance, expected.emptiest_distance, 1e-7);
-            EXPECT_EQ(proof.emptiest_limit, 0.02);
+            EXPECT_NEAR(proof.largest_gap_distance, expected.largest_gap_distance, 1e-7);
+            EXPECT_EQ(proof.largest_gap_limit, 0.02);
         }
     }
 }

@@ -1,4 +1,4 @@
-// Fields of every hostile kind, where samples may lie on them, and slow ways to look at both.
+// Hostile fields of every kind, where samples may lie on them, and slow ways to examine both.
 #pragma once
 
 #include <lacuna/domains.h>
@@ -47,8 +47,8 @@ struct FieldCase {
     }
     double tolerance() const { return domain.longer_side() * 0x1p-27; }
 
-    // Nothing where there is no importance. Of a place on a border, the radius of the pixel right
-    // of it or above it.
+    // The radius of a place, or nothing where the importance is 0. A place on a border has the
+    // radius of the pixel at its right or above it.
     std::optional<double> radius_at(Point at) const {
         const double importance = field.importance[pixel_of(at, field.columns, field.rows)];
         if (importance == 0) return std::nullopt;
@@ -65,7 +65,7 @@ struct FieldCase {
         return row * columns + index(at.x / domain.width, columns);
     }
 
-    // Whether a spot must be covered, as far as mask, polygons and border tell.
+    // Whether mask, polygons and border say that a spot must be covered.
     bool is_open(Point at) const {
         const double to_edges =
             std::min(std::min(at.x, domain.width - at.x), std::min(at.y, domain.height - at.y));
@@ -74,7 +74,7 @@ struct FieldCase {
                (rings.empty() || depth_of(at) > edge);
     }
 
-    // How far inside of the rings a place is, by a look at all edges.
+    // How far inside the rings a place is. Looks at all edges.
     double depth_of(Point at) const {
         double least = std::numeric_limits<double>::infinity();
         bool inside = false;
@@ -94,8 +94,8 @@ struct FieldCase {
         return inside ? least : -least;
     }
 
-    // Of the pixels that a sample may be said to lie on, as borders may be off by 2^-28 of the
-    // longer side: the largest radius, which holds for what it covers.
+    // The radius with which a sample covers spots: the largest one of all pixels on which it may
+    // lie, as borders may be off by 2^-28 of the longer side.
     std::optional<double> most_radius_near(Point at) const {
         std::optional<double> most;
         const auto wrapped = [&](double place, double side) {
@@ -110,7 +110,7 @@ struct FieldCase {
         return most;
     }
 
-    // How far the spot is over its limit, by a look at all points; nothing where none may lie.
+    // How far the spot is over its limit, or nothing where no point may lie. Looks at all points.
     std::optional<double> over(std::span<const Point> points, Point spot) const {
         const std::optional<double> radius = radius_at(spot);
         if (!radius || !is_open(spot)) return std::nullopt;
@@ -121,7 +121,8 @@ struct FieldCase {
         return least;
     }
 
-    // The same for the barest spot of a raster, moved off the borders of pixels.
+    // How far the largest gap among the spots of a raster is over its limit. The spots are moved
+    // off the borders of pixels.
     double most_over_of_raster(std::span<const Point> points, int steps) const {
         std::vector<double> radii;
         for (const Point& point : points) radii.push_back(most_radius_near(point).value());
@@ -150,7 +151,7 @@ inline Point any_place(std::mt19937_64& random, const Domain& domain) {
     return {any_in(random, 0, domain.width), any_in(random, 0, domain.height)};
 }
 
-// Radii from the scale on to `range` times as much, another on every pixel.
+// A field with a random radius on every pixel, from the scale to `range` times the scale.
 inline Field noise(std::mt19937_64& random, std::uint32_t columns, std::uint32_t rows,
                    double range) {
     Field field{columns, rows, std::vector<double>(std::size_t{columns} * rows)};
@@ -159,7 +160,7 @@ inline Field noise(std::mt19937_64& random, std::uint32_t columns, std::uint32_t
     return field;
 }
 
-// Of some hundred points or fewer when filled.
+// A field that is full with a few hundred points at most.
 inline FieldCase hostile_case(std::uint64_t seed) {
     std::mt19937_64 random(seed);
     FieldCase made;
@@ -219,7 +220,7 @@ inline FieldCase hostile_case(std::uint64_t seed) {
     return made;
 }
 
-// A crooked island with a lake, and a sliver across both.
+// An island of irregular outline, perhaps with a lake, and perhaps a thin triangle across both.
 inline std::vector<PolygonRing> any_rings(std::mt19937_64& random, const Domain& domain) {
     const Point middle{domain.width * any_in(random, 0.3, 0.7),
                        domain.height * any_in(random, 0.3, 0.7)};
@@ -241,7 +242,7 @@ inline std::vector<PolygonRing> any_rings(std::mt19937_64& random, const Domain&
     return rings;
 }
 
-// A hostile field, and places where no sample may lie: by a mask, polygons or a border.
+// A hostile field with a mask, polygons or a border that forbid samples in some places.
 inline FieldCase closed_case(std::uint64_t seed) {
     FieldCase made = hostile_case(seed);
     std::mt19937_64 random(seed + 2);

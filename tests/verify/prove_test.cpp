@@ -1,4 +1,4 @@
-// Given points, prove() tells through the public header what holds.
+// Given points, prove() of the public header says what is true of them.
 #include <gtest/gtest.h>
 #include <lacuna/verify.h>
 
@@ -21,7 +21,7 @@ TEST(Prove, OfAMaximalSetOfTheSamplersFindsAllThatIsPromised) {
     const Proof proof = prove(result.points, claim);
     EXPECT_TRUE(proof.kept && proof.covered && proof.maximal);
     EXPECT_GE(proof.least_distance, 0.05);
-    EXPECT_LE(proof.emptiest_distance, 0.05 + 0x1p-28);
+    EXPECT_LE(proof.largest_gap_distance, 0.05 + 0x1p-28);
 }
 
 TEST(Prove, OfASetWithAHoleNamesTheSpot) {
@@ -31,8 +31,8 @@ TEST(Prove, OfASetWithAHoleNamesTheSpot) {
     const Proof proof = prove(points, claim);
     EXPECT_TRUE(proof.kept);
     EXPECT_FALSE(proof.covered || proof.maximal);
-    EXPECT_NEAR(proof.emptiest.x, 1, 1e-6);
-    EXPECT_NEAR(proof.emptiest_distance, 0.90138782, 1e-6);
+    EXPECT_NEAR(proof.largest_gap.x, 1, 1e-6);
+    EXPECT_NEAR(proof.largest_gap_distance, 0.90138782, 1e-6);
 }
 
 TEST(Prove, OfDistancesOnlySaysNothingOfGapsAndNamesThePair) {
@@ -65,7 +65,7 @@ TEST(Prove, TellsOfAPointOutsideAndRefusesNonsense) {
     EXPECT_EQ(prove(points, claim).outside, 1U);
     claim.boundary = Boundary::torus;
     EXPECT_EQ(prove(points, claim).outside, 0U);
-    EXPECT_THROW(prove(points, Claim{}), BadRequest);  // no radius
+    EXPECT_THROW(prove(points, Claim{}), BadRequest);  // has no radius
 }
 
 TEST(Prove, IsCancelledAsSoonAsItIsNotWantedAnyMore) {

@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
+#include "verify/largest_gap.h"
 #include "verify/sets.h"
-#include "verify/verify.h"
 
 namespace lacuna::verify {
 namespace {
 
-// Coordinates on a grid of `grid` steps: a coarse one makes ties, a fine one makes none.
+// Points on a grid of `grid` steps. Only a coarse grid makes ties.
 std::vector<Point> draw_points(const Domain& domain, int grid) {
     const auto coordinates = rc::gen::pair(rc::gen::inRange(0, grid), rc::gen::inRange(0, grid));
     const auto cells = *rc::gen::container<std::vector<std::pair<int, int>>>(coordinates);
@@ -46,17 +46,17 @@ RC_GTEST_PROP(TheClosestPair, IsThatOfAllPairs, ()) {
     RC_ASSERT(found.second == expected.second);
 }
 
-RC_GTEST_PROP(TheEmptiestSpot, IsNoNearerThanAnyOfARasterAndAsFarAsItSays, ()) {
+RC_GTEST_PROP(TheLargestGap, IsNoNearerThanAnyOfARasterAndAsFarAsItSays, ()) {
     constexpr int kSteps = 40;
     const Domain domain = draw_domain();
     std::vector<Point> points = draw_points(domain, *rc::gen::element(5, 1000, 1 << 30));
     points.push_back({0, 0});
     const double limit = *rc::gen::element(0.05, 0.3, 1.0) * domain.longer_side();
-    const Spot spot = emptiest_spot(domain, points, limit);
+    const Gap spot = largest_gap(domain, points, limit);
 
     RC_ASSERT(spot.distance == distance_to_nearest(domain, points, spot.at));
     const double raster = farthest_of_raster(domain, points, kSteps);
-    RC_ASSERT(raster <= spot.distance * (1 + kSpotPrecision) + kFinest * domain.longer_side());
+    RC_ASSERT(raster <= spot.distance * (1 + kGapPrecision) + kFinest * domain.longer_side());
     const double half_diagonal = std::hypot(domain.width, domain.height) / kSteps / 2;
     RC_ASSERT(spot.distance <= raster + half_diagonal * (1 + 1e-9));
 }
@@ -69,45 +69,45 @@ std::vector<Point> random_points(std::size_t count, std::uint64_t seed) {
     return points;
 }
 
-TEST(ALargeSet, HasTheClosestPairOfAllPairsAndNoSpotOfARasterIsEmptier) {
+TEST(ALargeSet, HasTheClosestPairOfAllPairsAndNoSpotOfARasterIsFarther) {
     const std::vector<Point> points = random_points(4000, 1);
     for (const bool torus : {false, true}) {
         const Domain domain{1, 1, torus};
         const Pair expected = closest_of_all_pairs(domain, points);
-        const Verdict verdict = check(points, 1, 1, torus, 0.01, 0);
-        EXPECT_EQ(verdict.closest.distance, expected.distance);
-        EXPECT_EQ(verdict.closest.first, expected.first);
-        EXPECT_EQ(verdict.closest.second, expected.second);
+        const Proof proof = check(points, 1, 1, torus, 0.01, 0);
+        EXPECT_EQ(proof.least_distance, expected.distance);
+        EXPECT_EQ(proof.first, expected.first);
+        EXPECT_EQ(proof.second, expected.second);
         const double raster = farthest_of_raster(domain, points, 300);
-        EXPECT_GE(verdict.emptiest.distance, raster * (1 - kSpotPrecision));
-        EXPECT_LE(verdict.emptiest.distance, raster + std::sqrt(0.5) / 300);
+        EXPECT_GE(proof.largest_gap_distance, raster * (1 - kGapPrecision));
+        EXPECT_LE(proof.largest_gap_distance, raster + std::sqrt(0.5) / 300);
     }
 }
 
 TEST(AVerdict, IsTheSameInEveryRunWhateverTheThreads) {
     const std::vector<Point> points = random_points(20000, 2);
-    const Verdict first = check(points, 1, 1, true, 0.01, 0);
+    const Proof first = check(points, 1, 1, true, 0.01, 0);
     for (int i = 0; i < 5; ++i) {
-        const Verdict again = check(points, 1, 1, true, 0.01, 0);
-        EXPECT_EQ(again.emptiest.at, first.emptiest.at);
-        EXPECT_EQ(again.emptiest.distance, first.emptiest.distance);
-        EXPECT_EQ(again.closest.first, first.closest.first);
+        const Proof again = check(points, 1, 1, true, 0.01, 0);
+        EXPECT_EQ(again.largest_gap, first.largest_gap);
+        EXPECT_EQ(again.largest_gap_distance, first.largest_gap_distance);
+        EXPECT_EQ(again.first, first.first);
     }
 }
 
-// Would take hours if all pairs, or all points for every cell, were looked at.
+// This would take hours if all pairs, or all points for every cell, were looked at.
 TEST(ACrowd, OfPointsThatCoincideOrNearlySoIsSeenThroughQuickly) {
     std::vector<Point> points = random_points(100000, 3);
     for (Point& point : points) point = {0.5 + 1e-9 * point.x, 0.5 + 1e-9 * point.y};
-    const Verdict near = check(points, 1, 1, false, 0.1, 0);
-    EXPECT_NEAR(near.emptiest.distance, std::sqrt(0.5), 2e-9);
+    const Proof near = check(points, 1, 1, false, 0.1, 0);
+    EXPECT_NEAR(near.largest_gap_distance, std::sqrt(0.5), 2e-9);
     EXPECT_FALSE(near.kept);
 
     std::fill(points.begin(), points.end(), Point{0.5, 0.5});
-    const Verdict same = check(points, 1, 1, true, 0.1, 0);
-    EXPECT_NEAR(same.emptiest.distance, std::sqrt(0.5), 1e-11);
-    EXPECT_EQ(same.closest.distance, 0);
-    EXPECT_NE(same.closest.first, same.closest.second);
+    const Proof same = check(points, 1, 1, true, 0.1, 0);
+    EXPECT_NEAR(same.largest_gap_distance, std::sqrt(0.5), 1e-11);
+    EXPECT_EQ(same.least_distance, 0);
+    EXPECT_NE(same.first, same.second);
 }
 
 }  // namespace

@@ -10,18 +10,17 @@
 #include <vector>
 
 #include "verify/sets.h"
-#include "verify/verify.h"
 
 namespace lacuna::verify {
 namespace {
 
 constexpr int kSide = 100;
 constexpr double kSpacing = 1.0 / kSide;
-constexpr double kRadius = 0.0075;  // over the gaps of the lattice, 0.00707, under its spacing
+constexpr double kRadius = 0.0075;  // between the gaps of the lattice, 0.00707, and its spacing
 
 TEST(ASetWithoutAFault, IsMaximal) {
-    EXPECT_TRUE(check(square_lattice(kSide), 1, 1, true, kRadius, 0).is_maximal());
-    EXPECT_TRUE(check(square_lattice(kSide), 1, 1, false, kRadius, 0).is_maximal());
+    EXPECT_TRUE(check(square_lattice(kSide), 1, 1, true, kRadius, 0).maximal);
+    EXPECT_TRUE(check(square_lattice(kSide), 1, 1, false, kRadius, 0).maximal);
 }
 
 TEST(APointTooNear, ByOneUlpIsNamedWithTheOther) {
@@ -29,11 +28,11 @@ TEST(APointTooNear, ByOneUlpIsNamedWithTheOther) {
     const Point victim = points[4321];
     points.push_back({victim.x + 0.0041, victim.y});
     const double distance = points.back().x - victim.x;
-    const Verdict verdict = check(points, 1, 1, true, std::nextafter(distance, 1), 1);
-    EXPECT_FALSE(verdict.kept);
-    EXPECT_EQ(verdict.closest.first, 4321U);
-    EXPECT_EQ(verdict.closest.second, points.size() - 1);
-    EXPECT_EQ(verdict.closest.distance, distance);
+    const Proof proof = check(points, 1, 1, true, std::nextafter(distance, 1), 1);
+    EXPECT_FALSE(proof.kept);
+    EXPECT_EQ(proof.first, 4321U);
+    EXPECT_EQ(proof.second, points.size() - 1);
+    EXPECT_EQ(proof.least_distance, distance);
     EXPECT_TRUE(check(points, 1, 1, true, distance, 1).kept);
 }
 
@@ -42,30 +41,30 @@ TEST(AMissingPoint, LeavesAHoleOfTheLatticesSpacingThatIsNamed) {
         std::vector<Point> points = square_lattice(kSide);
         const Point hole = points[gone];
         points.erase(points.begin() + static_cast<std::ptrdiff_t>(gone));
-        const Verdict verdict = check(points, 1, 1, true, kRadius, 0);
-        EXPECT_TRUE(verdict.kept);
-        EXPECT_FALSE(verdict.covered);
-        EXPECT_NEAR(verdict.emptiest.distance, kSpacing, 4e-12);
-        EXPECT_NEAR(verdict.emptiest.at.x, hole.x, 1e-11);
-        EXPECT_NEAR(verdict.emptiest.at.y, hole.y, 1e-11);
+        const Proof proof = check(points, 1, 1, true, kRadius, 0);
+        EXPECT_TRUE(proof.kept);
+        EXPECT_FALSE(proof.covered);
+        EXPECT_NEAR(proof.largest_gap_distance, kSpacing, 4e-12);
+        EXPECT_NEAR(proof.largest_gap.x, hole.x, 1e-11);
+        EXPECT_NEAR(proof.largest_gap.y, hole.y, 1e-11);
     }
 }
 
 TEST(AHoleInACorner, OfTheBoxIsNamed) {
     std::vector<Point> points = square_lattice(kSide);
-    points.pop_back();  // that of the corner (1, 1)
-    const Verdict verdict = check(points, 1, 1, false, kRadius, 0);
-    EXPECT_FALSE(verdict.covered);
-    EXPECT_NEAR(verdict.emptiest.at.x, 1, 1e-11);
-    EXPECT_NEAR(verdict.emptiest.at.y, 1, 1e-11);
-    EXPECT_NEAR(verdict.emptiest.distance, kSpacing * std::sqrt(2.5), 4e-12);
+    points.pop_back();  // the point nearest to the corner (1, 1)
+    const Proof proof = check(points, 1, 1, false, kRadius, 0);
+    EXPECT_FALSE(proof.covered);
+    EXPECT_NEAR(proof.largest_gap.x, 1, 1e-11);
+    EXPECT_NEAR(proof.largest_gap.y, 1, 1e-11);
+    EXPECT_NEAR(proof.largest_gap_distance, kSpacing * std::sqrt(2.5), 4e-12);
 }
 
 TEST(AGap, WiderByATrifleIsFoundAmongTenThousandOthers) {
     std::vector<Point> points = square_lattice(kSide);
     const double shift = 1e-9;
-    // Two neighbours together: the gap left of both grows by shift / (2 sqrt 2). One alone would
-    // widen its gaps by the square of the shift only.
+    // Two neighbours are shifted together, so the gap at their left grows by shift / (2 sqrt 2).
+    // One shifted point would widen gaps only by the square of the shift.
     points[4321].x += shift;
     points[4322].x += shift;
     const double gap = kSpacing * std::numbers::sqrt2 / 2;
@@ -78,10 +77,10 @@ TEST(APointOutside, IsNamedAndNothingElseIsSaid) {
     for (const Point outside : {Point{1, 0.5}, Point{0.5, 1}, Point{-1e-300, 0.5}, Point{0.5, -1},
                                 Point{kNaN, 0.5}, Point{0.5, kNaN}}) {
         const std::vector<Point> points{{0.5, 0.5}, outside, {7, 7}};
-        const Verdict verdict = check(points, 1, 1, true, 0.1, 0);
-        ASSERT_TRUE(verdict.outside.has_value());
-        EXPECT_EQ(*verdict.outside, 1U);
-        EXPECT_FALSE(verdict.is_maximal());
+        const Proof proof = check(points, 1, 1, true, 0.1, 0);
+        ASSERT_TRUE(proof.outside.has_value());
+        EXPECT_EQ(*proof.outside, 1U);
+        EXPECT_FALSE(proof.maximal);
     }
 }
 
@@ -104,7 +103,8 @@ TEST(AQuestion, ThatMakesNoSenseIsABadRequestThatNamesTheOption) {
     EXPECT_EQ(option_refused(1, 1, 0.1, 0), "");
 }
 
-// Snapped to lines, distances hold; gaps narrower than a strip remain, and nearly always some do.
+// Samples that are snapped to lines keep their distances. But gaps that are narrower than a strip
+// nearly always remain.
 TEST(ASnappedSet, KeepsItsDistancesAndWhereItHasAHoleTheHoleIsReal) {
     for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
         Request request;
@@ -115,12 +115,11 @@ TEST(ASnappedSet, KeepsItsDistancesAndWhereItHasAHoleTheHoleIsReal) {
         request.backend = "cpu";
         const bool torus = boundary == Boundary::torus;
         const std::vector<Point> points = sample(request).points;
-        const Verdict verdict =
-            check(points, 1, 1, torus, *request.radius, default_tolerance(1, 1));
-        EXPECT_TRUE(verdict.kept);
-        EXPECT_FALSE(verdict.covered);
-        EXPECT_GT(distance_to_nearest({1, 1, torus}, points, verdict.emptiest.at), 0.02);
-        EXPECT_LT(verdict.emptiest.distance, 0.02 * (1 + 1.0 / 30));
+        const Proof proof = check(points, 1, 1, torus, *request.radius);
+        EXPECT_TRUE(proof.kept);
+        EXPECT_FALSE(proof.covered);
+        EXPECT_GT(distance_to_nearest({1, 1, torus}, points, proof.largest_gap), 0.02);
+        EXPECT_LT(proof.largest_gap_distance, 0.02 * (1 + 1.0 / 30));
     }
 }
 

@@ -198,7 +198,7 @@ async function judge(set, o, isOld) {
         $("verdict").textContent = (proof.kept ? `✓ No two points are closer than the radius: the least distance is ${short(proof.least)}.\n`
             : `✗ Two points are closer than the radius: ${short(proof.least)} apart.\n`) +
             (proof.covered ? "✓ No room is left for one more point." : o.count !== null ? "There is room for more points, because their number was given."
-                : `✗ There is room for more points: a spot is ${short(proof.emptiest)} from every point.`);
+                : `✗ There is room for more points: a spot is ${short(proof.largestGap)} from every point.`);
     }
     const isSmall = set.points.length / 2 <= MOST_FOR_SPECTRUM;
     $("spectrum").classList.toggle("none", !isSmall);

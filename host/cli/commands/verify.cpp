@@ -24,7 +24,6 @@
 #include "files/point_files.h"
 #include "files/read_sets.h"
 #include "files/read_whole.h"
-#include "verify/ground_proof.h"
 #include "verify/verify.h"
 
 namespace lacuna::cli {
@@ -44,7 +43,7 @@ Examples:
   lacuna verify trees.csv --radius 4 --inside park.svg --keep old.csv    in polygons, around others
 
 Two promises are checked. No two points are closer than R. No spot of the domain, edges and corners
-included, is farther than R + T from every point. The closest two points and the emptiest spot are
+included, is farther than R + T from every point. The closest two points and the largest gap are
 printed; points are numbered from 0, in the order of the file. Distances are in double, as you would
 compute them: sqrt(dx * dx + dy * dy). The default T is more than a sampler may lose by rounding R
 up to whole units of a grid, 2^30 or more of them along the longer side; T = 0 forgives no more than
@@ -65,7 +64,8 @@ makes no threads.
 struct VerifyCommand {
     std::vector<std::string> files;
     std::optional<double> tolerance;
-    // What a request for such a set would say: the radius or scale, the domain and its border.
+    // The options that a request for such a set would have, too: the radius or scale, the domain
+    // and its border.
     Request request;
     DomainOptions domain;
     bool torus = false;
@@ -74,20 +74,20 @@ struct VerifyCommand {
     bool quiet = false;
 };
 
-// What the files of the options hold, and what they say of each set.
-struct RadiusFields {
+// What the options say of every set: the request, and the contents of the files that they name.
+struct Given {
     Request request;
     DomainFiles files;
 };
 
-// Options first, then what the set's file tells.
-Request request_of(const CLI::App& command, const RadiusFields& radius fields,
-                   const files::SetsOfFile& file, const std::string& name) {
+// What the options say goes first. What they leave open is taken from the file of the set.
+Request request_of(const CLI::App& command, const Given& given, const files::SetsOfFile& file,
+                   const std::string& name) {
     if (file.mode == name_of(Mode::cells) && command.count("--distances-only") == 0)
         throw files::FileError(name +
                                ": made in mode cells, where radii follow a picture: give "
                                "--distances-only, for the least of them");
-    Request request = radius fields.request;
+    Request request = given.request;
     if (command.count("--domain") == 0 && file.width) {
         request.width = *file.width;
         request.height = *file.height;
@@ -105,7 +105,7 @@ Request request_of(const CLI::App& command, const RadiusFields& radius fields,
     return request;
 }
 
-// The radii of a field's places.
+// The smallest and the largest radius that the request asks for.
 Extremes radii_of(const Request& request) {
     if (request.field == nullptr) return {*request.radius, *request.radius};
     Extremes radii{std::numeric_limits<double>::infinity(), 0};
@@ -117,10 +117,9 @@ Extremes radii_of(const Request& request) {
     return radii;
 }
 
-SetClaim claim_of(const CLI::App& command, const VerifyCommand& options,
-                  RadiusFields& radius fields, const files::SetsOfFile& file,
-                  const std::string& name) {
-    const Request request = request_of(command, radius fields, file, name);
+SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Given& given,
+                  const files::SetsOfFile& file, const std::string& name) {
+    const Request request = request_of(command, given, file, name);
     SetClaim claim;
     claim.name = name;
     claim.meant_to_be_maximal = file.maximal.value_or(true);
@@ -135,19 +134,18 @@ SetClaim claim_of(const CLI::App& command, const VerifyCommand& options,
     claim.mask = request.mask;
     claim.border = request.border;
     claim.keep = request.keep;
-    claim.rings = rings_of(request, radius fields.files);
+    claim.rings = rings_of(request, given.files);
     if (!claim.rings.empty())
-        claim.edge_tolerance = radius fields.files.edge =
-            edge_of(options.domain, request, claim.rings, radius fields.files);
-    claim.given = json_of(options.domain, request, radius fields.files);
-    claim.tolerance = options.tolerance.value_or(
-        claim.is_plain() ? verify::default_tolerance(claim.width, claim.height)
-                         : verify::default_ground_tolerance(claim.width, claim.height));
+        claim.edge_tolerance = given.files.edge =
+            edge_of(options.domain, request, claim.rings, given.files);
+    claim.given = json_of(options.domain, request, given.files);
+    claim.tolerance = options.tolerance;
+    claim.tolerance = verify::tolerance_of(claim);
     claim.distances_only = options.distances_only;
     return claim;
 }
 
-// Refuses bad options before a large file is read.
+// Refuses bad options before it takes time to read a large file.
 void check(const CLI::App& command, const VerifyCommand& options) {
     check_domain(command, options.domain);
     const Request& request = options.request;
@@ -164,17 +162,21 @@ void check(const CLI::App& command, const VerifyCommand& options) {
     read.reserve(options.files.size());
     for (const std::string& file : options.files) read.push_back({"FILE", file});
     for (const GivenFile& file : files_of(options.domain)) read.push_back(file);
-    check_given_files(read, std::vector<GivenFile>{});
-    if (request.radius)
-        verify::check({}, request.width, request.height, options.torus, *request.radius,
-                      options.tolerance.value_or(0));
+    check_given_files(read, {});
+    if (!request.radius) return;
+    Claim claim;
+    claim.radius = *request.radius;
+    claim.width = request.width;
+    claim.height = request.height;
+    claim.tolerance = options.tolerance;
+    prove({}, claim);
 }
 
 void run(const CLI::App& command, const VerifyCommand& options) {
     check(command, options);
-    RadiusFields radius fields{options.request, {}};
-    if (options.torus) radius fields.request.boundary = Boundary::torus;
-    read_given_files(command, options.domain, radius fields.request, radius fields.files);
+    Given given{options.request, {}};
+    if (options.torus) given.request.boundary = Boundary::torus;
+    read_given_files(command, options.domain, given.request, given.files);
     std::vector<files::SetsOfFile> all;
     for (const std::string& path : options.files) all.push_back(files::read_sets(path));
     std::vector<SetClaim> claims;
@@ -183,14 +185,14 @@ void run(const CLI::App& command, const VerifyCommand& options) {
         const auto& sets = all[i].sets;
         for (std::size_t k = 0; k < sets.size(); ++k) {
             claims.push_back(
-                claim_of(command, options, radius fields, all[i],
+                claim_of(command, options, given, all[i],
                          sets.size() == 1 ? name : fmt::format("{}: set {}", name, k + 1)));
             claims.back().points = sets[k];
         }
     }
     bool all_hold = true;
     for (SetClaim& claim : claims) {
-        claim.inside = claim.rings;  // wherever the claim has come to lie
+        claim.inside = claim.rings;  // now that `claims` does not move its elements any more
         claim.proof = prove(claim.points, claim);
         all_hold = all_hold && claim.holds();
     }

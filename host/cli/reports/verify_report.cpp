@@ -1,4 +1,4 @@
-// Writes what a proof came to.
+// Writes reports about proofs.
 #include "cli/reports/verify_report.h"
 
 #include <fmt/format.h>
@@ -34,14 +34,15 @@ std::string closest(const SetClaim& claim) {
                        proof.first, proof.second);
 }
 
-std::string emptiest(const SetClaim& claim) {
+std::string largest_gap(const SetClaim& claim) {
     if (claim.points.empty()) return "anywhere, for want of a point";
     const Proof& proof = claim.proof;
-    // Where all spots are covered the search ends before it knows which is the emptiest.
-    if (!claim.is_plain() && proof.covered) return "none over its limit";
-    return fmt::format("{} from a point{}, at {}", proof.emptiest_distance,
-                       claim.field != nullptr ? fmt::format(" of {}", proof.emptiest_limit) : "",
-                       text(proof.emptiest));
+    // With a field, mask, polygons or border, the search ends when it knows that all spots are
+    // covered. It does not know then which gap is the largest.
+    if (!verify::is_uniform(claim) && proof.covered) return "none over its limit";
+    return fmt::format("{} from a point{}, at {}", proof.largest_gap_distance,
+                       claim.field != nullptr ? fmt::format(" of {}", proof.largest_gap_limit) : "",
+                       text(proof.largest_gap));
 }
 
 std::string radius(const SetClaim& claim) {
@@ -51,7 +52,7 @@ std::string radius(const SetClaim& claim) {
     return fmt::format("{} to {}, at scale {}", least, most, claim.scale);
 }
 
-// What else is claimed of where points lie.
+// The rows about where points may lie.
 std::string places(const SetClaim& claim) {
     const DomainOptions& given = claim.options;
     std::string rows;
@@ -83,7 +84,7 @@ std::string reason(const SetClaim& claim) {
     return fmt::format("nearer than {} to an edge of the domain", claim.border);
 }
 
-// Why nothing else was looked at; empty where it was.
+// Why only one thing was looked at. Empty if everything was.
 std::string refusal(const SetClaim& claim) {
     const Proof& proof = claim.proof;
     if (proof.outside) {
@@ -101,7 +102,7 @@ std::string refusal(const SetClaim& claim) {
     return "";
 }
 
-// Of what kind the set is, after "a Poisson-disk set".
+// The words that follow "a Poisson-disk set" and describe the set.
 std::string kind(const SetClaim& claim) {
     std::string kind = claim.field != nullptr
                            ? fmt::format(" that follows the field at scale {}", claim.scale)
@@ -119,7 +120,7 @@ std::string faults(const SetClaim& claim) {
         faults = fmt::format("points {} and {} are closer than {}", numbered(claim, proof.first),
                              numbered(claim, proof.second), proof.least_limit);
     if (!proof.kept && has_room) faults += ", and ";
-    if (has_room) faults += fmt::format("there is room for a point at {}", text(proof.emptiest));
+    if (has_room) faults += fmt::format("there is room for a point at {}", text(proof.largest_gap));
     return faults;
 }
 
@@ -134,12 +135,12 @@ std::string text_of_one(const SetClaim& claim) {
     if (!claim.distances_only) lines += fmt::format(kRow, "tolerance", *claim.tolerance);
     if (refusal(claim).empty()) {
         const std::string pair = closest(claim);
-        const std::string spot = claim.distances_only ? "" : emptiest(claim);
+        const std::string spot = claim.distances_only ? "" : largest_gap(claim);
         const std::size_t width = std::max(pair.size(), spot.size());
         lines += fmt::format(kVerdictRow, "least distance", pair, width,
                              claim.proof.kept ? "kept" : "too close");
         if (!claim.distances_only)
-            lines += fmt::format(kVerdictRow, "farthest spot", spot, width,
+            lines += fmt::format(kVerdictRow, "largest gap", spot, width,
                                  claim.proof.covered ? "covered" : "not covered");
     }
     return lines + fmt::format(kRow, "verdict", claim.conclusion());
@@ -197,16 +198,18 @@ Json json_of_one(const SetClaim& claim) {
     if (claim.points.size() >= 2)
         json["closest_pair"] = {{"points", {proof.first, proof.second}},
                                 {"distance", proof.least_distance}};
-    if (claim.points.size() >= 2 && !claim.is_plain())
+    if (claim.points.size() >= 2 && !verify::is_uniform(claim))
         json["closest_pair"]["limit"] = proof.least_limit;
     if (claim.distances_only) return json;
     json["covered"] = proof.covered;
-    json["emptiest_spot"] = nullptr;
-    if (!claim.points.empty() && (claim.is_plain() || !proof.covered))
-        json["emptiest_spot"] = {{"at", json_of(proof.emptiest)},
-                                 {"distance", proof.emptiest_distance}};
-    if (!claim.points.empty() && !claim.is_plain() && !proof.covered)
-        json["emptiest_spot"]["limit"] = proof.emptiest_limit;
+    json["largest_gap"] = nullptr;
+    if (!claim.points.empty() && (verify::is_uniform(claim) || !proof.covered))
+        json["largest_gap"] = {{"at", json_of(proof.largest_gap)},
+                               {"distance", proof.largest_gap_distance}};
+    if (!claim.points.empty() && !verify::is_uniform(claim) && !proof.covered)
+        json["largest_gap"]["limit"] = proof.largest_gap_limit;
+    // The key of the largest gap in older reports. Programs may still read it.
+    json["emptiest_spot"] = json["largest_gap"];
     return json;
 }
 
@@ -255,7 +258,7 @@ std::string json_of(const std::vector<SetClaim>& claims) {
                                          [](const SetClaim& claim) { return claim.holds(); })},
                 {"sets", Json::array()}};
     for (const SetClaim& claim : claims) report["sets"].push_back(json_of_one(claim));
-    // File names are bytes, and need not be UTF-8.
+    // File names are bytes that need not be UTF-8.
     return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

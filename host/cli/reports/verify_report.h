@@ -1,4 +1,4 @@
-// What `lacuna verify` says of point sets: as lines to be read, and as JSON.
+// The reports of `lacuna verify` about point sets: as text, and as JSON.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -18,29 +18,24 @@ struct Extremes {
     double most;
 };
 
-// One set, what is claimed of it, tolerance included, and what was found.
+// One set, what is claimed of it, and what was found. The tolerance is always set.
 struct SetClaim : Claim {
-    std::string name;                 // of the file, for messages
-    std::span<const Point> points;    // they must outlive the claim
-    bool meant_to_be_maximal = true;  // as far as its file tells
+    std::string name;                 // the name of its file, for messages
+    std::span<const Point> points;    // the points must outlive the claim
+    bool meant_to_be_maximal = true;  // unless its file says that it is not
     DomainOptions options;
-    nlohmann::ordered_json given;    // the same for reports
-    Extremes radii{};                // of the field, or twice the one radius
-    std::vector<PolygonRing> rings;  // of the polygons
+    nlohmann::ordered_json given;    // the options, for reports
+    Extremes radii{};                // of the field; both are the radius if there is no field
+    std::vector<PolygonRing> rings;  // the polygons
     Proof proof;
 
-    // One radius, and points may lie everywhere.
-    bool is_plain() const {
-        return field == nullptr && mask == nullptr && inside.empty() && border == 0;
-    }
-
-    // Whether all that was asked holds.
+    // Whether everything that was asked is true of the set.
     bool holds() const;
-    // In words.
+    // The verdict as a sentence.
     std::string conclusion() const;
 };
 
-// Several sets are told apart by their names.
+// If there are several sets, the text names each of them.
 std::string text_of(const std::vector<SetClaim>& claims);
 std::string json_of(const std::vector<SetClaim>& claims);
 

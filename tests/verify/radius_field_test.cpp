@@ -1,4 +1,4 @@
-// Given masks, polygons, borders and points that were there, the proof finds what geometry says.
+// Given masks, polygons, borders and points to keep, the proof finds what geometry says.
 #include <gtest/gtest.h>
 #include <lacuna/domains.h>
 #include <lacuna/verify.h>
@@ -31,13 +31,13 @@ TEST(AMask, HasNoPointWhereItIsZeroAndNeedsNoneThere) {
     const Proof proof = prove(std::vector<Point>{{0.25, 0.5}, {0.75, 0.5}}, claim);
     EXPECT_EQ(proof.forbidden, 1U);
     EXPECT_EQ(proof.forbidden_by, Proof::Closed::mask);
-    // On the border it may be on either pixel.
+    // A point on the border may be on either pixel.
     EXPECT_FALSE(prove(std::vector<Point>{{0.5 + 0x1p-29, 0.5}}, claim).forbidden);
     claim.radius = 0.55;
-    const Proof bare = prove(std::vector<Point>{{0.25, 0.5}}, claim);
-    EXPECT_FALSE(bare.covered);
-    EXPECT_NEAR(bare.emptiest_distance, std::hypot(0.25, 0.5), 1e-7);
-    EXPECT_EQ(bare.emptiest_limit, 0.55);
+    const Proof proof_of_gap = prove(std::vector<Point>{{0.25, 0.5}}, claim);
+    EXPECT_FALSE(proof_of_gap.covered);
+    EXPECT_NEAR(proof_of_gap.largest_gap_distance, std::hypot(0.25, 0.5), 1e-7);
+    EXPECT_EQ(proof_of_gap.largest_gap_limit, 0.55);
 }
 
 TEST(AMasksRows, LieFromTheTopDown) {
@@ -48,8 +48,8 @@ TEST(AMasksRows, LieFromTheTopDown) {
     EXPECT_EQ(prove(std::vector<Point>{{0.5, 0.1}}, claim).forbidden, 0U);
 }
 
-// Thin domains under a tolerance twice as high, with a hole along their middle: its right end is
-// far from all edges and bare. Halving such cells rounds.
+// The domains are thin, have a hole along their middle, and a tolerance larger than their height.
+// Their right end is far from all edges, and no point is near. Halving such cells rounds.
 TEST(Polygons, LeaveAThinDomainBareWhereItIsFarFromTheirEdges) {
     std::mt19937_64 random(11);
     for (int i = 0; i < 300; ++i) {
@@ -68,14 +68,15 @@ TEST(Polygons, LeaveAThinDomainBareWhereItIsFarFromTheirEdges) {
         const std::vector<Point> points{{0.32, 0.7 * height}, {0.75, 0.26 * height}};
         const Proof proof = prove(points, claim);
         ASSERT_FALSE(proof.covered) << "height " << height << ", border " << claim.border;
-        ASSERT_GT(proof.emptiest_distance, 2.3);
+        ASSERT_GT(proof.largest_gap_distance, 2.3);
     }
 }
 
-// A set that a search for such cases found, less a point. Its barest spot is a corner of what the
-// polygon's tolerance leaves open, on the border of two pixels of unlike radii, where rounding
-// takes the right one's: by the left one's it is bare.
-TEST(TheBarestSpot, OnTheBorderOfTwoPixelsHasTheRadiusOfItsOwn) {
+// A random search found this set, from which a point is removed. Its largest gap is a corner of the
+// region that the tolerance of the polygons leaves open, on the border of two pixels of different
+// radii. Rounding takes the radius of the right pixel, but only with that of the left one is it a
+// gap.
+TEST(TheLargestGap, OnTheBorderOfTwoPixelsHasTheRadiusOfItsOwn) {
     const Field field{
         2,
         4,
@@ -104,12 +105,12 @@ TEST(TheBarestSpot, OnTheBorderOfTwoPixelsHasTheRadiusOfItsOwn) {
     const Proof proof = prove(points, claim);
 
     EXPECT_FALSE(proof.covered);
-    EXPECT_NEAR(proof.emptiest_distance - proof.emptiest_limit, 0.0989, 1e-4);
+    EXPECT_NEAR(proof.largest_gap_distance - proof.largest_gap_limit, 0.0989, 1e-4);
 }
 
 TEST(Polygons, MayBeOffByTheirEdgesTolerance) {
     const std::vector<PolygonRing> rings{square(0.25, 0.75)};
-    Claim claim = unit_claim(0.36);  // from the middle to a corner of the square is 0.354
+    Claim claim = unit_claim(0.36);  // the middle of the square is 0.354 from a corner
     claim.inside = rings;
     EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
     EXPECT_FALSE(prove(std::vector<Point>{}, claim).covered);
@@ -118,13 +119,13 @@ TEST(Polygons, MayBeOffByTheirEdgesTolerance) {
     EXPECT_EQ(outside.forbidden_by, Proof::Closed::polygons);
     claim.edge_tolerance = 0.011;
     EXPECT_FALSE(prove(std::vector<Point>{{0.76, 0.5}}, claim).forbidden);
-    // Spots that are no farther inside than that need not be covered.
+    // Spots that are inside by no more than the tolerance need not be covered.
     claim.radius = 0.34;
     EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
     claim.edge_tolerance = 0.009;
-    const Proof bare = prove(std::vector<Point>{{0.5, 0.5}}, claim);
-    EXPECT_FALSE(bare.covered);
-    EXPECT_NEAR(bare.emptiest_distance, std::sqrt(2) * 0.241, 1e-6);
+    const Proof proof_of_gap = prove(std::vector<Point>{{0.5, 0.5}}, claim);
+    EXPECT_FALSE(proof_of_gap.covered);
+    EXPECT_NEAR(proof_of_gap.largest_gap_distance, std::sqrt(2) * 0.241, 1e-6);
 }
 
 TEST(APolygonInAPolygon, IsAHole) {
@@ -148,19 +149,19 @@ TEST(ABorder, HasNoPointAndNeedsNone) {
     EXPECT_EQ(proof.forbidden, 0U);
     EXPECT_EQ(proof.forbidden_by, Proof::Closed::border);
     claim.radius = 0.424;
-    const Proof bare = prove(std::vector<Point>{{0.5, 0.5}}, claim);
-    EXPECT_FALSE(bare.covered);
-    EXPECT_NEAR(bare.emptiest_distance, std::hypot(0.3, 0.3), 1e-7);
-    EXPECT_NEAR(std::abs(bare.emptiest.x - 0.5), 0.3, 1e-7);
+    const Proof proof_of_gap = prove(std::vector<Point>{{0.5, 0.5}}, claim);
+    EXPECT_FALSE(proof_of_gap.covered);
+    EXPECT_NEAR(proof_of_gap.largest_gap_distance, std::hypot(0.3, 0.3), 1e-7);
+    EXPECT_NEAR(std::abs(proof_of_gap.largest_gap.x - 0.5), 0.3, 1e-7);
     claim.border = 0.5;
     EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
     claim.border = 0.6;
     EXPECT_TRUE(prove(std::vector<Point>{}, claim).covered);
 }
 
-// The search cuts the domain in lines that a border may put a rounding beside those of the mask,
-// and looks at what is between.
-TEST(TheBarestSpot, AtTheEdgeOfAMaskHasItsRadiusOnTheSideThatIsOpen) {
+// The search cuts the domain along lines. With a border, such a line may lie a rounding beside an
+// edge of the mask, and then the search also looks at the narrow cells between the two.
+TEST(TheLargestGap, AtTheEdgeOfAMaskHasItsRadiusOnTheSideThatIsOpen) {
     std::mt19937_64 random(5);
     const Mask left_is_open{2, 1, {1, 0}};
     for (int i = 0; i < 300; ++i) {
@@ -169,9 +170,9 @@ TEST(TheBarestSpot, AtTheEdgeOfAMaskHasItsRadiusOnTheSideThatIsOpen) {
         claim.border = std::pow(10, -std::uniform_real_distribution<double>(1, 12)(random));
         const Proof proof = prove(std::vector<Point>{{0.25, 0.5}}, claim);
         EXPECT_FALSE(proof.covered);
-        EXPECT_EQ(proof.emptiest_limit, 0.1);
+        EXPECT_EQ(proof.largest_gap_limit, 0.1);
         const double low = claim.border - 0.5;
-        EXPECT_NEAR(proof.emptiest_distance, std::hypot(0.25, low), 1e-6) << claim.border;
+        EXPECT_NEAR(proof.largest_gap_distance, std::hypot(0.25, low), 1e-6) << claim.border;
     }
 }
 

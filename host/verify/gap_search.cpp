@@ -1,0 +1,120 @@
+// Cuts cells until each is settled.
+#include "verify/gap_search.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "verify/bounds.h"
+
+namespace lacuna::verify {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The two parts of a cell, in the order to visit them. The part that is farther from the sample
+// that covers the centre best comes first. Otherwise the search would climb towards a gap in the
+// smallest steps, with a new record at each step.
+std::pair<Cell, Cell> parts_of(const Cell& cell, const Cut& cut, const Frame& frame, Point best) {
+    const bool is_high_farther = cut.is_of_x ? best.x < frame.centre.x : best.y < frame.centre.y;
+    if (is_high_farther) return {cut.high(cell), cut.low(cell)};
+    return {cut.low(cell), cut.high(cell)};
+}
+
+}  // namespace
+
+Gap GapSearch::run(const Cell& cell, const Under& under, std::vector<Disk> samples) {
+    stack_ = std::move(samples);
+    visit(cell, under, 0);
+    return gap_;
+}
+
+void GapSearch::visit(const Cell& cell, const Under& outer, std::size_t begin) {
+    constexpr std::uint32_t kVisitsPerLook = 1U << 10U;
+    if (++visits_ % kVisitsPerLook == 0) question_.patience.look();
+    const Under under = question_.radius_field.under(cell, outer);
+    const Frame frame(cell);
+    const double settled = settled_from();
+    const bool is_a_spot = std::max(frame.half_width, frame.half_height) < question_.finest / 4;
+    if (under.is_closed() || is_a_spot || settled == kInfinity) return;
+
+    const Bounds bounds(frame, under);
+    const std::size_t end = stack_.size();
+    double most_over = kInfinity;
+    for (std::size_t i = begin; i < end; ++i) {
+        if (bounds.is_at_most(stack_[i], settled - question_.rounding)) return;
+        bounds.lower_to_most_over(stack_[i], most_over);
+    }
+    Point best = frame.centre;
+    const std::size_t best_index = look_from(frame.centre, under, begin);
+    if (begin < end) {
+        best = stack_[best_index].at;
+        // It goes first, because it is likely to cover a part.
+        std::swap(stack_[begin], stack_[best_index]);
+    }
+    push_those_that_matter(cell, bounds, most_over, begin, end);
+    const std::size_t top = stack_.size();
+    const auto [first, second] =
+        parts_of(cell, question_.radius_field.cut(cell, under), frame, best);
+    visit(first, under, end);
+    stack_.resize(top);
+    visit(second, under, end);
+    stack_.resize(end);
+}
+
+void GapSearch::push_those_that_matter(const Cell& cell, const Bounds& bounds, double most_over,
+                                       std::size_t begin, std::size_t end) {
+    const double reach = most_over + question_.rounding;
+    stack_.resize(end + (end - begin));
+    std::size_t top = end;
+    for (std::size_t i = begin; i < end; ++i) {
+        stack_[top] = stack_[i];
+        top += bounds.may_matter(stack_[i], reach) ? 1U : 0U;
+    }
+    stack_.resize(top);
+    thin_out(cell, bounds, end - begin, stack_, end);
+}
+
+std::size_t GapSearch::look_from(Point centre, const Under& under, std::size_t begin) {
+    // Where all places are alike there is no need to look at mask and polygons for each spot.
+    std::optional<double> radius =
+        under.is_plain() ? under.radii.least : question_.radius_field.radius_at(centre);
+    // On the border of two pixels, rounding may give the radius of the other pixel. But the stack
+    // has only the samples that matter to the radii of this cell.
+    if (radius) radius = std::clamp(*radius, under.radii.least, under.radii.most);
+    const double reach = radius.value_or(under.radii.most);
+    // With limits of 0 only distances are compared, and their squares tell them apart best.
+    const bool by_squares = reach == 0;
+    std::size_t best = begin;
+    double least = kInfinity;
+    for (std::size_t i = begin; i < stack_.size(); ++i) {
+        const Disk& disk = stack_[i];
+        const double squared = square(disk.at.x - centre.x) + square(disk.at.y - centre.y);
+        const double over =
+            by_squares ? squared : std::sqrt(squared) - std::min(disk.radius, reach);
+        if (over >= least) continue;
+        least = over;
+        best = i;
+    }
+    if (by_squares) least = std::sqrt(least);
+    if (radius && least > gap_.over) {
+        gap_.at = centre;
+        gap_.radius = *radius;
+        gap_.over = least;
+    }
+    return best;
+}
+
+double GapSearch::settled_from() const {
+    const double over = gap_.over;
+    const double larger = over * (1 + question_.precision);
+    const double tolerance = question_.tolerance;
+    const bool is_uncovered = over > tolerance + question_.rounding;
+    const double settled = is_uncovered              ? larger
+                           : question_.names_any_gap ? std::min(larger, tolerance)
+                                                     : tolerance;
+    return std::max(over + question_.finest, settled);
+}
+
+}  // namespace lacuna::verify

@@ -1,0 +1,47 @@
+// The largest gap: the spot that is farthest from all samples, in terms of its limit.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <limits>
+#include <span>
+
+#include "verify/domain.h"
+#include "verify/patience.h"
+#include "verify/radius_field.h"
+
+namespace lacuna::verify {
+
+// The largest gap is found to this share of its size.
+constexpr double kGapPrecision = 1e-6;
+
+// A spot is covered by a sample if its distance is at most their limit: the smaller radius of the
+// two.
+struct Gap {
+    Point at{0, 0};
+    // What the radius field says of the spot. It is taken from the cell whose centre the spot is,
+    // because in a very narrow cell rounding may put the centre on a side, and so on the next
+    // pixel.
+    double radius = 0;
+    // The distance and the limit to the sample that covers the spot best, if there is a sample.
+    double distance = std::numeric_limits<double>::infinity();
+    double limit = 0;
+    // distance - limit; -infinity if no sample may lie anywhere.
+    double over = -std::numeric_limits<double>::infinity();
+};
+
+// Among the spots where samples may lie, the one that is farthest over its limit. This is sure:
+//   - If it is over its limit by more than `tolerance`, no spot is over by more than it is, except
+//     by kGapPrecision of that and kFinest of the longer side.
+//   - Otherwise no spot is over by more than `tolerance`, except by kFinest of the longer side.
+// All samples must lie in the domain. Where every spot is covered, the spot is any of them.
+Gap largest_gap(const RadiusField& radius_field, std::span<const Disk> samples, double tolerance,
+                const Patience& patience = {});
+
+// The same for one radius everywhere, with limits of 0: `over` is the distance to the nearest
+// point, and a spot is covered up to a distance of `reach`. Here the gap is the largest one, to
+// kGapPrecision, even where every spot is covered, and does not depend on the order of the points.
+Gap largest_gap(const Domain& domain, std::span<const Point> points, double reach,
+                const Patience& patience = {});
+
+}  // namespace lacuna::verify
