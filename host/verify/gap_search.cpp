@@ -11,7 +11,7 @@
 namespace lacuna::verify {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 // The two parts of a cell, in the order to visit them. The part that is farther from the sample
 // that covers the centre best comes first. Otherwise the search would climb towards a gap in the
@@ -37,11 +37,11 @@ void GapSearch::visit(const Cell& cell, const Under& outer, std::size_t begin) {
     const Frame frame(cell);
     const double settled = settled_from();
     const bool is_a_spot = std::max(frame.half_width, frame.half_height) < question_.finest / 4;
-    if (under.is_closed() || is_a_spot || settled == kInfinity) return;
+    if (under.is_closed() || is_a_spot || settled == kEndless) return;
 
     const Bounds bounds(frame, under);
     const std::size_t end = stack_.size();
-    double most_over = kInfinity;
+    double most_over = kEndless;
     for (std::size_t i = begin; i < end; ++i) {
         if (bounds.is_at_most(stack_[i], settled - question_.rounding)) return;
         bounds.lower_to_most_over(stack_[i], most_over);
@@ -87,7 +87,7 @@ std::size_t GapSearch::look_from(Point centre, const Under& under, std::size_t b
     // With limits of 0 only distances are compared, and their squares tell them apart best.
     const bool by_squares = reach == 0;
     std::size_t best = begin;
-    double least = kInfinity;
+    double least = kEndless;
     for (std::size_t i = begin; i < stack_.size(); ++i) {
         const Disk& disk = stack_[i];
         const double squared = square(disk.at.x - centre.x) + square(disk.at.y - centre.y);

@@ -126,13 +126,13 @@ Proof prove(std::span<const Point> points, const Claim& claim,
     check_claim(claim, tolerance);
     const Domain domain{claim.width, claim.height, claim.boundary == Boundary::torus};
     const Field one_pixel{1, 1, {1}};
-    const RadiusField radius_field(domain,
-                                   {.field = claim.field != nullptr ? claim.field : &one_pixel,
-                                    .scale = claim.field != nullptr ? claim.scale : claim.radius,
-                                    .mask = claim.mask,
-                                    .inside = claim.inside,
-                                    .edge_tolerance = claim.edge_tolerance,
-                                    .border = claim.border});
+    const verify::RadiusField radius_field(
+        domain, {.field = claim.field != nullptr ? claim.field : &one_pixel,
+                 .scale = claim.field != nullptr ? claim.scale : claim.radius,
+                 .mask = claim.mask,
+                 .inside = claim.inside,
+                 .edge_tolerance = claim.edge_tolerance,
+                 .border = claim.border});
     check_least_radius(claim, radius_field.least_radius());
     proof.outside = first_outside(points, domain);
     if (proof.outside) return proof;
