@@ -162,7 +162,7 @@ void check(const CLI::App& command, const VerifyCommand& options) {
     read.reserve(options.files.size());
     for (const std::string& file : options.files) read.push_back({"FILE", file});
     for (const GivenFile& file : files_of(options.domain)) read.push_back(file);
-    check_given_files(read, {});
+    check_given_files(read, std::vector<GivenFile>{});
     if (!request.radius) return;
     Claim claim;
     claim.radius = *request.radius;
