@@ -43,7 +43,7 @@ public:
         if (request.mode == Mode::cells)
             choose_field(made);
         else if (request.mode == Mode::exact && one_in(2))
-            choose_field(made);
+            choose_radius_field(made);
         else
             choose_radius(request);
         return made;
@@ -109,7 +109,7 @@ private:
     }
 
     // Radii differ by up to a factor of 10^6.
-    void choose_field(HostileRequest& made) {
+    void choose_radius_field(HostileRequest& made) {
         Request& request = made.request;
         if (one_in(4)) request.lines_per_radius = below(5) + 1;
         if (request.boundary == Boundary::box && one_in(3))
