@@ -210,9 +210,10 @@ TEST_P(Faults, InPiecesOfBoxesWithARadiusFieldAreNoticed) {
     request.scale = 0.005;
     Plan plan = make_plan(request);
     plan.limit = 2 * plan.expected_samples;
-    expect_noticed(
-        plan, {{"bodies/exact/pieces.h", "end = chord_begin > begin ? chord_begin : end;", ""},
-               {"bodies/exact/pieces.h", "begin = chord_begin <= begin ? chord_end : begin;", ""}});
+    expect_noticed(plan,
+                   {{"bodies/exact/pieces.h", "end = chord_begin > begin ? chord_begin : end;", ""},
+                    {"bodies/exact/pieces.h", "begin = chord_begin <= begin ? chord_end :",
+                     "begin = chord_begin <= begin ? pieces.high :"}});
 }
 
 // Rounds of so many draws in so few columns are admitted in parts.
@@ -270,7 +271,8 @@ TEST_P(Faults, OfBoxesInSeveralPiecesAreNoticed) {
     ASSERT_TRUE(boxes_of(*tests::make_backend(GetParam(), exact_)) == right);
     const Fault faults[] = {
         {"bodies/exact/pieces.h", "end = chord_begin > begin ? chord_begin : end;", ""},
-        {"bodies/exact/pieces.h", "begin = chord_begin <= begin ? chord_end : begin;", ""},
+        {"bodies/exact/pieces.h", "begin = chord_begin <= begin ? chord_end :",
+         "begin = chord_begin <= begin ? pieces.high :"},
         {"bodies/exact/cut.h", "count > 1u ? NO_SAMPLE :", "false ? NO_SAMPLE :"},
         {"bodies/exact/keep.h", "keep_piece(ON a, number, strip, piece, next)",
          "keep_piece(ON a, number, box, piece, next)"},

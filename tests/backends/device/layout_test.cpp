@@ -97,16 +97,16 @@ TEST(Requests, OfModeCellsThatDoNotFitAreRefusedToo) {
 }
 
 TEST(Requests, WithARadiusFieldThatDoNotFitAreRefusedToo) {
-    // 696,500 samples with three entries of 16 bytes each; and the boxes, before and after a round.
+    // 696,500 samples with 2.5 boxes each, whose four strips have 8 bytes each: the largest buffer.
     const tests::FieldRequest made = tests::radius_field_request(
         "one pixel", tests::constant_field(1, 1), 696'500, Boundary::torus);
     const Plan plan = make_plan(made.request);
     const std::uint64_t much = std::uint64_t{1} << 40;
-    EXPECT_NO_THROW(refuse_if_too_large("Toy", plan, much, 34'000'000));
-    EXPECT_EQ(refusal(plan, much, 33'000'000),
-              "device Toy: the request needs a buffer of 0.0334 GB, and its largest has 0.033 GB");
+    EXPECT_NO_THROW(refuse_if_too_large("Toy", plan, much, 56'000'000));
+    EXPECT_EQ(refusal(plan, much, 55'000'000),
+              "device Toy: the request needs a buffer of 0.0557 GB, and its largest has 0.055 GB");
     EXPECT_EQ(refusal(plan, 200'000'000, much),
-              "device Toy: the request needs 0.263 GB of memory, and it has 0.2 GB");
+              "device Toy: the request needs 0.277 GB of memory, and it has 0.2 GB");
 }
 
 }  // namespace
