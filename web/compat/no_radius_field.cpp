@@ -6,6 +6,7 @@
 #include "backends/reference/free_space.h"
 #include "plan/kept.h"
 #include "plan/plan.h"
+#include "verify/outline.h"
 
 namespace lacuna {
 namespace {
@@ -32,6 +33,15 @@ std::unique_ptr<Backend> cpu::make_field_backend(const Plan&, const Placement&) 
     refuse();
 }
 std::unique_ptr<reference::FreeSpace> reference::make_exact_with_field(const Plan&) {
+    refuse();
+}
+
+// Claims of the page name no polygons, so nobody asks these.
+verify::Outline::Outline(std::span<const std::vector<Point>>) {}
+verify::Openness verify::Outline::under(const Cell&, double) const {
+    refuse();
+}
+double verify::Outline::depth_of(Point) const {
     refuse();
 }
 
