@@ -7,7 +7,7 @@ set(LACUNA_REQUIRE "$ENV{LACUNA_REQUIRE}" CACHE STRING
 # contain it. It is an error if LACUNA_REQUIRE has the name.
 function(lacuna_leave_out what name missing packages)
     set(message "${missing} (Debian: ${packages})")
-    if("${LACUNA_REQUIRE}" MATCHES "${name}")
+    if("${LACUNA_REQUIRE},$ENV{LACUNA_REQUIRE}" MATCHES "${name}")
         message(FATAL_ERROR "${message}")
     endif()
     message(STATUS "${message}. Lacuna is built without ${what}.")
