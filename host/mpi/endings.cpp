@@ -31,7 +31,7 @@ void refuse_another_request(int rank) {
 void MpiProgram::end_with(const std::optional<Ending>& own) const {
     const auto [rank, ranks] = place();
     const bool fails = own && own->is_answer == 0;
-    // The lowest rank of those that fail, of those that only say something, of those that go on.
+    // The lowest rank that fails, the lowest that only says something, the lowest that goes on.
     std::array<int, 3> all{fails ? rank : ranks, own && !fails ? rank : ranks, own ? ranks : rank};
     MPI_Allreduce(MPI_IN_PLACE, all.data(), all.size(), MPI_INT, MPI_MIN, MPI_COMM_WORLD);
     const auto [failing, saying, going_on] = all;

@@ -202,7 +202,7 @@ TEST_P(Faults, InHalvedBoxesWithARadiusFieldAreNoticed) {
                     {"portable/radius_field.h", "less_a < less_b", "less_a > less_b"}});
 }
 
-// Of boxes on one large pixel, more are cut inside before all samples near them are there.
+// Boxes on one large pixel are long, and chords cut more of them inside.
 TEST_P(Faults, InPiecesOfBoxesWithARadiusFieldAreNoticed) {
     const Field field = tests::noise_field(2, 2, 3);
     Request request;
@@ -216,7 +216,7 @@ TEST_P(Faults, InPiecesOfBoxesWithARadiusFieldAreNoticed) {
                      "begin = chord_begin <= begin ? pieces.high :"}});
 }
 
-// Rounds of so many draws in so few columns are admitted in parts.
+// A round of 3,000 draws in a few columns is admitted in parts.
 TEST_P(Faults, InCrowdedRoundsAreNoticed) {
     const auto crowded = [](Plan plan) {
         plan.round_size = 3000;
