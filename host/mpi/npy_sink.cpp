@@ -165,8 +165,9 @@ void NpySink::write_at(std::uint64_t offset, const void* bytes, std::size_t size
     // gives one for those that are left.
     for (std::size_t done = 0; done < size;) {
         MPI_Status status{};
+        const std::uint64_t next = offset + done;
         errno = 0;
-        const int error = MPI_File_write_at(handle_, static_cast<MPI_Offset>(offset + done),
+        const int error = MPI_File_write_at(handle_, static_cast<MPI_Offset>(next),
                                             static_cast<const char*>(bytes) + done,
                                             static_cast<int>(size - done), MPI_BYTE, &status);
         const int reason = errno;

@@ -157,6 +157,7 @@ Pair first_hopeless(const Domain& domain, std::span<const Disk> samples, const P
         return samples[a].radius > samples[b].radius;
     });
     std::vector<Disk> walk;
+    walk.reserve(samples.size());
     for (const std::size_t index : order) walk.push_back(samples[index]);
     const auto closest_of = [&](std::size_t count) {
         return least_ratio(domain, std::span(walk).first(count), patience);
