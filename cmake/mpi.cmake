@@ -12,7 +12,6 @@ function(lacuna_add_mpi)
     # The ranks and their file, without the command, because tests use them too.
     add_library(lacuna_mpi_ranks STATIC
         ${folder}/mpi_ranks.cpp ${folder}/npy_sink.cpp ${folder}/unfinished_file.cpp)
-    target_include_directories(lacuna_mpi_ranks PRIVATE ${PROJECT_SOURCE_DIR}/kernels)
     target_include_directories(lacuna_mpi_ranks SYSTEM PRIVATE ${RANDOM123_INCLUDE_DIR})
     target_compile_definitions(lacuna_mpi_ranks PUBLIC OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
     target_link_libraries(lacuna_mpi_ranks PUBLIC lacuna_files MPI::MPI_CXX
@@ -21,7 +20,7 @@ function(lacuna_add_mpi)
         ${folder}/sample.cpp
         $<FILTER:$<TARGET_OBJECTS:lacuna_command>,EXCLUDE,/main\\.cpp>)
     set_target_properties(lacuna_mpi PROPERTIES OUTPUT_NAME lacuna-mpi)
-    target_include_directories(lacuna_mpi PRIVATE ${PROJECT_SOURCE_DIR}/host ${PROJECT_SOURCE_DIR}/kernels)
+    target_include_directories(lacuna_mpi PRIVATE ${PROJECT_SOURCE_DIR}/host)
     target_include_directories(lacuna_mpi SYSTEM PRIVATE ${CLI11_INCLUDE_DIR} ${RANDOM123_INCLUDE_DIR})
     target_compile_definitions(lacuna_mpi PRIVATE LACUNA_VERSION="${PROJECT_VERSION}")
     target_link_libraries(lacuna_mpi PRIVATE lacuna_mpi_ranks

@@ -11,18 +11,9 @@
 
 #include "base/workers.h"
 #include "plan/plan.h"
+#include "rounds/round.h"
 
 namespace lacuna {
-
-// One inversion of the cdf. Its bin is a line; after the first refinement, and from the start with
-// a radius field, it is an active box.
-struct Draw {
-    std::uint32_t place;
-    std::uint32_t rank;    // along the bin's free length
-    std::uint32_t offset;  // in x, from the bin's low edge
-    std::uint32_t order;
-    friend bool operator==(const Draw&, const Draw&) = default;
-};
 
 // An active box where there is one radius: [x, x + width) times [begin, end). All boxes have the
 // same width, and none crosses the border between two rows of the sample grid.
@@ -31,15 +22,6 @@ struct Box {
     std::uint32_t begin;
     std::uint32_t end;
     friend bool operator==(const Box&, const Box&) = default;
-};
-
-// A draw turned into a point. With a radius field its line is 0.
-struct Candidate {
-    std::uint32_t x;
-    std::uint32_t y;
-    std::uint32_t line;  // the line of the strip that it lies in
-    std::uint32_t order;
-    friend bool operator==(const Candidate&, const Candidate&) = default;
 };
 
 // A copy of a backend's memory: what each verb reads and writes.
@@ -59,19 +41,6 @@ struct Snapshot {
     // even number of words; its lowest y is the lowest bit of its first word.
     std::vector<std::uint32_t> bits;
     friend bool operator==(const Snapshot&, const Snapshot&) = default;
-};
-
-// The result of a round. Valid until the backend's next call.
-struct Round {
-    std::span<const Sample> samples;                 // admitted, in the order of their draws
-    std::uint64_t survivors;                         // draws not covered in earlier rounds
-    std::span<const std::uint32_t> free_lengths;     // of every bin, after the round
-    std::uint32_t bin_width;                         // of all bins, where bin_widths is empty
-    std::span<const std::uint32_t> bin_widths = {};  // of each bin
-    // With plan.tells_orders: the order of each sample's draw. In lines and exact without a radius
-    // field: the first bin of each column, then the number of bins.
-    std::span<const std::uint32_t> orders = {};
-    std::span<const std::uint32_t> bin_begins = {};
 };
 
 // Serves one plan. A backend may queue the verbs and do them in finish_round. It may work in any

@@ -10,7 +10,6 @@
 #ifdef LACUNA_OPENCL
 #include "backends/opencl/make_backend.h"
 #endif
-#include "backends/reference/reference.h"
 #ifdef LACUNA_VULKAN
 #include "backends/vulkan/make_backend.h"
 #endif
@@ -131,25 +130,12 @@ std::vector<Device> devices() {
 
 ReadyBackend make_backend(const Request& request, const Plan& plan, Observer& observer) {
     const Entry& entry = entry_for(request);
-    if (entry.make == nullptr)
-        throw BadRequest("backend", std::string(entry.name),
-                         "makes whole sets only; here: auto, cpu, opencl or vulkan");
+    if (entry.make == nullptr) return {nullptr, std::string(entry.name)};
     // A device's kernels are built here, at first use.
     observer.begin(Verb::first_use);
     std::unique_ptr<Backend> backend = entry.make(plan, {request.device, request.threads});
     observer.end(Verb::first_use);
     return {std::move(backend), std::string(entry.name)};
-}
-
-Run run_on_backend(const Request& request, const Plan& plan, Observer& observer) {
-    if (entry_for(request).make == nullptr)
-        return {reference::sample(plan, observer), "reference", "1 thread"};
-    const ReadyBackend ready = make_backend(request, plan, observer);
-    Run run;
-    run.outcome = generate(plan, *ready.backend, observer);
-    run.backend = ready.name;
-    run.device = ready.backend->device();
-    return run;
 }
 
 }  // namespace lacuna

@@ -6,16 +6,10 @@
 #include <memory>
 #include <string>
 
+#include "backends/backend.h"
 #include "plan/plan.h"
-#include "sampling/generate.h"
 
 namespace lacuna {
-
-struct Run {
-    Outcome outcome;
-    std::string backend;
-    std::string device;
-};
 
 // The backend that was asked for or, where that is "auto", the environment's LACUNA_BACKEND.
 std::string wanted_backend(const std::string& asked);
@@ -23,15 +17,12 @@ std::string wanted_backend(const std::string& asked);
 // The error for a backend that does not exist. All builds know the same names.
 BadRequest no_such_backend(const std::string& wanted);
 
-// The backend that the request asks for. The plan may be a part of the request's. Throws
-// Unavailable, DeviceError, and BadRequest for the reference, which serves no plan in verbs.
+// The backend that the request asks for. The plan may be a part of the request's. The reference has
+// a loop of its own instead of verbs: its backend is null. Throws Unavailable, DeviceError.
 struct ReadyBackend {
     std::unique_ptr<Backend> backend;
     std::string name;
 };
 ReadyBackend make_backend(const Request& request, const Plan& plan, Observer& observer);
-
-// Runs the plan on the backend that the request asks for, or throws Unavailable.
-Run run_on_backend(const Request& request, const Plan& plan, Observer& observer);
 
 }  // namespace lacuna

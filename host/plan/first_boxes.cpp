@@ -26,7 +26,7 @@ constexpr std::uint32_t kRadiiOfBlock = 6;
 class Halving {
 public:
     explicit Halving(const Plan& plan)
-        : radius_field_(*plan.radius_field), pieces_(plan.lines_per_radius) {
+        : radius_field_(*plan.field().radius_field), pieces_(plan.lines_per_radius) {
         // Reserves about as many as there will be boxes. Memory that stays unused is never touched.
         const std::size_t places = plan.maximal_samples;
         first_.places.reserve(places);
@@ -124,7 +124,7 @@ private:
 }  // namespace
 
 FirstBoxes first_boxes(const Plan& plan) {
-    const RadiusField::Shape& shape = plan.radius_field->shape();
+    const RadiusField::Shape& shape = plan.field().radius_field->shape();
     Halving halving(plan);
     halving.cut({shape.low_x, shape.high_x - shape.low_x, shape.low_y, shape.high_y}, 0);
     return halving.take();

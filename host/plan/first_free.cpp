@@ -12,14 +12,15 @@ namespace {
 
 // In cells, lines above one column of pixels have equal spans; in the other modes all have.
 bool is_like_the_line_below(const Plan& plan, std::uint32_t line) {
-    return !plan.is_cells() || plan.radii->column_of[line] == plan.radii->column_of[line - 1];
+    return !plan.is_cells() ||
+           plan.cells().radii->column_of[line] == plan.cells().radii->column_of[line - 1];
 }
 
 }  // namespace
 
 std::vector<Span> first_spans(const Plan& plan, std::uint32_t line) {
     if (!plan.is_cells()) return {{0, plan.height}};
-    const RadiusMap& map = *plan.radii;
+    const RadiusMap& map = *plan.cells().radii;
     const std::uint32_t* const radii = &map.radii[std::size_t{map.column_of[line]} * map.rows];
     std::vector<Span> spans;
     for (std::uint32_t row = 0; row < map.rows;) {
@@ -49,11 +50,11 @@ std::vector<std::uint32_t> first_free_lengths(const Plan& plan) {
 }
 
 FirstFree::FirstFree(const Plan& plan) {
-    if (!plan.radius_field) {
+    if (!plan.has_field()) {
         lengths = first_free_lengths(plan);
         return;
     }
-    const std::vector<Rectangle>& places = plan.first_boxes->places;
+    const std::vector<Rectangle>& places = plan.field().first_boxes->places;
     lengths.reserve(places.size());
     widths.reserve(places.size());
     for (const Rectangle& place : places) {

@@ -87,17 +87,6 @@ void check_radius(const Request& request) {
                              ", the longer side / 2^20, or the grid's units run out");
 }
 
-// Solves density * (W q + edge) (H q + edge) = count for q = 1 / r and takes the larger root.
-double radius_expecting(const Request& request, double count) {
-    if (request.boundary == Boundary::torus)
-        return std::sqrt(kTorusDensity * request.width * request.height / count);
-    const double a = request.width * request.height;
-    const double b = kBoxEdge * (request.width + request.height);
-    const double c = kBoxEdge * kBoxEdge - count / kBoxDensity;
-    if (c >= 0) return std::numeric_limits<double>::infinity();
-    return 2 * a / (std::sqrt(b * b - 4 * a * c) - b);
-}
-
 }  // namespace
 
 std::uint32_t lines_per_radius(const Request& request) {
@@ -141,19 +130,24 @@ double expected_count(double width, double height, Boundary boundary, double rad
     return kBoxDensity * (width / radius + kBoxEdge) * (height / radius + kBoxEdge);
 }
 
-double radius_for_count(const Request& request, int attempt) {
-    const double count = static_cast<double>(*request.count);
-    // In mode lines a set has fewer points than a maximal one, in proportion to the strips' width.
-    const double loss = request.mode == Mode::exact ? 1 : 1 + 0.2 / lines_per_radius(request);
-    const double wanted =
-        (count + 4 * kCountDeviation * std::sqrt(count)) * loss * std::pow(1.05, attempt);
-    const double radius = std::min(radius_expecting(request, wanted), largest_radius(request));
+// Solves density * (W q + edge) (H q + edge) = count for q = 1 / r and takes the larger root.
+double radius_expecting(const Request& request, double count) {
+    const double most = largest_radius(request);
+    if (request.boundary == Boundary::torus)
+        return std::min(most, std::sqrt(kTorusDensity * request.width * request.height / count));
+    const double a = request.width * request.height;
+    const double b = kBoxEdge * (request.width + request.height);
+    const double c = kBoxEdge * kBoxEdge - count / kBoxDensity;
+    return c >= 0 ? most : std::min(most, 2 * a / (std::sqrt(b * b - 4 * a * c) - b));
+}
+
+void check_radius_for_count(const Request& request, double radius) {
+    const auto count = static_cast<double>(*request.count);
     refuse_if_too_large(request, "count", std::to_string(*request.count), radius, count);
     const double longer = std::max(request.width, request.height);
     if (radius < longer * kSmallestRadius)
         throw BadRequest("count", std::to_string(*request.count),
                          "needs a radius under the longer side / 2^20: the grid's units run out");
-    return radius;
 }
 
 bool needs_radius_field(const Request& request) {
@@ -171,44 +165,52 @@ Plan make_plan(const Request& request) {
     check_radius(request);
     const double radius = *request.radius;
     const double longer = std::max(request.width, request.height);
-    const bool torus = request.boundary == Boundary::torus;
-    Plan plan{};
 
     // Section 4.1: L = ceil(m W / r) lines. Strips are equally wide, their centres are whole
     // numbers.
     const double lines = std::ceil(lines_per_radius(request) * request.width / radius);
     const double strip = kLongerSideUnits * (request.width / longer) / lines;
+    const std::uint32_t even = 2 * static_cast<std::uint32_t>(strip / 2);
+    const bool is_exact = request.mode == Mode::exact;
+    Plan plan;
     plan.lines = static_cast<std::uint32_t>(lines);
-    plan.strip_width = 2 * static_cast<std::uint32_t>(strip / 2);
-    if (request.mode == Mode::exact) plan.strip_width = std::bit_floor(plan.strip_width);
+    plan.strip_width = is_exact ? std::bit_floor(even) : even;
     plan.width = plan.lines * plan.strip_width;
     plan.height = static_cast<std::uint32_t>(request.height * (plan.width / request.width));
+
+    // The radius is rounded up by at least 2^-10 units: more than doubles lose when converted back.
+    const double unit = std::min(request.width / plan.width, request.height / plan.height);
+    plan.radius = static_cast<std::uint32_t>(radius / unit + 1.0 / 1024) + 1;
+    if (is_exact)
+        plan.of_mode = ExactPlan{.grid = grid_of(plan.width, plan.height, plan.radius), .halo = {}};
+    else
+        plan.of_mode = LinesPlan{.snap = request.snap, .uniform_x = request.uniform_x};
+    plan.user_radius = radius;
+    const std::uint64_t most = request.count.value_or(std::numeric_limits<std::uint64_t>::max());
+    finish_plan(plan, request, std::min(most, request.limit.value_or(most)),
+                expected_count(request.width, request.height, request.boundary, radius));
+    if (request.uniform_x) plan.round_size = 1;
+    return plan;
+}
+
+GridShape grid_of(std::uint32_t width, std::uint32_t height, std::uint32_t radius) {
+    const auto side = portable::to_u32(portable::isqrt(std::uint64_t{radius} * radius / 2));
+    return {.side = side, .columns = (width - 1) / side + 1, .rows = (height - 1) / side + 1};
+}
+
+void finish_plan(Plan& plan, const Request& request, std::uint64_t limit, double expected) {
+    const bool torus = request.boundary == Boundary::torus;
     plan.period_x = torus ? plan.width : 0;
     plan.period_y = torus ? plan.height : 0;
     plan.unit_x = request.width / plan.width;
     plan.unit_y = request.height / plan.height;
-
-    // The radius is rounded up by at least 2^-10 units: more than doubles lose when converted back.
-    const double units = radius / std::min(plan.unit_x, plan.unit_y);
-    plan.radius = static_cast<std::uint32_t>(units + 1.0 / 1024) + 1;
     plan.radius_squared = std::uint64_t{plan.radius} * plan.radius;
-    plan.grid_side = portable::to_u32(portable::isqrt(plan.radius_squared / 2));
-    plan.grid_columns = (plan.width - 1) / plan.grid_side + 1;
-    plan.grid_rows = (plan.height - 1) / plan.grid_side + 1;
-    plan.user_radius = radius;
     plan.lines_per_radius = lines_per_radius(request);
-
-    plan.mode = request.mode;
-    plan.snap = request.snap;
-    plan.uniform_x = request.uniform_x;
-    plan.round_size = request.uniform_x ? 1 : request.round_size;
     plan.seed = request.seed;
-    const std::uint64_t most = request.count.value_or(std::numeric_limits<std::uint64_t>::max());
-    plan.limit = std::min(most, request.limit.value_or(most));
-    const double expected = expected_count(request.width, request.height, request.boundary, radius);
-    plan.maximal_samples = static_cast<std::uint64_t>(expected) + 1;
+    plan.round_size = request.round_size;
+    plan.limit = limit;
+    plan.maximal_samples = static_cast<std::uint64_t>(std::min(expected, 1e18)) + 1;
     plan.expected_samples = std::min(plan.limit, plan.maximal_samples);
-    return plan;
 }
 
 }  // namespace lacuna

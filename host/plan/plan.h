@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "plan/pixels.h"
 #include "plan/radius_map.h"
+#include "portable/conflict.h"
 
 namespace lacuna {
 
@@ -19,11 +21,7 @@ struct Sample {
     friend bool operator==(const Sample&, const Sample&) = default;
 };
 
-// A sample that the request keeps, with its radius in the plan's radius_field.
-struct KeptSample {
-    Sample at;
-    std::uint32_t radius;
-};
+using portable::Sized;  // a sample with its radius
 
 // An interval [begin, end) of y on a line; mostly a free span.
 struct Span {
@@ -40,69 +38,102 @@ inline constexpr double kCountDeviation = 0.244;
 class RadiusField;
 struct FirstBoxes;
 
-// Numbers of lines at either end of a plan that belong to a neighbour: see ranks/strip.h.
+// The sample grid, with which samples near a position are found. Its cells are floor(r / sqrt 2)
+// units wide, so that two samples never share a cell. The last cells may extend beyond the domain.
+struct GridShape {
+    std::uint32_t side = 0;
+    std::uint32_t columns = 0;
+    std::uint32_t rows = 0;
+};
+
+// Numbers of lines at either end of a plan that belong to a neighbour: see ranks/strip.h. Such
+// lines are never cut.
 struct Halo {
     std::uint32_t low = 0;
     std::uint32_t high = 0;
 };
 
-// Everything that decides where samples go. Equal plans give equal samples on every backend. In
-// mode cells the grid is the lattice: a line is one of its columns, a strip is one unit wide, and
-// `radius` is the least radius, rounded up.
-struct Plan {
-    // Domain: [0, width) x [0, height). The longer side has 2^31 units, or fewer so that all strips
-    // are equally wide: a little fewer in lines, down to 2^30 in exact.
-    std::uint32_t width;
-    std::uint32_t height;
-    // The domain's width and height if the axes wrap, otherwise 0.
-    std::uint32_t period_x;
-    std::uint32_t period_y;
-
-    std::uint32_t lines;        // L = ceil(m * W / r)
-    Halo halo;                  // lines that are never cut; only in exact without a radius field
-    std::uint32_t strip_width;  // even; a power of two in exact; lines * strip_width == width
-    std::uint32_t radius;       // rounded up, so it is never less than the user's radius
-    std::uint64_t radius_squared;
-    // The sample grid, with which samples near a position are found. Its cells are floor(r / sqrt
-    // 2) wide, so that two samples never share a cell. The last cells may extend beyond the domain.
-    std::uint32_t grid_side;
-    std::uint32_t grid_columns;
-    std::uint32_t grid_rows;
-
-    Mode mode;
-    bool is_exact() const { return mode == Mode::exact; }
-    bool is_cells() const { return mode == Mode::cells; }
-    std::shared_ptr<const RadiusMap> radii;  // only in cells: the radius of every pixel
-    Metric metric;                           // only in cells: the distance for two radii
-    // In exact with a radius field: the radii, and where samples may go. Then there are no lines,
-    // and `radius` is the least one. The first boxes are at most 2 / lines_per_radius of the least
-    // radius under them long. `kept` holds samples that exist already.
+// The modes' own plans (docs/design.md, section 4).
+struct LinesPlan {
+    bool snap = false;
+    bool uniform_x = false;
+};
+struct ExactPlan {
+    GridShape grid;
+    Halo halo;
+};
+// Mode exact with a radius field. The first boxes are at most 2 / lines_per_radius of the least
+// radius under them long. `kept` holds samples that exist already.
+struct FieldPlan {
     std::shared_ptr<const RadiusField> radius_field;
     std::shared_ptr<const FirstBoxes> first_boxes;
-    std::vector<KeptSample> kept;
-    bool snap;
-    bool uniform_x;
-    std::uint64_t limit;       // stop at this number of samples
-    std::uint64_t round_size;  // 0: chosen by rounds/round_policy.h
-    std::uint64_t seed;
-    bool tells_orders;  // whether rounds report the orders of the admitted draws
+    std::vector<Sized> kept;
+};
+struct CellsPlan {
+    std::shared_ptr<const RadiusMap> radii;  // the radius of every pixel
+    Metric metric = Metric::min;             // the distance for two radii
+};
+
+// Everything that decides where samples go. Equal plans give equal samples on every backend.
+struct Plan {
+    // Domain: [0, width) x [0, height). The longer side has 2^31 units, or fewer so that all strips
+    // are equally wide: a little fewer in lines, down to 2^30 in exact. In cells the units are the
+    // steps of the lattice.
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    // The domain's width and height if the axes wrap, otherwise 0.
+    std::uint32_t period_x = 0;
+    std::uint32_t period_y = 0;
+
+    // L = ceil(m * W / r) strips of equal width: lines * strip_width == width. The width is even in
+    // lines, a power of two in exact, and 1 in cells. With a radius field the domain is one strip.
+    std::uint32_t lines = 0;
+    std::uint32_t strip_width = 0;
+    // The least radius of a sample, rounded up, so it is never less than the user's radius.
+    std::uint32_t radius = 0;
+    std::uint64_t radius_squared = 0;
+
+    std::uint64_t seed = 0;
+    std::uint64_t limit = 0;       // stop at this number of samples
+    std::uint64_t round_size = 0;  // 0: chosen by rounds/round_policy.h
+    bool tells_orders = false;     // whether rounds report the orders of the admitted draws
 
     // A grid unit in the user's units, along x and y. They differ by less than 2^-20.
-    double unit_x;
-    double unit_y;
-    double user_radius;
-    double user_scale;
-    std::uint32_t lines_per_radius;
-    std::uint64_t maximal_samples;   // expected number of a maximal set
-    std::uint64_t expected_samples;  // the same, or the limit if it is less
+    double unit_x = 0;
+    double unit_y = 0;
+    double user_radius = 0;
+    double user_scale = 0;  // 0 without a field
+    std::uint32_t lines_per_radius = 0;
+    std::uint64_t maximal_samples = 0;   // expected number of a maximal set
+    std::uint64_t expected_samples = 0;  // the same, or the limit if it is less
+
+    std::variant<LinesPlan, ExactPlan, FieldPlan, CellsPlan> of_mode;
+
+    bool is_exact() const { return has_grid() || has_field(); }
+    bool is_cells() const { return std::holds_alternative<CellsPlan>(of_mode); }
+    bool has_field() const { return std::holds_alternative<FieldPlan>(of_mode); }
+    bool has_grid() const { return std::holds_alternative<ExactPlan>(of_mode); }
+    const FieldPlan& field() const { return std::get<FieldPlan>(of_mode); }
+    const CellsPlan& cells() const { return std::get<CellsPlan>(of_mode); }
+    // In modes without them: a grid of no cells, a halo of no lines, false.
+    GridShape grid() const { return has_grid() ? std::get<ExactPlan>(of_mode).grid : GridShape{}; }
+    Halo halo() const { return has_grid() ? std::get<ExactPlan>(of_mode).halo : Halo{}; }
+    bool snaps() const {
+        const auto* const own = std::get_if<LinesPlan>(&of_mode);
+        return own != nullptr && own->snap;
+    }
+    bool is_uniform_x() const {
+        const auto* const own = std::get_if<LinesPlan>(&of_mode);
+        return own != nullptr && own->uniform_x;
+    }
 
     std::uint32_t centre_of_line(std::uint32_t line) const {
         return line * strip_width + strip_width / 2;
     }
     std::uint32_t line_of(Sample sample) const { return sample.x / strip_width; }
     // The lines that are not in the halo, and the interval of x of their strips.
-    Span own_lines() const { return {halo.low, lines - halo.high}; }
-    Span own_x() const { return {halo.low * strip_width, (lines - halo.high) * strip_width}; }
+    Span own_lines() const { return {halo().low, lines - halo().high}; }
+    Span own_x() const { return {halo().low * strip_width, (lines - halo().high) * strip_width}; }
     // Added to the distance between sample and line before the chord is computed. In exact, chords
     // cover the strip's whole width, so that free spans contain all free space.
     std::uint32_t chord_margin() const { return is_exact() ? strip_width / 2 : 0; }
@@ -113,6 +144,13 @@ struct Plan {
         return {(sample.x + middle) * unit_x, (sample.y + middle) * unit_y};
     }
 };
+
+// The grid of a domain that is `width` x `height` units large, for a radius.
+GridShape grid_of(std::uint32_t width, std::uint32_t height, std::uint32_t radius);
+
+// Fills in what every mode's plan takes from the request in the same way, once the plan has its
+// width, height and radius. `expected` is the number of samples of a maximal set.
+void finish_plan(Plan& plan, const Request& request, std::uint64_t limit, double expected);
 
 // Throws BadRequest. request.radius must be set, or request.scale in mode cells.
 Plan make_plan(const Request& request);
@@ -156,16 +194,18 @@ double most_spans(double radii);
 // The memory that a set may take if the request does not say.
 std::uint64_t machine_memory_bytes();
 
-// A radius at which a maximal set has somewhat more than request.count points, and more with every
-// attempt. Throws BadRequest.
-double radius_for_count(const Request& request, int attempt);
-// The same for mode cells: the scale g at which a maximal set is expected to have `count` points,
-// by the formula of docs/design.md, section 5. Throws BadRequest if its lattice would be too large.
+// The radius at which a maximal set is expected to have this number of samples, at most the largest
+// that the domain allows. `count` need not be a whole number.
+double radius_expecting(const Request& request, double count);
+// Throws BadRequest or MemoryRefused, for request.count, if it needs too small a radius.
+void check_radius_for_count(const Request& request, double radius);
+// The same for mode cells. Expected samples at a least radius of 1: the density times the integral
+// of the importance in units of the greatest, less what the lattice loses where radii are small.
+double samples_at_radius_one(const Request& request, const FieldSums& sums);
+// The scale at which a maximal set is expected to have `count` points. Throws like the next.
 double scale_for_count(const Request& request, const FieldSums& sums, std::uint64_t count);
-// The same, corrected by a pilot, a maximal set of the same field: in rough fields min admits more
-// samples than the integral predicts. Has some points to spare, more with every attempt.
-double scale_for_count(const Request& request, const FieldSums& sums, std::uint64_t count,
-                       const Request& pilot, std::uint64_t pilot_count, int attempt);
+// Throws BadRequest or MemoryRefused, for request.count, if its lattice would be too large.
+void check_scale_for_count(const Request& request, const FieldSums& sums, double scale);
 
 // Throws BadRequest for `option` if `bytes` is more than the request or the machine allows.
 void refuse_more_memory(const Request& request, const std::string& option, const std::string& value,

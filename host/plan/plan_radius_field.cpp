@@ -57,9 +57,10 @@ double greatest_of(const Request& request) {
 
 // The part of the domain inside the border. Distances from the edges are computed from the
 // coordinates that the user gets.
-RadiusField::Shape shape_of(const Request& request, double unit_x, double unit_y,
-                            std::uint32_t width, std::uint32_t height) {
+RadiusField::Shape shape_of(const Request& request, std::uint32_t width, std::uint32_t height) {
     const double border = request.border;
+    const double unit_x = request.width / width;
+    const double unit_y = request.height / height;
     const auto low = [&](double unit) {
         auto at = static_cast<std::uint32_t>(border / unit);
         while (at * unit < border) ++at;
@@ -101,21 +102,23 @@ std::uint32_t radius_of_kept(const RadiusField& radius_field, Sample at) {
 
 // The coordinates rounded down, or up if no sample may lie there: then the point belongs to the
 // pixel on the other side.
-std::vector<KeptSample> kept_on(const Plan& plan, std::span<const Point> points) {
-    std::vector<KeptSample> kept;
-    kept.reserve(points.size());
-    for (const Point& point : points) {
+std::vector<Sized> kept_on(const RadiusField& radius_field, const Request& request) {
+    const std::uint32_t width = radius_field.shape().width;
+    const std::uint32_t height = radius_field.shape().height;
+    std::vector<Sized> kept;
+    kept.reserve(request.keep.size());
+    for (const Point& point : request.keep) {
         const auto along = [](double at, double unit, std::uint32_t units) {
             return std::min(static_cast<std::uint32_t>(at / unit), units - 1);
         };
-        const Sample low{along(point.x, plan.unit_x, plan.width),
-                         along(point.y, plan.unit_y, plan.height)};
-        const std::uint32_t right = std::min(low.x + 1, plan.width - 1);
-        const std::uint32_t up = std::min(low.y + 1, plan.height - 1);
+        const Sample low{along(point.x, request.width / width, width),
+                         along(point.y, request.height / height, height)};
+        const std::uint32_t right = std::min(low.x + 1, width - 1);
+        const std::uint32_t up = std::min(low.y + 1, height - 1);
         Sample found = low;
-        for (const Sample place : {Sample{right, up}, Sample{low.x, up}, Sample{right, low.y}, low})
-            if (plan.radius_field->radius_at(place.x, place.y) != 0) found = place;
-        kept.push_back({found, radius_of_kept(*plan.radius_field, found)});
+        for (const Sample near : {Sample{right, up}, Sample{low.x, up}, Sample{right, low.y}, low})
+            if (radius_field.radius_at(near.x, near.y) != 0) found = near;
+        kept.push_back({found.x, found.y, radius_of_kept(radius_field, found)});
     }
     return kept;
 }
@@ -161,36 +164,25 @@ Plan make_radius_field_plan(const Request& request, const Poll& poll) {
                             (request.width / least_radius) * (request.height / least_radius);
     check_size(request, option, shortest(scale), least_radius, expected);
 
-    const bool torus = request.boundary == Boundary::torus;
     const double longer = std::max(request.width, request.height);
-    Plan plan{};
-    plan.mode = Mode::exact;
+    Plan plan;
     plan.width = static_cast<std::uint32_t>(kRadiusFieldUnits * (request.width / longer));
     plan.height = static_cast<std::uint32_t>(kRadiusFieldUnits * (request.height / longer));
-    plan.period_x = torus ? plan.width : 0;
-    plan.period_y = torus ? plan.height : 0;
     plan.lines = 1;
     plan.strip_width = plan.width;
-    plan.unit_x = request.width / plan.width;
-    plan.unit_y = request.height / plan.height;
-    const RadiusField::Shape shape =
-        shape_of(request, plan.unit_x, plan.unit_y, plan.width, plan.height);
-    plan.radius_field =
+    const RadiusField::Shape shape = shape_of(request, plan.width, plan.height);
+    FieldPlan field;
+    field.radius_field =
         std::make_shared<const RadiusField>(request.field, scale, request.mask, shape, poll);
-    plan.radius = plan.radius_field->least_radius();
-    plan.radius_squared = std::uint64_t{plan.radius} * plan.radius;
-    plan.metric = Metric::min;
-    plan.kept = kept_on(plan, request.keep);
+    field.kept = kept_on(*field.radius_field, request);
+    plan.radius = field.radius_field->least_radius();
     plan.user_radius = least_radius;
     plan.user_scale = has_field ? scale : 0;
-    plan.lines_per_radius = lines_per_radius(request);
-    plan.round_size = request.round_size;
-    plan.seed = request.seed;
     const std::uint64_t limit = request.limit.value_or(std::numeric_limits<std::uint64_t>::max());
-    plan.limit = limit - std::min<std::uint64_t>(limit, plan.kept.size());
-    plan.maximal_samples = static_cast<std::uint64_t>(std::min(expected, 1e18)) + 1;
-    plan.expected_samples = std::min(plan.limit, plan.maximal_samples);
-    plan.first_boxes = std::make_shared<const FirstBoxes>(first_boxes(plan));
+    finish_plan(plan, request, limit - std::min<std::uint64_t>(limit, field.kept.size()), expected);
+    plan.of_mode = std::move(field);
+    auto boxes = std::make_shared<const FirstBoxes>(first_boxes(plan));
+    std::get<FieldPlan>(plan.of_mode).first_boxes = std::move(boxes);
     return plan;
 }
 

@@ -42,11 +42,11 @@ Border::Border(const Strip& strip, Ranks& ranks, std::uint32_t depth)
 
 // The halo's bins: its lines or, in boxes, each line's rows of the sample grid.
 std::size_t Border::low_places() const {
-    return std::size_t{strip_.plan.halo.low} * (are_boxes_ ? strip_.plan.grid_rows : 1);
+    return std::size_t{strip_.plan.halo().low} * (are_boxes_ ? strip_.plan.grid().rows : 1);
 }
 
 std::size_t Border::high_places() const {
-    return std::size_t{strip_.plan.halo.high} * (are_boxes_ ? strip_.plan.grid_rows : 1);
+    return std::size_t{strip_.plan.halo().high} * (are_boxes_ ? strip_.plan.grid().rows : 1);
 }
 
 std::span<const std::uint32_t> Border::own_lengths(std::span<const std::uint32_t> lengths) const {
@@ -59,12 +59,12 @@ Draw Border::draw_of(const Rival& guest) const {
     const std::uint32_t line = guest.x / plan.strip_width;
     const std::uint32_t offset = guest.x % plan.strip_width;
     if (!are_boxes_) return {line, guest.y, offset, 0};
-    const bool is_low = line < plan.halo.low;
+    const bool is_low = line < plan.halo().low;
     const std::size_t first = is_low ? 0 : bin_begins_.back() - high_places();
     const std::uint32_t of_halo = is_low ? line : line - plan.own_lines().end;
     const std::size_t place =
-        first + std::size_t{of_halo} * plan.grid_rows + guest.y / plan.grid_side;
-    return {static_cast<std::uint32_t>(place), guest.y % plan.grid_side, offset, 0};
+        first + std::size_t{of_halo} * plan.grid().rows + guest.y / plan.grid().side;
+    return {static_cast<std::uint32_t>(place), guest.y % plan.grid().side, offset, 0};
 }
 
 void Border::note(const Round& round, bool are_boxes) {

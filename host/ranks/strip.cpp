@@ -34,12 +34,12 @@ Strip strip_of(const Plan& plan, std::uint32_t rank, std::uint32_t ranks) {
     Plan& own = strip.plan;
     own.tells_orders = true;
     if (ranks == 1) return strip;
-    own.halo.low = wraps || rank > 0 ? reach : 0;
-    own.halo.high = wraps || rank + 1 < ranks ? reach : 0;
-    own.lines = own.halo.low + (first_of(rank + 1) - first_of(rank)) + own.halo.high;
+    const Halo halo{.low = wraps || rank > 0 ? reach : 0,
+                    .high = wraps || rank + 1 < ranks ? reach : 0};
+    own.lines = halo.low + (first_of(rank + 1) - first_of(rank)) + halo.high;
     own.width = own.lines * own.strip_width;
     own.period_x = 0;
-    own.grid_columns = (own.width - 1) / own.grid_side + 1;
+    own.of_mode = ExactPlan{.grid = grid_of(own.width, own.height, own.radius), .halo = halo};
     own.maximal_samples = share(plan.maximal_samples, own, plan);
     own.expected_samples = share(plan.expected_samples, own, plan);
     return strip;

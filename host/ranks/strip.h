@@ -15,8 +15,8 @@ struct Strip {
     std::uint32_t first_line = 0;  // the domain's line with which the plan's own lines begin
     std::uint32_t domain_width = 0;
 
-    bool has_low_neighbour() const { return plan.halo.low != 0; }
-    bool has_high_neighbour() const { return plan.halo.high != 0; }
+    bool has_low_neighbour() const { return plan.halo().low != 0; }
+    bool has_high_neighbour() const { return plan.halo().high != 0; }
     // Converts a sample on the plan's own lines to the domain's coordinates.
     Sample in_domain(Sample sample) const;
 };

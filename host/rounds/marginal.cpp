@@ -44,7 +44,7 @@ void sum_before(std::vector<std::uint32_t>& counts) {
 
 // Eq. 1. With uniform-x the weight is 1 if the bin has any free length, otherwise 0.
 std::uint64_t Marginal::weight_of(std::size_t place) const {
-    if (plan_.uniform_x) return std::min(lengths_[place], 1u);
+    if (plan_.is_uniform_x()) return std::min(lengths_[place], 1u);
     return widths_.empty() ? lengths_[place] : std::uint64_t{widths_[place]} * lengths_[place];
 }
 
@@ -139,10 +139,11 @@ private:
 // A draw that holds its random bits instead of bin and rank.
 Draw Marginal::drawn(const RandomBits& random, std::uint64_t first_number,
                      std::uint32_t number) const {
-    const std::uint64_t for_offset =
-        plan_.uniform_x ? random_bits(plan_.seed, first_number + number, 1).first : random.second;
+    const std::uint64_t for_offset = plan_.is_uniform_x()
+                                         ? random_bits(plan_.seed, first_number + number, 1).first
+                                         : random.second;
     const std::uint64_t offset =
-        plan_.snap ? plan_.strip_width / 2 : scaled(for_offset, bin_width_);
+        plan_.snaps() ? plan_.strip_width / 2 : scaled(for_offset, bin_width_);
     const std::uint64_t bits = (random.first - bits_.first) << bits_.shift;
     return {static_cast<std::uint32_t>(bits >> 32), static_cast<std::uint32_t>(bits),
             static_cast<std::uint32_t>(offset), number};
@@ -248,7 +249,7 @@ void Marginal::invert_part(std::uint64_t first_number, std::span<Draw> part) con
                    [](const Draw& a, const Draw& b) { return bits_of(a) < bits_of(b); });
     Walk walk(*this);
     for (Draw& draw : sorted) {
-        if (plan_.uniform_x)
+        if (plan_.is_uniform_x())
             walk.invert_uniform_x(draw, random_bits(plan_.seed, first_number + draw.order).second);
         else if (!widths_.empty())
             walk.invert_areas(draw);
@@ -272,7 +273,7 @@ std::span<const Draw> Marginal::invert(std::uint64_t first_number, std::uint32_t
             const std::uint32_t begin = part == 0 ? 0 : part_ends_[part - 1];
             invert_part(first_number, std::span(draws_).subspan(begin, part_ends_[part] - begin));
         });
-    if (plan_.uniform_x)  // ranks of uniform-x do not ascend with the bits
+    if (plan_.is_uniform_x())  // ranks of uniform-x do not ascend with the bits
         insertion_sort(std::span(draws_), [](const Draw& a, const Draw& b) {
             return a.place != b.place ? a.place < b.place : a.rank < b.rank;
         });

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "backends/backend.h"
 #include "base/workers.h"
 #include "plan/plan.h"
 #include "rounds/random.h"
+#include "rounds/round.h"
 
 namespace lacuna {
 

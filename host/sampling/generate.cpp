@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "backends/backends.h"
+#include "backends/reference/reference.h"
 #include "base/large_pages.h"
 #include "plan/first_free.h"
 #include "rounds/round_policy.h"
@@ -54,6 +56,13 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer) {
     }
     if (outcome.samples.size() > plan.limit) outcome.samples.resize(plan.limit);
     return outcome;
+}
+
+Run run_on_backend(const Request& request, const Plan& plan, Observer& observer) {
+    const ReadyBackend ready = make_backend(request, plan, observer);
+    if (ready.backend == nullptr)
+        return {reference::sample(plan, observer), ready.name, "1 thread"};
+    return {generate(plan, *ready.backend, observer), ready.name, ready.backend->device()};
 }
 
 }  // namespace lacuna

@@ -2,19 +2,24 @@
 #pragma once
 
 #include <lacuna/lacuna.h>
-#include <vector>
+#include <string>
 
 #include "backends/backend.h"
 #include "plan/plan.h"
+#include "rounds/round.h"
 
 namespace lacuna {
 
-struct Outcome {
-    std::vector<Sample> samples;  // in order of admission
-    std::uint64_t rounds = 0;
-    std::uint64_t draws = 0;
-    std::vector<std::uint64_t> numbers;  // of each sample's draw; the reference alone fills them in
+// Which backend made a set, and what it came to.
+struct Run {
+    Outcome outcome;
+    std::string backend;
+    std::string device;
 };
+
+// Runs the plan on the backend that the request asks for. Throws Unavailable, Cancelled,
+// DeviceError.
+Run run_on_backend(const Request& request, const Plan& plan, Observer& observer);
 
 // Makes a maximal set, or its first plan.limit samples. Throws Cancelled, DeviceError.
 Outcome generate(const Plan& plan, Backend& backend, Observer& observer);

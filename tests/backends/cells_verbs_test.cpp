@@ -28,11 +28,11 @@ std::uint64_t distance_squared(const Plan& plan, Sample a, Sample b) {
 
 // Section 4.2.1, with radii in 1/256 of a step: distance < metric radius, both sides times 512.
 bool conflict(const Plan& plan, Sample a, Sample b) {
-    const std::uint64_t r = plan.radii->radii[plan.radii->pixel_at(a.x, a.y)];
-    const std::uint64_t s = plan.radii->radii[plan.radii->pixel_at(b.x, b.y)];
+    const std::uint64_t r = plan.cells().radii->radii[plan.cells().radii->pixel_at(a.x, a.y)];
+    const std::uint64_t s = plan.cells().radii->radii[plan.cells().radii->pixel_at(b.x, b.y)];
     std::uint64_t twice = r + s;
-    if (plan.metric == Metric::min) twice = 2 * std::min(r, s);
-    if (plan.metric == Metric::max) twice = 2 * std::max(r, s);
+    if (plan.cells().metric == Metric::min) twice = 2 * std::min(r, s);
+    if (plan.cells().metric == Metric::max) twice = 2 * std::max(r, s);
     return 512 * 512 * distance_squared(plan, a, b) < twice * twice;
 }
 

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "backends/available.h"
-#include "backends/backends.h"
 #include "backends/cells_requests.h"
 #include "backends/requests.h"
 #include "fields.h"
 #include "plan/plan.h"
+#include "sampling/generate.h"
 
 namespace {
 

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "backends/available.h"
-#include "backends/backends.h"
 #include "backends/cells_requests.h"
 #include "backends/radius_field_requests.h"
 #include "backends/requests.h"
 #include "plan/plan.h"
+#include "sampling/generate.h"
 
 namespace {
 

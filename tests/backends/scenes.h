@@ -43,7 +43,7 @@ inline std::uint32_t words_of_line(const Plan& plan) {
     return 2 * ((plan.height + 63) / 64);
 }
 inline bool has_importance(const Plan& plan, std::uint32_t x, std::uint32_t y) {
-    return plan.radii->radii[plan.radii->pixel_at(x, y)] != 0;
+    return plan.cells().radii->radii[plan.cells().radii->pixel_at(x, y)] != 0;
 }
 
 // Every line is free from end to end; no candidates, no samples. In cells every point with
@@ -62,7 +62,8 @@ inline Snapshot empty_memory(const Plan& plan) {
     memory.capacity = first_capacity(plan);
     memory.spans.assign(plan.lines, {Span{0, plan.height}});
     if (plan.is_exact())
-        memory.grid.assign(std::size_t{plan.grid_columns} * plan.grid_rows, {NO_SAMPLE, NO_SAMPLE});
+        memory.grid.assign(std::size_t{plan.grid().columns} * plan.grid().rows,
+                           {NO_SAMPLE, NO_SAMPLE});
     return memory;
 }
 
@@ -185,12 +186,12 @@ inline std::vector<Candidate> random_candidates(const Plan& plan, Chance& chance
 
 // Samples anywhere, at most one a cell; nothing keeps them a radius apart.
 inline void set_random_samples(const Plan& plan, Chance& chance, Snapshot& memory) {
-    for (std::uint32_t column = 0; column < plan.grid_columns; ++column) {
-        for (std::uint32_t row = 0; row < plan.grid_rows; ++row) {
+    for (std::uint32_t column = 0; column < plan.grid().columns; ++column) {
+        for (std::uint32_t row = 0; row < plan.grid().rows; ++row) {
             if (!chance.one_in(4)) continue;
-            const std::uint32_t x = column * plan.grid_side + chance.below(plan.grid_side);
-            const std::uint32_t y = row * plan.grid_side + chance.below(plan.grid_side);
-            memory.grid[std::size_t{column} * plan.grid_rows + row] = {
+            const std::uint32_t x = column * plan.grid().side + chance.below(plan.grid().side);
+            const std::uint32_t y = row * plan.grid().side + chance.below(plan.grid().side);
+            memory.grid[std::size_t{column} * plan.grid().rows + row] = {
                 std::min(x, plan.width - 1), std::min(y, plan.height - 1)};
         }
     }
@@ -202,7 +203,8 @@ inline void set_hostile_boxes(const Plan& plan, Chance& chance, Snapshot& memory
     memory.box_width = std::max(1u, plan.strip_width >> chance.below(12));
     for (std::uint32_t line = 0; line < plan.lines; ++line) {
         for (const Span span : hostile_spans(chance, plan.height, 12)) {
-            const std::uint32_t row_end = span.begin - span.begin % plan.grid_side + plan.grid_side;
+            const std::uint32_t row_end =
+                span.begin - span.begin % plan.grid().side + plan.grid().side;
             const std::uint32_t offset =
                 chance.below(plan.strip_width / memory.box_width) * memory.box_width;
             memory.boxes.push_back(

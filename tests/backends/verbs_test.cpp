@@ -157,7 +157,7 @@ void admit_one_a_cell(Scene& scene, tests::Chance& chance) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> taken;
     for (std::size_t i = 0; i < scene.memory.statuses.size(); ++i) {
         const Candidate& candidate = scene.memory.candidates[i];
-        const std::uint32_t side = std::max(1u, scene.plan.grid_side);  // none in mode cells
+        const std::uint32_t side = std::max(1u, scene.plan.grid().side);  // none in mode cells
         const bool is_first = taken.insert({candidate.x / side, candidate.y / side}).second;
         scene.memory.statuses[i] =
             is_first && chance.one_in(2) ? STATUS_ADMITTED : STATUS_REJECTED + chance.below(2);

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "backends/backends.h"
 #include "baseline/dart_throwing.h"
 #include "distribution/statistics.h"
 #include "plan/plan.h"
+#include "sampling/generate.h"
 
 namespace {
 

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "backends/backends.h"
 #include "distribution/statistics.h"
 #include "fields.h"
 #include "plan/plan.h"
 #include "plan/radius_field.h"
 #include "portable/distance.h"
 #include "rounds/random.h"
+#include "sampling/generate.h"
 
 namespace {
 
@@ -96,7 +96,7 @@ std::vector<Sample> throw_darts(const Request& request, const Plan& plan) {
         const RandomBits random = random_bits(request.seed, number);
         const Sample dart{static_cast<std::uint32_t>(scaled(random.first, plan.width)),
                           static_cast<std::uint32_t>(scaled(random.second, plan.height))};
-        const std::uint64_t radius = plan.radius_field->radius_at(dart.x, dart.y);
+        const std::uint64_t radius = plan.field().radius_field->radius_at(dart.x, dart.y);
         bool is_free = radius != 0;
         for (std::size_t i = 0; i < stuck.size() && is_free; ++i) {
             const std::uint64_t least = std::min(radius, radii[i]);

@@ -9,9 +9,9 @@
 #include <tuple>
 #include <vector>
 
-#include "backends/backends.h"
 #include "distribution/statistics.h"
 #include "plan/plan.h"
+#include "sampling/generate.h"
 
 namespace {
 

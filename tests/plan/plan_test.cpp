@@ -193,7 +193,7 @@ TEST(Plan, RefusesCountsThatAreNone) {
     request.count = 0;
     EXPECT_THROW(check_request(request), BadRequest);
     request.count = 1'000'000'000'000;
-    EXPECT_THROW(radius_for_count(request, 0), BadRequest);
+    EXPECT_THROW(check_radius_for_count(request, radius_expecting(request, 1e12)), BadRequest);
     request.radius = 0.1;
     EXPECT_THROW(check_request(request), BadRequest);
     EXPECT_THROW(check_request(Request{}), BadRequest);

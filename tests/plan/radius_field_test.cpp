@@ -81,7 +81,7 @@ TEST(FirstBoxes, HoldAllThatIsAllowedOnce) {
     for (const tests::FieldRequest& made : tests::radius_field_requests()) {
         SCOPED_TRACE(made.name);
         const Plan plan = make_plan(made.request);
-        const FirstBoxes& first = *plan.first_boxes;
+        const FirstBoxes& first = *plan.field().first_boxes;
         ASSERT_EQ(first.begins.size(), first.regions.size() + 1);
         ASSERT_EQ(first.begins.back(), first.places.size());
         std::mt19937 random(7);
@@ -91,9 +91,10 @@ TEST(FirstBoxes, HoldAllThatIsAllowedOnce) {
         for (int k = 0; k < 200; ++k) {
             const std::uint32_t x = below(plan.width);
             const std::uint32_t y = below(plan.height);
-            const RadiusField::Shape& shape = plan.radius_field->shape();
-            const bool is_allowed = plan.radius_field->radius_at(x, y) != 0 && x >= shape.low_x &&
-                                    x < shape.high_x && y >= shape.low_y && y < shape.high_y;
+            const RadiusField::Shape& shape = plan.field().radius_field->shape();
+            const bool is_allowed = plan.field().radius_field->radius_at(x, y) != 0 &&
+                                    x >= shape.low_x && x < shape.high_x && y >= shape.low_y &&
+                                    y < shape.high_y;
             const auto holders = std::count_if(
                 first.places.begin(), first.places.end(),
                 [&](const Rectangle& p) { return x - p.x < p.width && y >= p.begin && y < p.end; });
@@ -106,7 +107,7 @@ TEST(FirstBoxes, HoldAllThatIsAllowedOnce) {
             const std::uint64_t longer = std::max(place.width, place.end - place.begin);
             EXPECT_TRUE(longer == 1 ||
                         longer * plan.lines_per_radius <=
-                            2 * std::uint64_t{plan.radius_field->under(place).least});
+                            2 * std::uint64_t{plan.field().radius_field->under(place).least});
         }
     }
 }
@@ -117,7 +118,7 @@ TEST(FirstBoxes, LieInBlocksOfAFew) {
     for (const tests::FieldRequest& made : tests::radius_field_requests()) {
         SCOPED_TRACE(made.name);
         const Plan plan = make_plan(made.request);
-        const FirstBoxes& first = *plan.first_boxes;
+        const FirstBoxes& first = *plan.field().first_boxes;
         places += first.places.size();
         blocks += first.block_count();
         EXPECT_EQ(first.blocks.front().first, 0u);
@@ -129,7 +130,7 @@ TEST(FirstBoxes, LieInBlocksOfAFew) {
             EXPECT_EQ(node.first, i);
             EXPECT_EQ(node.next, block.node + 1);
             ASSERT_LT(block.first, first.blocks[i + 1].first);
-            const Under under = plan.radius_field->under(all);
+            const Under under = plan.field().radius_field->under(all);
             EXPECT_EQ(block.even_radius, under.is_even ? under.least : 0u);
             EXPECT_EQ(node.greatest, under.greatest);
             for (std::uint32_t k = block.first; k < first.blocks[i + 1].first; ++k) {

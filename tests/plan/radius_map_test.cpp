@@ -41,7 +41,7 @@ double metric_of(Metric metric, double r, double s) {
 }
 
 bool no_conflict_is_beyond_the_reach(const Plan& plan, Place a) {
-    const RadiusMap& map = *plan.radii;
+    const RadiusMap& map = *plan.cells().radii;
     const double r = map.radii[map.pixel_at(a.x, a.y)];
     const double reach = map.reaches[map.pixel_at(a.x, a.y)];
     if (r == 0) return reach == 0;
@@ -49,7 +49,7 @@ bool no_conflict_is_beyond_the_reach(const Plan& plan, Place a) {
         for (std::uint32_t y = 0; y < plan.height; ++y) {
             const double s = map.radii[map.pixel_at(x, y)];
             if (s == 0) continue;
-            const double allowed = metric_of(plan.metric, r, s) / 256;
+            const double allowed = metric_of(plan.cells().metric, r, s) / 256;
             const double squared = distance_squared(plan, a, {x, y});
             if (squared < allowed * allowed && squared >= reach * reach) return false;
         }
@@ -91,7 +91,7 @@ TEST(RadiusMap, ListsTheRowsOfEachPixelColumnByTheirRadiiWidestFirst) {
     request.scale = 0.01;
     request.metric = Metric::mean;
     const Plan plan = make_plan(request);
-    const RadiusMap& radii = *plan.radii;
+    const RadiusMap& radii = *plan.cells().radii;
     ASSERT_EQ(radii.widest_rows.size(), radii.radii.size());
     for (std::uint32_t column = 0; column < radii.columns; ++column) {
         const std::size_t first = std::size_t{column} * radii.rows;
@@ -108,7 +108,7 @@ TEST(RadiusMap, ListsTheRowsOfEachPixelColumnByTheirRadiiWidestFirst) {
         EXPECT_EQ(*rows.rbegin(), radii.rows - 1);
     }
     request.metric = Metric::min;
-    EXPECT_TRUE(make_plan(request).radii->widest_rows.empty());
+    EXPECT_TRUE(make_plan(request).cells().radii->widest_rows.empty());
 }
 
 // Radii that do not reach a point do not count there, which makes searches cheap.
@@ -121,13 +121,14 @@ TEST(RadiusMap, WideRadiiFarAwayDoNotLengthenAReach) {
     const Plan plan = make_plan(request);
     const auto reach = [&](double x) {
         const auto line = static_cast<std::uint32_t>(x * plan.lines);
-        return plan.radii->reaches[plan.radii->pixel_at(line, plan.height / 2)];
+        return plan.cells().radii->reaches[plan.cells().radii->pixel_at(line, plan.height / 2)];
     };
     EXPECT_EQ(reach(0.2), 101u);   // 10 steps * sqrt(100), rounded up past it
     EXPECT_EQ(reach(0.35), 101u);  // its neighbours' radius is 0.1
     EXPECT_EQ(reach(0.8), 11u);    // its own
     request.metric = Metric::min;
-    EXPECT_EQ(make_plan(request).radii->reaches[plan.radii->pixel_at(350, 500)], 11u);
+    EXPECT_EQ(make_plan(request).cells().radii->reaches[plan.cells().radii->pixel_at(350, 500)],
+              11u);
 }
 
 TEST(RadiusMap, PixelsAreThoseUnderTheMiddleOfTheCells) {
@@ -137,17 +138,17 @@ TEST(RadiusMap, PixelsAreThoseUnderTheMiddleOfTheCells) {
     const Plan plan = make_plan(request);
     for (std::uint32_t x = 0; x < plan.lines; ++x) {
         const Point point = plan.to_user({x, 0});
-        EXPECT_EQ(plan.radii->column_of[x], static_cast<std::uint32_t>(point.x * 7)) << x;
+        EXPECT_EQ(plan.cells().radii->column_of[x], static_cast<std::uint32_t>(point.x * 7)) << x;
     }
     for (std::uint32_t y = 0; y < plan.height; ++y) {
         const Point point = plan.to_user({0, y});
-        const std::uint32_t row = plan.radii->row_of[y];
+        const std::uint32_t row = plan.cells().radii->row_of[y];
         EXPECT_EQ(row, static_cast<std::uint32_t>(point.y * 5)) << y;
-        EXPECT_GE(y, plan.radii->row_begins[row]);
-        EXPECT_LT(y, plan.radii->row_begins[row + 1]);
+        EXPECT_GE(y, plan.cells().radii->row_begins[row]);
+        EXPECT_LT(y, plan.cells().radii->row_begins[row + 1]);
         // Row 0 of the field is the top.
         const double importance = field.importance[(4 - row) * 7];
-        EXPECT_EQ(plan.radii->radii[row] == 0, importance == 0);
+        EXPECT_EQ(plan.cells().radii->radii[row] == 0, importance == 0);
     }
 }
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "backends/available.h"
-#include "backends/backends.h"
 #include "backends/requests.h"
 #include "plan/plan.h"
 #include "ranks/run_on_ranks.h"
+#include "sampling/generate.h"
 
 namespace {
 

@@ -23,9 +23,11 @@ Draw inverted_alone(const std::vector<std::uint32_t>& lengths, std::uint64_t tot
     const RandomBits random = random_bits(plan.seed, number);
     std::uint64_t c = scaled(random.first, total);
     std::uint32_t place = 0;
-    const auto weight = [&] { return plan.uniform_x ? (lengths[place] != 0) : lengths[place]; };
+    const auto weight = [&] {
+        return plan.is_uniform_x() ? (lengths[place] != 0) : lengths[place];
+    };
     for (; c >= weight(); ++place) c -= weight();
-    if (!plan.uniform_x) return {place, u32(c), u32(scaled(random.second, kPlaceWidth)), 0};
+    if (!plan.is_uniform_x()) return {place, u32(c), u32(scaled(random.second, kPlaceWidth)), 0};
     const std::uint64_t bits = random_bits(plan.seed, number, 1).first;
     return {place, u32(scaled(random.second, lengths[place])), u32(scaled(bits, kPlaceWidth)), 0};
 }

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "backends/cpu/make_backend.h"
-#include "backends/reference/free_space.h"
 #include "plan/kept.h"
 #include "plan/plan.h"
+#include "plan/radius_field.h"
 #include "verify/outline.h"
 
 namespace lacuna {
@@ -29,10 +29,18 @@ void check_kept_place(const Request&, std::size_t) {
 // No points are kept: the one above refuses them.
 void check_kept_distances(const Request&) {}
 
-std::unique_ptr<Backend> cpu::make_field_backend(const Plan&, const Placement&) {
+// The reference asks these only where there is a radius field.
+Under RadiusField::under(const Rectangle&) const {
     refuse();
 }
-std::unique_ptr<reference::FreeSpace> reference::make_exact_with_field(const Plan&) {
+std::uint32_t RadiusField::cut_x(const Rectangle&) const {
+    refuse();
+}
+std::uint32_t RadiusField::cut_y(const Rectangle&) const {
+    refuse();
+}
+
+std::unique_ptr<Backend> cpu::make_field_backend(const Plan&, const Placement&) {
     refuse();
 }
 

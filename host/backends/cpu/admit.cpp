@@ -55,7 +55,7 @@ struct InCells {
     }
     std::uint64_t limit_squared(std::uint32_t i, std::uint32_t j) const {
         return portable::metric_squared(
-            portable::twice_metric_radius(static_cast<std::uint32_t>(state.plan.metric),
+            portable::twice_metric_radius(static_cast<std::uint32_t>(state.plan.cells().metric),
                                           state.candidate_radii[i], state.candidate_radii[j]));
     }
 };

@@ -39,7 +39,7 @@ public:
         if (slabs == 1) return;
         const std::size_t begin = index * std::size_t{state.columns} / slabs;
         const std::size_t end = (index + std::size_t{1}) * state.columns / slabs;
-        const std::uint32_t side = state.plan.grid_side;
+        const std::uint32_t side = state.plan.grid().side;
         const std::uint32_t width = state.plan.strip_width;
         own_.begin = (state.first_lines[begin] * width + side - 1) / side * side;
         own_.end = state.first_lines[end] * width / side * side;

@@ -202,9 +202,9 @@ private:
 }  // namespace
 
 FieldState::FieldState(const Plan& the_plan)
-    : State(the_plan, the_plan.first_boxes->begins),
-      radius_field(*the_plan.radius_field),
-      first(*the_plan.first_boxes),
+    : State(the_plan, the_plan.field().first_boxes->begins),
+      radius_field(*the_plan.field().radius_field),
+      first(*the_plan.field().first_boxes),
       places(columns),
       near(the_plan) {}
 

@@ -86,7 +86,7 @@ private:
 }  // namespace
 
 std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placement) {
-    if (plan.radius_field) return make_field_backend(plan, placement);
+    if (plan.has_field()) return make_field_backend(plan, placement);
     if (plan.is_cells()) return std::make_unique<CellsBackend>(plan, placement.threads);
     return std::make_unique<SpanBackend>(plan, placement.threads);
 }

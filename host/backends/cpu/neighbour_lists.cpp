@@ -35,14 +35,13 @@ bool is_reached(const Rectangle& place, std::uint32_t greatest, const Sized& sam
 
 NeighbourLists::NeighbourLists(const Plan& plan)
     : plan_(plan),
-      first_(*plan.first_boxes),
+      first_(*plan.field().first_boxes),
       vectors_(*all_vectors().front()),
       few_(first_.block_count() + std::size_t{1}),  // vector loads read past the last
       long_(first_.block_count()),
       states_(first_.block_count()),
       marked_(first_.regions.size()) {
-    for (const KeptSample& kept : plan.kept) {
-        const Sized sample{kept.at.x, kept.at.y, kept.radius};
+    for (const Sized& sample : plan.field().kept) {
         for_each_reached(sample, 0, [&](std::uint32_t block) { push(sample, block); });
     }
 }
@@ -182,7 +181,7 @@ void NeighbourLists::split(List& list, const Rectangle& place) {
         parts->high.place = {place.x, place.width, y, place.end};
     }
     for (Half* const half : {&parts->low, &parts->high}) {
-        half->greatest = plan_.radius_field->under(half->place).greatest;
+        half->greatest = plan_.field().radius_field->under(half->place).greatest;
         for (std::size_t i = 0; i < list.near.size(); ++i)
             if (reaches(list.near.span()[i], half->place, half->greatest)) {
                 half->list.near.push_back(list.near.span()[i]);

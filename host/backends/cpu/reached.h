@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    std::uint32_t metric() const { return static_cast<std::uint32_t>(state_.plan.metric); }
+    std::uint32_t metric() const { return static_cast<std::uint32_t>(state_.plan.cells().metric); }
 
     // Whether a block of columns begins at `column`, ends within the `left` columns still to visit,
     // and has no conflict.

@@ -38,7 +38,7 @@ public:
     }
     // The same for a span, which is first cut where rows of cells end.
     void cut(std::uint32_t x, Span span, std::vector<Box>& left) {
-        const std::uint32_t side = state_.plan.grid_side;
+        const std::uint32_t side = state_.plan.grid().side;
         while (span.begin < span.end) {
             const std::uint32_t row_end =
                 std::min(span.end - span.begin, side - span.begin % side) + span.begin;

@@ -37,16 +37,16 @@ public:
     explicit SampleGrid(const Plan& plan)
         : plan_(plan),
           vectors_(vectors_for(plan.radius)),
-          side_(plan.grid_side),
-          stride_(plan.grid_rows + kMargin),
-          slots_(std::make_unique_for_overwrite<Sample[]>((plan.grid_columns + kMargin) *
+          side_(plan.grid().side),
+          stride_(plan.grid().rows + kMargin),
+          slots_(std::make_unique_for_overwrite<Sample[]>((plan.grid().columns + kMargin) *
                                                           std::size_t{stride_})) {
-        ask_for_large_pages(slots_.get(), (plan.grid_columns + kMargin) * std::size_t{stride_});
+        ask_for_large_pages(slots_.get(), (plan.grid().columns + kMargin) * std::size_t{stride_});
     }
 
     // Empties part number `share` of `shares` equal parts of the cells.
     void clear(std::uint32_t share, std::uint32_t shares) {
-        const std::size_t columns = plan_.grid_columns + kMargin;
+        const std::size_t columns = plan_.grid().columns + kMargin;
         std::fill(slots_.get() + share * columns / shares * stride_,
                   slots_.get() + (share + 1) * columns / shares * stride_, kNone);
     }
@@ -112,7 +112,7 @@ public:
     void for_each_cell_near(std::uint32_t x_begin, std::uint32_t x_end, std::uint32_t y_begin,
                             std::uint32_t y_end, Visit visit) const {
         const std::uint32_t r = plan_.radius;
-        const std::uint32_t side = plan_.grid_side;
+        const std::uint32_t side = plan_.grid().side;
         if (is_inside(x_begin, x_end, y_begin, y_end)) {
             const std::uint32_t row = (y_begin - r) / side_;
             const std::uint32_t rows = (y_end - 1 + r) / side_ - row + 1;
@@ -122,14 +122,14 @@ public:
             return;
         }
         const portable::Stretch columns = portable::cells_near(
-            x_begin, x_end, r, plan_.width, plan_.period_x, side, plan_.grid_columns);
-        const portable::Stretch rows = portable::cells_near(y_begin, y_end, r, plan_.height,
-                                                            plan_.period_y, side, plan_.grid_rows);
+            x_begin, x_end, r, plan_.width, plan_.period_x, side, plan_.grid().columns);
+        const portable::Stretch rows = portable::cells_near(
+            y_begin, y_end, r, plan_.height, plan_.period_y, side, plan_.grid().rows);
         for (std::uint32_t i = 0; i < columns.count; ++i) {
             const Sample* const cells =
-                column(portable::nth_of_stretch(columns, i, plan_.grid_columns));
+                column(portable::nth_of_stretch(columns, i, plan_.grid().columns));
             for (std::uint32_t j = 0; j < rows.count; ++j)
-                visit(cells[portable::nth_of_stretch(rows, j, plan_.grid_rows)]);
+                visit(cells[portable::nth_of_stretch(rows, j, plan_.grid().rows)]);
         }
     }
 
@@ -152,7 +152,7 @@ private:
 
     const Plan& plan_;
     const Vectors& vectors_;
-    Divisor side_;  // plan.grid_side
+    Divisor side_;  // plan.grid().side
     std::uint32_t stride_;
     std::unique_ptr<Sample[]> slots_;
 };

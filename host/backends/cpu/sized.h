@@ -5,13 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace lacuna::cpu {
+#include "plan/plan.h"
 
-struct Sized {
-    std::uint32_t x;
-    std::uint32_t y;
-    std::uint32_t radius;
-};
+namespace lacuna::cpu {
 
 // kVectorPadding entries past the end must exist, because they may be read (vectors.h).
 struct SizedSpan {

@@ -131,14 +131,14 @@ Snapshot SpanState::snapshot() const {
         const std::span<Span> of_line = slot(line).first(span_counts[line]);
         snapshot.spans.emplace_back(of_line.begin(), of_line.end());
     }
-    for (std::uint32_t i = 0; i < plan.grid_columns && grid; ++i)
+    for (std::uint32_t i = 0; i < plan.grid().columns && grid; ++i)
         snapshot.grid.insert(snapshot.grid.end(), grid->column(i),
-                             grid->column(i) + plan.grid_rows);
+                             grid->column(i) + plan.grid().rows);
     // In a snapshot the round's samples enter the grid with the round's last verb, not with admit.
     for (std::size_t i = 0; is_inserted && i < candidates.size(); ++i)
         if (statuses[i] == STATUS_ADMITTED)
-            snapshot.grid[std::size_t{candidates[i].x / plan.grid_side} * plan.grid_rows +
-                          candidates[i].y / plan.grid_side] = {NO_SAMPLE, NO_SAMPLE};
+            snapshot.grid[std::size_t{candidates[i].x / plan.grid().side} * plan.grid().rows +
+                          candidates[i].y / plan.grid().side] = {NO_SAMPLE, NO_SAMPLE};
     if (grid) sort_columns(snapshot);
     if (is_screened)
         std::fill(snapshot.statuses.begin(), snapshot.statuses.end(), STATUS_UNDECIDED);
@@ -152,8 +152,8 @@ void SpanState::restore(const Snapshot& snapshot) {
     State::restore(snapshot);
     is_inserted = is_screened = false;
     if (grid) grid->clear(0, 1);  // and the grid's margin, which no snapshot has
-    for (std::uint32_t i = 0; i < plan.grid_columns && grid; ++i)
-        std::copy_n(snapshot.grid.data() + std::size_t{i} * plan.grid_rows, plan.grid_rows,
+    for (std::uint32_t i = 0; i < plan.grid().columns && grid; ++i)
+        std::copy_n(snapshot.grid.data() + std::size_t{i} * plan.grid().rows, plan.grid().rows,
                     grid->column(i));
     if (snapshot.box_width != 0) {
         boxes.assign(columns, {});
@@ -178,14 +178,15 @@ void SpanState::restore(const Snapshot& snapshot) {
 
 BitState::BitState(const Plan& the_plan)
     : State(the_plan),
-      radii(*plan.radii),
+      radii(*plan.cells().radii),
       words(words_per_line(plan) / 2),
       bits(std::make_unique_for_overwrite<std::uint64_t[]>(plan.lines * words)),
       widest(plan.lines),
       near_begins(columns + std::size_t{1}) {
     widest_candidates.of_columns.resize(columns);
     // With min open radii are not tracked: any may be as large as the sample's.
-    widest_open.of_columns.resize(columns, plan.metric == Metric::min ? ~std::uint32_t{0} : 0);
+    widest_open.of_columns.resize(columns,
+                                  plan.cells().metric == Metric::min ? ~std::uint32_t{0} : 0);
     widest_open.find_blocks();
 }
 
@@ -220,7 +221,7 @@ void WidestRadii::find_blocks() {
 }
 
 void BitState::find_widest_open() {
-    if (plan.metric == Metric::min) return;
+    if (plan.cells().metric == Metric::min) return;
     for (std::uint32_t column = 0; column < columns; ++column) {
         std::uint32_t widest_radius = 0;
         for (std::uint32_t x = first_lines[column]; x < first_lines[column + 1]; ++x) {

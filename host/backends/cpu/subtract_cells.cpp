@@ -89,7 +89,7 @@ private:
     Span blocked_of_run(std::uint32_t pixel, std::uint32_t y, Span run) const {
         if (pixel == 0) return run;  // no importance: its bits are never set
         const std::uint64_t limit = portable::metric_squared(portable::twice_metric_radius(
-            static_cast<std::uint32_t>(state_.plan.metric), radius_, pixel));
+            static_cast<std::uint32_t>(state_.plan.cells().metric), radius_, pixel));
         if (portable::squared_length(dx_, portable::farthest_distance(y, run.begin, run.end)) <
             limit)
             return run;
@@ -127,7 +127,7 @@ std::uint32_t half_chord(BitState& state, std::uint32_t reach, std::uint32_t rad
     std::uint64_t limit = portable::squared_length(reach, 0) + 1;
     const std::uint64_t dx_squared = portable::squared_length(dx, 0);
     if (dx_squared >= limit) return 0;
-    const auto metric = static_cast<std::uint32_t>(state.plan.metric);
+    const auto metric = static_cast<std::uint32_t>(state.plan.cells().metric);
     if (!portable::is_far_reach(metric, reach, radius)) return portable::chord_reach(dx, limit);
 
     // Skip pixels without a free point until one has some, or all the others are too small.

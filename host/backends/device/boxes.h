@@ -61,7 +61,7 @@ private:
         std::uint32_t room;  // for new boxes
     };
 
-    bool has_field() const { return round_.plan.radius_field != nullptr; }
+    bool has_field() const { return round_.plan.has_field(); }
     std::uint32_t strip_bits() const;
     std::uint32_t expected_pieces(bool halve) const;
     // Serves the first `count` boxes, or new boxes, `chunk` of them for each item.

@@ -9,7 +9,7 @@ std::uint64_t turns_of_line(const Plan& plan, std::uint32_t reach) {
     // One turn for each run and one for each of its words; others for roots and the ends of runs.
     constexpr std::uint64_t kOthers = 16;
     const std::uint64_t points = std::min(2 * std::uint64_t{reach} + 1, std::uint64_t{plan.height});
-    const std::uint64_t pixels = points * plan.radii->rows / plan.height + 2;
+    const std::uint64_t pixels = points * plan.cells().radii->rows / plan.height + 2;
     return 2 * std::min(points, pixels) + points / 32 + kOthers;
 }
 

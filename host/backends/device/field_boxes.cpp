@@ -25,7 +25,7 @@ constexpr std::uint64_t kListScreenWork = 2;
 class FieldBoxes : public Bins {
 public:
     explicit FieldBoxes(RoundMemory& round)
-        : Bins(round), first_(*round.plan.first_boxes), boxes_(round), lists_(round) {
+        : Bins(round), first_(*round.plan.field().first_boxes), boxes_(round), lists_(round) {
         make_tables();
         put_first_boxes();
         find_disk_areas();
@@ -106,13 +106,13 @@ public:
 
 private:
     void make_tables() {
-        const FieldTables tables = tables_of(*round_.plan.radius_field);
+        const FieldTables tables = tables_of(*round_.plan.field().radius_field);
         Memory& m = round_.memory;
         m.axes = round_.copy_of(tables.axes);
         m.mask_bits = round_.copy_of(tables.mask_bits);
         using Radii = RadiusField::Radii;
         static_assert(sizeof(Radii) == 2 * kWord);
-        const RadiusField::RadiusPyramid& radii = round_.plan.radius_field->radii();
+        const RadiusField::RadiusPyramid& radii = round_.plan.field().radius_field->radii();
         std::uint64_t count = 0;
         radii.for_each_level([&](std::span<const Radii> level) { count += level.size(); });
         round_.make_room(m.radius_bounds, 2 * count);
@@ -138,7 +138,7 @@ private:
     std::uint32_t first_radius(std::uint32_t box, std::uint32_t block) const {
         const std::uint32_t even_radius = first_.blocks[block].even_radius;
         if (even_radius != 0) return even_radius | IS_EVEN;
-        const Under under = round_.plan.radius_field->under(first_.places[box]);
+        const Under under = round_.plan.field().radius_field->under(first_.places[box]);
         return under.least | (under.is_even ? IS_EVEN : 0);
     }
 

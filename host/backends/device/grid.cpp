@@ -13,7 +13,7 @@ constexpr std::uint64_t kGridScreenWork = 3;  // of a draw, see Queue::launch
 }  // namespace
 
 Grid::Grid(RoundMemory& round) : round_(round) {
-    const std::uint64_t cells = std::uint64_t{round_.plan.grid_columns} * round_.plan.grid_rows;
+    const std::uint64_t cells = std::uint64_t{round_.plan.grid().columns} * round_.plan.grid().rows;
     for (Buffer* const coordinate : {&round_.memory.grid_x, &round_.memory.grid_y}) {
         round_.make_room(*coordinate, cells);
         round_.queue.fill(*coordinate, NO_SAMPLE, cells);
@@ -40,7 +40,7 @@ void Grid::insert() {
 }
 
 void Grid::snapshot(Snapshot& snapshot) {
-    const std::size_t cells = std::size_t{round_.plan.grid_columns} * round_.plan.grid_rows;
+    const std::size_t cells = std::size_t{round_.plan.grid().columns} * round_.plan.grid().rows;
     std::vector<std::uint32_t> x(cells), y(cells);
     round_.get<std::uint32_t>(round_.memory.grid_x, x);
     round_.get<std::uint32_t>(round_.memory.grid_y, y);

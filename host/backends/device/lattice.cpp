@@ -42,7 +42,7 @@ public:
           serves_chunks_(!round.queue.runs_in_lockstep()),
           free_lengths_(first_free_lengths(round.plan)) {
         const Plan& plan = round_.plan;
-        const RadiusMap& map = *plan.radii;
+        const RadiusMap& map = *plan.cells().radii;
         Memory& m = round_.memory;
         m.free_lengths = round_.copy_of(free_lengths_);
         m.pixel_radii = round_.copy_of(map.radii);
@@ -165,7 +165,7 @@ private:
     // serves a slice of the lines near a sample. Samples whose reach needs more than the least
     // number of slices are left for later launches.
     void find_reaches(const Tuning& tuning) {
-        const RadiusMap& map = *round_.plan.radii;
+        const RadiusMap& map = *round_.plan.cells().radii;
         widest_ = *std::max_element(map.reaches.begin(), map.reaches.end());
         if (serves_chunks_) fixed_slices_ = std::max(tuning.slices_of_sample, 1u);
         short_reach_ = fixed_slices_ != 0 ? widest_ : 1;
@@ -194,7 +194,7 @@ private:
         constexpr double kUnitsPerStep = 256;
         double sum = 0;
         std::size_t open = 0;
-        for (const std::uint32_t radius : round_.plan.radii->radii) {
+        for (const std::uint32_t radius : round_.plan.cells().radii->radii) {
             if (radius == 0) continue;
             const double side = 2 * radius / kUnitsPerStep + 1;
             sum +=
@@ -219,8 +219,8 @@ private:
 
     portable::DrawArguments arguments_of() const {
         portable::DrawArguments arguments = round_.arguments();
-        arguments.rows = round_.plan.radii->rows;
-        arguments.metric = static_cast<std::uint32_t>(round_.plan.metric);
+        arguments.rows = round_.plan.cells().radii->rows;
+        arguments.metric = static_cast<std::uint32_t>(round_.plan.cells().metric);
         return arguments;
     }
 

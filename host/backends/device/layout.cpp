@@ -39,9 +39,9 @@ portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uin
     geometry.capacity = capacity;
     geometry.is_exact = plan.is_exact() ? 1 : 0;
     geometry.chord_margin = plan.chord_margin();
-    geometry.grid_side = plan.grid_side;
-    geometry.grid_columns = plan.grid_columns;
-    geometry.grid_rows = plan.grid_rows;
+    geometry.grid_side = plan.grid().side;
+    geometry.grid_columns = plan.grid().columns;
+    geometry.grid_rows = plan.grid().rows;
     return geometry;
 }
 
@@ -134,7 +134,7 @@ Needs needs_of_lines(const Plan& plan, std::uint64_t round) {
     const std::uint64_t line_bytes = std::uint64_t{first_capacity(plan)} * sizeof(Span);
     // Cells and boxes have a buffer for each coordinate.
     const std::uint64_t cells =
-        plan.is_exact() ? std::uint64_t{plan.grid_columns} * plan.grid_rows : 0;
+        plan.is_exact() ? std::uint64_t{plan.grid().columns} * plan.grid().rows : 0;
     const auto boxes = static_cast<std::uint64_t>(
         plan.is_exact() ? kBoxesPerSample * static_cast<double>(plan.expected_samples) : 0);
     return {plan.lines * (line_bytes + 8) + round * kBytesPerDraw + cells * kBytesPerCell +
@@ -151,9 +151,10 @@ Needs needs_of_cells(const Plan& plan, std::uint64_t round) {
     constexpr std::uint64_t kWord = 4;
     const std::uint64_t bits = std::uint64_t{plan.lines} * words_per_line(plan) * kWord;
     // Radii, reaches and widest rows; column_of, free_lengths and widest; row_of and row_begins.
-    const std::uint64_t pixels = plan.radii->radii.size() * kWord;
+    const std::uint64_t pixels = plan.cells().radii->radii.size() * kWord;
     const std::uint64_t lines = plan.lines * kWord;
-    const std::uint64_t rows = std::uint64_t{std::max(plan.height, plan.radii->rows + 1)} * kWord;
+    const std::uint64_t rows =
+        std::uint64_t{std::max(plan.height, plan.cells().radii->rows + 1)} * kWord;
     return {bits + 3 * (pixels + lines) + 2 * rows + round * kCellsBytesPerDraw,
             std::max({bits, pixels, lines, rows, round * kCellsLargestPerDraw})};
 }
@@ -168,7 +169,7 @@ constexpr double kFieldBoxesPerSample = 2.5;
 constexpr std::uint64_t kEntriesPerSample = 3;
 
 Needs needs_of_field(const Plan& plan, std::uint64_t round) {
-    const RadiusField& radius_field = *plan.radius_field;
+    const RadiusField& radius_field = *plan.field().radius_field;
     // A pyramid has a third more values than pixels.
     const std::uint64_t radii =
         std::uint64_t{radius_field.columns().pixels()} * radius_field.rows().pixels() * 8 * 4 / 3;
@@ -178,19 +179,19 @@ Needs needs_of_field(const Plan& plan, std::uint64_t round) {
     const std::uint64_t entries = room_for_entries(plan) * kBytesPerEntry;
     const std::uint64_t boxes = room_for_boxes(plan);
     return {radii + mask + entries + boxes * kFieldBytesPerBox +
-                plan.first_boxes->nodes.size() * 48 + round * kFieldBytesPerDraw,
+                plan.field().first_boxes->nodes.size() * 48 + round * kFieldBytesPerDraw,
             std::max({radii, entries, boxes * 32, round * 10 * 8})};
 }
 
 Needs needs_of(const Plan& plan, std::uint64_t round) {
-    if (plan.radius_field) return needs_of_field(plan, round);
+    if (plan.has_field()) return needs_of_field(plan, round);
     return plan.is_cells() ? needs_of_cells(plan, round) : needs_of_lines(plan, round);
 }
 
 }  // namespace
 
 std::uint64_t room_for_boxes(const Plan& plan) {
-    const double of_sample = plan.radius_field ? kFieldBoxesPerSample : kBoxesPerSample;
+    const double of_sample = plan.has_field() ? kFieldBoxesPerSample : kBoxesPerSample;
     return static_cast<std::uint64_t>(of_sample * static_cast<double>(plan.expected_samples));
 }
 

@@ -23,7 +23,7 @@ constexpr std::uint64_t kVisitsPerDraw = 8;
 }  // namespace
 
 NeighbourLists::NeighbourLists(RoundMemory& round)
-    : round_(round), first_(*round.plan.first_boxes) {
+    : round_(round), first_(*round.plan.field().first_boxes) {
     make_tree();
     Memory& m = round_.memory;
     round_.make_room(m.lists, blocks());
@@ -56,13 +56,13 @@ void NeighbourLists::make_tree() {
 }
 
 void NeighbourLists::enlist_kept() {
-    const std::vector<KeptSample>& kept = round_.plan.kept;
+    const std::vector<Sized>& kept = round_.plan.field().kept;
     const auto count = static_cast<std::uint32_t>(kept.size());
     if (count == 0) return;
     std::vector<Candidate> candidates;
     std::vector<std::uint32_t> radii;
     for (std::uint32_t i = 0; i < count; ++i) {
-        candidates.push_back({kept[i].at.x, kept[i].at.y, NO_SAMPLE, i});
+        candidates.push_back({kept[i].x, kept[i].y, NO_SAMPLE, i});
         radii.push_back(kept[i].radius);
     }
     const std::vector<std::uint32_t> statuses(count, STATUS_ADMITTED);

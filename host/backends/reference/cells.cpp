@@ -18,7 +18,8 @@ public:
         : plan_(plan),
           is_free_(std::size_t{plan.lines} * plan.height),
           free_lengths_(first_free_lengths(plan)),
-          widest_(*std::max_element(plan.radii->radii.begin(), plan.radii->radii.end())) {
+          widest_(*std::max_element(plan.cells().radii->radii.begin(),
+                                    plan.cells().radii->radii.end())) {
         for (std::uint32_t x = 0; x < plan.lines; ++x)
             for (const Span span : first_spans(plan, x))
                 for (std::uint32_t y = span.begin; y < span.end; ++y)
@@ -39,7 +40,8 @@ public:
     // Loops over all lattice points that may be near enough, and blocks the points that fail the
     // two-way check. With mean and max they may be farther away than the sample's radius.
     void add(Sample sample) override {
-        const std::uint32_t radius = plan_.metric == Metric::min ? radius_at(sample) : widest_;
+        const std::uint32_t radius =
+            plan_.cells().metric == Metric::min ? radius_at(sample) : widest_;
         const std::uint32_t reach = radius / 256 + 1;
         for_each_within(sample.x, reach, plan_.lines, plan_.period_x, [&](std::uint32_t x) {
             for_each_within(sample.y, reach, plan_.height, plan_.period_y, [&](std::uint32_t y) {
@@ -55,12 +57,12 @@ private:
         return std::size_t{x} * plan_.height + y;
     }
     std::uint32_t radius_at(Sample at) const {
-        return plan_.radii->radii[plan_.radii->pixel_at(at.x, at.y)];
+        return plan_.cells().radii->radii[plan_.cells().radii->pixel_at(at.x, at.y)];
     }
 
     bool conflict(Sample a, Sample b) const {
         const std::uint32_t twice = portable::twice_metric_radius(
-            static_cast<std::uint32_t>(plan_.metric), radius_at(a), radius_at(b));
+            static_cast<std::uint32_t>(plan_.cells().metric), radius_at(a), radius_at(b));
         return portable::are_closer(a.x, a.y, b.x, b.y, plan_.period_x, plan_.period_y,
                                     portable::metric_squared(twice));
     }

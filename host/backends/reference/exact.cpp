@@ -1,123 +1,188 @@
 // Mode exact: bins that hold all of the free space, candidates that count only where they are truly
-// free, and ever finer boxes until no box is left (docs/design.md, section 4).
+// free, and ever finer boxes until no box is left (docs/design.md, section 4). A radius field
+// differs in data alone: its boxes are given, and lie on radii of their own.
 #include <algorithm>
+#include <bit>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "backends/backend.h"
 #include "backends/reference/free_space.h"
 #include "backends/reference/lines.h"
-#include "portable/distance.h"
+#include "plan/first_boxes.h"
+#include "plan/radius_field.h"
+#include "portable/conflict.h"
 
 namespace lacuna::reference {
 namespace {
 
-// All samples, in square cells (Bins) at least a radius wide, so that everything near a point lies
-// in its own cell or in one beside it.
+// All samples, with square bins for each class of radii. Radii of one class differ by less than a
+// factor of 2, and its bins are wider than all of them. So everything within a sample's radius of a
+// point lies in the point's own bin or in one beside it.
 class Samples {
 public:
-    explicit Samples(const Plan& plan)
-        : plan_(plan),
-          columns_(std::max(1u, plan.width / plan.radius)),
-          rows_(std::max(1u, plan.height / plan.radius)),
-          bins_(std::size_t{columns_} * rows_) {}
+    explicit Samples(const Plan& plan) : plan_(&plan), classes_(kClasses) {}
 
-    void add(Sample sample) { bin(column_of(sample.x), row_of(sample.y)).push_back(sample); }
-
-    bool is_covered(Sample place) const {
-        bool covered = false;
-        for_each_near(place, [&](Sample sample) {
-            covered |= portable::are_closer(sample.x, sample.y, place.x, place.y, plan_.period_x,
-                                            plan_.period_y, plan_.radius_squared);
-        });
-        return covered;
+    void add(const Sized& sample) {
+        const auto index = static_cast<unsigned>(std::bit_width(sample.radius));
+        classes_[index][{bin_of(sample.x, index), bin_of(sample.y, index)}].push_back(sample);
     }
 
-    // Visits all samples within two radii of `place`, and others; on a small torus some twice.
+    // Visits every sample that could be closer to the box than its own radius, and others.
     template <typename Visit>
-    void for_each_near(Sample place, Visit visit) const {
-        for (std::int64_t i = -2; i <= 2; ++i) {
-            for (std::int64_t j = -2; j <= 2; ++j) {
-                const auto column = shifted(column_of(place.x), i, columns_, plan_.period_x != 0);
-                const auto row = shifted(row_of(place.y), j, rows_, plan_.period_y != 0);
-                if (column < 0 || row < 0) continue;
-                const auto index = static_cast<std::size_t>(column * rows_ + row);
-                for (const Sample sample : bins_[index]) visit(sample);
-            }
+    void for_each_near(const Rectangle& box, Visit visit) const {
+        for (unsigned index = 0; index < kClasses; ++index) {
+            if (classes_[index].empty()) continue;
+            const std::int64_t reach = std::int64_t{1} << index;
+            for (const auto& x :
+                 stretches(std::int64_t{box.x} - reach, std::int64_t{box.x} + box.width + reach,
+                           plan_->width, plan_->period_x))
+                for (const auto& y :
+                     stretches(std::int64_t{box.begin} - reach, std::int64_t{box.end} + reach,
+                               plan_->height, plan_->period_y))
+                    visit_bins(index, x, y, visit);
         }
     }
 
 private:
-    std::uint32_t column_of(std::uint32_t x) const {
-        return static_cast<std::uint32_t>(std::uint64_t{x} * columns_ / plan_.width);
-    }
-    std::uint32_t row_of(std::uint32_t y) const {
-        return static_cast<std::uint32_t>(std::uint64_t{y} * rows_ / plan_.height);
-    }
-    std::vector<Sample>& bin(std::uint32_t column, std::uint32_t row) {
-        return bins_[std::size_t{column} * rows_ + row];
-    }
-    // -1 beyond the edge of a box.
-    static std::int64_t shifted(std::int64_t index, std::int64_t by, std::int64_t count,
-                                bool wraps) {
-        const std::int64_t there = index + by;
-        if (wraps) return (there % count + count) % count;
-        return there < count ? there : -1;
+    static constexpr unsigned kClasses = 33;  // a radius, of 32 bits, has 0 to 32 bits
+
+    static std::uint32_t bin_of(std::uint32_t at, unsigned index) {
+        return static_cast<std::uint32_t>(std::uint64_t{at} >> index);
     }
 
-    const Plan& plan_;
-    std::uint32_t columns_;
-    std::uint32_t rows_;
-    std::vector<std::vector<Sample>> bins_;
+    using Bins = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Sized>>;
+
+    // The parts of [begin, end) on an axis: what sticks out of a torus wraps around.
+    static std::vector<Span> stretches(std::int64_t begin, std::int64_t end, std::uint32_t length,
+                                       std::uint32_t period) {
+        std::vector<Span> found;
+        const auto add = [&](std::int64_t low, std::int64_t high) {
+            const std::int64_t cut_low = std::max<std::int64_t>(low, 0);
+            const std::int64_t cut_high = std::min<std::int64_t>(high, length);
+            if (cut_low < cut_high)
+                found.push_back(
+                    {static_cast<std::uint32_t>(cut_low), static_cast<std::uint32_t>(cut_high)});
+        };
+        if (period != 0 && end - begin >= length) return {{0, length}};
+        add(begin, end);
+        if (period != 0) add(begin + length, end + length);
+        if (period != 0) add(begin - length, end - length);
+        return found;
+    }
+
+    template <typename Visit>
+    void visit_bins(unsigned index, Span x, Span y, Visit& visit) const {
+        const Bins& bins = classes_[index];
+        const std::uint32_t low = bin_of(y.begin, index);
+        const std::uint32_t high = bin_of(y.end - 1, index);
+        for (std::uint32_t i = bin_of(x.begin, index); i <= bin_of(x.end - 1, index); ++i)
+            for (auto bin = bins.lower_bound({i, low});
+                 bin != bins.end() && bin->first <= std::pair(i, high); ++bin)
+                for (const Sized& sample : bin->second) visit(sample);
+    }
+
+    const Plan* plan_;
+    std::vector<Bins> classes_;  // by the number of bits of a radius
 };
 
-// Lines with free spans at first, boxes after the first refinement.
+// Lines with free spans at first, boxes after the first refinement. With a radius field there are
+// boxes from the start.
 class Exact : public FreeSpace {
 public:
     explicit Exact(const Plan& plan)
-        : plan_(plan), samples_(plan), spans_(plan), width_(plan.strip_width) {}
+        : plan_(plan),
+          field_(plan.has_field() ? plan.field().radius_field.get() : nullptr),
+          samples_(plan),
+          recent_(plan),
+          spans_(plan),
+          width_(plan.strip_width) {
+        if (field_ == nullptr) return;
+        for (const Sized& kept : plan.field().kept) add(kept);
+        set_boxes(plan.field().first_boxes->places);
+    }
 
     std::span<const std::uint32_t> free_lengths() const override {
-        return are_boxes_ ? box_lengths_ : spans_.lengths();
+        return are_boxes_ ? lengths_ : spans_.lengths();
     }
     std::uint32_t bin_width() const override { return width_; }
-    Sample at(std::uint32_t place, std::uint32_t rank, std::uint32_t offset) const override {
-        if (are_boxes_) return {boxes_[place].x + offset, boxes_[place].begin + rank};
-        return {place * plan_.strip_width + offset, spans_.y_at_rank(place, rank)};
+    std::span<const std::uint32_t> bin_widths() const override { return widths_; }
+    Sample at(std::uint32_t bin, std::uint32_t rank, std::uint32_t offset) const override {
+        if (are_boxes_) return {boxes_[bin].x + offset, boxes_[bin].begin + rank};
+        return {bin * plan_.strip_width + offset, spans_.y_at_rank(bin, rank)};
     }
-    bool is_free(Sample candidate) const override { return !samples_.is_covered(candidate); }
-    void add(Sample sample) override { samples_.add(sample); }
+
+    bool is_free(Sample candidate) const override {
+        const Sized sized{candidate.x, candidate.y, radius_at(candidate)};
+        if (sized.radius == 0) return false;
+        bool covered = false;
+        samples_.for_each_near(
+            {candidate.x, 1, candidate.y, candidate.y + 1}, [&](const Sized& near) {
+                covered |= portable::conflicts(near, sized, plan_.period_x, plan_.period_y);
+            });
+        return !covered;
+    }
+    void add(Sample sample) override { add(Sized{sample.x, sample.y, radius_at(sample)}); }
+
+    // Either the round's samples cut the bins, or boxes are halved, and then all samples cut the
+    // halves. Parts where no sample may lie are dropped.
     void end_round(std::span<const Sample> samples, const RoundPolicy& policy) override {
         if (policy.refines())
             refine(policy.halves());
         else
             for (const Sample sample : samples) spans_.subtract_disk(sample);
+        recent_ = Samples(plan_);
     }
 
 private:
+    void add(const Sized& sample) {
+        samples_.add(sample);
+        recent_.add(sample);
+    }
+
+    std::uint32_t radius_at(Sample at) const {
+        return field_ == nullptr ? plan_.radius : field_->radius_at(at.x, at.y);
+    }
+    std::uint32_t least_under(const Rectangle& box) const {
+        return field_ == nullptr ? plan_.radius : field_->under(box).least;
+    }
+
     void refine(bool halve) {
-        const std::vector<Box> old = are_boxes_ ? std::move(boxes_) : boxes_of_lines();
-        const std::uint32_t width = halve ? width_ / 2 : width_;
-        boxes_.clear();
-        for (const Box box : old)
-            for (std::uint32_t x = box.x; x < box.x + width_; x += width)
-                append_remnants({x, box.begin, box.end}, width);
-        box_lengths_.clear();
-        for (const Box box : boxes_) box_lengths_.push_back(box.end - box.begin);
-        width_ = width;
+        std::vector<Rectangle> left;
+        for (const Rectangle& box : are_boxes_ ? std::exchange(boxes_, {}) : boxes_of_lines()) {
+            if (!halve) {
+                append_pieces(box, recent_, left);
+                continue;
+            }
+            for (const Rectangle& half : halves_along_x(box))
+                for (const Rectangle& part : parts_along_y(half))
+                    if (least_under(part) != 0) append_pieces(part, samples_, left);
+        }
+        if (halve) width_ /= 2;
+        set_boxes(std::move(left));
+    }
+
+    void set_boxes(std::vector<Rectangle> boxes) {
+        boxes_ = std::move(boxes);
         are_boxes_ = true;
+        lengths_.clear();
+        widths_.clear();
+        for (const Rectangle& box : boxes_) {
+            lengths_.push_back(box.end - box.begin);
+            if (field_ != nullptr) widths_.push_back(box.width);
+        }
     }
 
     // Free spans as boxes, which end where a row of the sample grid does.
-    std::vector<Box> boxes_of_lines() const {
-        std::vector<Box> all;
+    std::vector<Rectangle> boxes_of_lines() const {
+        std::vector<Rectangle> all;
+        const std::uint32_t side = plan_.grid().side;
         for (std::uint32_t line = 0; line < plan_.lines; ++line) {
             for (const Span span : spans_.of_line(line)) {
                 for (std::uint32_t begin = span.begin; begin < span.end;) {
-                    const std::uint32_t row_end = begin - begin % plan_.grid_side + plan_.grid_side;
-                    const std::uint32_t end = std::min(span.end, row_end);
-                    all.push_back({line * plan_.strip_width, begin, end});
+                    const std::uint32_t end = std::min(span.end, begin - begin % side + side);
+                    all.push_back({line * width_, width_, begin, end});
                     begin = end;
                 }
             }
@@ -125,30 +190,52 @@ private:
         return all;
     }
 
-    // Appends the pieces of the strip after all samples' chords are cut from it. A chord covers the
-    // strip's whole width: it is cut at the far edge.
-    void append_remnants(Box strip, std::uint32_t width) {
+    // A box that lies on unlike pixels is cut along their borders, others in the middle.
+    std::vector<Rectangle> halves_along_x(const Rectangle& box) const {
+        const std::uint32_t cut = field_ == nullptr ? box.x + box.width / 2 : field_->cut_x(box);
+        if (cut == 0) return {box};
+        return {{box.x, cut - box.x, box.begin, box.end},
+                {cut, box.x + box.width - cut, box.begin, box.end}};
+    }
+    // Cuts only along borders of unlike pixels.
+    std::vector<Rectangle> parts_along_y(const Rectangle& box) const {
+        const std::uint32_t cut = field_ == nullptr ? 0 : field_->cut_y(box);
+        if (cut == 0) return {box};
+        return {{box.x, box.width, box.begin, cut}, {box.x, box.width, cut, box.end}};
+    }
+
+    // Appends the pieces of the box after the samples' chords are cut from it. A chord covers the
+    // box's whole width: it is cut at the far edge. Its radius is the smaller of the sample's and
+    // the least one under the box, so that the sample conflicts with every point in it.
+    void append_pieces(const Rectangle& box, const Samples& samples,
+                       std::vector<Rectangle>& left) const {
+        const std::uint32_t radius = least_under(box);
+        const std::uint32_t half = box.width / 2;
         std::vector<Span> chords;
-        const std::uint32_t centre = strip.x + width / 2;
-        samples_.for_each_near({centre, strip.begin}, [&](Sample sample) {
-            for_each_chord(plan_, sample, centre, width / 2,
-                           [&](Span chord) { chords.push_back(chord); });
+        samples.for_each_near(box, [&](const Sized& near) {
+            const std::uint32_t dx =
+                portable::axis_distance(near.x, box.x + half, plan_.period_x) + half;
+            for_each_window(plan_, near.y, portable::chord(near, dx, radius),
+                            [&](Span chord) { chords.push_back(chord); });
         });
-        chords.push_back({strip.end, strip.end});
+        chords.push_back({box.end, box.end});
         std::sort(chords.begin(), chords.end(), [](Span a, Span b) { return a.begin < b.begin; });
-        std::uint32_t free_from = strip.begin;
+        std::uint32_t free_from = box.begin;
         for (const Span chord : chords) {
-            const std::uint32_t free_to = std::min(chord.begin, strip.end);
-            if (free_from < free_to) boxes_.push_back({strip.x, free_from, free_to});
+            const std::uint32_t free_to = std::min(chord.begin, box.end);
+            if (free_from < free_to) left.push_back({box.x, box.width, free_from, free_to});
             free_from = std::max(free_from, chord.end);
         }
     }
 
     const Plan& plan_;
+    const RadiusField* field_;  // null where there is one radius
     Samples samples_;
+    Samples recent_;  // samples that have not cut the bins yet
     FreeSpans spans_;
-    std::vector<Box> boxes_;
-    std::vector<std::uint32_t> box_lengths_;
+    std::vector<Rectangle> boxes_;
+    std::vector<std::uint32_t> lengths_;
+    std::vector<std::uint32_t> widths_;  // empty where all are width_
     std::uint32_t width_;
     bool are_boxes_ = false;
 };

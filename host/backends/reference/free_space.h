@@ -1,5 +1,5 @@
 // What the loop of reference.cpp needs of a mode: the free space, and how a sample is cut from it.
-// Each mode has a file: lines.cpp, exact.cpp, cells.cpp, exact_with_field.cpp.
+// Each mode has a file: lines.cpp, exact.cpp, cells.cpp.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ public:
     virtual std::span<const std::uint32_t> bin_widths() const { return {}; }
     // The rank-th free y of the bin, counted from below, and the x at this offset from its low
     // edge.
-    virtual Sample at(std::uint32_t place, std::uint32_t rank, std::uint32_t offset) const = 0;
+    virtual Sample at(std::uint32_t bin, std::uint32_t rank, std::uint32_t offset) const = 0;
 
     // Whether no sample covers the candidate.
     virtual bool is_free(Sample candidate) const = 0;
@@ -34,6 +34,5 @@ public:
 std::unique_ptr<FreeSpace> make_lines(const Plan& plan);
 std::unique_ptr<FreeSpace> make_exact(const Plan& plan);
 std::unique_ptr<FreeSpace> make_cells(const Plan& plan);
-std::unique_ptr<FreeSpace> make_exact_with_field(const Plan& plan);
 
 }  // namespace lacuna::reference

@@ -32,20 +32,24 @@ private:
     std::vector<std::uint32_t> lengths_;
 };
 
+// Visits the parts of the interval of y that reaches as far to both sides of y: none, one, or one
+// and its part that wraps around a torus.
+template <typename Visit>
+void for_each_window(const Plan& plan, std::uint32_t y, std::uint32_t reach, Visit visit) {
+    for (std::uint32_t window = 0; reach != 0 && window < (plan.period_y == 0 ? 1 : 3); ++window) {
+        const Span chord = {portable::window_begin(window, y, reach, plan.height),
+                            portable::window_end(window, y, reach, plan.height)};
+        if (chord.begin < chord.end) visit(chord);
+    }
+}
+
 // Visits the chords of the sample's disk on a line at x or, with a margin, on the strip that
-// reaches as far to both sides of x: none, one, or one and its part that wraps around a torus.
+// reaches as far to both sides of x.
 template <typename Visit>
 void for_each_chord(const Plan& plan, Sample sample, std::uint32_t x, std::uint32_t margin,
                     Visit visit) {
     const std::uint32_t dx = portable::axis_distance(sample.x, x, plan.period_x) + margin;
-    const std::uint32_t reach = portable::chord_reach(dx, plan.radius_squared);
-    if (reach == 0) return;
-    const std::uint32_t height = plan.height;
-    for (std::uint32_t window = 0; window < (plan.period_y == 0 ? 1 : 3); ++window) {
-        const Span chord = {portable::window_begin(window, sample.y, reach, height),
-                            portable::window_end(window, sample.y, reach, height)};
-        if (chord.begin < chord.end) visit(chord);
-    }
+    for_each_window(plan, sample.y, portable::chord_reach(dx, plan.radius_squared), visit);
 }
 
 }  // namespace lacuna::reference

@@ -19,7 +19,6 @@ namespace lacuna::reference {
 namespace {
 
 std::unique_ptr<FreeSpace> make_free_space(const Plan& plan) {
-    if (plan.radius_field) return make_exact_with_field(plan);
     if (plan.is_exact()) return make_exact(plan);
     if (plan.is_cells()) return make_cells(plan);
     return make_lines(plan);
@@ -32,9 +31,9 @@ std::vector<std::uint64_t> marginal_cdf(const Plan& plan, const FreeSpace& space
     std::vector<std::uint64_t> cdf(lengths.size());
     std::uint64_t sum = 0;
     const std::span<const std::uint32_t> widths = space.bin_widths();
-    for (std::size_t place = 0; place < lengths.size(); ++place) {
-        const std::uint64_t width = widths.empty() ? 1 : widths[place];
-        cdf[place] = sum += plan.uniform_x ? std::min(lengths[place], 1u) : width * lengths[place];
+    for (std::size_t bin = 0; bin < lengths.size(); ++bin) {
+        const std::uint64_t width = widths.empty() ? 1 : widths[bin];
+        cdf[bin] = sum += plan.is_uniform_x() ? std::min(lengths[bin], 1u) : width * lengths[bin];
     }
     return cdf;
 }
@@ -51,23 +50,24 @@ Candidate draw(const Plan& plan, const FreeSpace& space, const std::vector<std::
     // Eq. 2: x = F_X^{-1}(c). The two values of F_X that straddle c give the bin.
     const std::uint64_t c = scaled(random.first, cdf.back());
     const auto above = std::upper_bound(cdf.begin(), cdf.end(), c);
-    const auto place = static_cast<std::uint32_t>(above - cdf.begin());
+    const auto bin = static_cast<std::uint32_t>(above - cdf.begin());
 
     // y: uniform over the free length of that bin, as is the excess of c over F_X.
-    std::uint64_t rank = c - (place == 0 ? 0 : cdf[place - 1]);
+    std::uint64_t rank = c - (bin == 0 ? 0 : cdf[bin - 1]);
     if (!space.bin_widths().empty()) {
-        const std::uint32_t width = space.bin_widths()[place];
-        return {space.at(place, static_cast<std::uint32_t>(rank / width),
+        const std::uint32_t width = space.bin_widths()[bin];
+        return {space.at(bin, static_cast<std::uint32_t>(rank / width),
                          static_cast<std::uint32_t>(rank % width)),
                 number};
     }
-    if (plan.uniform_x) rank = scaled(random.second, space.free_lengths()[place]);
+    if (plan.is_uniform_x()) rank = scaled(random.second, space.free_lengths()[bin]);
 
     // x: on the line, or uniform in its strip, as interpolating the cdf makes it.
     const std::uint64_t bits =
-        plan.uniform_x ? random_bits(plan.seed, number, 1).first : random.second;
-    const std::uint64_t offset = plan.snap ? plan.strip_width / 2 : scaled(bits, space.bin_width());
-    return {space.at(place, static_cast<std::uint32_t>(rank), static_cast<std::uint32_t>(offset)),
+        plan.is_uniform_x() ? random_bits(plan.seed, number, 1).first : random.second;
+    const std::uint64_t offset =
+        plan.snaps() ? plan.strip_width / 2 : scaled(bits, space.bin_width());
+    return {space.at(bin, static_cast<std::uint32_t>(rank), static_cast<std::uint32_t>(offset)),
             number};
 }
 

@@ -4,7 +4,7 @@
 #include <lacuna/lacuna.h>
 
 #include "plan/plan.h"
-#include "sampling/generate.h"
+#include "rounds/round.h"
 
 namespace lacuna::reference {
 

@@ -69,17 +69,18 @@ std::vector<std::uint32_t> expected_statuses(const SpanState& state) {
 }
 
 void expect_samples_in_grid(const SpanState& state) {
-    std::vector<Sample> expected(std::size_t{state.plan.grid_columns} * state.plan.grid_rows,
+    std::vector<Sample> expected(std::size_t{state.plan.grid().columns} * state.plan.grid().rows,
                                  {NO_SAMPLE, NO_SAMPLE});
     for (std::size_t i = 0; i < state.candidates.size(); ++i) {
         const auto [x, y] = Sample{state.candidates[i].x, state.candidates[i].y};
         if (state.statuses[i] == STATUS_ADMITTED)
-            expected[std::size_t{x / state.plan.grid_side} * state.plan.grid_rows +
-                     y / state.plan.grid_side] = {x, y};
+            expected[std::size_t{x / state.plan.grid().side} * state.plan.grid().rows +
+                     y / state.plan.grid().side] = {x, y};
     }
     std::vector<Sample> got;
-    for (std::uint32_t i = 0; i < state.plan.grid_columns; ++i)
-        got.insert(got.end(), state.grid->column(i), state.grid->column(i) + state.plan.grid_rows);
+    for (std::uint32_t i = 0; i < state.plan.grid().columns; ++i)
+        got.insert(got.end(), state.grid->column(i),
+                   state.grid->column(i) + state.plan.grid().rows);
     EXPECT_TRUE(got == expected) << "the grid holds other samples, or a mark";
 }
 

@@ -244,17 +244,17 @@ Snapshot boxes_between_disks(const Plan& plan) {
     Snapshot scene = tests::empty_memory(plan);
     scene.spans.clear();
     scene.box_width = plan.strip_width / 64;
-    const std::uint32_t row_begin = plan.grid_rows / 2 * plan.grid_side;
+    const std::uint32_t row_begin = plan.grid().rows / 2 * plan.grid().side;
     const std::uint32_t middle = plan.width / 2;
     const auto put = [&](Sample sample) {
-        scene.grid[std::size_t{sample.x / plan.grid_side} * plan.grid_rows +
-                   sample.y / plan.grid_side] = sample;
+        scene.grid[std::size_t{sample.x / plan.grid().side} * plan.grid().rows +
+                   sample.y / plan.grid().side] = sample;
     };
-    put({middle, row_begin + plan.grid_side / 3});
-    put({middle + plan.radius / 100 * 194, row_begin + plan.grid_side / 2});
+    put({middle, row_begin + plan.grid().side / 3});
+    put({middle + plan.radius / 100 * 194, row_begin + plan.grid().side / 2});
     for (std::uint32_t percent = 940; percent < 1000; percent += 2) {
         const std::uint32_t x = middle + plan.radius / 1000 * percent;
-        scene.boxes.push_back({x - x % scene.box_width, row_begin, row_begin + plan.grid_side});
+        scene.boxes.push_back({x - x % scene.box_width, row_begin, row_begin + plan.grid().side});
     }
     return scene;
 }

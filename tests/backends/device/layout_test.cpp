@@ -49,7 +49,7 @@ TEST(NearBegins, LeaveRoomForAllDrawsNearAColumn) {
 
 TEST(SlicesOfSample, AreSoManyThatNoneTakesMoreTurns) {
     for (const tests::Scene& scene : tests::random_cells_scenes()) {
-        const std::vector<std::uint32_t>& reaches = scene.plan.radii->reaches;
+        const std::vector<std::uint32_t>& reaches = scene.plan.cells().radii->reaches;
         const std::uint32_t widest = *std::max_element(reaches.begin(), reaches.end());
         const std::uint64_t of_line = turns_of_line(scene.plan, widest);
         const std::uint64_t of_sample = turns_of_sample(scene.plan, widest);

@@ -67,7 +67,7 @@ TEST_F(VulkanBackend, MakesRoomForMoreBoxesThanThereWere) {
     const Plan plan = make_plan(torus(0.02));
     Snapshot scene;
     scene.capacity = 1;
-    scene.grid.assign(std::size_t{plan.grid_columns} * plan.grid_rows, {NO_SAMPLE, NO_SAMPLE});
+    scene.grid.assign(std::size_t{plan.grid().columns} * plan.grid().rows, {NO_SAMPLE, NO_SAMPLE});
     scene.box_width = plan.strip_width;
     for (std::uint32_t line = 0; line < plan.lines; ++line)
         for (std::uint32_t y = 0; y < 20; ++y)

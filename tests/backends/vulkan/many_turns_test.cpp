@@ -79,7 +79,7 @@ protected:
         scene_.capacity = kTurns + 8;
         scene_.spans.resize(plan_.lines);
         for (std::uint32_t i = 0; i < kTurns; ++i) scene_.spans[0].push_back({4 * i, 4 * i + 1});
-        scene_.grid.assign(std::size_t{plan_.grid_columns} * plan_.grid_rows,
+        scene_.grid.assign(std::size_t{plan_.grid().columns} * plan_.grid().rows,
                            {NO_SAMPLE, NO_SAMPLE});
     }
     static Plan make() {
@@ -136,7 +136,7 @@ TEST_F(ManyPixels, AreSortedAsByTheCpu) {
 
 TEST_F(ManyPixels, AreAnErrorOfSubtractOrSubtractedAsByTheCpu) {
     const std::uint32_t y = plan_.height / 2 - 1;
-    ASSERT_GT(plan_.radii->reaches[plan_.radii->pixel_at(0, y)], plan_.height / 3);
+    ASSERT_GT(plan_.cells().radii->reaches[plan_.cells().radii->pixel_at(0, y)], plan_.height / 3);
     scene_.candidates = {{0, y, 0, 0}};
     scene_.statuses = {STATUS_ADMITTED};
     expect_right_or_failed("subtract", [](Backend& backend) { backend.subtract(); });

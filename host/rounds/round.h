@@ -1,0 +1,53 @@
+// What a round is made of: draws become candidates, and candidates become samples (docs/design.md,
+// section 3).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "plan/plan.h"
+
+namespace lacuna {
+
+// One inversion of the cdf. Its bin is a line; after the first refinement, and from the start with
+// a radius field, it is an active box.
+struct Draw {
+    std::uint32_t place;
+    std::uint32_t rank;    // along the bin's free length
+    std::uint32_t offset;  // in x, from the bin's low edge
+    std::uint32_t order;
+    friend bool operator==(const Draw&, const Draw&) = default;
+};
+
+// A draw turned into a point. With a radius field its line is 0.
+struct Candidate {
+    std::uint32_t x;
+    std::uint32_t y;
+    std::uint32_t line;  // the line of the strip that it lies in
+    std::uint32_t order;
+    friend bool operator==(const Candidate&, const Candidate&) = default;
+};
+
+// The result of a round. Valid until the backend's next call.
+struct Round {
+    std::span<const Sample> samples;                 // admitted, in the order of their draws
+    std::uint64_t survivors;                         // draws not covered in earlier rounds
+    std::span<const std::uint32_t> free_lengths;     // of every bin, after the round
+    std::uint32_t bin_width;                         // of all bins, where bin_widths is empty
+    std::span<const std::uint32_t> bin_widths = {};  // of each bin
+    // With plan.tells_orders: the order of each sample's draw. In lines and exact without a radius
+    // field: the first bin of each column, then the number of bins.
+    std::span<const std::uint32_t> orders = {};
+    std::span<const std::uint32_t> bin_begins = {};
+};
+
+// What all rounds of a plan come to.
+struct Outcome {
+    std::vector<Sample> samples;  // in order of admission
+    std::uint64_t rounds = 0;
+    std::uint64_t draws = 0;
+    std::vector<std::uint64_t> numbers;  // of each sample's draw; the reference alone fills them in
+};
+
+}  // namespace lacuna
