@@ -41,7 +41,7 @@ void find_column_begins(std::span<const std::uint32_t> bin_begins, std::span<con
                         std::vector<std::uint32_t>& begins) {
     const auto columns = static_cast<std::uint32_t>(bin_begins.size() - 1);
     find_begins(columns, draws, begins, [&](const Draw& draw, std::uint32_t column) {
-        return draw.place < bin_begins[column];
+        return draw.bin < bin_begins[column];
     });
 }
 

@@ -12,9 +12,9 @@ namespace lacuna {
 namespace {
 
 // A region is work for one thread and has at most 1/kRegions of the boxes, so that work is even. A
-// region of fewer than kFewPlaces boxes is not cut further, because that would save no time.
+// region of fewer than kFewBoxes boxes is not cut further, because that would save no time.
 constexpr std::uint32_t kRegions = 96;
-constexpr std::uint32_t kFewPlaces = 128;
+constexpr std::uint32_t kFewBoxes = 128;
 
 // A box is at most kRadii / lines_per_radius of the least radius under it long. With shorter boxes
 // there are more to cut; with longer ones more draws fall into covered space.
@@ -28,29 +28,28 @@ public:
     explicit Halving(const Plan& plan)
         : radius_field_(*plan.field().radius_field), pieces_(plan.lines_per_radius) {
         // Reserves about as many as there will be boxes. Memory that stays unused is never touched.
-        const std::size_t places = plan.maximal_samples;
-        first_.places.reserve(places);
-        ask_for_large_pages(first_.places.data(), places);
-        first_.blocks.reserve(places);
-        first_.nodes.reserve(2 * places);
-        ask_for_large_pages(first_.nodes.data(), 2 * places);
+        const std::size_t boxes = plan.maximal_samples;
+        first_.boxes.reserve(boxes);
+        ask_for_large_pages(first_.boxes.data(), boxes);
+        first_.blocks.reserve(boxes);
+        first_.nodes.reserve(2 * boxes);
+        ask_for_large_pages(first_.nodes.data(), 2 * boxes);
     }
 
-    void cut(const Rectangle& place, std::size_t whole) {
-        const Under under = radius_field_.under(place);
+    void cut(const Rectangle& box, std::size_t whole) {
+        const Under under = radius_field_.under(box);
         if (under.least == 0) return;
         const std::size_t node = first_.nodes.size();
         const std::uint32_t block = blocks();
-        first_.nodes.push_back(
-            {place, under.greatest, 0, block, static_cast<std::uint32_t>(whole)});
-        if (is_short(place, under, kRadiiOfBlock) || is_short(place, under, kRadii, pieces_)) {
-            const std::uint32_t first = places();
-            cut_block(place, under);
-            if (places() > first)
+        first_.nodes.push_back({box, under.greatest, 0, block, static_cast<std::uint32_t>(whole)});
+        if (is_short(box, under, kRadiiOfBlock) || is_short(box, under, kRadii, pieces_)) {
+            const std::uint32_t first = boxes();
+            cut_block(box, under);
+            if (boxes() > first)
                 first_.blocks.push_back(
                     {first, under.is_even ? under.least : 0, static_cast<std::uint32_t>(node)});
         } else {
-            cut_in_two(place, under, [&](const Rectangle& part) { cut(part, node); });
+            cut_in_two(box, under, [&](const Rectangle& part) { cut(part, node); });
         }
         // If nothing in a large box is allowed, this may show in its parts only: its nodes are
         // removed.
@@ -61,8 +60,8 @@ public:
     }
 
     FirstBoxes take() {
-        const std::uint32_t most = std::max(kFewPlaces, places() / kRegions);
-        first_.blocks.push_back({places(), 0, 0});
+        const std::uint32_t most = std::max(kFewBoxes, boxes() / kRegions);
+        first_.blocks.push_back({boxes(), 0, 0});
         for (std::uint32_t i = 0; i < first_.nodes.size();) {
             const FirstBoxes::Node& node = first_.nodes[i];
             const std::uint32_t first = first_.blocks[node.first].first;
@@ -75,40 +74,40 @@ public:
             first_.begins.push_back(first);
             i = node.next;
         }
-        first_.begins.push_back(places());
+        first_.begins.push_back(boxes());
         return std::move(first_);
     }
 
 private:
-    std::uint32_t places() const { return static_cast<std::uint32_t>(first_.places.size()); }
+    std::uint32_t boxes() const { return static_cast<std::uint32_t>(first_.boxes.size()); }
     std::uint32_t blocks() const { return static_cast<std::uint32_t>(first_.blocks.size()); }
 
-    static bool is_short(const Rectangle& place, const Under& under, std::uint64_t radii,
+    static bool is_short(const Rectangle& box, const Under& under, std::uint64_t radii,
                          std::uint64_t pieces = 1) {
-        const std::uint64_t longer = std::max(place.width, place.end - place.begin);
+        const std::uint64_t longer = std::max(box.width, box.end - box.begin);
         return longer == 1 || longer * pieces <= radii * under.least;
     }
 
-    void cut_block(const Rectangle& place, const Under& under) {
+    void cut_block(const Rectangle& box, const Under& under) {
         if (under.least == 0) return;
-        if (is_short(place, under, kRadii, pieces_)) return first_.places.push_back(place);
-        cut_in_two(place, under,
+        if (is_short(box, under, kRadii, pieces_)) return first_.boxes.push_back(box);
+        cut_in_two(box, under,
                    [&](const Rectangle& part) { cut_block(part, radius_field_.under(part)); });
     }
 
     template <typename Take>
-    void cut_in_two(const Rectangle& place, const Under& under, Take take) {
-        const std::uint32_t height = place.end - place.begin;
-        if (place.width >= height) {
+    void cut_in_two(const Rectangle& box, const Under& under, Take take) {
+        const std::uint32_t height = box.end - box.begin;
+        if (box.width >= height) {
             const std::uint32_t x =
-                under.is_even ? place.x + place.width / 2 : radius_field_.cut_x(place);
-            take(Rectangle{place.x, x - place.x, place.begin, place.end});
-            take(Rectangle{x, place.x + place.width - x, place.begin, place.end});
+                under.is_even ? box.x + box.width / 2 : radius_field_.cut_x(box);
+            take(Rectangle{box.x, x - box.x, box.begin, box.end});
+            take(Rectangle{x, box.x + box.width - x, box.begin, box.end});
         } else {
-            std::uint32_t y = under.is_even ? 0 : radius_field_.cut_y(place);
-            if (y == 0) y = place.begin + height / 2;
-            take(Rectangle{place.x, place.width, place.begin, y});
-            take(Rectangle{place.x, place.width, y, place.end});
+            std::uint32_t y = under.is_even ? 0 : radius_field_.cut_y(box);
+            if (y == 0) y = box.begin + height / 2;
+            take(Rectangle{box.x, box.width, box.begin, y});
+            take(Rectangle{box.x, box.width, y, box.end});
         }
     }
 

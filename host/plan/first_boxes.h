@@ -14,7 +14,7 @@ namespace lacuna {
 struct FirstBoxes {
     // A box of the tree. A node comes before its parts.
     struct Node {
-        Rectangle place;
+        Rectangle box;
         std::uint32_t greatest;  // the largest radius under it
         std::uint32_t next;      // the first node after this one and its parts
         std::uint32_t first;     // the first block in it
@@ -27,17 +27,17 @@ struct FirstBoxes {
         std::uint32_t node;
     };
 
-    std::vector<Rectangle> places;
+    std::vector<Rectangle> boxes;
     std::vector<Block> blocks;  // the last entry only marks the end of the boxes
     std::vector<Node> nodes;    // nodes without parts belong to blocks
 
     std::uint32_t block_count() const { return static_cast<std::uint32_t>(blocks.size()) - 1; }
     // Calls visit(box, block) with the numbers of all boxes from the first of `block` up to `end`.
     template <typename Visit>
-    void for_each_place(std::uint32_t block, std::uint32_t end, Visit visit) const {
-        for (std::uint32_t place = blocks[block].first; place < end; ++place) {
-            if (place == blocks[block + 1].first) ++block;
-            visit(place, block);
+    void for_each_box(std::uint32_t block, std::uint32_t end, Visit visit) const {
+        for (std::uint32_t box = blocks[block].first; box < end; ++box) {
+            if (box == blocks[block + 1].first) ++block;
+            visit(box, block);
         }
     }
 

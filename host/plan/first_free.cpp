@@ -54,12 +54,12 @@ FirstFree::FirstFree(const Plan& plan) {
         lengths = first_free_lengths(plan);
         return;
     }
-    const std::vector<Rectangle>& places = plan.field().first_boxes->places;
-    lengths.reserve(places.size());
-    widths.reserve(places.size());
-    for (const Rectangle& place : places) {
-        lengths.push_back(place.end - place.begin);
-        widths.push_back(place.width);
+    const std::vector<Rectangle>& boxes = plan.field().first_boxes->boxes;
+    lengths.reserve(boxes.size());
+    widths.reserve(boxes.size());
+    for (const Rectangle& box : boxes) {
+        lengths.push_back(box.end - box.begin);
+        widths.push_back(box.width);
     }
 }
 

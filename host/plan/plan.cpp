@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kLongerSideUnits = 2147483648.0;   // 2^31
 constexpr std::uint32_t kExactLinesPerRadius = 6;   // it decides only the speed
-constexpr std::uint32_t kPlacesPerRadius = 1;       // boxes instead of lines, with a radius field
+constexpr std::uint32_t kBoxesPerRadius = 1;        // boxes instead of lines, with a radius field
 constexpr std::uint32_t kPaperLinesPerRadius = 30;  // the paper's section 5.1
 
 // Maximal sets in a box: N r^2 over the area, and the width of the effect of the edge in radii.
@@ -93,7 +93,7 @@ std::uint32_t lines_per_radius(const Request& request) {
     if (request.lines_per_radius) return *request.lines_per_radius;
     switch (request.mode) {
         case Mode::exact:
-            return needs_radius_field(request) ? kPlacesPerRadius : kExactLinesPerRadius;
+            return needs_radius_field(request) ? kBoxesPerRadius : kExactLinesPerRadius;
         case Mode::lines:
             return kPaperLinesPerRadius;
         default:

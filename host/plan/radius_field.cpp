@@ -103,41 +103,39 @@ RadiusField::RadiusField(const Field* field, double scale, const Mask* mask, con
     ++least_radius_;
 }
 
-Under RadiusField::under(const Rectangle& place) const {
-    const std::uint32_t end = place.x + place.width;
+Under RadiusField::under(const Rectangle& box) const {
+    const std::uint32_t end = box.x + box.width;
     const Radii radii =
-        radii_.over(pixels_of(columns_, place.x, end), pixels_of(rows_, place.begin, place.end));
-    const std::uint8_t allowed = mask_ ? mask_->over(pixels_of(*mask_columns_, place.x, end),
-                                                     pixels_of(*mask_rows_, place.begin, place.end))
+        radii_.over(pixels_of(columns_, box.x, end), pixels_of(rows_, box.begin, box.end));
+    const std::uint8_t allowed = mask_ ? mask_->over(pixels_of(*mask_columns_, box.x, end),
+                                                     pixels_of(*mask_rows_, box.begin, box.end))
                                        : kAll;
     if (allowed == kNone) return {0, 0, true};
     return {radii.least, radii.greatest(), !radii.are_mixed() && allowed == kAll};
 }
 
-bool RadiusField::is_mask_mixed(const Rectangle& place) const {
-    return mask_ && mask_->over(pixels_of(*mask_columns_, place.x, place.x + place.width),
-                                pixels_of(*mask_rows_, place.begin, place.end)) == kSome;
+bool RadiusField::is_mask_mixed(const Rectangle& box) const {
+    return mask_ && mask_->over(pixels_of(*mask_columns_, box.x, box.x + box.width),
+                                pixels_of(*mask_rows_, box.begin, box.end)) == kSome;
 }
 
-bool RadiusField::are_radii_mixed(const Rectangle& place) const {
+bool RadiusField::are_radii_mixed(const Rectangle& box) const {
     return radii_
-        .over(pixels_of(columns_, place.x, place.x + place.width),
-              pixels_of(rows_, place.begin, place.end))
+        .over(pixels_of(columns_, box.x, box.x + box.width), pixels_of(rows_, box.begin, box.end))
         .are_mixed();
 }
 
-std::uint32_t RadiusField::cut_x(const Rectangle& place) const {
-    const std::uint32_t end = place.x + place.width;
-    std::uint32_t cut = is_mask_mixed(place) ? middle_border(*mask_columns_, place.x, end) : 0;
-    if (cut == 0 && are_radii_mixed(place)) cut = middle_border(columns_, place.x, end);
-    if (cut == 0 && place.width > 1) cut = place.x + place.width / 2;
+std::uint32_t RadiusField::cut_x(const Rectangle& box) const {
+    const std::uint32_t end = box.x + box.width;
+    std::uint32_t cut = is_mask_mixed(box) ? middle_border(*mask_columns_, box.x, end) : 0;
+    if (cut == 0 && are_radii_mixed(box)) cut = middle_border(columns_, box.x, end);
+    if (cut == 0 && box.width > 1) cut = box.x + box.width / 2;
     return cut;
 }
 
-std::uint32_t RadiusField::cut_y(const Rectangle& place) const {
-    std::uint32_t cut =
-        is_mask_mixed(place) ? middle_border(*mask_rows_, place.begin, place.end) : 0;
-    if (cut == 0 && are_radii_mixed(place)) cut = middle_border(rows_, place.begin, place.end);
+std::uint32_t RadiusField::cut_y(const Rectangle& box) const {
+    std::uint32_t cut = is_mask_mixed(box) ? middle_border(*mask_rows_, box.begin, box.end) : 0;
+    if (cut == 0 && are_radii_mixed(box)) cut = middle_border(rows_, box.begin, box.end);
     return cut;
 }
 

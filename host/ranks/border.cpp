@@ -41,16 +41,16 @@ Border::Border(const Strip& strip, Ranks& ranks, std::uint32_t depth)
 // ------------------------------------------------------------------------------------- the bins
 
 // The halo's bins: its lines or, in boxes, each line's rows of the sample grid.
-std::size_t Border::low_places() const {
+std::size_t Border::low_bins() const {
     return std::size_t{strip_.plan.halo().low} * (are_boxes_ ? strip_.plan.grid().rows : 1);
 }
 
-std::size_t Border::high_places() const {
+std::size_t Border::high_bins() const {
     return std::size_t{strip_.plan.halo().high} * (are_boxes_ ? strip_.plan.grid().rows : 1);
 }
 
 std::span<const std::uint32_t> Border::own_lengths(std::span<const std::uint32_t> lengths) const {
-    return lengths.subspan(low_places(), lengths.size() - low_places() - high_places());
+    return lengths.subspan(low_bins(), lengths.size() - low_bins() - high_bins());
 }
 
 // The draw that produces a guest's position.
@@ -60,11 +60,11 @@ Draw Border::draw_of(const Rival& guest) const {
     const std::uint32_t offset = guest.x % plan.strip_width;
     if (!are_boxes_) return {line, guest.y, offset, 0};
     const bool is_low = line < plan.halo().low;
-    const std::size_t first = is_low ? 0 : bin_begins_.back() - high_places();
+    const std::size_t first = is_low ? 0 : bin_begins_.back() - high_bins();
     const std::uint32_t of_halo = is_low ? line : line - plan.own_lines().end;
-    const std::size_t place =
+    const std::size_t bin =
         first + std::size_t{of_halo} * plan.grid().rows + guest.y / plan.grid().side;
-    return {static_cast<std::uint32_t>(place), guest.y % plan.grid().side, offset, 0};
+    return {static_cast<std::uint32_t>(bin), guest.y % plan.grid().side, offset, 0};
 }
 
 void Border::note(const Round& round, bool are_boxes) {
@@ -92,7 +92,7 @@ void Border::take(Backend& backend, const Marginal& marginal, IsCovered is_cover
     near_numbers_.clear();
     for (std::uint32_t i = 0; i < near_.size(); ++i) {
         near_numbers_.push_back(marginal.number_of(near_[i].order));
-        near_[i].place += static_cast<std::uint32_t>(low_places());
+        near_[i].bin += static_cast<std::uint32_t>(low_bins());
         near_[i].order = i;
     }
     if (near_.empty()) return;
@@ -106,10 +106,9 @@ void Border::take(Backend& backend, const Marginal& marginal, IsCovered is_cover
 void Border::look(Backend& backend, const Marginal& marginal, std::span<const Draw> own) {
     const std::size_t columns = first_lines_.size() - 1;
     const auto first_from = [&](std::size_t column) {
-        const std::size_t place = std::max<std::size_t>(bin_begins_[column], low_places());
-        return std::partition_point(own.begin(), own.end(), [&](const Draw& draw) {
-            return draw.place + low_places() < place;
-        });
+        const std::size_t bin = std::max<std::size_t>(bin_begins_[column], low_bins());
+        return std::partition_point(own.begin(), own.end(),
+                                    [&](const Draw& draw) { return draw.bin + low_bins() < bin; });
     };
     near_.assign(own.begin(), first_from(low_depth_));
     if (high_depth_ > 0) near_.insert(near_.end(), first_from(columns - high_depth_), own.end());
@@ -218,8 +217,8 @@ void Border::exchange_statuses() {
 
 // ------------------------------------------------------------------------------------- the round
 
-std::span<const Draw> Border::settle(Backend& backend, const Marginal& marginal,
-                                     std::span<const Draw> own) {
+std::span<const Draw> Border::draws_with_guests(Backend& backend, const Marginal& marginal,
+                                                std::span<const Draw> own) {
     messages_ = 0;
     look(backend, marginal, own);
     list_sent();
@@ -248,7 +247,7 @@ void Border::make_draws(std::span<const std::uint32_t> low, std::span<const std:
         for (const std::uint32_t index : received)
             if (rivals_[index].status == STATUS_ADMITTED) draws_.push_back(draw_of(rivals_[index]));
         std::sort(draws_.begin() + first, draws_.end(), [](const Draw& a, const Draw& b) {
-            return a.place != b.place ? a.place < b.place : a.rank < b.rank;
+            return a.bin != b.bin ? a.bin < b.bin : a.rank < b.rank;
         });
         for (auto guest = draws_.begin() + first; guest != draws_.end(); ++guest)
             guest->order = guests_++;
@@ -258,7 +257,7 @@ void Border::make_draws(std::span<const std::uint32_t> low, std::span<const std:
     draws_.insert(draws_.end(), own.begin(), own.end());
     add_guests(high);
     for (Draw& draw : std::span(draws_).subspan(first, own.size())) {
-        draw.place += static_cast<std::uint32_t>(low_places());
+        draw.bin += static_cast<std::uint32_t>(low_bins());
         draw.order += guests_;
     }
 }

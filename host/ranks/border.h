@@ -31,9 +31,9 @@ public:
     Border(const Strip& strip, Ranks& ranks, std::uint32_t depth = kDepth);
 
     // Returns the round's draws for the backend: the guests, then `own`, the marginal's last draws,
-    // with places shifted by the halo. Valid until the next call.
-    std::span<const Draw> settle(Backend& backend, const Marginal& marginal,
-                                 std::span<const Draw> own);
+    // with bins shifted by the halo. Valid until the next call.
+    std::span<const Draw> draws_with_guests(Backend& backend, const Marginal& marginal,
+                                            std::span<const Draw> own);
     // The number of guests. Guests have the first orders of the draws.
     std::uint32_t guests() const { return guests_; }
 
@@ -60,8 +60,8 @@ private:
         std::uint32_t number;
     };
 
-    std::size_t low_places() const;  // bins in the halo
-    std::size_t high_places() const;
+    std::size_t low_bins() const;  // bins in the halo
+    std::size_t high_bins() const;
     // Whether a candidate at x in the strip may conflict with one across the border.
     bool is_near_low(std::uint32_t x) const {
         return strip_.has_low_neighbour() && x - own_.begin < strip_.plan.radius;

@@ -16,16 +16,16 @@ namespace {
 // Numbers that are summed over the ranks after each round.
 struct Sums {
     std::uint64_t total = 0;  // weight of all bins
-    std::uint64_t places = 0;
+    std::uint64_t bins = 0;
     std::uint64_t survivors = 0;
     std::uint64_t admitted = 0;
     std::uint64_t cancelled = 0;  // ranks whose observer cancelled
 
     void add_up(Ranks& ranks) {
-        std::array<std::uint64_t, 5> all{total, places, survivors, admitted, cancelled};
+        std::array<std::uint64_t, 5> all{total, bins, survivors, admitted, cancelled};
         ranks.sum(all);
         total = all[0];
-        places = all[1];
+        bins = all[1];
         survivors = all[2];
         admitted = all[3];
         cancelled = all[4];
@@ -89,7 +89,7 @@ private:
     void make_round() {
         const CdfShare share{ranks_.sum_below(marginal_.total()), sums_.total};
         const auto size = static_cast<std::uint32_t>(policy_.size());
-        backend_.locate(border_.settle(backend_, marginal_, invert(size, share)));
+        backend_.locate(border_.draws_with_guests(backend_, marginal_, invert(size, share)));
         backend_.admit();
         if (policy_.refines())
             backend_.refine(policy_.halves());
@@ -111,7 +111,7 @@ private:
         outcome_.samples += sums_.admitted;
         outcome_.draws += size;
         outcome_.rounds++;
-        policy_.note(sums_.survivors, sums_.admitted, sums_.places, round.bin_width);
+        policy_.note(sums_.survivors, sums_.admitted, sums_.bins, round.bin_width);
     }
 
     std::span<const Draw> invert(std::uint32_t size, CdfShare share) {
@@ -122,7 +122,7 @@ private:
         const Timed timed(observer_, Verb::invert);
         marginal_.rebuild(lengths, width);
         sums_.total = marginal_.total();
-        sums_.places = lengths.size();
+        sums_.bins = lengths.size();
     }
     void look_out() {
         const std::uint64_t expected = std::max(outcome_.samples, plan_.expected_samples);

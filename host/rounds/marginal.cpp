@@ -27,7 +27,7 @@ constexpr std::uint32_t kRun = 256;  // draws whose random bits are made at a ti
 constexpr std::size_t kPollEvery = std::size_t{1} << 14;
 
 std::uint64_t bits_of(const Draw& draw) {
-    return std::uint64_t{draw.place} << 32 | draw.rank;
+    return std::uint64_t{draw.bin} << 32 | draw.rank;
 }
 
 // `count` of the draw's bits, after the highest `skipped` ones.
@@ -43,9 +43,9 @@ void sum_before(std::vector<std::uint32_t>& counts) {
 }  // namespace
 
 // Eq. 1. With uniform-x the weight is 1 if the bin has any free length, otherwise 0.
-std::uint64_t Marginal::weight_of(std::size_t place) const {
-    if (plan_.is_uniform_x()) return std::min(lengths_[place], 1u);
-    return widths_.empty() ? lengths_[place] : std::uint64_t{widths_[place]} * lengths_[place];
+std::uint64_t Marginal::weight_of(std::size_t bin) const {
+    if (plan_.is_uniform_x()) return std::min(lengths_[bin], 1u);
+    return widths_.empty() ? lengths_[bin] : std::uint64_t{widths_[bin]} * lengths_[bin];
 }
 
 void Marginal::rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t bin_width,
@@ -59,7 +59,7 @@ void Marginal::rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_
     for (std::size_t block = 0; block < blocks; ++block) {
         if (block % kPollEvery == 0) poll_();
         const std::size_t end = std::min(lengths_.size(), (block + 1) * kBlock);
-        for (std::size_t place = block * kBlock; place < end; ++place) sum += weight_of(place);
+        for (std::size_t bin = block * kBlock; bin < end; ++bin) sum += weight_of(bin);
         sums_[block + 1] = sum;
     }
 }
@@ -78,10 +78,10 @@ public:
     void invert(Draw& draw) {
         const std::uint64_t c = weight_of(draw);
         seek(c);
-        std::size_t place = block_ * kBlock;
+        std::size_t bin = block_ * kBlock;
         std::uint64_t rank = c - sums_[block_];
-        for (; rank >= lengths_[place]; ++place) rank -= lengths_[place];
-        draw.place = static_cast<std::uint32_t>(place);
+        for (; rank >= lengths_[bin]; ++bin) rank -= lengths_[bin];
+        draw.bin = static_cast<std::uint32_t>(bin);
         draw.rank = static_cast<std::uint32_t>(rank);
     }
 
@@ -89,25 +89,25 @@ public:
     void invert_areas(Draw& draw) {
         const std::uint64_t c = weight_of(draw);
         seek(c);
-        std::size_t place = block_ * kBlock;
+        std::size_t bin = block_ * kBlock;
         std::uint64_t rank = c - sums_[block_];
-        const auto area = [&] { return std::uint64_t{widths_[place]} * lengths_[place]; };
-        for (; rank >= area(); ++place) rank -= area();
-        draw.place = static_cast<std::uint32_t>(place);
-        draw.rank = static_cast<std::uint32_t>(rank / widths_[place]);
-        draw.offset = static_cast<std::uint32_t>(rank % widths_[place]);
+        const auto area = [&] { return std::uint64_t{widths_[bin]} * lengths_[bin]; };
+        for (; rank >= area(); ++bin) rank -= area();
+        draw.bin = static_cast<std::uint32_t>(bin);
+        draw.rank = static_cast<std::uint32_t>(rank / widths_[bin]);
+        draw.offset = static_cast<std::uint32_t>(rank % widths_[bin]);
     }
 
     void invert_uniform_x(Draw& draw, std::uint64_t for_rank) {
         const std::uint64_t c = weight_of(draw);
         seek(c);
-        std::size_t place = block_ * kBlock;
-        for (std::uint64_t before = sums_[block_];; ++place) {
-            if (lengths_[place] == 0) continue;
+        std::size_t bin = block_ * kBlock;
+        for (std::uint64_t before = sums_[block_];; ++bin) {
+            if (lengths_[bin] == 0) continue;
             if (before++ == c) break;
         }
-        draw.place = static_cast<std::uint32_t>(place);
-        draw.rank = static_cast<std::uint32_t>(scaled(for_rank, lengths_[place]));
+        draw.bin = static_cast<std::uint32_t>(bin);
+        draw.rank = static_cast<std::uint32_t>(scaled(for_rank, lengths_[bin]));
     }
 
 private:
@@ -275,7 +275,7 @@ std::span<const Draw> Marginal::invert(std::uint64_t first_number, std::uint32_t
         });
     if (plan_.is_uniform_x())  // ranks of uniform-x do not ascend with the bits
         insertion_sort(std::span(draws_), [](const Draw& a, const Draw& b) {
-            return a.place != b.place ? a.place < b.place : a.rank < b.rank;
+            return a.bin != b.bin ? a.bin < b.bin : a.rank < b.rank;
         });
     return draws_;
 }

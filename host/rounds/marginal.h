@@ -56,7 +56,7 @@ private:
         std::uint64_t last = 0;
         unsigned shift = 0;
     };
-    std::uint64_t weight_of(std::size_t place) const;
+    std::uint64_t weight_of(std::size_t bin) const;
     void find_bits(CdfShare share);
     Draw drawn(const RandomBits& random, std::uint64_t first_number, std::uint32_t number) const;
     template <typename Visit>
@@ -74,7 +74,7 @@ private:
     std::vector<std::uint64_t> sums_ = {0};  // sums_[i]: weight of all bins before block i
     CdfShare share_{};
     Bits bits_;
-    // Until a draw is inverted, its place and rank hold its random bits.
+    // Until a draw is inverted, its bin and rank hold its random bits.
     std::vector<Draw> draws_;               // grouped by part, the highest bits
     std::vector<std::uint32_t> numbers_;    // by order; empty if all draws are in the share
     unsigned part_bits_ = 0;                // number of bits that select a part

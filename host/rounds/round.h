@@ -13,7 +13,7 @@ namespace lacuna {
 // One inversion of the cdf. Its bin is a line; after the first refinement, and from the start with
 // a radius field, it is an active box.
 struct Draw {
-    std::uint32_t place;
+    std::uint32_t bin;
     std::uint32_t rank;    // along the bin's free length
     std::uint32_t offset;  // in x, from the bin's low edge
     std::uint32_t order;

@@ -31,7 +31,7 @@ std::uint64_t first_round_size(const Plan& plan) {
     return std::clamp(area / plan.radius_squared / 8, kSmallestRound, largest_round_size(plan));
 }
 
-void RoundPolicy::judge_places(std::uint64_t survivors, std::uint32_t width) {
+void RoundPolicy::judge_bins(std::uint64_t survivors, std::uint32_t width) {
     seen_ += size_;
     seen_survivors_ += survivors;
     if (seen_ < kJudgedDraws) {
@@ -44,12 +44,12 @@ void RoundPolicy::judge_places(std::uint64_t survivors, std::uint32_t width) {
     seen_ = seen_survivors_ = 0;
 }
 
-void RoundPolicy::note(std::uint64_t survivors, std::uint64_t admitted, std::uint64_t places,
+void RoundPolicy::note(std::uint64_t survivors, std::uint64_t admitted, std::uint64_t bins,
                        std::uint32_t bin_width) {
     const bool are_boxes = refines_;
     // With a radius field boxes are cut along y too, so their width does not matter.
     constexpr std::uint32_t kAnyWidth = 2;
-    if (plan_.is_exact()) judge_places(survivors, plan_.has_field() ? kAnyWidth : bin_width);
+    if (plan_.is_exact()) judge_bins(survivors, plan_.has_field() ? kAnyWidth : bin_width);
     if (plan_.round_size != 0) return;
 
     const std::uint64_t lost = survivors - admitted;
@@ -58,7 +58,7 @@ void RoundPolicy::note(std::uint64_t survivors, std::uint64_t admitted, std::uin
     // Fewer draws will be lost to earlier rounds once the boxes are halved, and a box has room for
     // only one or two samples. So a larger round is not needed.
     std::uint64_t most = std::min(halves_ ? size_ : 2 * size_, largest_round_size(plan_));
-    if (are_boxes) most = std::min(most, places + kJudgedDraws);
+    if (are_boxes) most = std::min(most, bins + kJudgedDraws);
     // In exact no round may need more memory than the first, whose size is proportional to the set.
     if (plan_.is_exact()) most = std::min(most, std::max(first_round_size(plan_), kJudgedDraws));
     size_ = std::max(std::min(std::max(wanted, size_ / 2), most), kSmallestRound);

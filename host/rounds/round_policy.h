@@ -38,12 +38,12 @@ public:
     bool halves() const { return halves_; }
 
     // Records the result of a round of size() draws: `survivors` were free of earlier rounds'
-    // samples, `admitted` of these became samples; then there are `places` bins of width bin_width.
-    void note(std::uint64_t survivors, std::uint64_t admitted, std::uint64_t places,
+    // samples, `admitted` of these became samples; then there are `bins` bins of width bin_width.
+    void note(std::uint64_t survivors, std::uint64_t admitted, std::uint64_t bins,
               std::uint32_t bin_width);
 
 private:
-    void judge_places(std::uint64_t survivors, std::uint32_t width);
+    void judge_bins(std::uint64_t survivors, std::uint32_t width);
 
     const Plan& plan_;
     std::uint64_t size_;

@@ -1,4 +1,4 @@
-// Cuts cells until each is settled.
+// Cuts cells until each is decided.
 #include "verify/gap_search.h"
 
 #include <algorithm>
@@ -35,15 +35,15 @@ void GapSearch::visit(const Cell& cell, const Under& outer, std::size_t begin) {
     if (++visits_ % kVisitsPerLook == 0) question_.patience.look();
     const Under under = question_.radius_field.under(cell, outer);
     const Frame frame(cell);
-    const double settled = settled_from();
+    const double decided = decided_from();
     const bool is_a_spot = std::max(frame.half_width, frame.half_height) < question_.finest / 4;
-    if (under.is_closed() || is_a_spot || settled == kEndless) return;
+    if (under.is_closed() || is_a_spot || decided == kEndless) return;
 
     const Bounds bounds(frame, under);
     const std::size_t end = stack_.size();
     double most_over = kEndless;
     for (std::size_t i = begin; i < end; ++i) {
-        if (bounds.is_at_most(stack_[i], settled - question_.rounding)) return;
+        if (bounds.is_at_most(stack_[i], decided - question_.rounding)) return;
         bounds.lower_to_most_over(stack_[i], most_over);
     }
     Point best = frame.centre;
@@ -106,15 +106,15 @@ std::size_t GapSearch::look_from(Point centre, const Under& under, std::size_t b
     return best;
 }
 
-double GapSearch::settled_from() const {
+double GapSearch::decided_from() const {
     const double over = gap_.over;
     const double larger = over * (1 + question_.precision);
     const double tolerance = question_.tolerance;
     const bool is_uncovered = over > tolerance + question_.rounding;
-    const double settled = is_uncovered              ? larger
+    const double decided = is_uncovered              ? larger
                            : question_.names_any_gap ? std::min(larger, tolerance)
                                                      : tolerance;
-    return std::max(over + question_.finest, settled);
+    return std::max(over + question_.finest, decided);
 }
 
 }  // namespace lacuna::verify

@@ -45,7 +45,7 @@ private:
     // the index of the sample that covers the centre best.
     std::size_t look_from(Point centre, const Under& under, std::size_t begin);
     // A cell needs no cutting if none of its spots is over its limit by more than this.
-    double settled_from() const;
+    double decided_from() const;
 
     const Question& question_;
     Gap gap_;

@@ -1,5 +1,5 @@
 // Branch and bound over rectangles. A cell is cut in two, at borders of pixels while its pixels
-// differ, until it is settled: one sample covers all of it with the least radius under it, or no
+// differ, until it is decided: one sample covers all of it with the least radius under it, or no
 // sample may lie in it, or none of its spots can be a larger gap than the largest one found.
 //
 // One search serves one radius and a radius field. With one radius it asks for distances, as if all

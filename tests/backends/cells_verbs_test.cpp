@@ -48,8 +48,8 @@ Snapshot located(const Scene& scene) {
     for (const Draw& draw : scene.draws) {
         std::uint32_t left = draw.rank;
         std::uint32_t y = 0;
-        while (!is_free(scene.plan, scene.memory, {draw.place, y}) || left-- > 0) ++y;
-        candidates.push_back({draw.place, y, draw.place, draw.order});
+        while (!is_free(scene.plan, scene.memory, {draw.bin, y}) || left-- > 0) ++y;
+        candidates.push_back({draw.bin, y, draw.bin, draw.order});
     }
     tests::set_candidates(scene.plan, candidates, after);
     return after;

@@ -124,21 +124,21 @@ inline std::uint32_t length_of(const std::vector<Span>& spans) {
     return length;
 }
 
-inline std::uint32_t count_places(const Plan& plan, const Snapshot& memory) {
+inline std::uint32_t count_bins(const Plan& plan, const Snapshot& memory) {
     return memory.box_width != 0 ? static_cast<std::uint32_t>(memory.boxes.size()) : plan.lines;
 }
 
-inline std::uint32_t free_length_of(const Plan& plan, const Snapshot& memory, std::uint32_t place) {
+inline std::uint32_t free_length_of(const Plan& plan, const Snapshot& memory, std::uint32_t bin) {
     if (plan.is_cells()) {
         const std::uint32_t words = words_of_line(plan);
-        return std::accumulate(&memory.bits[std::size_t{place} * words],
-                               &memory.bits[std::size_t{place} * words] + words, 0u,
+        return std::accumulate(&memory.bits[std::size_t{bin} * words],
+                               &memory.bits[std::size_t{bin} * words] + words, 0u,
                                [](std::uint32_t sum, std::uint32_t word) {
                                    return sum + static_cast<std::uint32_t>(std::popcount(word));
                                });
     }
-    if (memory.box_width == 0) return length_of(memory.spans[place]);
-    return memory.boxes[place].end - memory.boxes[place].begin;
+    if (memory.box_width == 0) return length_of(memory.spans[bin]);
+    return memory.boxes[bin].end - memory.boxes[bin].begin;
 }
 
 // Draws on bins that have room, sorted by bin and rank, with their orders at random; some at the
@@ -148,20 +148,20 @@ inline std::vector<Draw> random_draws(const Plan& plan, const Snapshot& memory, 
     std::vector<Draw> draws;
     const std::vector<std::uint32_t> orders = chance.orders(count);
     for (std::uint32_t tries = 0; draws.size() < count && tries < 100 * count; ++tries) {
-        if (count_places(plan, memory) == 0) break;
-        const std::uint32_t place = chance.below(count_places(plan, memory));
-        const std::uint32_t free = free_length_of(plan, memory, place);
+        if (count_bins(plan, memory) == 0) break;
+        const std::uint32_t bin = chance.below(count_bins(plan, memory));
+        const std::uint32_t free = free_length_of(plan, memory, bin);
         if (free == 0) continue;
         std::uint32_t rank = chance.below(free);
         if (chance.one_in(8)) rank = chance.one_in(2) ? 0 : free - 1;
         const std::uint32_t width = memory.box_width != 0 ? memory.box_width : plan.strip_width;
-        draws.push_back({place, rank, chance.below(width), orders[draws.size()]});
+        draws.push_back({bin, rank, chance.below(width), orders[draws.size()]});
     }
     // Where no bin has room there may be fewer draws: orders must have no gaps.
     if (draws.size() < count)
         for (std::uint32_t i = 0; i < draws.size(); ++i) draws[i].order = i;
     std::stable_sort(draws.begin(), draws.end(), [](const Draw& a, const Draw& b) {
-        return a.place != b.place ? a.place < b.place : a.rank < b.rank;
+        return a.bin != b.bin ? a.bin < b.bin : a.rank < b.rank;
     });
     return draws;
 }

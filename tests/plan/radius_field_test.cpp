@@ -50,13 +50,13 @@ TEST(AGround, TellsTheLeastAndTheGreatestRadiusUnderARectangle) {
         for (int k = 0; k < 50; ++k) {
             const std::uint32_t x = below(side);
             const std::uint32_t begin = below(side);
-            const Rectangle place{x, 1 + below(std::min(9u, side - x)), begin,
-                                  begin + 1 + below(std::min(9u, side - begin))};
+            const Rectangle box{x, 1 + below(std::min(9u, side - x)), begin,
+                                begin + 1 + below(std::min(9u, side - begin))};
             std::uint32_t least = ~0u;
             std::uint32_t greatest = 0;
             bool is_even = true;
-            for (std::uint32_t i = x; i < x + place.width; ++i) {
-                for (std::uint32_t j = begin; j < place.end; ++j) {
+            for (std::uint32_t i = x; i < x + box.width; ++i) {
+                for (std::uint32_t j = begin; j < box.end; ++j) {
                     const std::uint32_t radius = radius_field.radius_at(i, j);
                     is_even = is_even && radius == radius_field.radius_at(x, begin);
                     if (radius == 0) continue;
@@ -64,7 +64,7 @@ TEST(AGround, TellsTheLeastAndTheGreatestRadiusUnderARectangle) {
                     greatest = std::max(greatest, radius);
                 }
             }
-            const Under under = radius_field.under(place);
+            const Under under = radius_field.under(box);
             if (greatest == 0) continue;  // other pixels may then count
             EXPECT_LE(under.least, least);
             EXPECT_NE(under.least, 0u);
@@ -83,7 +83,7 @@ TEST(FirstBoxes, HoldAllThatIsAllowedOnce) {
         const Plan plan = make_plan(made.request);
         const FirstBoxes& first = *plan.field().first_boxes;
         ASSERT_EQ(first.begins.size(), first.regions.size() + 1);
-        ASSERT_EQ(first.begins.back(), first.places.size());
+        ASSERT_EQ(first.begins.back(), first.boxes.size());
         std::mt19937 random(7);
         const auto below = [&](std::uint32_t end) {
             return static_cast<std::uint32_t>(random() % end);
@@ -96,37 +96,37 @@ TEST(FirstBoxes, HoldAllThatIsAllowedOnce) {
                                     x >= shape.low_x && x < shape.high_x && y >= shape.low_y &&
                                     y < shape.high_y;
             const auto holders = std::count_if(
-                first.places.begin(), first.places.end(),
+                first.boxes.begin(), first.boxes.end(),
                 [&](const Rectangle& p) { return x - p.x < p.width && y >= p.begin && y < p.end; });
             EXPECT_LE(holders, 1);
             if (is_allowed) {
                 EXPECT_EQ(holders, 1);
             }
         }
-        for (const Rectangle& place : first.places) {
-            const std::uint64_t longer = std::max(place.width, place.end - place.begin);
+        for (const Rectangle& box : first.boxes) {
+            const std::uint64_t longer = std::max(box.width, box.end - box.begin);
             EXPECT_TRUE(longer == 1 ||
                         longer * plan.lines_per_radius <=
-                            2 * std::uint64_t{plan.field().radius_field->under(place).least});
+                            2 * std::uint64_t{plan.field().radius_field->under(box).least});
         }
     }
 }
 
 TEST(FirstBoxes, LieInBlocksOfAFew) {
-    std::size_t places = 0;
+    std::size_t boxes = 0;
     std::size_t blocks = 0;
     for (const tests::FieldRequest& made : tests::radius_field_requests()) {
         SCOPED_TRACE(made.name);
         const Plan plan = make_plan(made.request);
         const FirstBoxes& first = *plan.field().first_boxes;
-        places += first.places.size();
+        boxes += first.boxes.size();
         blocks += first.block_count();
         EXPECT_EQ(first.blocks.front().first, 0u);
-        EXPECT_EQ(first.blocks.back().first, first.places.size());
+        EXPECT_EQ(first.blocks.back().first, first.boxes.size());
         for (std::uint32_t i = 0; i < first.block_count(); ++i) {
             const FirstBoxes::Block& block = first.blocks[i];
             const FirstBoxes::Node& node = first.nodes[block.node];
-            const Rectangle& all = node.place;
+            const Rectangle& all = node.box;
             EXPECT_EQ(node.first, i);
             EXPECT_EQ(node.next, block.node + 1);
             ASSERT_LT(block.first, first.blocks[i + 1].first);
@@ -134,15 +134,15 @@ TEST(FirstBoxes, LieInBlocksOfAFew) {
             EXPECT_EQ(block.even_radius, under.is_even ? under.least : 0u);
             EXPECT_EQ(node.greatest, under.greatest);
             for (std::uint32_t k = block.first; k < first.blocks[i + 1].first; ++k) {
-                const Rectangle& place = first.places[k];
-                EXPECT_TRUE(place.x >= all.x && place.x + place.width <= all.x + all.width &&
-                            place.begin >= all.begin && place.end <= all.end);
+                const Rectangle& box = first.boxes[k];
+                EXPECT_TRUE(box.x >= all.x && box.x + box.width <= all.x + all.width &&
+                            box.begin >= all.begin && box.end <= all.end);
             }
             const std::uint64_t longer = std::max(all.width, all.end - all.begin);
             EXPECT_TRUE(longer == 1 || longer <= 6 * std::uint64_t{under.least});
         }
     }
-    EXPECT_LT(2 * blocks, places);
+    EXPECT_LT(2 * blocks, boxes);
 }
 
 }  // namespace

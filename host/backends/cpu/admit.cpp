@@ -28,7 +28,7 @@ struct InLines {
         : state(the_state),
           columns(portable::stretch_around(column, 1, state.columns, state.plan.period_x)) {}
     // A candidate counts at its line's x: only the chord on that line matters.
-    Sample place(std::uint32_t i) const {
+    Sample at(std::uint32_t i) const {
         return {state.plan.centre_of_line(state.candidates[i].line), state.candidates[i].y};
     }
     template <typename Visit>
@@ -47,7 +47,7 @@ struct InCells {
     const BitState& state;
 
     InCells(const BitState& the_state, std::uint32_t) : state(the_state) {}
-    Sample place(std::uint32_t i) const { return {state.candidates[i].x, state.candidates[i].y}; }
+    Sample at(std::uint32_t i) const { return {state.candidates[i].x, state.candidates[i].y}; }
     template <typename Visit>
     bool any_column_near(std::uint32_t i, Visit visit) const {
         return Reach(state, state.candidates[i], state.candidate_radii[i], state.widest_candidates)
@@ -95,12 +95,12 @@ bool any_within(const State& state, std::uint32_t column, std::uint32_t y, std::
 template <typename Mode>
 std::uint32_t status_of(State& state, const Mode& mode, std::uint32_t i) {
     const Plan& plan = state.plan;
-    const Sample place = mode.place(i);
+    const Sample at = mode.at(i);
     bool waits = false;
     const auto covers = [&](std::uint32_t j) {
         const Candidate& other = state.candidates[j];
         if (!precedes(other, state.candidates[i]) ||
-            !portable::are_closer(other.x, other.y, place.x, place.y, plan.period_x, plan.period_y,
+            !portable::are_closer(other.x, other.y, at.x, at.y, plan.period_x, plan.period_y,
                                   mode.limit_squared(i, j)))
             return false;
         const std::uint32_t status = read(state, j);
@@ -108,7 +108,7 @@ std::uint32_t status_of(State& state, const Mode& mode, std::uint32_t i) {
         return status == STATUS_ADMITTED;
     };
     if (mode.any_column_near(i, [&](std::uint32_t column, std::uint32_t reach) {
-            return any_within(state, column, place.y, reach, covers);
+            return any_within(state, column, at.y, reach, covers);
         }))
         return STATUS_REJECTED;
     return waits ? STATUS_UNDECIDED : STATUS_ADMITTED;
@@ -159,16 +159,16 @@ std::uint32_t first_part_in(const ModeState& state) {
 
 template <typename Mode>
 bool admit_in(State& state, const Mode& mode, std::uint32_t column) {
-    bool settled = true;
+    bool are_decided = true;
     for (std::uint32_t i = state.column_begins[column]; i < state.column_begins[column + 1]; ++i) {
         if (read(state, i) != STATUS_UNDECIDED) continue;
         const std::uint32_t status = status_of(state, mode, i);
         if (status == STATUS_UNDECIDED)
-            settled = false;
+            are_decided = false;
         else
             decide(state, i, status);
     }
-    return settled;
+    return are_decided;
 }
 
 }  // namespace

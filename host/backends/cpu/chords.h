@@ -19,7 +19,7 @@ inline void sort_in_last(Span* chords, std::size_t count) {
 
 // Calls keep(begin, end) for each piece of the strip that the sorted chords do not cover.
 template <typename Chords, typename Keep>
-void leave_of(Span strip, const Chords& chords, Keep keep) {
+void for_each_piece(Span strip, const Chords& chords, Keep keep) {
     std::uint32_t free_from = strip.begin;
     for (const Span chord : chords) {
         const std::uint32_t free_to = std::min(chord.begin, strip.end);

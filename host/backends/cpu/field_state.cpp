@@ -18,14 +18,14 @@ namespace lacuna::cpu {
 namespace {
 
 // How many boxes ahead their lists are prefetched.
-constexpr std::size_t kPlacesAhead = 8;
+constexpr std::size_t kFieldBoxesAhead = 8;
 
 // No radius is larger.
 constexpr std::uint32_t kAnyRadius = ~std::uint32_t{0};
 
-class Remnants {
+class FieldCut {
 public:
-    Remnants(const FieldState& state, std::uint32_t region, std::vector<FieldState::Place>& left)
+    FieldCut(const FieldState& state, std::uint32_t region, std::vector<FieldState::BlockBox>& left)
         : state_(state), is_at_edge_(wraps(state.first.regions[region])), left_(left) {}
 
     // The boxes to come are parts of this block.
@@ -37,25 +37,25 @@ public:
     // The boxes to come are cut by these samples.
     void cut_by(const SizedSpan& near) { near_ = near; }
 
-    void append_halves(const Rectangle& place) {
+    void append_halves(const Rectangle& box) {
         const std::uint32_t cut =
-            even_radius_ != 0 ? middle_of(place) : state_.radius_field.cut_x(place);
-        if (cut == 0) return append_parts(place);
-        append_parts({place.x, cut - place.x, place.begin, place.end});
-        append_parts({cut, place.x + place.width - cut, place.begin, place.end});
+            even_radius_ != 0 ? middle_of(box) : state_.radius_field.cut_x(box);
+        if (cut == 0) return append_parts(box);
+        append_parts({box.x, cut - box.x, box.begin, box.end});
+        append_parts({cut, box.x + box.width - cut, box.begin, box.end});
     }
 
-    void append(const Rectangle& place) { append(place, least_under(place)); }
+    void append(const Rectangle& box) { append(box, least_under(box)); }
 
     // Appends the pieces of all boxes of the block, or of their halves.
-    void append_all(std::span<const FieldState::Place> places, bool halve) {
-        for (const FieldState::Place& place : places) {
-            const std::uint32_t cut = halve ? middle_of(place.at) : 0;
+    void append_all(std::span<const FieldState::BlockBox> boxes, bool halve) {
+        for (const FieldState::BlockBox& box : boxes) {
+            const std::uint32_t cut = halve ? middle_of(box.at) : 0;
             if (cut == 0) {
-                batch(place.at);
+                batch(box.at);
                 continue;
             }
-            const auto& [x, width, begin, end] = place.at;
+            const auto& [x, width, begin, end] = box.at;
             batch({x, cut - x, begin, end});
             batch({cut, x + width - cut, begin, end});
         }
@@ -65,62 +65,62 @@ public:
     bool can_append_all(bool halve) const { return !wraps_ && (!halve || even_radius_ != 0); }
 
 private:
-    std::uint32_t least_under(const Rectangle& place) const {
-        return even_radius_ != 0 ? even_radius_ : state_.radius_field.under(place).least;
+    std::uint32_t least_under(const Rectangle& box) const {
+        return even_radius_ != 0 ? even_radius_ : state_.radius_field.under(box).least;
     }
 
     // Whether a sample may be nearer to a box in the node across an edge of the torus.
     bool wraps(std::uint32_t node) const {
         const Plan& plan = state_.plan;
         if (plan.period_x == 0) return false;
-        const auto& [place, most, next, first, whole] = state_.first.nodes[node];
-        return place.x < most || plan.width - (place.x + place.width) < most ||
-               place.begin < most || plan.height - place.end < most;
+        const auto& [box, most, next, first, whole] = state_.first.nodes[node];
+        return box.x < most || plan.width - (box.x + box.width) < most || box.begin < most ||
+               plan.height - box.end < most;
     }
 
     // A chord spans the whole width of the box. Its radius is the smaller of the sample's and the
     // box's, so that the sample conflicts with every point in it.
-    void append(const Rectangle& place, std::uint32_t radius) {
+    void append(const Rectangle& box, std::uint32_t radius) {
         chords_.resize(std::max(chords_.size(), 3 * near_.count + kVectorPadding));
         const std::size_t count =
-            wraps_ ? find_chords_around(place, radius)
-                   : vectors_.find_sized_chords(near_, place, radius, chords_.data());
-        if (count != Vectors::kAll) append_rest(place, count);
+            wraps_ ? find_chords_around(box, radius)
+                   : vectors_.find_sized_chords(near_, box, radius, chords_.data());
+        if (count != Vectors::kAll) append_pieces(box, count);
     }
 
     // Appends the pieces between the first `count` chords.
-    void append_rest(const Rectangle& place, std::size_t count) {
+    void append_pieces(const Rectangle& box, std::size_t count) {
         const std::span<Span> chords = std::span(chords_).first(count);
         insertion_sort(chords, [](Span a, Span b) { return a.begin < b.begin; });
-        leave_of({place.begin, place.end}, chords, [&](std::uint32_t begin, std::uint32_t end) {
-            left_.push_back({{place.x, place.width, begin, end}, block_});
+        for_each_piece({box.begin, box.end}, chords, [&](std::uint32_t begin, std::uint32_t end) {
+            left_.push_back({{box.x, box.width, begin, end}, block_});
         });
     }
 
     // The chords where samples may be nearer across an edge of the torus.
-    std::size_t find_chords_around(const Rectangle& place, std::uint32_t radius) {
+    std::size_t find_chords_around(const Rectangle& box, std::uint32_t radius) {
         const Plan& plan = state_.plan;
-        const std::uint32_t half = place.width / 2;
+        const std::uint32_t half = box.width / 2;
         std::size_t count = 0;
         for (std::size_t i = 0; i < near_.count; ++i) {
             const Sized sample = near_[i];
             const std::uint64_t least = std::min(radius, sample.radius);
             const std::uint32_t dx =
-                portable::axis_distance(sample.x, place.x + half, plan.period_x) + half;
+                portable::axis_distance(sample.x, box.x + half, plan.period_x) + half;
             const std::uint32_t reach = portable::chord_reach(dx, least * least);
             for (std::uint32_t window = 0; reach != 0 && window < 3; ++window) {
                 const Span chord{portable::window_begin(window, sample.y, reach, plan.height),
                                  portable::window_end(window, sample.y, reach, plan.height)};
                 if (chord.begin >= chord.end) continue;
-                if (chord.begin <= place.begin && chord.end >= place.end) return Vectors::kAll;
+                if (chord.begin <= box.begin && chord.end >= box.end) return Vectors::kAll;
                 chords_[count++] = chord;
             }
         }
         return count;
     }
 
-    void batch(const Rectangle& place) {
-        batch_[batched_++] = place;
+    void batch(const Rectangle& box) {
+        batch_[batched_++] = box;
         if (batched_ == batch_.size()) append_batch();
     }
 
@@ -134,7 +134,7 @@ private:
         const unsigned covered = vectors_.find_touching(
             near_, batch_.data(), is_even ? even_radius_ : kAnyRadius, touching_.data());
         const unsigned left = ((1U << batched_) - 1) & (is_even ? ~covered : ~0U);
-        std::array<std::size_t, Vectors::kPlaces> counts{};
+        std::array<std::size_t, Vectors::kBoxes> counts{};
         for (std::size_t k = 0; k < near_.count; ++k)
             for (unsigned bits = touching_[k] & left; bits != 0; bits &= bits - 1) {
                 const auto i = static_cast<std::size_t>(std::countr_zero(bits));
@@ -151,52 +151,52 @@ private:
     }
 
     void append_touched(std::size_t i, std::size_t samples) {
-        const Rectangle& place = batch_[i];
-        const std::uint32_t radius = least_under(place);
-        const std::uint32_t half = place.width / 2;
+        const Rectangle& box = batch_[i];
+        const std::uint32_t radius = least_under(box);
+        const std::uint32_t half = box.width / 2;
         chords_.resize(std::max(chords_.size(), samples));
         std::size_t count = 0;
         for (std::size_t k = 0; k < samples; ++k) {
             const Sized sample = near_[touched_by_[k][i]];
             const std::uint64_t least = std::min(radius, sample.radius);
-            const std::uint32_t dx = portable::axis_distance(sample.x, place.x + half, 0) + half;
+            const std::uint32_t dx = portable::axis_distance(sample.x, box.x + half, 0) + half;
             const std::uint32_t reach = portable::chord_reach(dx, least * least);
             if (reach != 0)
                 chords_[count++] = {sample.y + 1 - std::min(sample.y + 1, reach), sample.y + reach};
         }
-        append_rest(place, count);
+        append_pieces(box, count);
     }
 
-    static std::uint32_t middle_of(const Rectangle& place) {
-        return place.width > 1 ? place.x + place.width / 2 : 0;
+    static std::uint32_t middle_of(const Rectangle& box) {
+        return box.width > 1 ? box.x + box.width / 2 : 0;
     }
 
     // Cuts only along borders of pixels.
-    void append_parts(const Rectangle& place) {
-        const std::uint32_t cut = even_radius_ != 0 ? 0 : state_.radius_field.cut_y(place);
-        if (cut == 0) return append_part(place);
-        append_part({place.x, place.width, place.begin, cut});
-        append_part({place.x, place.width, cut, place.end});
+    void append_parts(const Rectangle& box) {
+        const std::uint32_t cut = even_radius_ != 0 ? 0 : state_.radius_field.cut_y(box);
+        if (cut == 0) return append_part(box);
+        append_part({box.x, box.width, box.begin, cut});
+        append_part({box.x, box.width, cut, box.end});
     }
 
     // Drops the part if no sample may lie there.
-    void append_part(const Rectangle& place) {
-        if (const std::uint32_t radius = least_under(place); radius != 0) append(place, radius);
+    void append_part(const Rectangle& box) {
+        if (const std::uint32_t radius = least_under(box); radius != 0) append(box, radius);
     }
 
     const FieldState& state_;
     const Vectors& vectors_ = *all_vectors().front();
     bool is_at_edge_;  // the region lies at an edge of a torus
-    std::vector<FieldState::Place>& left_;
+    std::vector<FieldState::BlockBox>& left_;
     std::uint32_t block_ = 0;
     SizedSpan near_{};
     std::uint32_t even_radius_ = 0;  // 0 where the radius varies in the block
     bool wraps_ = false;
     std::vector<Span> chords_;  // room for all
-    std::array<Rectangle, Vectors::kPlaces> batch_{};
+    std::array<Rectangle, Vectors::kBoxes> batch_{};
     std::size_t batched_ = 0;
     std::vector<std::uint8_t> touching_;  // of each sample, a bit for each box of the batch
-    std::vector<std::array<std::uint32_t, Vectors::kPlaces>> touched_by_;  // [k-th sample][box]
+    std::vector<std::array<std::uint32_t, Vectors::kBoxes>> touched_by_;  // [k-th sample][box]
 };
 
 }  // namespace
@@ -205,30 +205,30 @@ FieldState::FieldState(const Plan& the_plan)
     : State(the_plan, the_plan.field().first_boxes->begins),
       radius_field(*the_plan.field().radius_field),
       first(*the_plan.field().first_boxes),
-      places(columns),
+      boxes(columns),
       near(the_plan) {}
 
-void FieldState::settle_places() {
+void FieldState::measure_boxes() {
     for (std::uint32_t region = 0; region < columns; ++region)
         bin_begins[region + 1] =
-            bin_begins[region] + static_cast<std::uint32_t>(places[region].size());
+            bin_begins[region] + static_cast<std::uint32_t>(boxes[region].size());
     free_lengths.resize(bin_begins.back());
     bin_widths.resize(bin_begins.back());
 }
 
-void FieldState::settle_places(std::uint32_t region) {
+void FieldState::measure_boxes(std::uint32_t region) {
     std::size_t i = bin_begins[region];
-    for (const Place& place : places[region]) {
-        free_lengths[i] = place.at.end - place.at.begin;
-        bin_widths[i++] = place.at.width;
+    for (const BlockBox& box : boxes[region]) {
+        free_lengths[i] = box.at.end - box.at.begin;
+        bin_widths[i++] = box.at.width;
     }
 }
 
 Snapshot FieldState::snapshot() const {
     Snapshot snapshot = State::snapshot();
     for (Candidate& candidate : snapshot.candidates) candidate.line = 0;
-    for (const std::vector<Place>& of_region : places)
-        for (const Place& place : of_region) snapshot.rectangles.push_back(place.at);
+    for (const std::vector<BlockBox>& of_region : boxes)
+        for (const BlockBox& box : of_region) snapshot.rectangles.push_back(box.at);
     snapshot.samples = near.samples();
     return snapshot;
 }
@@ -239,15 +239,15 @@ void FieldState::restore(const Snapshot&) {
 
 void set_free(FieldState& state, std::uint32_t region) {
     const FirstBoxes& first = state.first;
-    first.for_each_place(first.nodes[first.regions[region]].first, first.begins[region + 1],
-                         [&](std::uint32_t place, std::uint32_t block) {
-                             state.places[region].push_back({first.places[place], block});
-                         });
+    first.for_each_box(first.nodes[first.regions[region]].first, first.begins[region + 1],
+                       [&](std::uint32_t box, std::uint32_t block) {
+                           state.boxes[region].push_back({first.boxes[box], block});
+                       });
 }
 
 void locate(FieldState& state, std::span<const Draw> draws, std::uint32_t region) {
     for (std::uint32_t i = state.column_begins[region]; i < state.column_begins[region + 1]; ++i) {
-        const auto& [at, block] = state.places[region][draws[i].place - state.bin_begins[region]];
+        const auto& [at, block] = state.boxes[region][draws[i].bin - state.bin_begins[region]];
         state.candidates[i] = {at.x + draws[i].offset, at.begin + draws[i].rank, block,
                                draws[i].order};
         state.statuses[i] = STATUS_UNDECIDED;
@@ -257,39 +257,39 @@ void locate(FieldState& state, std::span<const Draw> draws, std::uint32_t region
 }
 
 void refine(FieldState& state, std::uint32_t region, bool halve) {
-    thread_local std::vector<FieldState::Place> of_thread;
-    std::vector<FieldState::Place>& left = of_thread;  // looked up once, see subtract.cpp
+    thread_local std::vector<FieldState::BlockBox> of_thread;
+    std::vector<FieldState::BlockBox>& left = of_thread;  // looked up once, see subtract.cpp
     left.clear();
     SizedList scratch;
-    Remnants remnants(state, region, left);
-    const std::span<const FieldState::Place> places = state.places[region];
+    FieldCut cut(state, region, left);
+    const std::span<const FieldState::BlockBox> boxes = state.boxes[region];
     // Boxes that are not halved are cut only by samples that have not cut them yet.
     const auto which = halve ? NeighbourLists::Which::all : NeighbourLists::Which::latest;
-    for (std::size_t i = 0, end; i < places.size(); i = end) {
-        const std::uint32_t block = places[i].block;
-        for (end = i + 1; end < places.size() && places[end].block == block;) ++end;
-        const std::span<const FieldState::Place> of_block = places.subspan(i, end - i);
-        const std::uint32_t later = places[std::min(i + kPlacesAhead, places.size() - 1)].block;
+    for (std::size_t i = 0, end; i < boxes.size(); i = end) {
+        const std::uint32_t block = boxes[i].block;
+        for (end = i + 1; end < boxes.size() && boxes[end].block == block;) ++end;
+        const std::span<const FieldState::BlockBox> of_block = boxes.subspan(i, end - i);
+        const std::uint32_t later = boxes[std::min(i + kFieldBoxesAhead, boxes.size() - 1)].block;
         if (halve || state.near.has_latest(later)) state.near.fetch_list(later);
         if (!halve && !state.near.has_latest(block)) {
             left.insert(left.end(), of_block.begin(), of_block.end());
             continue;
         }
         const std::size_t before = left.size();
-        remnants.begin(block);
-        if (remnants.can_append_all(halve) && !state.near.is_long(block)) {
-            remnants.cut_by(state.near.of_part(block, places[i].at, which, scratch));
-            remnants.append_all(of_block, halve);
+        cut.begin(block);
+        if (cut.can_append_all(halve) && !state.near.is_long(block)) {
+            cut.cut_by(state.near.of_part(block, boxes[i].at, which, scratch));
+            cut.append_all(of_block, halve);
         } else {
             for (const auto& [at, same] : of_block) {
-                remnants.cut_by(state.near.of_part(block, at, which, scratch));
-                halve ? remnants.append_halves(at) : remnants.append(at);
+                cut.cut_by(state.near.of_part(block, at, which, scratch));
+                halve ? cut.append_halves(at) : cut.append(at);
             }
         }
-        state.near.settle(block);
+        state.near.note_cuts(block);
         if (left.size() == before) state.near.close(block);
     }
-    state.places[region].assign(left.begin(), left.end());
+    state.boxes[region].assign(left.begin(), left.end());
 }
 
 }  // namespace lacuna::cpu

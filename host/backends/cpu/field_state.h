@@ -19,20 +19,20 @@ struct FieldState : State {
     explicit FieldState(const Plan& plan);
 
     // An active box, and the block that it is a part of.
-    struct Place {
+    struct BlockBox {
         Rectangle at;
         std::uint32_t block;
     };
 
     const RadiusField& radius_field;
     const FirstBoxes& first;
-    std::vector<std::vector<Place>> places;  // active boxes of each region, block by block
+    std::vector<std::vector<BlockBox>> boxes;  // active boxes of each region, block by block
     NeighbourLists near;
 
     void end_locate() { is_screened = true; }
     // Makes the active boxes the bins. Call it once, then for each region, in parallel.
-    void settle_places();
-    void settle_places(std::uint32_t region);
+    void measure_boxes();
+    void measure_boxes(std::uint32_t region);
     Snapshot snapshot() const;
     void restore(const Snapshot& snapshot);
 };

@@ -46,8 +46,8 @@ void locate_on_lines(State& state, std::span<const Draw> draws, std::uint32_t co
     std::uint32_t passed = 0;
     std::uint32_t length = 0;
     for (std::uint32_t i = begin; i < end; ++i) {
-        const std::uint32_t line = draws[i].place;
-        if (i == begin || line != draws[i - 1].place) {
+        const std::uint32_t line = draws[i].bin;
+        if (i == begin || line != draws[i - 1].bin) {
             piece = pieces.first_of(line);
             length = pieces.length(piece);
             passed = 0;
@@ -64,7 +64,7 @@ void locate_on_lines(State& state, std::span<const Draw> draws, std::uint32_t co
 
 void locate_in_boxes(SpanState& state, std::span<const Draw> draws, std::uint32_t column) {
     for (std::uint32_t i = state.column_begins[column]; i < state.column_begins[column + 1]; ++i) {
-        const Box& box = state.boxes[column][draws[i].place - state.bin_begins[column]];
+        const Box& box = state.boxes[column][draws[i].bin - state.bin_begins[column]];
         state.candidates[i] = {box.x + draws[i].offset, box.begin + draws[i].rank,
                                box.x / state.plan.strip_width, draws[i].order};
     }

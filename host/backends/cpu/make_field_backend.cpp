@@ -21,9 +21,9 @@ public:
     void refine(bool halve) override {
         for_columns(state_.bin_begins.back(),
                     [&](std::uint32_t region) { cpu::refine(state_, region, halve); });
-        state_.settle_places();
+        state_.measure_boxes();
         for_columns(state_.bin_begins.back(),
-                    [&](std::uint32_t region) { state_.settle_places(region); });
+                    [&](std::uint32_t region) { state_.measure_boxes(region); });
     }
 };
 

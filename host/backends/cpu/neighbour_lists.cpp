@@ -12,23 +12,23 @@ namespace lacuna::cpu {
 namespace {
 
 // Whether the sample is closer to the box than both its own radius and the greatest under the box.
-bool is_reached(const Rectangle& place, std::uint32_t greatest, const Sized& sample,
+bool is_reached(const Rectangle& box, std::uint32_t greatest, const Sized& sample,
                 std::uint32_t period_x, std::uint32_t period_y) {
     const std::uint64_t reach = std::min(sample.radius, greatest);
     return portable::squared_length(
-               portable::distance_to_stretch(sample.x, place.x, place.x + place.width, period_x),
-               portable::distance_to_stretch(sample.y, place.begin, place.end, period_y)) <
+               portable::distance_to_stretch(sample.x, box.x, box.x + box.width, period_x),
+               portable::distance_to_stretch(sample.y, box.begin, box.end, period_y)) <
            reach * reach;
 }
 
 // The same without wrapping, and without a branch.
-bool is_reached(const Rectangle& place, std::uint32_t greatest, const Sized& sample) {
+bool is_reached(const Rectangle& box, std::uint32_t greatest, const Sized& sample) {
     const auto distance = [](std::uint32_t at, std::uint32_t begin, std::uint32_t last) {
         return std::max(at, last) - last + (begin - std::min(at, begin));
     };
     const std::uint64_t reach = std::min(sample.radius, greatest);
-    return portable::squared_length(distance(sample.x, place.x, place.x + place.width - 1),
-                                    distance(sample.y, place.begin, place.end - 1)) < reach * reach;
+    return portable::squared_length(distance(sample.x, box.x, box.x + box.width - 1),
+                                    distance(sample.y, box.begin, box.end - 1)) < reach * reach;
 }
 
 }  // namespace
@@ -47,22 +47,22 @@ NeighbourLists::NeighbourLists(const Plan& plan)
 }
 
 bool NeighbourLists::sticks_out(const Sized& sample) const {
-    const Rectangle& all = first_.nodes.front().place;
+    const Rectangle& all = first_.nodes.front().box;
     return plan_.period_x != 0 &&
            (sample.x - all.x < sample.radius || all.x + all.width - sample.x <= sample.radius ||
             sample.y - all.begin < sample.radius || all.end - sample.y <= sample.radius);
 }
 
 bool NeighbourLists::is_within(const Sized& sample, std::uint32_t node) const {
-    const Rectangle& all = first_.nodes.front().place;
-    const Rectangle& place = first_.nodes[node].place;
+    const Rectangle& all = first_.nodes.front().box;
+    const Rectangle& box = first_.nodes[node].box;
     const auto is_along = [&](std::uint32_t at, std::uint32_t begin, std::uint32_t end,
                               std::uint32_t all_begin, std::uint32_t all_end) {
         return (at - begin >= sample.radius || begin == all_begin) &&
                (end - at > sample.radius || end == all_end);
     };
-    return is_along(sample.x, place.x, place.x + place.width, all.x, all.x + all.width) &&
-           is_along(sample.y, place.begin, place.end, all.begin, all.end);
+    return is_along(sample.x, box.x, box.x + box.width, all.x, all.x + all.width) &&
+           is_along(sample.y, box.begin, box.end, all.begin, all.end);
 }
 
 template <typename Visit>
@@ -71,8 +71,8 @@ void NeighbourLists::for_each_reached(const Sized& sample, std::uint32_t root, V
     const bool wraps = root == 0 && plan_.period_x != 0;
     for (std::uint32_t i = root; i < end;) {
         const FirstBoxes::Node& node = first_.nodes[i];
-        if (wraps ? !is_reached(node.place, node.greatest, sample, plan_.period_x, plan_.period_y)
-                  : !is_reached(node.place, node.greatest, sample)) {
+        if (wraps ? !is_reached(node.box, node.greatest, sample, plan_.period_x, plan_.period_y)
+                  : !is_reached(node.box, node.greatest, sample)) {
             i = node.next;
             continue;
         }
@@ -125,23 +125,23 @@ void NeighbourLists::push_long(const Sized& sample, std::uint32_t block) {
     if (!few.is_long) {
         list = std::make_unique<List>();
         list->near.append(few.span());
-        list->settled = few.settled;
+        list->cuts = few.cuts;
         few.is_long = true;
     }
-    add(*list, place_of(block), sample);
+    add(*list, box_of(block), sample);
 }
 
-void NeighbourLists::settle(std::uint32_t block) {
+void NeighbourLists::note_cuts(std::uint32_t block) {
     states_[block] &= static_cast<std::uint8_t>(~kLatest);
     Few& few = few_[block];
-    few.settled = few.count;
-    if (few.is_long) settle(*long_[block]);
+    few.cuts = few.count;
+    if (few.is_long) note_cuts(*long_[block]);
 }
 
-void NeighbourLists::settle(List& list) {
-    list.settled = list.near.size();
+void NeighbourLists::note_cuts(List& list) {
+    list.cuts = list.near.size();
     if (list.split)
-        for (Half* const half : {&list.split->low, &list.split->high}) settle(half->list);
+        for (Half* const half : {&list.split->low, &list.split->high}) note_cuts(half->list);
 }
 
 SizedSpan NeighbourLists::long_part(std::uint32_t block, Sample at) const {
@@ -150,42 +150,42 @@ SizedSpan NeighbourLists::long_part(std::uint32_t block, Sample at) const {
     return list->near.span();
 }
 
-bool NeighbourLists::reaches(const Sized& sample, const Rectangle& place,
+bool NeighbourLists::reaches(const Sized& sample, const Rectangle& box,
                              std::uint32_t greatest) const {
-    return is_reached(place, greatest, sample, plan_.period_x, plan_.period_y);
+    return is_reached(box, greatest, sample, plan_.period_x, plan_.period_y);
 }
 
-void NeighbourLists::add(List& list, const Rectangle& place, const Sized& sample) {
+void NeighbourLists::add(List& list, const Rectangle& box, const Sized& sample) {
     if (!list.split) {
         list.near.push_back(sample);
-        if (list.near.size() > list.most) split(list, place);
+        if (list.near.size() > list.most) split(list, box);
         return;
     }
     for (Half* const half : {&list.split->low, &list.split->high})
-        if (reaches(sample, half->place, half->greatest)) add(half->list, half->place, sample);
+        if (reaches(sample, half->box, half->greatest)) add(half->list, half->box, sample);
 }
 
 // Does nothing if one half would keep more than three quarters of the list.
-void NeighbourLists::split(List& list, const Rectangle& place) {
-    const std::uint32_t height = place.end - place.begin;
-    const std::uint32_t x = place.x + place.width / 2;
-    const std::uint32_t y = place.begin + height / 2;
+void NeighbourLists::split(List& list, const Rectangle& box) {
+    const std::uint32_t height = box.end - box.begin;
+    const std::uint32_t x = box.x + box.width / 2;
+    const std::uint32_t y = box.begin + height / 2;
     list.most *= 2;
-    if (std::max(place.width, height) < 2) return;
+    if (std::max(box.width, height) < 2) return;
     auto parts = std::make_unique<Split>();
-    if (place.width >= height) {
-        parts->low.place = {place.x, x - place.x, place.begin, place.end};
-        parts->high.place = {x, place.x + place.width - x, place.begin, place.end};
+    if (box.width >= height) {
+        parts->low.box = {box.x, x - box.x, box.begin, box.end};
+        parts->high.box = {x, box.x + box.width - x, box.begin, box.end};
     } else {
-        parts->low.place = {place.x, place.width, place.begin, y};
-        parts->high.place = {place.x, place.width, y, place.end};
+        parts->low.box = {box.x, box.width, box.begin, y};
+        parts->high.box = {box.x, box.width, y, box.end};
     }
     for (Half* const half : {&parts->low, &parts->high}) {
-        half->greatest = plan_.field().radius_field->under(half->place).greatest;
+        half->greatest = plan_.field().radius_field->under(half->box).greatest;
         for (std::size_t i = 0; i < list.near.size(); ++i)
-            if (reaches(list.near.span()[i], half->place, half->greatest)) {
+            if (reaches(list.near.span()[i], half->box, half->greatest)) {
                 half->list.near.push_back(list.near.span()[i]);
-                if (i < list.settled) ++half->list.settled;
+                if (i < list.cuts) ++half->list.cuts;
             }
         half->list.most = std::max(half->list.most, 2 * half->list.near.size());
     }
@@ -199,10 +199,10 @@ void NeighbourLists::split(List& list, const Rectangle& place) {
 void NeighbourLists::gather(const List& list, const Rectangle& part, Which which,
                             SizedList& found) {
     if (!list.split) {
-        found.append(list.near.span().from(which == Which::latest ? list.settled : 0));
+        found.append(list.near.span().from(which == Which::latest ? list.cuts : 0));
         return;
     }
-    const Rectangle& high = list.split->high.place;
+    const Rectangle& high = list.split->high.box;
     if (part.x < high.x || part.begin < high.begin)
         gather(list.split->low.list, part, which, found);
     if (part.x + part.width > high.x && part.end > high.begin)
@@ -236,7 +236,7 @@ std::vector<Sample> NeighbourLists::samples() const {
     std::vector<Sample> all;
     SizedList found;
     for (std::uint32_t block = 0; block < first_.block_count(); ++block) {
-        const SizedSpan near = of_part(block, place_of(block), Which::all, found);
+        const SizedSpan near = of_part(block, box_of(block), Which::all, found);
         for (std::size_t i = 0; i < near.count; ++i) all.push_back({near.x[i], near.y[i]});
     }
     const auto rank = [](Sample sample) { return std::uint64_t{sample.x} << 32 | sample.y; };

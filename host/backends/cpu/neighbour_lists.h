@@ -25,20 +25,21 @@ public:
     explicit NeighbourLists(const Plan& plan);
 
     // The samples that may cut a part of a block, some perhaps twice; `latest` leaves out samples
-    // that were listed before the last settle(). Valid until the next call with the same scratch.
+    // that were listed before the last note_cuts(). Valid until the next call with the same
+    // scratch.
     enum class Which { all, latest };
     SizedSpan of_part(std::uint32_t block, const Rectangle& part, Which which,
                       SizedList& scratch) const {
         const Few& few = few_[block];
         if (few.is_long) return of_long_part(block, part, which, scratch);
-        return few.span().from(which == Which::latest ? few.settled : 0);
+        return few.span().from(which == Which::latest ? few.cuts : 0);
     }
 
     // Whether of_part may return different samples for different parts of the block.
     bool is_long(std::uint32_t block) const { return few_[block].is_long != 0; }
-    // Whether a sample was listed since settle(), which follows the cuts by all listed samples.
+    // Whether a sample was listed since note_cuts(), which follows the cuts by all listed samples.
     bool has_latest(std::uint32_t block) const { return (states_[block] & kLatest) != 0; }
-    void settle(std::uint32_t block);
+    void note_cuts(std::uint32_t block);
     // The block has no boxes any more: no more samples are listed for it.
     void close(std::uint32_t block) { states_[block] |= kClosed; }
 
@@ -88,8 +89,8 @@ private:
         std::uint32_t y[kFew];
         std::uint32_t radius[kFew];
         std::uint32_t count;
-        std::uint32_t settled;  // the count at the last settle()
-        bool is_long;           // the samples are in long_ instead
+        std::uint32_t cuts;  // the count at the last note_cuts()
+        bool is_long;        // the samples are in long_ instead
 
         SizedSpan span() const { return {x, y, radius, count}; }
     };
@@ -101,12 +102,12 @@ private:
     struct Split;
     struct List {
         SizedList near;
-        std::size_t settled = 0;
+        std::size_t cuts = 0;
         std::unique_ptr<Split> split;
         std::size_t most = 64;
     };
     struct Half {
-        Rectangle place;
+        Rectangle box;
         std::uint32_t greatest;  // the greatest radius under it
         List list;
     };
@@ -114,21 +115,21 @@ private:
         Half low;
         Half high;
         const List& part_at(Sample at) const {
-            return at.x >= high.place.x && at.y >= high.place.begin ? high.list : low.list;
+            return at.x >= high.box.x && at.y >= high.box.begin ? high.list : low.list;
         }
     };
     SizedSpan of_long_part(std::uint32_t block, const Rectangle& part, Which which,
                            SizedList& scratch) const;
     SizedSpan long_part(std::uint32_t block, Sample at) const;
-    bool reaches(const Sized& sample, const Rectangle& place, std::uint32_t greatest) const;
+    bool reaches(const Sized& sample, const Rectangle& box, std::uint32_t greatest) const;
     void push(const Sized& sample, std::uint32_t block);
     void push_long(const Sized& sample, std::uint32_t block);
-    void add(List& list, const Rectangle& place, const Sized& sample);
-    void split(List& list, const Rectangle& place);
-    static void settle(List& list);
+    void add(List& list, const Rectangle& box, const Sized& sample);
+    void split(List& list, const Rectangle& box);
+    static void note_cuts(List& list);
     static void gather(const List& list, const Rectangle& part, Which which, SizedList& found);
-    const Rectangle& place_of(std::uint32_t block) const {
-        return first_.nodes[first_.blocks[block].node].place;
+    const Rectangle& box_of(std::uint32_t block) const {
+        return first_.nodes[first_.blocks[block].node].box;
     }
 
     // For samples that do not stick out: whether the node holds all blocks that the sample reaches.

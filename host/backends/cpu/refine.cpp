@@ -14,9 +14,9 @@
 namespace lacuna::cpu {
 namespace {
 
-class Refinement {
+class GridCut {
 public:
-    Refinement(const SpanState& state, std::uint32_t width)
+    GridCut(const SpanState& state, std::uint32_t width)
         : state_(state),
           vectors_(vectors_for(state.plan.radius)),
           width_(width),
@@ -71,10 +71,10 @@ private:
         }
         if (is_covered) return;
         sort_chords(box, count);
-        leave_of({box.begin, box.end}, std::span(chords_).first(chord_count_),
-                 [&](std::uint32_t begin, std::uint32_t end) {
-                     left.push_back({box.x, begin, end});
-                 });
+        for_each_piece({box.begin, box.end}, std::span(chords_).first(chord_count_),
+                       [&](std::uint32_t begin, std::uint32_t end) {
+                           left.push_back({box.x, begin, end});
+                       });
     }
 
     // Finds and sorts the chords of the first `count` samples in touching_.
@@ -128,22 +128,21 @@ private:
 
 constexpr std::size_t kBoxesAhead = 4;  // prefetch distance; 4 to 8 are alike
 
-void refine_boxes(const SpanState& state, std::span<const Box> boxes, Refinement& refinement,
+void refine_boxes(const SpanState& state, std::span<const Box> boxes, GridCut& cut,
                   std::vector<Box>& left) {
     for (std::size_t k = 0; k < boxes.size(); ++k) {
         const Box& later = boxes[std::min(k + kBoxesAhead, boxes.size() - 1)];
         state.grid->fetch_near(later.x, later.begin);
-        refinement.cut(boxes[k], left);
+        cut.cut(boxes[k], left);
     }
 }
 
-void refine_line(const SpanState& state, std::uint32_t line, Refinement& refinement,
-                 std::vector<Box>& left) {
+void refine_line(const SpanState& state, std::uint32_t line, GridCut& cut, std::vector<Box>& left) {
     const std::uint32_t x = line * state.plan.strip_width;
     const std::span<const Span> spans = state.slot(line).first(state.span_counts[line]);
     for (std::size_t k = 0; k < spans.size(); ++k) {
         state.grid->fetch_near(x, spans[std::min(k + kBoxesAhead, spans.size() - 1)].begin);
-        refinement.cut(x, spans[k], left);
+        cut.cut(x, spans[k], left);
     }
 }
 
@@ -159,12 +158,12 @@ void refine(SpanState& state, std::uint32_t column, std::uint32_t width) {
     thread_local std::vector<Box> of_thread;
     std::vector<Box>& left = of_thread;  // looked up once, see subtract.cpp
     left.clear();
-    Refinement refinement(state, width);
+    GridCut cut(state, width);
     if (state.has_boxes) {
-        refine_boxes(state, state.boxes[column], refinement, left);
+        refine_boxes(state, state.boxes[column], cut, left);
     } else {
         for (std::uint32_t i = state.first_lines[column]; i < state.first_lines[column + 1]; ++i)
-            refine_line(state, i, refinement, left);
+            refine_line(state, i, cut, left);
     }
     state.boxes[column] = std::vector<Box>(left.begin(), left.end());
 }

@@ -68,7 +68,7 @@ protected:
     void admit_by_passes(TakeOut take_out) {
         const auto count = static_cast<std::uint32_t>(state_.candidates.size());
         std::uint32_t end = cpu::first_part(state_);
-        if (end == count) return settle();
+        if (end == count) return decide_all();
         Crowd<ModeState> crowd(state_);
         for (std::uint32_t begin = 0; begin < count;
              begin = end, end += std::min(end, count - end)) {
@@ -118,7 +118,7 @@ private:
                 orders_.push_back(order);
     }
 
-    void settle() {
+    void decide_all() {
         while (!all_columns([&](std::uint32_t i) { return cpu::admit(state_, i); })) {
         }
     }
@@ -129,7 +129,7 @@ private:
         crowd.make_room(state_);
         for_columns(count, [&](std::uint32_t i) { crowd.move_in(state_, i, part); });
         state_.end_locate();
-        settle();
+        decide_all();
         for_columns(count, [&](std::uint32_t i) { crowd.move_out(state_, i); });
     }
 

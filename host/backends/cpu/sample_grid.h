@@ -79,12 +79,12 @@ public:
 
     // A mark stands in an empty cell until a sample is inserted there or the mark is removed. The
     // cell still counts as empty.
-    void mark(Sample place) {
-        Sample& cell = cell_of(place);
+    void mark(Sample at) {
+        Sample& cell = cell_of(at);
         if (cell == kNone) cell = kMark;
     }
-    void unmark(Sample place) {
-        Sample& cell = cell_of(place);
+    void unmark(Sample at) {
+        Sample& cell = cell_of(at);
         if (cell == kMark) cell = kNone;
     }
     // Whether a mark stands within the radius, or a little farther away.
@@ -137,7 +137,7 @@ private:
     static constexpr Sample kNone{NO_SAMPLE, NO_SAMPLE};
     static constexpr Sample kMark{NO_SAMPLE, NO_SAMPLE - 1};
 
-    Sample& cell_of(Sample place) { return column(place.x / side_)[place.y / side_]; }
+    Sample& cell_of(Sample at) { return column(at.x / side_)[at.y / side_]; }
 
     // Whether [x_begin, x_end) x [y_begin, y_end), widened by the radius, touches no edge.
     bool is_inside(std::uint32_t x_begin, std::uint32_t x_end, std::uint32_t y_begin,

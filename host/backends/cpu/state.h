@@ -78,13 +78,13 @@ struct SpanState : State {
     explicit SpanState(const Plan& plan);
 
     // Line i's free spans are the first span_counts[i] of slot(i): sorted, disjoint, none empty.
-    // Freed at the first refinement.
+    // Freed at the first cut.
     std::uint32_t capacity;
     std::unique_ptr<Span[]> spans;
     std::vector<std::uint32_t> span_counts;
 
     // In exact: all samples, the round's own after is_inserted is set; and, from the first
-    // refinement on, each column's boxes.
+    // cut on, each column's boxes.
     std::optional<SampleGrid> grid;
     bool is_inserted = false;
     bool has_boxes = false;

@@ -12,12 +12,12 @@
 namespace lacuna::cpu {
 namespace {
 
-bool is_any_closer(const Sample* cells, std::size_t stride, Sample place,
+bool is_any_closer(const Sample* cells, std::size_t stride, Sample at,
                    std::uint64_t radius_squared) {
     bool is_closer = false;
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = 0; j < 4; ++j)
-            is_closer |= portable::are_closer_on_box(place.x, place.y, cells[i * stride + j].x,
+            is_closer |= portable::are_closer_on_box(at.x, at.y, cells[i * stride + j].x,
                                                      cells[i * stride + j].y, radius_squared);
     return is_closer;
 }
@@ -31,45 +31,45 @@ void find_chords(std::span<const Seen> seen, std::uint64_t radius_squared, std::
     }
 }
 
-bool is_any_sized_closer(const SizedSpan& samples, Sample place, std::uint32_t radius,
+bool is_any_sized_closer(const SizedSpan& samples, Sample at, std::uint32_t radius,
                          Sample periods) {
     bool is_closer = false;
     for (std::size_t i = 0; i < samples.count; ++i) {
         const std::uint64_t limit = std::min(samples.radius[i], radius);
-        is_closer |= portable::are_closer(samples.x[i], samples.y[i], place.x, place.y, periods.x,
+        is_closer |= portable::are_closer(samples.x[i], samples.y[i], at.x, at.y, periods.x,
                                           periods.y, limit * limit);
     }
     return is_closer;
 }
 
-std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& place,
-                              std::uint32_t radius, Span* chords) {
-    const std::uint32_t half = place.width / 2;
+std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& box, std::uint32_t radius,
+                              Span* chords) {
+    const std::uint32_t half = box.width / 2;
     std::size_t count = 0;
     for (std::size_t i = 0; i < samples.count; ++i) {
         const std::uint64_t limit = std::min(samples.radius[i], radius);
-        const std::uint32_t dx = portable::axis_distance(samples.x[i], place.x + half, 0) + half;
+        const std::uint32_t dx = portable::axis_distance(samples.x[i], box.x + half, 0) + half;
         const std::uint32_t y = samples.y[i];
         const auto is_within = [&](std::uint32_t dy) {
             return portable::squared_length(dx, dy) < limit * limit;
         };
-        if (is_within(portable::farthest_distance(y, place.begin, place.end))) return Vectors::kAll;
-        if (!is_within(portable::nearest_distance(y, place.begin, place.end))) continue;
+        if (is_within(portable::farthest_distance(y, box.begin, box.end))) return Vectors::kAll;
+        if (!is_within(portable::nearest_distance(y, box.begin, box.end))) continue;
         const std::uint32_t reach = portable::chord_reach(dx, limit * limit);
         chords[count++] = {y + 1 - std::min(y + 1, reach), y + reach};
     }
     return count;
 }
 
-std::uint32_t find_touching(const SizedSpan& samples, const Rectangle* places, std::uint32_t radius,
+std::uint32_t find_touching(const SizedSpan& samples, const Rectangle* boxes, std::uint32_t radius,
                             std::uint8_t* touching) {
     std::uint32_t covered = 0;
     for (std::size_t k = 0; k < samples.count; ++k) {
         std::uint32_t touched = 0;
-        for (std::size_t i = 0; i < Vectors::kPlaces; ++i) {
+        for (std::size_t i = 0; i < Vectors::kBoxes; ++i) {
             std::array<Span, 1 + kVectorPadding> chord;
             const std::size_t count =
-                find_sized_chords(samples.part(k, 1), places[i], radius, chord.data());
+                find_sized_chords(samples.part(k, 1), boxes[i], radius, chord.data());
             touched |= std::uint32_t{count != 0} << i;
             covered |= std::uint32_t{count == Vectors::kAll} << i;
         }

@@ -24,30 +24,30 @@ struct Seen {
 
 struct Vectors {
     const char* name;
-    // Whether one of 4 x 4 cells holds a sample closer to `place` than the radius. *cells is the
+    // Whether one of 4 x 4 cells holds a sample closer to `at` than the radius. *cells is the
     // first; columns are `stride` entries apart. No coordinate wraps.
-    bool (*is_any_closer)(const Sample* cells, std::size_t stride, Sample place,
+    bool (*is_any_closer)(const Sample* cells, std::size_t stride, Sample at,
                           std::uint64_t radius_squared);
     // Writes the chord of each sample, cut to [0, height). All distances are below the radius.
     void (*find_chords)(std::span<const Seen> seen, std::uint64_t radius_squared,
                         std::uint32_t height, Span* chords);
 
-    // With a radius field: whether a sample is closer to `place` than both its own radius and
+    // With a radius field: whether a sample is closer to `at` than both its own radius and
     // `radius`. An axis whose period is not 0 wraps.
-    bool (*is_any_sized_closer)(const SizedSpan& samples, Sample place, std::uint32_t radius,
+    bool (*is_any_sized_closer)(const SizedSpan& samples, Sample at, std::uint32_t radius,
                                 Sample periods);
-    // With a radius field: writes the chords that the samples cut from the box `place`, at its far
+    // With a radius field: writes the chords that the samples cut from the box, at its far
     // edge. The chord's radius is the smaller of the sample's and `radius`. Samples that do not
     // touch the box are left out. Returns the number of chords, or kAll if one sample covers the
     // box. No wrapping.
-    std::size_t (*find_sized_chords)(const SizedSpan& samples, const Rectangle& place,
+    std::size_t (*find_sized_chords)(const SizedSpan& samples, const Rectangle& box,
                                      std::uint32_t radius, Span* chords);
     static constexpr std::size_t kAll = ~std::size_t{0};
     // The same test for eight boxes: bit i of touching[k] says whether sample k touches box i, and
     // bit i of the result whether some sample covers box i.
-    std::uint32_t (*find_touching)(const SizedSpan& samples, const Rectangle* places,
+    std::uint32_t (*find_touching)(const SizedSpan& samples, const Rectangle* boxes,
                                    std::uint32_t radius, std::uint8_t* touching);
-    static constexpr std::size_t kPlaces = 8;
+    static constexpr std::size_t kBoxes = 8;
 };
 
 // Buffers are padded by this many entries: the loops read and write that far past the end.

@@ -61,13 +61,13 @@ HWY_INLINE SignedVector squares_of(SignedVector numbers) {
     return signed_of(low_squares(hn::BitCast(kWords, numbers)));
 }
 
-bool is_any_closer(const Sample* cells, std::size_t stride, Sample place,
+bool is_any_closer(const Sample* cells, std::size_t stride, Sample at,
                    std::uint64_t radius_squared) {
     // A column of four samples is eight words.
     const hn::CappedTag<std::int32_t, 8> signs;
     const hn::Repartition<std::int64_t, decltype(signs)> squares;
     const hn::Repartition<std::uint64_t, decltype(signs)> pairs;
-    const auto centre = hn::BitCast(signs, hn::Set(pairs, pair_of(place.x, place.y)));
+    const auto centre = hn::BitCast(signs, hn::Set(pairs, pair_of(at.x, at.y)));
     const auto limit = hn::Set(squares, static_cast<std::int64_t>(radius_squared));
     auto nearest = limit;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -148,7 +148,7 @@ HWY_INLINE WordVector distance(WordVector a, WordVector b) {
 // distance around is never the smaller one.
 constexpr std::uint32_t kNoPeriod = std::uint32_t{1} << 31;
 
-bool is_any_sized_closer(const SizedSpan& samples, Sample place, std::uint32_t radius,
+bool is_any_sized_closer(const SizedSpan& samples, Sample at, std::uint32_t radius,
                          Sample periods) {
     const auto squared_distance = [&](const std::uint32_t* entries, std::uint32_t at,
                                       std::uint32_t period) {
@@ -158,8 +158,8 @@ bool is_any_sized_closer(const SizedSpan& samples, Sample place, std::uint32_t r
     };
     auto closer = hn::FirstN(kWords, 0);
     for (std::size_t i = 0; i < samples.count; i += hn::Lanes(kWords)) {
-        const auto is_closer = less(sum_of(squared_distance(samples.x + i, place.x, periods.x),
-                                           squared_distance(samples.y + i, place.y, periods.y)),
+        const auto is_closer = less(sum_of(squared_distance(samples.x + i, at.x, periods.x),
+                                           squared_distance(samples.y + i, at.y, periods.y)),
                                     limits_of(samples, i, all(radius)));
         closer = hn::Or(closer, hn::And(hn::FirstN(kWords, samples.count - i), is_closer));
     }
@@ -230,16 +230,16 @@ HWY_INLINE WordVector farthest_distance(WordVector y, WordVector begin, WordVect
     return hn::Max(distance(y, begin), distance(y, last));
 }
 
-std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& place,
-                              std::uint32_t radius, Span* chords) {
-    const std::uint32_t half = place.width / 2;
-    const WordVector begin = all(place.begin);
-    const WordVector last = all(place.end - 1);
+std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& box, std::uint32_t radius,
+                              Span* chords) {
+    const std::uint32_t half = box.width / 2;
+    const WordVector begin = all(box.begin);
+    const WordVector last = all(box.end - 1);
     std::size_t count = 0;
     Touching touching;
     for (std::size_t i = 0; i < samples.count; i += hn::Lanes(kWords)) {
         const WordVector dx =
-            hn::Add(distance(hn::LoadU(kWords, samples.x + i), all(place.x + half)), all(half));
+            hn::Add(distance(hn::LoadU(kWords, samples.x + i), all(box.x + half)), all(half));
         const WordVector y = hn::LoadU(kWords, samples.y + i);
         const WordVector nearest = nearest_distance(y, begin, last);
         const WordVector farthest = farthest_distance(y, begin, last);
@@ -262,18 +262,18 @@ std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& place,
 }
 
 // Eight boxes, a vector for each member.
-struct Places {
+struct Boxes {
     WordVector x;
     WordVector width;
     WordVector begin;
     WordVector end;
 };
-HWY_INLINE Places load_places(const Rectangle* places) {
+HWY_INLINE Boxes load_boxes(const Rectangle* boxes) {
     static_assert(sizeof(Rectangle) == 16);
     const hn::Half<Words> of_one;
     const auto load_two = [&](std::size_t i) {
-        const auto load_one = [&](std::size_t place) {
-            return hn::LoadU(of_one, reinterpret_cast<const std::uint32_t*>(places + place));
+        const auto load_one = [&](std::size_t box) {
+            return hn::LoadU(of_one, reinterpret_cast<const std::uint32_t*>(boxes + box));
         };
         return hn::Combine(kWords, load_one(i + 4), load_one(i));
     };
@@ -289,10 +289,10 @@ HWY_INLINE Places load_places(const Rectangle* places) {
             words_of(hn::InterleaveUpper(kPairs, low_y, high_y))};
 }
 
-std::uint32_t find_touching(const SizedSpan& samples, const Rectangle* places, std::uint32_t radius,
+std::uint32_t find_touching(const SizedSpan& samples, const Rectangle* boxes, std::uint32_t radius,
                             std::uint8_t* touching) {
-    static_assert(Vectors::kPlaces == 8);
-    const auto [x, width, begin, end] = load_places(places);
+    static_assert(Vectors::kBoxes == 8);
+    const auto [x, width, begin, end] = load_boxes(boxes);
     const WordVector last = hn::Sub(end, all(1));
     const WordVector half = hn::ShiftRight<1>(width);
     const WordVector middle = hn::Add(x, half);

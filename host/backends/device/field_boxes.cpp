@@ -126,19 +126,19 @@ private:
 
     void put_first_boxes() {
         std::vector<std::uint32_t> origins;
-        const auto count = static_cast<std::uint32_t>(first_.places.size());
+        const auto count = static_cast<std::uint32_t>(first_.boxes.size());
         origins.reserve(2 * std::size_t{count});
-        first_.for_each_place(0, count, [&](std::uint32_t box, std::uint32_t block) {
+        first_.for_each_box(0, count, [&](std::uint32_t box, std::uint32_t block) {
             origins.insert(origins.end(), {block, first_radius(box, block)});
         });
-        boxes_.put(first_.places, origins, 0);
+        boxes_.put(first_.boxes, origins, 0);
     }
 
     // The least radius under a first box, in the form of portable/kernels.h.
     std::uint32_t first_radius(std::uint32_t box, std::uint32_t block) const {
         const std::uint32_t even_radius = first_.blocks[block].even_radius;
         if (even_radius != 0) return even_radius | IS_EVEN;
-        const Under under = round_.plan.field().radius_field->under(first_.places[box]);
+        const Under under = round_.plan.field().radius_field->under(first_.boxes[box]);
         return under.least | (under.is_even ? IS_EVEN : 0);
     }
 
@@ -147,7 +147,7 @@ private:
         for (std::uint32_t i = 0; i < first_.block_count(); ++i) {
             const FirstBoxes::Node& node = first_.nodes[first_.blocks[i].node];
             const double area =
-                static_cast<double>(node.place.width) * (node.place.end - node.place.begin);
+                static_cast<double>(node.box.width) * (node.box.end - node.box.begin);
             const double side = 2.0 * node.greatest;
             const double disk_area =
                 std::min(side / round_.plan.width, 1.0) * std::min(side / round_.plan.height, 1.0);

@@ -47,8 +47,8 @@ portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uin
 
 Range draws_of(const Slab& slab, std::span<const Draw> draws) {
     const auto index_of_line = [&](std::uint32_t line) {
-        const auto first = std::partition_point(
-            draws.begin(), draws.end(), [&](const Draw& draw) { return draw.place < line; });
+        const auto first = std::partition_point(draws.begin(), draws.end(),
+                                                [&](const Draw& draw) { return draw.bin < line; });
         return static_cast<std::uint32_t>(first - draws.begin());
     };
     return {index_of_line(slab.first_line), index_of_line(slab.end_line)};

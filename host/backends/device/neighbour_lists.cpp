@@ -40,14 +40,14 @@ NeighbourLists::NeighbourLists(RoundMemory& round)
 
 void NeighbourLists::make_tree() {
     Memory& m = round_.memory;
-    std::vector<Rectangle> places;
+    std::vector<Rectangle> boxes;
     std::vector<std::uint32_t> links;
     for (const FirstBoxes::Node& node : first_.nodes) {
-        places.push_back(node.place);
+        boxes.push_back(node.box);
         links.insert(links.end(), {node.greatest, node.next, node.first, node.whole});
     }
-    round_.make_room(m.tree_boxes, 4 * places.size());
-    round_.put<Rectangle>(m.tree_boxes, places);
+    round_.make_room(m.tree_boxes, 4 * boxes.size());
+    round_.put<Rectangle>(m.tree_boxes, boxes);
     m.tree_links = round_.copy_of(links);
     std::vector<std::uint32_t> node_of;
     for (std::uint32_t i = 0; i < blocks(); ++i) node_of.push_back(first_.blocks[i].node);

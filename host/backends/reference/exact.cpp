@@ -87,7 +87,7 @@ private:
     std::vector<Bins> classes_;  // by the number of bits of a radius
 };
 
-// Lines with free spans at first, boxes after the first refinement. With a radius field there are
+// Lines with free spans at first, boxes after the first cut. With a radius field there are
 // boxes from the start.
 class Exact : public FreeSpace {
 public:
@@ -100,7 +100,7 @@ public:
           width_(plan.strip_width) {
         if (field_ == nullptr) return;
         for (const Sized& kept : plan.field().kept) add(kept);
-        set_boxes(plan.field().first_boxes->places);
+        set_boxes(plan.field().first_boxes->boxes);
     }
 
     std::span<const std::uint32_t> free_lengths() const override {

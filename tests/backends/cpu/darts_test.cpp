@@ -27,7 +27,7 @@ SpanState thrown_at(const Plan& plan, std::uint32_t count, tests::Chance chance)
         draws.push_back({chance.below(plan.lines), chance.below(plan.height),
                          chance.below(plan.strip_width), order});
     std::sort(draws.begin(), draws.end(), [](const Draw& a, const Draw& b) {
-        return a.place != b.place ? a.place < b.place : a.rank < b.rank;
+        return a.bin != b.bin ? a.bin < b.bin : a.rank < b.rank;
     });
     state.begin_round(draws);
     for (std::uint32_t column = 0; column < state.columns; ++column) locate(state, draws, column);

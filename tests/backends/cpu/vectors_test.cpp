@@ -37,8 +37,8 @@ TEST_P(OfVectors, ASampleIsCloserThanTheRadiusOrNot) {
     int closer = 0;
     for (std::size_t i = 0; i < 200'000; ++i) {
         const std::uint32_t r = kRadii[i % std::size(kRadii)];
-        const Sample place{r + below((1u << 31) - 2 * r), r + below((1u << 31) - 2 * r)};
-        std::vector<Sample> cells(4 * kStride, place);
+        const Sample middle{r + below((1u << 31) - 2 * r), r + below((1u << 31) - 2 * r)};
+        std::vector<Sample> cells(4 * kStride, middle);
         for (std::size_t column = 0; column < 4; ++column)
             for (std::size_t row = 0; row < 4; ++row)
                 cells[column * kStride + row] = below(2) == 0 ? kNone : kMark;
@@ -47,19 +47,19 @@ TEST_P(OfVectors, ASampleIsCloserThanTheRadiusOrNot) {
         const auto dy = static_cast<std::uint32_t>(
             portable::isqrt(std::uint64_t{r} * r - std::uint64_t{dx} * dx));
         const std::uint32_t off = below(4);
-        const Sample near{below(2) == 0 ? place.x + dx : place.x - dx,
-                          below(2) == 0 ? place.y + dy + off - 1 : place.y - dy - off + 1};
+        const Sample near{below(2) == 0 ? middle.x + dx : middle.x - dx,
+                          below(2) == 0 ? middle.y + dy + off - 1 : middle.y - dy - off + 1};
         if (below(4) != 0) cells[below(4) * kStride + below(4)] = near;
         const bool expected = std::any_of(cells.begin(), cells.end(), [&](const Sample& cell) {
             const auto at = static_cast<std::size_t>(&cell - cells.data());
             return at % kStride < 4 && cell.x != NO_SAMPLE &&
-                   portable::are_closer(place.x, place.y, cell.x, cell.y, 0, 0,
+                   portable::are_closer(middle.x, middle.y, cell.x, cell.y, 0, 0,
                                         std::uint64_t{r} * r);
         });
-        ASSERT_EQ(GetParam()->is_any_closer(cells.data(), kStride, place, std::uint64_t{r} * r),
+        ASSERT_EQ(GetParam()->is_any_closer(cells.data(), kStride, middle, std::uint64_t{r} * r),
                   expected)
-            << "radius " << r << ", " << near.x << " " << near.y << " from " << place.x << " "
-            << place.y;
+            << "radius " << r << ", " << near.x << " " << near.y << " from " << middle.x << " "
+            << middle.y;
         closer += expected ? 1 : 0;
     }
     EXPECT_GT(closer, 20'000);
@@ -96,7 +96,7 @@ TEST_P(OfVectors, ChordsAreThoseOfTheirDistances) {
 }
 
 // Samples of all radii around a point; some lie at about the limit, and nonsense follows the end.
-SizedList samples_around(Sample place, std::uint32_t period, std::mt19937_64& random) {
+SizedList samples_around(Sample middle, std::uint32_t period, std::mt19937_64& random) {
     const auto below = [&](std::uint64_t end) {
         return static_cast<std::uint32_t>(random() % end);
     };
@@ -112,11 +112,11 @@ SizedList samples_around(Sample place, std::uint32_t period, std::mt19937_64& ra
                                             : std::uint64_t{middle} + period - far % period;
             return static_cast<std::uint32_t>(moved % period);
         };
-        samples.push_back({at(place.x, dx), at(place.y, dy), radius});
+        samples.push_back({at(middle.x, dx), at(middle.y, dy), radius});
     }
     SizedList padded = samples;
     for (std::size_t i = 0; i < kVectorPadding; ++i)
-        padded.push_back({place.x, place.y, ~std::uint32_t{0} - below(2)});
+        padded.push_back({middle.x, middle.y, ~std::uint32_t{0} - below(2)});
     return padded;
 }
 
@@ -125,17 +125,17 @@ TEST_P(OfVectors, ASampleIsCloserThanTheSmallerRadiusOrNot) {
     for (int i = 0; i < 100'000; ++i) {
         const std::uint32_t length = below(2) == 0 ? 1u << 30 : 3 + below(1u << 30);
         const std::uint32_t period = below(2) == 0 ? length : 0;
-        const Sample place{below(length), below(length)};
-        const SizedList padded = samples_around(place, length, random_);
+        const Sample middle{below(length), below(length)};
+        const SizedList padded = samples_around(middle, length, random_);
         const SizedSpan samples = padded.span().part(0, padded.size() - kVectorPadding);
         const std::uint32_t radius = 1 + below(std::uint64_t{1} << (4 + below(27)));
         bool expected = false;
         for (std::size_t k = 0; k < samples.count; ++k) {
             const std::uint64_t limit = std::min(samples.radius[k], radius);
-            expected |= portable::are_closer(samples.x[k], samples.y[k], place.x, place.y, period,
+            expected |= portable::are_closer(samples.x[k], samples.y[k], middle.x, middle.y, period,
                                              period, limit * limit);
         }
-        ASSERT_EQ(GetParam()->is_any_sized_closer(samples, place, radius, {period, period}),
+        ASSERT_EQ(GetParam()->is_any_sized_closer(samples, middle, radius, {period, period}),
                   expected);
         closer += expected ? 1 : 0;
     }
@@ -143,15 +143,15 @@ TEST_P(OfVectors, ASampleIsCloserThanTheSmallerRadiusOrNot) {
     EXPECT_LT(closer, 90'000);
 }
 
-TEST_P(OfVectors, SamplesTakeTheirChordsFromAPlace) {
+TEST_P(OfVectors, SamplesTakeTheirChordsFromABox) {
     int covered = 0;
     std::size_t found = 0;
     constexpr std::uint32_t kLength = 1u << 30;
     for (int i = 0; i < 100'000; ++i) {
         const std::uint32_t most = std::uint32_t{2} << below(29);
-        Rectangle place{below(kLength - most), 1 + below(most), below(kLength - most), 0};
-        place.end = place.begin + 1 + below(most);
-        const Sample middle{place.x + place.width / 2, (place.begin + place.end) / 2};
+        Rectangle box{below(kLength - most), 1 + below(most), below(kLength - most), 0};
+        box.end = box.begin + 1 + below(most);
+        const Sample middle{box.x + box.width / 2, (box.begin + box.end) / 2};
         const SizedList padded = samples_around(middle, kLength, random_);
         const SizedSpan samples = padded.span().part(0, padded.size() - kVectorPadding);
         const std::uint32_t radius = 1 + below(std::uint64_t{1} << (4 + below(27)));
@@ -159,18 +159,18 @@ TEST_P(OfVectors, SamplesTakeTheirChordsFromAPlace) {
         bool is_covered = false;
         for (std::size_t k = 0; k < samples.count; ++k) {
             const std::uint64_t limit = std::min(samples.radius[k], radius);
-            const std::uint32_t half = place.width / 2;
+            const std::uint32_t half = box.width / 2;
             const std::uint32_t reach = portable::chord_reach(
                 portable::axis_distance(samples.x[k], middle.x, 0) + half, limit * limit);
             const Span chord{portable::window_begin(0, samples.y[k], reach, 2 * kLength),
                              portable::window_end(0, samples.y[k], reach, 2 * kLength)};
-            is_covered |= reach != 0 && chord.begin <= place.begin && chord.end >= place.end;
-            if (reach != 0 && chord.begin < place.end && chord.end > place.begin)
+            is_covered |= reach != 0 && chord.begin <= box.begin && chord.end >= box.end;
+            if (reach != 0 && chord.begin < box.end && chord.end > box.begin)
                 expected.push_back(chord);
         }
         std::vector<Span> chords(samples.count + kVectorPadding);
         const std::size_t count =
-            GetParam()->find_sized_chords(samples, place, radius, chords.data());
+            GetParam()->find_sized_chords(samples, box, radius, chords.data());
         ASSERT_EQ(count == Vectors::kAll, is_covered);
         covered += is_covered ? 1 : 0;
         if (is_covered) continue;
@@ -186,17 +186,17 @@ TEST_P(OfVectors, SamplesTakeTheirChordsFromAPlace) {
     EXPECT_GT(found, 50'000u);
 }
 
-TEST_P(OfVectors, SamplesTouchAndCoverPlaces) {
+TEST_P(OfVectors, SamplesTouchAndCoverBoxes) {
     constexpr std::uint32_t kLength = 1u << 30;
     int touches = 0;
     int covered = 0;
     for (int i = 0; i < 50'000; ++i) {
         const std::uint32_t most = std::uint32_t{2} << below(28);
         const Sample corner{below(kLength - 2 * most), below(kLength - 2 * most)};
-        std::vector<Rectangle> places;
-        for (std::size_t place = 0; place < Vectors::kPlaces; ++place) {
+        std::vector<Rectangle> boxes;
+        for (std::size_t box = 0; box < Vectors::kBoxes; ++box) {
             const std::uint32_t begin = corner.y + below(most);
-            places.push_back(
+            boxes.push_back(
                 {corner.x + below(most), 1 + below(most), begin, begin + 1 + below(most)});
         }
         const SizedList padded =
@@ -206,18 +206,18 @@ TEST_P(OfVectors, SamplesTouchAndCoverPlaces) {
             below(2) == 0 ? ~std::uint32_t{0} : 1 + below(std::uint64_t{1} << (4 + below(27)));
         std::vector<std::uint8_t> touching(samples.count);
         const std::uint32_t all =
-            GetParam()->find_touching(samples, places.data(), radius, touching.data());
+            GetParam()->find_touching(samples, boxes.data(), radius, touching.data());
         std::vector<Span> chord(1 + kVectorPadding);
-        for (std::size_t place = 0; place < places.size(); ++place) {
+        for (std::size_t box = 0; box < boxes.size(); ++box) {
             bool is_covered = false;
             for (std::size_t k = 0; k < samples.count; ++k) {
                 const std::size_t count = all_vectors().back()->find_sized_chords(
-                    samples.part(k, 1), places[place], radius, chord.data());
-                ASSERT_EQ((touching[k] >> place & 1) != 0, count != 0);
+                    samples.part(k, 1), boxes[box], radius, chord.data());
+                ASSERT_EQ((touching[k] >> box & 1) != 0, count != 0);
                 touches += count != 0 ? 1 : 0;
                 is_covered |= count == Vectors::kAll;
             }
-            ASSERT_EQ((all >> place & 1) != 0, is_covered);
+            ASSERT_EQ((all >> box & 1) != 0, is_covered);
             covered += is_covered ? 1 : 0;
         }
     }

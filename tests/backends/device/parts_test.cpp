@@ -48,7 +48,7 @@ TEST(Parts, ArrangeAllDrawsPartByPartAndColumnByColumn) {
     for (std::uint32_t i = 0; i < draws.size(); ++i) draws[i] = {i < 700 ? 0u : 2u, i, 0, i};
     std::shuffle(draws.begin(), draws.end(), random);
     for (std::uint32_t i = 0; i < draws.size(); ++i) {
-        draws[i].place = i < 700 ? 0 : 2;
+        draws[i].bin = i < 700 ? 0 : 2;
         draws[i].rank = i;
     }
     const device::Arrangement made = device::arrange(std::span<const Draw>(draws), begins, {});
@@ -63,7 +63,7 @@ TEST(Parts, ArrangeAllDrawsPartByPartAndColumnByColumn) {
             seen[draw.rank] = true;
             EXPECT_GE(draw.order, begin);
             EXPECT_LT(draw.order, end);
-            EXPECT_EQ(made.columns[i], draw.place);
+            EXPECT_EQ(made.columns[i], draw.bin);
             if (i > begin) {
                 EXPECT_LT(draws[made.origins[i - 1]].rank, draw.rank);
             }
