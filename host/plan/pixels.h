@@ -73,9 +73,12 @@ public:
     void for_each_level(Visit visit) const {
         for (const Level& level : levels_) visit(std::span<const Value>(level.values));
     }
-    Value at(std::uint32_t column, std::uint32_t row) const {
-        return levels_.front().at(column, row);
+    unsigned levels() const { return static_cast<unsigned>(levels_.size()); }
+    // The merged value of a square of 2^level x 2^level pixels.
+    Value at(unsigned level, std::uint32_t column, std::uint32_t row) const {
+        return levels_[level].at(column, row);
     }
+    Value at(std::uint32_t column, std::uint32_t row) const { return at(0, column, row); }
     // The merged value of a rectangle of pixels, and perhaps of some around it: it merges the
     // smallest squares of which at most 4 x 4 cover the rectangle.
     Value over(PixelRange columns, PixelRange rows) const {

@@ -62,6 +62,13 @@ inline Field ring_field(std::uint32_t columns, std::uint32_t rows) {
     });
 }
 
+// One pixel with importance among 20 x 14.
+inline Field pixel_field() {
+    Field field{20, 14, std::vector<double>(20 * 14, 0)};
+    field.importance[3 * 20 + 17] = 1;
+    return field;
+}
+
 inline std::vector<Scene> scenes() {
     using namespace lacuna::tests;
     const RelaxOptions torus = on(1, 1, Boundary::torus);
@@ -87,6 +94,8 @@ inline std::vector<Scene> scenes() {
         {"a step of 1000", random_points(100, 1, 1, 8), step_field(40, 40, 1000), torus},
         {"white holes", random_points(80, 1, 1, 9), white_holes_field(50, 50), box},
         {"a ring on white", random_points(40, 1, 1, 10), ring_field(60, 60), box},
+        {"one pixel of a box", random_points(30, 1, 1, 12), pixel_field(), box},
+        {"one pixel of a torus", random_points(30, 1, 1, 13), pixel_field(), torus},
         {"a ring on a torus", random_points(40, 1, 1, 11), ring_field(60, 60), torus},
         {"noise", random_points(60, 1, 1, 12), noise_field(48, 48, 3), torus},
         {"shares of a millionth", random_points(60, 1, 1, 13), sizes_field(48, 48, 4), box},

@@ -117,6 +117,19 @@ TEST_P(Verbs, do_the_same_where_samples_share_their_spot) {
     }
 }
 
+// Searches used to take as long as lattice points times lost points, without a question.
+TEST_P(Verbs, ask_whether_to_go_on_for_every_few_points_far_from_importance) {
+    constexpr std::size_t kPoints = 20'000;
+    const Scene scene{"", random_points(kPoints, 1, 1, 14), pixel_field(), RelaxOptions{}};
+    const Lattice lattice = scene.lattice();
+    const auto backend = make_backend(GetParam(), lattice, scene.sites(lattice), 1);
+    backend->assign();
+    backend->accumulate();
+    std::size_t questions = 0;
+    backend->watch([&] { return ++questions < kPoints / 1024; });
+    EXPECT_THROW(backend->rest(), Cancelled);
+}
+
 TEST_P(Verbs, do_the_same_at_any_number_of_threads) {
     for (const Scene& scene : scenes()) {
         const Lattice lattice = scene.lattice();

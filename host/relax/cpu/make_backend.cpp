@@ -63,13 +63,17 @@ public:
 
     void rest() override {
         find_moved();
-        const Scene scene = this->scene();
-        for_chunks([&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                if (lattice_.mass_under(moved_[i]) == 0)
-                    moved_[i] = nearest_point(scene, static_cast<std::uint32_t>(i),
-                                              shares_[i].mass != 0, moved_[i]);
-        });
+        const auto is_lost = [&](const Site& site) { return lattice_.mass_under(site) == 0; };
+        if (std::any_of(moved_.begin(), moved_.end(), is_lost)) {
+            const PixelTree pixels(lattice_, [&] { workers_.poll(); });
+            const Scene scene = this->scene();
+            for_chunks([&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i)
+                    if (is_lost(moved_[i]))
+                        moved_[i] = nearest_point(scene, pixels, static_cast<std::uint32_t>(i),
+                                                  shares_[i].mass != 0, moved_[i]);
+            });
+        }
         sites_.swap(moved_);
     }
 

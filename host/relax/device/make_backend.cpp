@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,9 @@ constexpr std::uint64_t kFindWork = 100;
 constexpr std::uint64_t kLeafWork = 20;
 constexpr std::uint64_t kCrowdedWork = 20;
 constexpr std::uint64_t kSiteWork = 1;
+
+// Sites whose way to importance is searched between two questions: at most 0.1 s.
+constexpr std::uint32_t kSitesBetweenPolls = 1024;
 
 // Vectors as a device stores them.
 using Words2 = std::array<std::uint32_t, 2>;
@@ -74,7 +78,10 @@ public:
     DeviceRelax& operator=(const DeviceRelax&) = delete;
 
     std::string device() const override { return queue_->device().name; }
-    void watch(std::function<bool()> may_go_on) override { queue_->watch(std::move(may_go_on)); }
+    void watch(std::function<bool()> may_go_on) override {
+        may_go_on_ = std::move(may_go_on);
+        queue_->watch(may_go_on_);
+    }
 
     // Also accumulates, because the next batch overwrites the tables with the owners of lattice
     // points.
@@ -89,8 +96,8 @@ public:
         queue_->wait();
     }
 
-    // A site that ended where there is no importance needs a search of unbounded length. It runs on
-    // the host, because there are few such sites and it is done once.
+    // A site that ended where there is no importance needs a search. It runs on the host, because
+    // there are few such sites and it is done once.
     void rest() override {
         const std::vector<Site> before = along_curve();
         const std::vector<Share> shares = shares_along_curve();
@@ -100,9 +107,16 @@ public:
         cpu::SiteTree tree;
         tree.look_at(before, alone);
         const cpu::Scene scene{lattice_, tree, before, indices_, {}, {}};
-        for (std::uint32_t i = 0; i < moved.size(); ++i)
-            if (lattice_.mass_under(moved[i]) == 0)
-                moved[i] = cpu::nearest_point(scene, i, shares[i].mass != 0, moved[i]);
+        const Poll poll = [&] {
+            if (may_go_on_ && !may_go_on_()) throw Cancelled();
+        };
+        std::optional<cpu::PixelTree> pixels;
+        for (std::uint32_t i = 0; i < moved.size(); ++i) {
+            if (i % kSitesBetweenPolls == 0) poll();
+            if (lattice_.mass_under(moved[i]) != 0) continue;
+            if (!pixels) pixels.emplace(lattice_, poll);
+            moved[i] = cpu::nearest_point(scene, *pixels, i, shares[i].mass != 0, moved[i]);
+        }
         put_along_curve(moved);
     }
 
@@ -271,6 +285,7 @@ private:
     }
 
     std::unique_ptr<Queue> queue_;
+    std::function<bool()> may_go_on_;
     const Lattice& lattice_;
     const portable::RelaxLattice& numbers_;
     Tiles tiles_;
