@@ -56,7 +56,7 @@ file(WRITE ${OUTPUT}
     "namespace lacuna::opencl {\n"
     "std::span<const std::string_view> ${NAME}();\n"
     "namespace {\n"
-    "constexpr std::string_view kTexts[] = {\n${texts}};\n"
+    "const std::string_view kTexts[] = {\n${texts}};\n"
     "}  // namespace\n"
     "std::span<const std::string_view> ${NAME}() { return kTexts; }\n"
     "}  // namespace lacuna::opencl\n")

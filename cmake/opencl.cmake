@@ -33,15 +33,20 @@ function(lacuna_add_opencl)
         PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     # The groups that are compiled together: for lines and exact, exact with a radius field, cells,
     # and relax. A driver would take longer for a program for each kernel.
-    set(kernels ${PROJECT_SOURCE_DIR}/kernels)
-    set(spans "${kernels}/locate.cl|${kernels}/sort_columns.cl|${kernels}/admit.cl")
-    string(APPEND spans "|${kernels}/subtract.cl|${kernels}/refine.cl|${kernels}/scan.cl")
-    set(cells "${kernels}/locate_cells.cl|${kernels}/sort_columns.cl|${kernels}/admit_cells.cl")
-    string(APPEND cells "|${kernels}/subtract_cells.cl")
-    set(radius_field "${kernels}/locate_field.cl|${kernels}/admit_field.cl")
-    string(APPEND radius_field "|${kernels}/refine_field.cl|${kernels}/scan.cl")
-    set(relax "${kernels}/assign_relax.cl|${kernels}/move_relax.cl")
-    lacuna_embed_kernels(lacuna kernel_sources ${spans} ${cells} ${radius_field} ${relax})
+    set(spans locate locate_in_boxes sort_columns screen screen_on_lines admit collect subtract grow
+        insert unfold cut keep scan find_bin_begins)
+    set(radius_field locate_with_field screen_with_field reach admit_with_field enlist split
+        cut_with_field keep_with_field scan measure)
+    set(cells locate_in_cells sort_columns look_up_radii screen_in_cells admit_in_cells
+        subtract_in_cells)
+    set(relax find_hints find_rivals assign tell_owners assign_crowded move find_least level_sites)
+    set(groups)
+    foreach(group IN ITEMS spans cells radius_field relax)
+        list(TRANSFORM ${group} REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/kernels/\\1.cl")
+        list(JOIN ${group} "|" files)
+        list(APPEND groups ${files})
+    endforeach()
+    lacuna_embed_kernels(lacuna kernel_sources ${groups})
     target_include_directories(lacuna SYSTEM PRIVATE
         ${OPENCL_INCLUDE_DIR} ${OPENCL_HPP_INCLUDE_DIR})
     target_compile_definitions(lacuna PRIVATE LACUNA_OPENCL)

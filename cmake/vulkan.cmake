@@ -3,14 +3,13 @@
 option(LACUNA_VULKAN "Build the backend vulkan, where Vulkan's headers and glslang are" ON)
 include(${CMAKE_CURRENT_LIST_DIR}/leave_out.cmake)
 
-# lacuna_embed_shader(TARGET FILE ENTRY) compiles the entry of a GLSL file and gives TARGET a header
-# ENTRY.spv.h with the words ENTRY_spirv. A file may hold several entries, each behind its
-# #ifdef ENTRY_...: GLSL allows one main.
+# lacuna_embed_shader(TARGET FILE ENTRY) compiles a GLSL file and gives TARGET a header ENTRY.spv.h
+# with the words ENTRY_spirv.
 function(lacuna_embed_shader target file entry)
     set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_shaders)
     set(header ${folder}/${entry}.spv.h)
     set(compile $<TARGET_FILE:Vulkan::glslangValidator> -V --target-env vulkan1.2 --quiet
-        -I${PROJECT_SOURCE_DIR}/kernels -DENTRY_${entry})
+        -I${PROJECT_SOURCE_DIR}/kernels)
     set(validate)
     if(SPIRV_VAL)
         set(validate COMMAND ${compile} -o ${folder}/${entry}.spv ${file}
@@ -26,18 +25,14 @@ function(lacuna_embed_shader target file entry)
     target_include_directories(${target} PRIVATE ${folder})
 endfunction()
 
-# lacuna_embed_shaders(TARGET FILE...) does so for all entries of the files, and gives TARGET a
-# header all_shaders.h that includes the headers of all.
+# lacuna_embed_shaders(TARGET FILE...) does so for the shaders NAME.comp, and gives TARGET a header
+# all_shaders.h that includes the headers of all.
 function(lacuna_embed_shaders target)
     set(headers)
     foreach(file IN LISTS ARGN)
-        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
-        file(STRINGS ${file} entries REGEX "^#ifdef ENTRY_")
-        foreach(entry IN LISTS entries)
-            string(REPLACE "#ifdef ENTRY_" "" entry ${entry})
-            lacuna_embed_shader(${target} ${file} ${entry})
-            string(APPEND headers "#include \"${entry}.spv.h\"\n")
-        endforeach()
+        cmake_path(GET file STEM name)
+        lacuna_embed_shader(${target} ${file} ${name})
+        string(APPEND headers "#include \"${name}.spv.h\"\n")
     endforeach()
     file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}_shaders/all_shaders.h
         CONTENT "${headers}")

@@ -1,16 +1,6 @@
-// admit: a candidate becomes a sample unless an earlier sample is closer than the radius.
+// admit in lines and exact: no earlier sample of the round may be closer than the radius.
 #include "bodies/common/prelude.h"
-
-BINDINGS(DrawArguments, SCREEN_BINDINGS)
-#include "bodies/exact/screen.h"
-ENTRY(screen, serve_screen, DrawArguments, SCREEN_BINDINGS)
-
-BINDINGS(DrawArguments, ADMIT_BINDINGS)
+KERNEL(admit, serve_admit, DrawArguments, ADMIT_BINDINGS)
 #include "bodies/lines/limit.h"
 #include "bodies/common/decide.h"
 #include "bodies/common/admit.h"
-ENTRY(admit, serve_admit, DrawArguments, ADMIT_BINDINGS)
-
-BINDINGS(SlabArguments, SCREEN_ON_LINES_BINDINGS)
-#include "bodies/lines/screen_on_lines.h"
-ENTRY(screen_on_lines, serve_screen_on_lines, SlabArguments, SCREEN_ON_LINES_BINDINGS)

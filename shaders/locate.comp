@@ -1,17 +1,4 @@
-// locate: a draw becomes a candidate.
+// kernels/locate.cl as a compute shader in GLSL.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "bodies/common/prelude.h"
-
-#ifdef ENTRY_locate
-BINDINGS(SlabArguments, LOCATE_BINDINGS)
-#include "bodies/lines/free_spans.h"
-#include "bodies/common/locate.h"
-ENTRY(locate, serve_locate, SlabArguments, LOCATE_BINDINGS)
-#endif
-
-#ifdef ENTRY_locate_in_boxes
-BINDINGS(DrawArguments, LOCATE_IN_BOXES_BINDINGS)
-#include "bodies/exact/locate_in_boxes.h"
-ENTRY(locate_in_boxes, serve_locate_in_boxes, DrawArguments, LOCATE_IN_BOXES_BINDINGS)
-#endif
+#include "locate.cl"

@@ -1,10 +1,4 @@
-// scan: prefix sums of counts, which tell where what was counted goes.
+// kernels/scan.cl as a compute shader in GLSL.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "bodies/common/prelude.h"
-
-#ifdef ENTRY_scan
-BINDINGS(ScanArguments, SCAN_BINDINGS)
-#include "bodies/common/scan.h"
-ENTRY(scan, serve_scan, ScanArguments, SCAN_BINDINGS)
-#endif
+#include "scan.cl"

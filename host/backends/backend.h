@@ -28,8 +28,9 @@ struct Box {
 struct Snapshot {
     std::uint32_t capacity = 0;            // spans a line has room for before the backend grows
     std::vector<std::vector<Span>> spans;  // of each line: sorted, disjoint, none empty
-    std::vector<Candidate> candidates;     // column by column, by y, then order, within a column
-    std::vector<std::uint32_t> statuses;   // of each candidate, see portable/status.h
+    // Column by column, by y, then order, within a column; with a radius field by order.
+    std::vector<Candidate> candidates;
+    std::vector<std::uint32_t> statuses;  // of each candidate, see portable/status.h
     // In exact only.
     std::vector<Sample> grid;     // the sample of each grid cell, NO_SAMPLE where there is none
     std::uint32_t box_width = 0;  // 0 while the bins are lines

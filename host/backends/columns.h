@@ -25,6 +25,11 @@ void find_column_begins(std::span<const std::uint32_t> bin_begins, std::span<con
 void find_column_begins(const Plan& plan, std::uint32_t columns,
                         std::span<const Candidate> candidates, std::vector<std::uint32_t>& begins);
 
+// A round crowds where a candidate is compared with more than kMostRivals others: in parts it takes
+// less time. Up to kFewDraws draws, even comparing all pairs takes little.
+inline constexpr std::uint32_t kMostRivals = 64;
+inline constexpr std::uint32_t kFewDraws = 1024;
+
 // The number of free spans that a line has room for at first. Few lines ever need more; then the
 // backend grows, and no span is lost.
 std::uint32_t first_capacity(const Plan& plan);

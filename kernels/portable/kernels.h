@@ -9,6 +9,13 @@
 
 LACUNA_BEGIN
 
+// What the host does not set is 0.
+#ifdef __cplusplus
+#define OR_ZERO = 0
+#else
+#define OR_ZERO
+#endif
+
 // The part of the plan that kernels need.
 struct Geometry {
     u64 radius_squared;
@@ -31,55 +38,56 @@ LACUNA_TYPEDEF(Geometry)
 
 // Arguments of kernels that serve the round's draws or candidates.
 struct DrawArguments {
-    u32 first_item;
+    u32 first_item OR_ZERO;
     u32 chunk;
     Geometry g;
     u32 first;  // the draws to serve are [first, count)
     u32 count;
-    u32 pass;        // only in admit
-    u32 last_pass;   // admission is finished if undecided[last_pass] is 0
-    u32 status;      // in screen: the new status of candidates that are covered
-    u32 rows;        // number of pixels in a column of pixels
-    u32 metric;      // see metric.h
-    u32 slices;      // in subtract_in_cells: an item serves every slices-th line near its samples
-    u32 most_reach;  // samples that reach farther wait for the next launch
-    u32 is_listed;   // 1: the candidates to serve are listed in `todo` or `survivors`, which
-                     // screen fills
-    u32 room;        // in reach: most visitors of blocks
+    u32 pass OR_ZERO;    // only in admit
+    u32 last_pass;       // admission is finished if undecided[last_pass] is 0
+    u32 status OR_ZERO;  // in screen: the new status of candidates that are covered
+    u32 rows OR_ZERO;    // number of pixels in a column of pixels
+    u32 metric OR_ZERO;  // see metric.h
+    u32 slices
+        OR_ZERO;  // in subtract_in_cells: an item serves every slices-th line near its samples
+    u32 most_reach OR_ZERO;  // samples that reach farther wait for the next launch
+    u32 is_listed OR_ZERO;  // 1: the candidates to serve are listed in `todo` or `survivors`, which
+                            // screen fills
+    u32 room OR_ZERO;       // in reach: most visitors of blocks
 };
 LACUNA_TYPEDEF(DrawArguments)
 
 // Arguments of kernels that serve columns of lines. An item serves one column.
 struct ColumnArguments {
-    u32 first_item;
+    u32 first_item OR_ZERO;
     u32 last_pass;
     Geometry g;
-    u32 room;  // most new boxes
+    u32 room OR_ZERO;  // most new boxes
 };
 LACUNA_TYPEDEF(ColumnArguments)
 
 // Arguments of kernels that serve the lines [first_line, end_line), whose spans are in one slab.
 struct SlabArguments {
-    u32 first_item;
-    u32 chunk;
+    u32 first_item OR_ZERO;
+    u32 chunk OR_ZERO;
     Geometry g;
-    u32 first_line;
-    u32 end_line;
-    u32 slab_begin;  // the slab's first line
-    u32 to_begin;    // in grow: the first line of the slab to which spans are moved
-    u32 larger;      // in grow: the capacity of that slab
-    u32 first_draw;  // in locate: the draws on these lines are [first_draw, end_draw)
-    u32 end_draw;
-    u32 last_pass;    // in subtract
-    u32 block_bits;   // in unfold: counts are summed in blocks of 2^block_bits lines
-    u32 is_counting;  // in unfold: 1 if boxes are only counted
+    u32 first_line OR_ZERO;
+    u32 end_line OR_ZERO;
+    u32 slab_begin OR_ZERO;  // the slab's first line
+    u32 to_begin OR_ZERO;    // in grow: the first line of the slab to which spans are moved
+    u32 larger OR_ZERO;      // in grow: the capacity of that slab
+    u32 first_draw OR_ZERO;  // in locate: the draws on these lines are [first_draw, end_draw)
+    u32 end_draw OR_ZERO;
+    u32 last_pass OR_ZERO;    // in subtract
+    u32 block_bits OR_ZERO;   // in unfold: counts are summed in blocks of 2^block_bits lines
+    u32 is_counting OR_ZERO;  // in unfold: 1 if boxes are only counted
 };
 LACUNA_TYPEDEF(SlabArguments)
 
 // Arguments of kernels that serve active boxes. A box is cut into at most 2^strip_bits strips: see
 // bodies/exact/strip.h.
 struct StripArguments {
-    u32 first_item;
+    u32 first_item OR_ZERO;
     u32 chunk;
     Geometry g;
     u32 boxes;
@@ -94,7 +102,7 @@ struct StripArguments {
 LACUNA_TYPEDEF(StripArguments)
 
 struct ScanArguments {
-    u32 first_item;
+    u32 first_item OR_ZERO;
     u32 count;  // number of values
     u32 block;  // values for each item
 };
@@ -118,13 +126,13 @@ LACUNA_END
     B(3, READ, u32, pixel_radii) B(4, WRITE, u32, candidate_radii)
 #define SCREEN_BINDINGS(B)                                                        \
     B(0, READ, u32x4, candidates) B(1, READ, u32, grid_x) B(2, READ, u32, grid_y) \
-    B(3, BOTH, u32, statuses) B(4, WRITE, u32x2, samples)
+    B(3, BOTH, u32, statuses) B(4, WRITE, u32x2, samples) B(5, SHARED, u32, failure)
 #define SCREEN_ON_LINES_BINDINGS(B)                                                       \
     B(0, READ, u32x4, candidates) B(1, READ, u32x2, spans) B(2, READ, u32, span_counts) \
     B(3, BOTH, u32, statuses) B(4, WRITE, u32x2, samples)
 #define SCREEN_IN_CELLS_BINDINGS(B)                                                  \
     B(0, READ, u32x4, candidates) B(1, READ, u32, bits) B(2, BOTH, u32, statuses)       \
-    B(3, WRITE, u32x2, samples)
+    B(3, WRITE, u32x2, samples) B(4, SHARED, u32, failure)
 #define ADMIT_BINDINGS(B)                                                                    \
     B(0, READ, u32, column_begins) B(1, READ, u32, buckets) B(2, READ, u32x4, candidates)    \
     B(3, SHARED, u32, statuses) B(4, SHARED, u32, undecided) B(5, WRITE, u32x2, samples)        \

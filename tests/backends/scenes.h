@@ -125,6 +125,7 @@ inline std::uint32_t length_of(const std::vector<Span>& spans) {
 }
 
 inline std::uint32_t count_bins(const Plan& plan, const Snapshot& memory) {
+    if (plan.has_field()) return static_cast<std::uint32_t>(memory.rectangles.size());
     return memory.box_width != 0 ? static_cast<std::uint32_t>(memory.boxes.size()) : plan.lines;
 }
 
@@ -137,6 +138,7 @@ inline std::uint32_t free_length_of(const Plan& plan, const Snapshot& memory, st
                                    return sum + static_cast<std::uint32_t>(std::popcount(word));
                                });
     }
+    if (plan.has_field()) return memory.rectangles[bin].end - memory.rectangles[bin].begin;
     if (memory.box_width == 0) return length_of(memory.spans[bin]);
     return memory.boxes[bin].end - memory.boxes[bin].begin;
 }
@@ -154,7 +156,9 @@ inline std::vector<Draw> random_draws(const Plan& plan, const Snapshot& memory, 
         if (free == 0) continue;
         std::uint32_t rank = chance.below(free);
         if (chance.one_in(8)) rank = chance.one_in(2) ? 0 : free - 1;
-        const std::uint32_t width = memory.box_width != 0 ? memory.box_width : plan.strip_width;
+        const std::uint32_t width = plan.has_field()        ? memory.rectangles[bin].width
+                                    : memory.box_width != 0 ? memory.box_width
+                                                            : plan.strip_width;
         draws.push_back({bin, rank, chance.below(width), orders[draws.size()]});
     }
     // Where no bin has room there may be fewer draws: orders must have no gaps.

@@ -9,8 +9,10 @@
 
 #include "backends/available.h"
 #include "backends/cells_scenes.h"
+#include "backends/field_scenes.h"
 #include "backends/printing.h"
 #include "backends/scenes.h"
+#include "plan/radius_field.h"
 
 namespace lacuna {
 namespace {
@@ -25,17 +27,19 @@ struct Left {
     std::uint64_t survivors;
     std::vector<std::uint32_t> free_lengths;
     std::uint32_t bin_width;
+    std::vector<std::uint32_t> bin_widths;
 };
 
 Left after(Backend& backend, const Scene& scene, const Verb& verb) {
     backend.restore(scene.memory);
     verb(backend, scene);
-    Left left{backend.snapshot(), {}, 0, {}, 0};
+    Left left{backend.snapshot(), {}, 0, {}, 0, {}};
     const Round round = backend.finish_round();
     left.survivors = round.survivors;
     left.bin_width = round.bin_width;
     left.samples.assign(round.samples.begin(), round.samples.end());
     left.free_lengths.assign(round.free_lengths.begin(), round.free_lengths.end());
+    left.bin_widths.assign(round.bin_widths.begin(), round.bin_widths.end());
     return left;
 }
 
@@ -60,12 +64,15 @@ void expect_same(const Left& expected, const Left& got) {
     EXPECT_TRUE(same("line", expected.memory.spans, got.memory.spans));
     EXPECT_TRUE(same("cell", expected.memory.grid, got.memory.grid));
     EXPECT_TRUE(same("box", expected.memory.boxes, got.memory.boxes));
+    EXPECT_TRUE(same("rectangle", expected.memory.rectangles, got.memory.rectangles));
+    EXPECT_TRUE(same("earlier sample", expected.memory.samples, got.memory.samples));
     EXPECT_TRUE(same("word of bits", expected.memory.bits, got.memory.bits));
     EXPECT_EQ(expected.memory.box_width, got.memory.box_width);
     EXPECT_TRUE(same("sample", expected.samples, got.samples));
     EXPECT_EQ(expected.survivors, got.survivors);
     EXPECT_EQ(expected.bin_width, got.bin_width);
     EXPECT_TRUE(same("free length", expected.free_lengths, got.free_lengths));
+    EXPECT_TRUE(same("width", expected.bin_widths, got.bin_widths));
 }
 
 void locate(Backend& backend, const Scene& scene) {
@@ -84,14 +91,17 @@ void refine_by_halves(Backend& backend, const Scene&) {
     backend.refine(true);
 }
 bool has_boxes(const Scene& scene) {
-    return scene.memory.box_width != 0;
+    return scene.memory.box_width != 0 || scene.plan.has_field();
+}
+bool can_halve(const Scene& scene) {
+    return scene.memory.box_width > 1 || scene.plan.has_field();
 }
 // Ends with the verb for the scene's bins.
 void whole_round(Backend& backend, const Scene& scene) {
     backend.locate(scene.draws);
     backend.admit();
     if (has_boxes(scene))
-        backend.refine(scene.memory.box_width > 1);
+        backend.refine(can_halve(scene));
     else
         backend.subtract();
 }
@@ -118,14 +128,30 @@ protected:
 
 using tests::random_scenes;
 
-std::vector<Scene> all_scenes() {
-    std::vector<Scene> all = random_scenes(Mode::lines);
+std::vector<Scene> exact_scenes() {
+    std::vector<Scene> all = tests::field_scenes();
     for (Scene& scene : random_scenes(Mode::exact)) {
         scene.name += ", exact";
         all.push_back(std::move(scene));
     }
+    return all;
+}
+
+std::vector<Scene> all_scenes() {
+    std::vector<Scene> all = random_scenes(Mode::lines);
+    for (Scene& scene : exact_scenes()) all.push_back(std::move(scene));
     for (Scene& scene : tests::random_cells_scenes()) all.push_back(std::move(scene));
     return all;
+}
+
+TEST_P(Verbs, MemoryWithAFieldIsWhatWasRestored) {
+    for (const Scene& scene : tests::field_scenes()) {
+        SCOPED_TRACE(scene.name);
+        Left left = on_device(scene, [](Backend&, const Scene&) {});
+        EXPECT_EQ(left.memory.capacity, 0u);
+        EXPECT_TRUE(left.memory == scene.memory);
+        expect_equal(scene, [](Backend&, const Scene&) {});
+    }
 }
 
 TEST_P(Verbs, LocateEqualsTheCpuInEveryScene) {
@@ -152,13 +178,16 @@ TEST_P(Verbs, AdmitKeepsStatusesThatAreDecided) {
     }
 }
 
-// No two samples of a round lie in the same cell.
+// No two samples of a round lie in the same cell, and none where a field has no samples.
 void admit_one_a_cell(Scene& scene, tests::Chance& chance) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> taken;
     for (std::size_t i = 0; i < scene.memory.statuses.size(); ++i) {
         const Candidate& candidate = scene.memory.candidates[i];
         const std::uint32_t side = std::max(1u, scene.plan.grid().side);  // none in mode cells
-        const bool is_first = taken.insert({candidate.x / side, candidate.y / side}).second;
+        const bool is_first =
+            taken.insert({candidate.x / side, candidate.y / side}).second &&
+            (!scene.plan.has_field() ||
+             scene.plan.field().radius_field->radius_at(candidate.x, candidate.y) != 0);
         scene.memory.statuses[i] =
             is_first && chance.one_in(2) ? STATUS_ADMITTED : STATUS_REJECTED + chance.below(2);
     }
@@ -175,10 +204,10 @@ TEST_P(Verbs, SubtractEqualsTheCpuInEveryScene) {
 
 TEST_P(Verbs, RefineEqualsTheCpuInEveryScene) {
     tests::Chance chance(60);
-    for (Scene& scene : random_scenes(Mode::exact)) {
+    for (Scene& scene : exact_scenes()) {
         admit_one_a_cell(scene, chance);
         expect_equal(scene, refine);
-        if (!has_boxes(scene) || scene.memory.box_width > 1) expect_equal(scene, refine_by_halves);
+        if (!has_boxes(scene) || can_halve(scene)) expect_equal(scene, refine_by_halves);
     }
 }
 
@@ -261,7 +290,7 @@ TEST_P(Verbs, ASecondRoundStartsFromWhatTheFirstLeft) {
                 const Snapshot memory = backend.snapshot();
                 backend.locate(tests::random_draws(scene_of_first.plan, memory, chance, count));
                 backend.admit();
-                if (memory.box_width != 0)
+                if (has_boxes(scene_of_first))
                     backend.refine(false);
                 else
                     backend.subtract();

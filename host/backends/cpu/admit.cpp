@@ -6,6 +6,7 @@
 #include <atomic>
 #include <span>
 
+#include "backends/columns.h"
 #include "backends/cpu/precedence.h"
 #include "backends/cpu/reached.h"
 #include "backends/cpu/state.h"
@@ -134,15 +135,11 @@ std::uint64_t rivals_of(const State& state, const Mode& mode, std::uint32_t i) {
 
 // One candidate in kSampled is counted, to estimate the comparisons of all.
 constexpr std::uint32_t kSampled = 128;
-// With more rivals than kMostRivals a candidate, parts take less time. Where there are at most
-// kFewCandidates candidates, even comparing all pairs takes little.
-constexpr std::uint64_t kMostRivals = 64;
-constexpr std::uint32_t kFewCandidates = 1024;
 
 template <typename Mode, typename ModeState>
 std::uint32_t first_part_in(const ModeState& state) {
     const auto count = static_cast<std::uint32_t>(state.candidates.size());
-    if (count <= kFewCandidates) return count;
+    if (count <= kFewDraws) return count;
     std::uint64_t sampled = 0;
     std::uint64_t rivals = 0;
     for (std::uint32_t column = 0; column < state.columns; ++column) {
@@ -154,7 +151,7 @@ std::uint32_t first_part_in(const ModeState& state) {
     }
     if (rivals <= kMostRivals * sampled) return count;
     const std::uint64_t few = std::uint64_t{count} * kMostRivals * sampled / rivals;
-    return static_cast<std::uint32_t>(std::max(few, kMostRivals));
+    return static_cast<std::uint32_t>(std::max<std::uint64_t>(few, kMostRivals));
 }
 
 template <typename Mode>

@@ -33,6 +33,7 @@ protected:
                             [&](std::uint32_t slab) { darts_.throw_in(state_, slab); });
             darts_.finish(state_, [&] { this->poll(); });
         }
+        state_.is_inserted = true;
     }
 
 private:

@@ -5,7 +5,6 @@
 #include <array>
 #include <bit>
 #include <cstddef>
-#include <stdexcept>
 #include <utility>
 
 #include "backends/cpu/chords.h"
@@ -224,17 +223,12 @@ void FieldState::measure_boxes(std::uint32_t region) {
     }
 }
 
-Snapshot FieldState::snapshot() const {
-    Snapshot snapshot = State::snapshot();
-    for (Candidate& candidate : snapshot.candidates) candidate.line = 0;
-    for (const std::vector<BlockBox>& of_region : boxes)
-        for (const BlockBox& box : of_region) snapshot.rectangles.push_back(box.at);
-    snapshot.samples = near.samples();
-    return snapshot;
-}
-
-void FieldState::restore(const Snapshot&) {
-    throw std::logic_error("no test restores a radius field");
+void FieldState::insert_admitted() {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const auto& [x, y, block, order] = candidates[i];
+        if (statuses[i] == STATUS_ADMITTED)
+            near.insert({x, y, radius_field.radius_at(x, y)}, block);
+    }
 }
 
 void set_free(FieldState& state, std::uint32_t region) {

@@ -33,8 +33,13 @@ struct FieldState : State {
     // Makes the active boxes the bins. Call it once, then for each region, in parallel.
     void measure_boxes();
     void measure_boxes(std::uint32_t region);
+    // Puts restored samples of the round into the lists.
+    void insert_admitted();
     Snapshot snapshot() const;
     void restore(const Snapshot& snapshot);
+
+private:
+    std::uint32_t region_of(std::uint32_t block) const;
 };
 
 void set_free(FieldState& state, std::uint32_t region);

@@ -22,7 +22,6 @@ public:
     void admit() override {
         if (!state_.grid) return admit_by_passes([&] { take_out(); });
         throw_darts(slabs());
-        state_.is_inserted = true;
     }
 
     void subtract() override {

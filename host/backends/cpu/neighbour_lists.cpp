@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "backends/field_snapshot.h"
 #include "plan/radius_field.h"
 #include "portable/distance.h"
 
@@ -37,13 +38,17 @@ NeighbourLists::NeighbourLists(const Plan& plan)
     : plan_(plan),
       first_(*plan.field().first_boxes),
       vectors_(*all_vectors().front()),
-      few_(first_.block_count() + std::size_t{1}),  // vector loads read past the last
+      few_(0),
       long_(first_.block_count()),
-      states_(first_.block_count()),
       marked_(first_.regions.size()) {
-    for (const Sized& sample : plan.field().kept) {
+    put(plan.field().kept);
+}
+
+void NeighbourLists::put(std::span<const Sized> samples) {
+    few_ = ZeroedArray<Few>(first_.block_count() + std::size_t{1});  // vector loads read past it
+    states_.assign(first_.block_count(), 0);
+    for (const Sized& sample : samples)
         for_each_reached(sample, 0, [&](std::uint32_t block) { push(sample, block); });
-    }
 }
 
 bool NeighbourLists::sticks_out(const Sized& sample) const {
@@ -239,9 +244,7 @@ std::vector<Sample> NeighbourLists::samples() const {
         const SizedSpan near = of_part(block, box_of(block), Which::all, found);
         for (std::size_t i = 0; i < near.count; ++i) all.push_back({near.x[i], near.y[i]});
     }
-    const auto rank = [](Sample sample) { return std::uint64_t{sample.x} << 32 | sample.y; };
-    std::sort(all.begin(), all.end(), [&](Sample a, Sample b) { return rank(a) < rank(b); });
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    sort_for_snapshot(all);
     return all;
 }
 

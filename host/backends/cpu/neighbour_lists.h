@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "backends/cpu/sized.h"
@@ -78,8 +79,9 @@ public:
     void unmark_all();
     bool is_marked(std::uint32_t block) const { return (states_[block] & kMarked) != 0; }
 
-    // All samples, sorted by x, then y.
+    // All samples, sorted by x, then y; and other samples in their box.
     std::vector<Sample> samples() const;
+    void put(std::span<const Sized> samples);
 
 private:
     // Entries. Seven of eight lists never grow longer, and Few then fills seven cache lines.

@@ -46,6 +46,8 @@ struct State {
     std::vector<std::uint32_t> by_order;       // the candidate of each draw
     // In exact: whether screen has found the candidates that earlier samples cover.
     bool is_screened = false;
+    // In exact: whether the round's own samples, too, are in the grid or the neighbour lists.
+    bool is_inserted = false;
     // Except in exact, a column has as many buckets as candidates (portable/column.h). Bucket b
     // begins at the column's candidate number buckets[column_begins[column] + b].
     std::vector<std::uint32_t> buckets;
@@ -83,10 +85,8 @@ struct SpanState : State {
     std::unique_ptr<Span[]> spans;
     std::vector<std::uint32_t> span_counts;
 
-    // In exact: all samples, the round's own after is_inserted is set; and, from the first
-    // cut on, each column's boxes.
+    // In exact: all samples; and, from the first cut on, each column's boxes.
     std::optional<SampleGrid> grid;
-    bool is_inserted = false;
     bool has_boxes = false;
     std::vector<std::vector<Box>> boxes;
 

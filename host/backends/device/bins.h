@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "backends/backend.h"
 #include "backends/device/layout.h"
@@ -28,19 +29,16 @@ public:
     virtual void locate(std::span<const Draw> draws) = 0;
     // Sorts the located candidates into the order that admit needs.
     virtual void sort() { round_.sort(); }
-    // Before the first pass of the first part: finds what samples of earlier rounds cover.
-    virtual void screen() {}
-    // Before the first pass of a later part: finds what samples of earlier parts cover, among the
-    // draws from the part's begin to `end`.
-    virtual void screen_again(std::uint32_t end) = 0;
+    // Gives undecided draws this status if samples cover them: in exact, before the first pass of
+    // the first part, samples of earlier rounds; in all modes, before a later part, samples of
+    // earlier parts.
+    virtual void screen(Range draws, std::uint32_t status) = 0;
     virtual void admit(std::uint32_t pass) = 0;
     virtual void subtract() = 0;
-    // Cuts the part's samples from the bins, so that screen_again sees them. In exact it only puts
+    // Cuts the part's samples from the bins, so that screen sees them. In exact it only puts
     // them into the grid, and subtract is still to do.
     virtual void take_out() { subtract(); }
     virtual bool is_cut_by_take_out() const { return true; }
-    // Queues what must be known before refine can be queued; false: nothing.
-    virtual bool queue_before_refine() { return false; }
     virtual void refine(bool halve) = 0;
 
     // Queues the download of the round's results and flags.
@@ -56,6 +54,11 @@ public:
     virtual std::span<const std::uint32_t> widths() const { return {}; }
     virtual void snapshot(Snapshot& snapshot) = 0;
     virtual void restore(const Snapshot& snapshot) = 0;
+    // Uploads restored candidates, which sort() then sorts. Waits.
+    virtual void put_candidates(std::vector<Candidate>& candidates) {
+        round_.put<Candidate>(round_.memory.located, candidates);
+        round_.queue.wait();
+    }
 
 protected:
     RoundMemory& round_;

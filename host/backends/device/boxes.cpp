@@ -24,19 +24,13 @@ static_assert(sizeof(Rectangle) == 4 * kWord);
 
 }  // namespace
 
-Boxes::Boxes(RoundMemory& round) : round_(round) {
+Boxes::Boxes(RoundMemory& round, std::uint32_t width) : round_(round), width_(width) {
     round_.make_room(round_.memory.bin_begins, round_.geometry.columns + std::uint64_t{1});
-    make_room(0, 0);
-    make_room_to_count(0);
-    are_bins_ = false;
+    make_room_to_scan(round_, 0);
 }
 
-void Boxes::put(std::span<const Rectangle> boxes, std::span<const std::uint32_t> origins,
-                std::uint32_t width) {
-    refinement_.reset();
+void Boxes::put(std::span<const Rectangle> boxes, std::span<const std::uint32_t> origins) {
     count_ = static_cast<std::uint32_t>(boxes.size());
-    width_ = width;
-    are_bins_ = true;
     round_.put_in_room<Rectangle>(round_.memory.boxes, boxes);
     if (has_field()) round_.put_in_room<std::uint32_t>(round_.memory.origins, origins);
     new_boxes_.assign(boxes.begin(), boxes.end());
@@ -70,15 +64,9 @@ void Boxes::find_sizes() {
     }
 }
 
-void Boxes::make_room(std::uint32_t count, std::uint32_t width) {
+void Boxes::make_room(std::uint32_t count) {
     count_ = count;
-    width_ = width;
-    are_bins_ = true;
     round_.make_room(round_.memory.boxes, 4 * std::uint64_t{count});
-}
-
-void Boxes::make_room_to_count(std::uint64_t count) {
-    make_room_to_scan(round_, count);
 }
 
 // ---------------------------------------------------------------------------------- refinements
@@ -98,8 +86,7 @@ std::uint32_t Boxes::expected_pieces(bool halve) const {
 template <typename Kernel>
 void Boxes::launch_over_boxes(std::uint32_t count, std::uint32_t chunk, std::uint64_t work_of_box) {
     const Span own = round_.plan.own_x();
-    const portable::StripArguments arguments{.first_item = 0,
-                                             .chunk = chunk,
+    const portable::StripArguments arguments{.chunk = chunk,
                                              .g = round_.geometry,
                                              .boxes = count_,
                                              .strip_bits = strip_bits(),
@@ -120,7 +107,7 @@ void Boxes::refine(bool halve, std::uint32_t first_recent) {
     // clears new memory page by page.
     const std::uint64_t boxes = std::max<std::uint64_t>(count_, room_for_boxes(round_.plan));
     round_.make_room(m.strip_pieces, 2 * boxes << strip_bits());
-    make_room_to_count(boxes);
+    make_room_to_scan(round_, boxes);
     make_room_for_pieces();
     if (has_field()) {
         round_.make_room(m.borders, halve ? 4 * boxes : 0);
@@ -156,12 +143,10 @@ void Boxes::keep() {
         return;
     }
     launch_over_boxes<kernels::keep>(count_, round_.queue.run_of(count_), kKeepWork);
-    launch<kernels::find_bin_begins>(round_.queue, round_.memory,
-                                     {.first_item = 0,
-                                      .last_pass = kPasses - 1,
-                                      .g = round_.geometry,
-                                      .room = refinement_->room},
-                                     round_.geometry.columns + std::uint64_t{1});
+    launch<kernels::find_bin_begins>(
+        round_.queue, round_.memory,
+        {.last_pass = kPasses - 1, .g = round_.geometry, .room = refinement_->room},
+        round_.geometry.columns + std::uint64_t{1});
 }
 
 void Boxes::start_download() {
@@ -179,24 +164,25 @@ void Boxes::start_download() {
 }
 
 bool Boxes::queue_rest() {
-    if (!refinement_ || total() <= refinement_->room) return false;
-    refinement_->room = total();
+    if (!refinement_ || total_.front() <= refinement_->room) return false;
+    refinement_->room = total_.front();
     make_room_for_pieces();
     keep();
     return true;
 }
 
-void Boxes::end_round() {
-    if (!refinement_) return;
+bool Boxes::end_round() {
+    if (!refinement_) return false;
     Memory& m = round_.memory;
     std::swap(m.boxes, m.new_boxes);
     std::swap(m.origins, m.new_origins);
     if (refinement_->is_halving) width_ /= 2;
     refinement_.reset();
-    count_ = total();
-    if (!has_field()) return;
+    count_ = total_.front();
+    if (!has_field()) return true;
     bin_begins_ = {0, count_};
     find_sizes();
+    return true;
 }
 
 }  // namespace lacuna::device

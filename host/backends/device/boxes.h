@@ -17,10 +17,9 @@ namespace lacuna::device {
 // See Bins for the order of the calls.
 class Boxes {
 public:
-    explicit Boxes(RoundMemory& round);
+    // `width` is 0 where widths differ.
+    Boxes(RoundMemory& round, std::uint32_t width);
 
-    // Whether the boxes are the bins.
-    bool are_bins() const { return are_bins_; }
     // The width of every box; not with a radius field, where widths() has it.
     std::uint32_t width() const { return width_; }
     // The first box of each column of lines, then the number of boxes. With a radius field there is
@@ -31,17 +30,12 @@ public:
     }
     std::span<const std::uint32_t> widths() const { return std::span(widths_).first(count_); }
 
-    // Replaces the boxes; `width` is 0 where widths differ. `origins`: see portable/kernels.h;
-    // empty without a radius field. Waits.
-    void put(std::span<const Rectangle> boxes, std::span<const std::uint32_t> origins,
-             std::uint32_t width);
+    // Replaces the boxes. `origins`: see portable/kernels.h; empty without a radius field. Waits.
+    void put(std::span<const Rectangle> boxes, std::span<const std::uint32_t> origins);
     std::vector<Rectangle> get() const;
 
-    // Makes room for `count` boxes of this width, which a kernel will write.
-    void make_room(std::uint32_t count, std::uint32_t width);
-    // Makes room for the counts of `count` lines or boxes, and for their sums.
-    void make_room_to_count(std::uint64_t count);
-    std::uint32_t total() const { return total_.front(); }  // sum of the last counts
+    // Makes room for `count` boxes, which a kernel will write.
+    void make_room(std::uint32_t count);
 
     // Queues the cut: boxes are halved first where `halve` is set. With neighbour lists, only
     // samples from entry `first_recent` onwards cut the boxes, which the earlier ones have cut
@@ -51,7 +45,8 @@ public:
     void start_download();
     // True where there were more pieces than room: they are written again.
     bool queue_rest();
-    void end_round();
+    // Returns whether there was a refinement.
+    bool end_round();
 
 private:
     // A refinement that has been queued.
@@ -72,8 +67,7 @@ private:
     void find_sizes();
 
     RoundMemory& round_;
-    bool are_bins_ = false;
-    std::uint32_t width_ = 0;
+    std::uint32_t width_;
     std::uint32_t count_ = 0;
     std::vector<std::uint32_t> bin_begins_;
     std::vector<std::uint32_t> free_lengths_;
@@ -81,7 +75,7 @@ private:
     std::vector<Rectangle> new_boxes_;   // with a radius field, as downloaded
 
     std::optional<Refinement> refinement_;
-    std::array<std::uint32_t, 1> total_{};
+    std::array<std::uint32_t, 1> total_{};  // pieces of all boxes
 };
 
 }  // namespace lacuna::device

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -36,54 +37,42 @@ public:
         finish();
         const auto count = static_cast<std::uint32_t>(draws.size());
         round_.upload(draws, bins_->begins(), bins_->part_limits(count));
-        for_parts([&] {
+        for_parts([&](std::uint32_t) {
             bins_->locate(round_.draws_of_part());
             bins_->sort();
         });
-        ends_with_ = End::none;
-        has_statuses_ = are_out_ = false;
-        settle_later();
+        queue_->wait();
+        stage_ = Stage::located;
     }
 
     // Part by part: each part's samples are taken out of the bins before the next part.
     void admit() override {
-        bins_->screen();
-        const bool had_statuses = has_statuses_;
+        expect(stage_ == Stage::located);
+        if (round_.plan.is_exact()) bins_->screen({0, round_.draw_count}, STATUS_COVERED);
         std::vector<bool> is_done(round_.parts(), false);
         for (std::uint32_t part = 0; part < round_.parts(); ++part) {
             if (is_done[part]) continue;
-            if (part > 0) take_out();
+            if (part > 0) end_part([&] { bins_->take_out(); });
             if (round_.parts() > 1) open_part(part);
             if (part > 0) screen_again(part, is_done);
-            if (is_done[part]) continue;
-            has_statuses_ = had_statuses;
-            queue_passes();
+            if (!is_done[part]) queue_passes();
         }
-        are_out_ = true;
-        settle_later();
+        queue_->wait();
+        stage_ = Stage::admitted;
     }
 
     void subtract() override {
-        if (!are_out_ || !bins_->is_cut_by_take_out()) end_parts(End::subtract);
-        ends_with_ = End::subtract;
-        queue_end();
-        settle_later();
+        if (stage_ == Stage::located || !bins_->is_cut_by_take_out())
+            end_earlier_parts([&] { bins_->subtract(); });
+        end_round(Stage::subtracted);
     }
 
     void refine(bool halve) override {
-        if (!are_out_) end_parts(End::take_out);
-        if (bins_->queue_before_refine()) {
-            is_open_ = true;
-            finish();
-        }
-        ends_with_ = End::refine;
-        halves_ = halve;
-        queue_end();
-        settle_later();
+        if (stage_ == Stage::located) end_earlier_parts([&] { bins_->take_out(); });
+        end_round(halve ? Stage::halved : Stage::refined);
     }
 
     Round finish_round() override {
-        is_open_ = true;
         finish();
         const std::uint64_t survivors = take_admitted(round_.by_order, samples_);
         if (round_.plan.tells_orders) find_orders();
@@ -91,7 +80,7 @@ public:
                 bins_->widths(), orders_,   bins_->begins()};
     }
     std::vector<Candidate> located() override {
-        finish();
+        settle(false);
         return round_.candidates();
     }
 
@@ -107,15 +96,29 @@ public:
         finish();
         bins_->restore(snapshot);
         const auto count = static_cast<std::uint32_t>(snapshot.candidates.size());
-        round_.restore_candidates(snapshot, bins_->part_limits(count));
-        for_parts([&] { bins_->sort(); });  // which makes the buckets
+        std::vector<Candidate> candidates =
+            round_.restored_candidates(snapshot, bins_->part_limits(count));
+        bins_->put_candidates(candidates);
+        for_parts([&](std::uint32_t) { bins_->sort(); });  // which makes the buckets
         round_.restore_statuses(snapshot);
-        ends_with_ = End::none;
-        has_statuses_ = true;
-        are_out_ = false;
+        stage_ = Stage::located;
     }
 
 private:
+    // What is queued of a round, and so which verbs may follow.
+    enum class Stage {
+        none,        // nothing: locate and restore begin a round
+        located,     // candidates: admit, or the verb that ends the round if restore decided them
+        admitted,    // passes over all parts, of which all but the last are taken out of the bins
+        subtracted,  // one of three verbs that end the round: finish_round
+        refined,
+        halved,
+    };
+
+    static void expect(bool may_follow) {
+        if (!may_follow) throw std::logic_error("this verb may not follow what is queued");
+    }
+
     std::unique_ptr<Bins> make_bins(const Tuning& tuning) {
         if (round_.plan.has_field()) return make_field_boxes(round_);
         return round_.plan.is_cells() ? make_lattice(round_, tuning) : make_spans(round_, tuning);
@@ -128,8 +131,6 @@ private:
             if (round_.by_order[order].x != NO_SAMPLE) orders_.push_back(order);
     }
 
-    enum class End { none, take_out, subtract, refine };  // how a part or the round ends
-
     void open_part(std::uint32_t part) {
         if (round_.parts() > 1) queue_->wait();
         round_.open_part(part);
@@ -140,69 +141,76 @@ private:
     void for_parts(Work work) {
         for (std::uint32_t part = 0; part < round_.parts(); ++part) {
             open_part(part);
-            work();
+            work(part);
         }
     }
 
-    // Ends the open part, after its draws are decided.
-    void end_part(End with) {
-        ends_with_ = with;
+    // Ends the open part, after its draws are decided. On the device `queue_end` does nothing
+    // before.
+    template <typename QueueEnd>
+    void end_part(QueueEnd queue_end) {
         queue_end();
-        settle(false);
-        ends_with_ = End::none;
+        settle(false, queue_end);
     }
-    void take_out() { end_part(End::take_out); }
-    // If there are several parts, ends all. Ending the last one once more then does nothing.
-    void end_parts(End with) {
+
+    // Leaves the last part open.
+    template <typename QueueEnd>
+    void end_earlier_parts(QueueEnd queue_end) {
         if (round_.parts() == 1) return;
-        if (is_open_) settle(false);
-        for_parts([&] { end_part(with); });
+        settle(false);
+        for_parts([&](std::uint32_t part) {
+            if (part + 1 < round_.parts()) end_part(queue_end);
+        });
+    }
+
+    void end_round(Stage stage) {
+        expect(stage_ == Stage::located || stage_ == Stage::admitted);
+        stage_ = stage;
+        queue_end_of_round();
+        queue_->wait();
+    }
+
+    // Does nothing on the device while a draw is undecided.
+    void queue_end_of_round() {
+        if (stage_ == Stage::subtracted) bins_->subtract();
+        if (stage_ == Stage::refined || stage_ == Stage::halved)
+            bins_->refine(stage_ == Stage::halved);
     }
 
     // Screens the open part, and now and then all later parts too: after the first few, most have
     // no undecided draw and are done.
     void screen_again(std::uint32_t part, std::vector<bool>& is_done) {
-        if (!std::has_single_bit(part)) return bins_->screen_again(round_.part.end);
-        bins_->screen_again(round_.draw_count);
-        round_.find_done(part, is_done);
+        const bool is_for_all = std::has_single_bit(part);
+        bins_->screen({round_.part.begin, is_for_all ? round_.draw_count : round_.part.end},
+                      STATUS_REJECTED);
+        if (is_for_all) round_.find_done(part, is_done);
     }
 
-    // Passes after the first kPasses go on with the draws still undecided.
     void queue_passes() {
-        if (has_statuses_) round_.begin_more_passes();
-        for (std::uint32_t pass = has_statuses_ ? 1 : 0; pass < kPasses; ++pass) bins_->admit(pass);
-        has_statuses_ = true;
+        for (std::uint32_t pass = 0; pass < kPasses; ++pass) bins_->admit(pass);
     }
 
-    // On the device this does nothing while a draw is undecided.
-    void queue_end() {
-        if (ends_with_ == End::take_out) bins_->take_out();
-        if (ends_with_ == End::subtract) bins_->subtract();
-        if (ends_with_ == End::refine) bins_->refine(halves_);
-    }
-
-    // The result of the queued work must be checked at the end of the round.
-    void settle_later() {
-        is_open_ = true;
-        queue_->wait();
-    }
-
-    // Waits for the verbs, and queues what they still need: passes, room, samples left over.
+    // Completes the round.
     void finish() {
-        if (!is_open_) return;
+        if (stage_ == Stage::none) return;
         settle(true);
         bins_->end_round();
-        is_open_ = false;
-        ends_with_ = End::none;
+        stage_ = Stage::none;
     }
 
+    // Waits for what is queued, and queues what it still needs: passes, room, samples left over.
     void settle(bool with_samples) {
+        settle(with_samples, [&] { queue_end_of_round(); });
+    }
+    template <typename QueueEnd>
+    void settle(bool with_samples, QueueEnd queue_end) {
         while (true) {
             round_.start_download(with_samples);
             bins_->start_download();
             queue_->wait();
             round_.throw_if_failed();
             if (round_.is_unsettled()) {
+                round_.begin_more_passes();
                 queue_passes();
                 queue_end();
             } else if (!bins_->queue_rest()) {
@@ -217,11 +225,7 @@ private:
     std::unique_ptr<Bins> bins_;
     std::vector<Sample> samples_;
     std::vector<std::uint32_t> orders_;  // with plan.tells_orders
-    bool is_open_ = false;               // some verb's result is unchecked
-    bool has_statuses_ = false;          // some passes have been made
-    bool are_out_ = false;               // samples of all parts except the open one
-    End ends_with_ = End::none;
-    bool halves_ = false;
+    Stage stage_ = Stage::none;
 };
 
 }  // namespace

@@ -10,10 +10,10 @@
 #include "backends/device/boxes.h"
 #include "backends/device/field_tables.h"
 #include "backends/device/neighbour_lists.h"
+#include "backends/field_snapshot.h"
 #include "plan/first_boxes.h"
 #include "plan/radius_field.h"
 #include "portable/radius_field.h"
-#include "portable/status.h"
 
 namespace lacuna::device {
 namespace {
@@ -25,11 +25,10 @@ constexpr std::uint64_t kListScreenWork = 2;
 class FieldBoxes : public Bins {
 public:
     explicit FieldBoxes(RoundMemory& round)
-        : Bins(round), first_(*round.plan.field().first_boxes), boxes_(round), lists_(round) {
+        : Bins(round), first_(*round.plan.field().first_boxes), boxes_(round, 0), lists_(round) {
         make_tables();
         put_first_boxes();
         find_disk_areas();
-        lists_.enlist_kept();
     }
 
     std::span<const std::uint32_t> begins() const override { return boxes_.begins(); }
@@ -50,30 +49,16 @@ public:
     }
     void sort() override {}
 
-    // Serves all parts at once: no sample of the round is in a list yet.
-    void screen() override {
-        portable::DrawArguments arguments = round_.arguments();
-        arguments.status = STATUS_COVERED;
-        arguments.first = 0;
-        arguments.count = round_.draw_count;
-        arguments.is_listed = lists_.has_survivors() ? 1 : 0;
-        lists_.begin_survivors();
-        round_.launch_over_draws<kernels::screen_with_field>(arguments, kListScreenWork);
-    }
-    void screen_again(std::uint32_t end) override {
-        portable::DrawArguments arguments = round_.arguments();
-        arguments.status = STATUS_REJECTED;
-        arguments.count = end;
-        round_.launch_over_draws<kernels::screen_with_field>(arguments, kListScreenWork);
+    void screen(Range draws, std::uint32_t status) override {
+        const bool is_listed = round_.parts() == 1;
+        if (is_listed) lists_.begin_survivors();
+        round_.screen<kernels::screen_with_field>(draws, status, kListScreenWork, is_listed);
     }
 
     void admit(std::uint32_t pass) override {
-        if (!lists_.has_visitors()) lists_.list_visitors();
-        portable::DrawArguments arguments = round_.arguments();
-        arguments.pass = pass;
-        arguments.chunk = round_.chunk_of_admit(round_.queue.run_of(round_.part_count()));
-        round_.launch_over_draws<kernels::admit_with_field>(arguments,
-                                                            RoundMemory::admit_work(pass));
+        lists_.list_visitors();
+        round_.admit<kernels::admit_with_field>(round_.arguments(), pass,
+                                                round_.queue.run_of(round_.part_count()));
     }
 
     void subtract() override { throw std::logic_error("with a radius field every round refines"); }
@@ -82,7 +67,6 @@ public:
     // Halves are cut by all samples in their lists; boxes that are not halved only by the round's.
     void refine(bool halve) override {
         take_out();
-        is_refining_ = true;
         boxes_.refine(halve, halve ? 0 : lists_.first_recent());
     }
 
@@ -92,17 +76,35 @@ public:
     }
     bool queue_rest() override { return boxes_.queue_rest(); }
     void end_round() override {
-        boxes_.end_round();
-        if (is_refining_) lists_.end_round();
-        is_refining_ = false;
+        if (boxes_.end_round()) lists_.end_round();
     }
 
     std::span<const std::uint32_t> free_lengths() const override { return boxes_.free_lengths(); }
     std::uint32_t width() const override { return round_.plan.strip_width; }
     std::span<const std::uint32_t> widths() const override { return boxes_.widths(); }
 
-    void snapshot(Snapshot&) override { throw std::logic_error("no test looks into a field"); }
-    void restore(const Snapshot&) override { throw std::logic_error("no test restores a field"); }
+    void snapshot(Snapshot& snapshot) override {
+        snapshot.rectangles = boxes_.get();
+        snapshot.samples = lists_.get();
+        sort_for_snapshot(snapshot.samples);
+    }
+    void restore(const Snapshot& snapshot) override {
+        std::vector<std::uint32_t> origins;
+        for (const Rectangle& box : snapshot.rectangles)
+            append_origin(box, block_at(first_, box.x, box.begin), origins);
+        boxes_.put(snapshot.rectangles, origins);
+        lists_.put(with_radii(round_.plan, snapshot.samples));
+        lists_.end_round();  // the boxes are what the samples left
+    }
+    void put_candidates(std::vector<Candidate>& candidates) override {
+        std::vector<std::uint32_t> radii;
+        for (Candidate& candidate : candidates) {
+            candidate.line = block_at(first_, candidate.x, candidate.y);
+            radii.push_back(round_.plan.field().radius_field->radius_at(candidate.x, candidate.y));
+        }
+        round_.put_in_room<std::uint32_t>(round_.memory.candidate_radii, radii);
+        round_.put_in_room<Candidate>(round_.memory.candidates, candidates);
+    }
 
 private:
     void make_tables() {
@@ -129,17 +131,21 @@ private:
         const auto count = static_cast<std::uint32_t>(first_.boxes.size());
         origins.reserve(2 * std::size_t{count});
         first_.for_each_box(0, count, [&](std::uint32_t box, std::uint32_t block) {
-            origins.insert(origins.end(), {block, first_radius(box, block)});
+            append_origin(first_.boxes[box], block, origins);
         });
-        boxes_.put(first_.boxes, origins, 0);
+        boxes_.put(first_.boxes, origins);
     }
 
-    // The least radius under a first box, in the form of portable/kernels.h.
-    std::uint32_t first_radius(std::uint32_t box, std::uint32_t block) const {
+    // The block of a box, and the least radius under it in the form of portable/kernels.h.
+    void append_origin(const Rectangle& box, std::uint32_t block,
+                       std::vector<std::uint32_t>& origins) const {
         const std::uint32_t even_radius = first_.blocks[block].even_radius;
-        if (even_radius != 0) return even_radius | IS_EVEN;
-        const Under under = round_.plan.field().radius_field->under(first_.boxes[box]);
-        return under.least | (under.is_even ? IS_EVEN : 0);
+        std::uint32_t radius = even_radius | IS_EVEN;
+        if (even_radius == 0) {
+            const Under under = round_.plan.field().radius_field->under(box);
+            radius = under.least | (under.is_even ? IS_EVEN : 0);
+        }
+        origins.insert(origins.end(), {block, radius});
     }
 
     void find_disk_areas() {
@@ -161,7 +167,6 @@ private:
     const FirstBoxes& first_;
     Boxes boxes_;
     NeighbourLists lists_;
-    bool is_refining_ = false;  // until end_round
     // The fraction of the domain that a candidate's disk covers: on average, and at most.
     double mean_disk_area_ = 0;
     double widest_disk_area_ = 0;

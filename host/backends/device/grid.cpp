@@ -20,19 +20,8 @@ Grid::Grid(RoundMemory& round) : round_(round) {
     }
 }
 
-void Grid::screen() {
-    portable::DrawArguments arguments = round_.arguments();
-    arguments.status = STATUS_COVERED;
-    arguments.first = 0;
-    arguments.count = round_.draw_count;
-    round_.launch_over_draws<kernels::screen>(arguments, kGridScreenWork);
-}
-
-void Grid::screen_again(std::uint32_t end) {
-    portable::DrawArguments arguments = round_.arguments();
-    arguments.status = STATUS_REJECTED;
-    arguments.count = end;
-    round_.launch_over_draws<kernels::screen>(arguments, kGridScreenWork);
+void Grid::screen(Range draws, std::uint32_t status) {
+    round_.screen<kernels::screen>(draws, status, kGridScreenWork);
 }
 
 void Grid::insert() {

@@ -12,10 +12,8 @@ class Grid {
 public:
     explicit Grid(RoundMemory& round);
 
-    // Queues the search for the round's candidates that samples of earlier rounds cover.
-    void screen();
-    // The same for samples of earlier parts: candidates from the open part's begin to `end`.
-    void screen_again(std::uint32_t end);
+    // Queues the search for candidates that samples in the grid cover, see Bins.
+    void screen(Range draws, std::uint32_t status);
     // Queues putting the part's samples into the grid.
     void insert();
 

@@ -71,18 +71,17 @@ public:
         for (Buffer* const one : {&m.candidate_radii, &m.todo, &m.left})
             round_.make_room(*one, round_.draw_count);
         round_.queue.fill(m.left_count, 0, 1);
-        is_subtracting_ = false;
     }
 
     void locate(std::span<const Draw>) override {
-        portable::SlabArguments arguments{};
-        arguments.chunk = chunk_of(words_);  // a draw may walk the whole line
-        arguments.g = round_.geometry;
-        arguments.first_draw = round_.part.begin;
-        arguments.end_draw = round_.part.end;
-        launch<kernels::locate_in_cells>(round_.queue, round_.memory, arguments,
-                                         items_of(round_.part_count(), arguments.chunk),
-                                         arguments.chunk * (words_ / kWordsPerWork + 1));
+        const std::uint32_t chunk = chunk_of(words_);  // a draw may walk the whole line
+        launch<kernels::locate_in_cells>(round_.queue, round_.memory,
+                                         {.chunk = chunk,
+                                          .g = round_.geometry,
+                                          .first_draw = round_.part.begin,
+                                          .end_draw = round_.part.end},
+                                         items_of(round_.part_count(), chunk),
+                                         chunk * (words_ / kWordsPerWork + 1));
     }
 
     void sort() override {
@@ -90,10 +89,8 @@ public:
         round_.launch_over_draws<kernels::look_up_radii>(arguments_of(), 1);
     }
 
-    void screen_again(std::uint32_t end) override {
-        portable::DrawArguments arguments = round_.arguments();
-        arguments.count = end;
-        round_.launch_over_draws<kernels::screen_in_cells>(arguments, 1);
+    void screen(Range draws, std::uint32_t status) override {
+        round_.screen<kernels::screen_in_cells>(draws, status, 1);
     }
 
     void admit(std::uint32_t pass) override {
@@ -101,14 +98,11 @@ public:
         constexpr double kTurnsOfColumn = 4;
         const double near = kTurnsOfColumn * share_of_lines_ * round_.geometry.columns +
                             share_ * round_.part_count();
-        portable::DrawArguments arguments = arguments_of();
-        arguments.pass = pass;
-        arguments.chunk = round_.chunk_of_admit(chunk_of(static_cast<std::uint64_t>(near) + 16));
-        round_.launch_over_draws<kernels::admit_in_cells>(arguments, RoundMemory::admit_work(pass));
+        round_.admit<kernels::admit_in_cells>(arguments_of(), pass,
+                                              chunk_of(static_cast<std::uint64_t>(near) + 16));
     }
 
     void subtract() override {
-        is_subtracting_ = true;
         served_reach_ = short_reach_;
         queue_cuts(round_.part_count(), false, mean_reach_);
     }
@@ -122,7 +116,7 @@ public:
 
     // Serves the samples of longer reach later, twice as far at a time.
     bool queue_rest() override {
-        if (!is_subtracting_ || left_.front() == 0) return false;
+        if (left_.front() == 0) return false;
         std::swap(round_.memory.todo, round_.memory.left);
         served_reach_ = std::min(2 * served_reach_, widest_);
         queue_cuts(left_.front(), true, served_reach_);
@@ -259,7 +253,6 @@ private:
     double share_of_lines_ = 0;  // of the lattice's lines, within widest_
     double share_ = 0;
     double mean_disk_area_ = 0;
-    bool is_subtracting_ = false;
 };
 
 }  // namespace

@@ -26,23 +26,21 @@ std::vector<Slab> share_out(std::uint32_t lines, std::uint32_t capacity,
 }
 
 portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uint32_t capacity) {
-    portable::Geometry geometry{};
-    geometry.radius_squared = plan.radius_squared;
-    geometry.radius = plan.radius;
-    geometry.width = plan.width;
-    geometry.height = plan.height;
-    geometry.period_x = plan.period_x;
-    geometry.period_y = plan.period_y;
-    geometry.lines = plan.lines;
-    geometry.strip_width = plan.strip_width;
-    geometry.columns = columns;
-    geometry.capacity = capacity;
-    geometry.is_exact = plan.is_exact() ? 1 : 0;
-    geometry.chord_margin = plan.chord_margin();
-    geometry.grid_side = plan.grid().side;
-    geometry.grid_columns = plan.grid().columns;
-    geometry.grid_rows = plan.grid().rows;
-    return geometry;
+    return {.radius_squared = plan.radius_squared,
+            .radius = plan.radius,
+            .width = plan.width,
+            .height = plan.height,
+            .period_x = plan.period_x,
+            .period_y = plan.period_y,
+            .lines = plan.lines,
+            .strip_width = plan.strip_width,
+            .columns = columns,
+            .capacity = capacity,
+            .is_exact = plan.is_exact() ? 1u : 0u,
+            .chord_margin = plan.chord_margin(),
+            .grid_side = plan.grid().side,
+            .grid_columns = plan.grid().columns,
+            .grid_rows = plan.grid().rows};
 }
 
 Range draws_of(const Slab& slab, std::span<const Draw> draws) {

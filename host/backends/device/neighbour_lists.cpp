@@ -27,15 +27,13 @@ NeighbourLists::NeighbourLists(RoundMemory& round)
     make_tree();
     Memory& m = round_.memory;
     round_.make_room(m.lists, blocks());
-    round_.queue.fill(m.lists, NO_SAMPLE, blocks());
     round_.make_room(m.entries, 4 * room_for_entries(round_.plan));
     round_.make_room(m.entry_count, 1);
-    round_.queue.fill(m.entry_count, 0, 1);
     round_.make_room(m.visitor_heads, blocks());
     round_.make_room(m.visitor_count, 1);
     round_.make_room(m.survivors, 1);
     round_.make_room(m.survivor_count, 1);
-    round_.queue.wait();
+    put(round_.plan.field().kept);
 }
 
 void NeighbourLists::make_tree() {
@@ -55,25 +53,27 @@ void NeighbourLists::make_tree() {
     round_.queue.wait();
 }
 
-void NeighbourLists::enlist_kept() {
-    const std::vector<Sized>& kept = round_.plan.field().kept;
-    const auto count = static_cast<std::uint32_t>(kept.size());
-    if (count == 0) return;
+void NeighbourLists::put(std::span<const Sized> samples) {
+    Memory& m = round_.memory;
+    round_.queue.fill(m.lists, NO_SAMPLE, blocks());
+    round_.queue.fill(m.entry_count, 0, 1);
+    entry_count_.front() = first_recent_ = 0;
+    const auto count = static_cast<std::uint32_t>(samples.size());
+    if (count == 0) return round_.queue.wait();
     std::vector<Candidate> candidates;
     std::vector<std::uint32_t> radii;
     for (std::uint32_t i = 0; i < count; ++i) {
-        candidates.push_back({kept[i].x, kept[i].y, NO_SAMPLE, i});
-        radii.push_back(kept[i].radius);
+        candidates.push_back({samples[i].x, samples[i].y, NO_SAMPLE, i});
+        radii.push_back(samples[i].radius);
     }
     const std::vector<std::uint32_t> statuses(count, STATUS_ADMITTED);
-    Memory& m = round_.memory;
     round_.put_in_room<Candidate>(m.candidates, candidates);
     round_.put_in_room<std::uint32_t>(m.candidate_radii, radii);
     round_.put_in_room<std::uint32_t>(m.statuses, statuses);
     round_.queue.fill(m.failure, 0, 1);
     round_.queue.fill(m.undecided, 0, kPasses);
     round_.part = {0, count};
-    list_visitors();
+    begin_part();
     enlist();
     start_download();
     round_.start_download(false);
@@ -81,13 +81,23 @@ void NeighbourLists::enlist_kept() {
     round_.throw_if_failed();
 }
 
+std::vector<Sample> NeighbourLists::get() const {
+    std::vector<Candidate> entries(entry_count_.front());  // as wide as an entry
+    round_.get<Candidate>(round_.memory.entries, entries);
+    round_.queue.wait();
+    std::vector<Sample> samples;
+    for (const Candidate& entry : entries) samples.push_back({entry.x, entry.y});
+    return samples;
+}
+
 void NeighbourLists::begin_survivors() {
-    if (!has_survivors()) return;
     round_.make_room(round_.memory.survivors, round_.draw_count);
     round_.queue.fill(round_.memory.survivor_count, 0, 1);
+    listed_ = Listed::survivors;
 }
 
 void NeighbourLists::list_visitors() {
+    if (listed_ == Listed::visitors) return;
     Memory& m = round_.memory;
     std::array<std::uint32_t, 1> visitors{};
     std::uint64_t room = kVisitsPerDraw * round_.part_count();
@@ -98,13 +108,13 @@ void NeighbourLists::list_visitors() {
         round_.queue.fill(m.visitor_count, 0, 1);
         portable::DrawArguments arguments = round_.arguments();
         arguments.room = static_cast<std::uint32_t>(room);
-        arguments.is_listed = has_survivors() ? 1 : 0;
+        arguments.is_listed = listed_ == Listed::survivors ? 1 : 0;
         round_.launch_over_draws<kernels::reach>(arguments, kReachWork);
         round_.get<std::uint32_t>(m.visitor_count, visitors);
         round_.queue.wait();
     } while (visitors.front() > room);
     make_room_for_entries(std::uint64_t{entry_count_.front()} + visitors.front());
-    has_visitors_ = true;
+    listed_ = Listed::visitors;
 }
 
 // Keeps the entries. Makes room for half as many again, if the device allows it.
@@ -121,7 +131,7 @@ void NeighbourLists::make_room_for_entries(std::uint64_t count) {
 }
 
 void NeighbourLists::enlist() {
-    if (!has_visitors_) return;
+    list_visitors();
     portable::DrawArguments arguments = round_.arguments();
     arguments.count = blocks();
     arguments.chunk = round_.queue.chunk_of(arguments.count);

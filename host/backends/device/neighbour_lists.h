@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "backends/device/round_memory.h"
 #include "plan/first_boxes.h"
@@ -15,18 +17,20 @@ class NeighbourLists {
 public:
     explicit NeighbourLists(RoundMemory& round);
 
-    // Lists the kept samples, as if they were the admitted candidates of a round.
-    void enlist_kept();
+    // Replaces the samples in the lists: lists these, as if they were a round's admitted
+    // candidates. Waits.
+    void put(std::span<const Sized> samples);
+    // All samples; some are in several lists. Waits.
+    std::vector<Sample> get() const;
 
-    void begin_part() { has_visitors_ = false; }
-    // If the round has one part, screen lists the survivors, and reach serves only these.
-    bool has_survivors() const { return round_.parts() == 1; }
+    void begin_part() { listed_ = Listed::none; }
+    // Queues that screen lists the survivors of the round's only part: reach then serves these.
     void begin_survivors();
-    bool has_visitors() const { return has_visitors_; }
     // Lists the part's candidates for the blocks that they reach, which makes them visitors there,
-    // and makes room for them in the lists of samples. Waits in between.
+    // and makes room for them in the lists of samples. Waits in between. The first call does it for
+    // the part.
     void list_visitors();
-    // Queues adding the admitted visitors to the lists. A part without open candidates has none.
+    // Queues adding the admitted visitors to the lists.
     void enlist();
 
     void start_download();
@@ -35,6 +39,8 @@ public:
     void end_round() { first_recent_ = entry_count_.front(); }
 
 private:
+    enum class Listed { none, survivors, visitors };  // of the open part
+
     std::uint32_t blocks() const { return first_.block_count(); }
     void make_tree();
     void make_room_for_entries(std::uint64_t count);
@@ -43,7 +49,7 @@ private:
     const FirstBoxes& first_;
     std::array<std::uint32_t, 1> entry_count_{};
     std::uint32_t first_recent_ = 0;
-    bool has_visitors_ = false;
+    Listed listed_ = Listed::none;
 };
 
 }  // namespace lacuna::device

@@ -1,13 +1,12 @@
 // The parts of a round whose draws crowd.
 #include "backends/device/parts.h"
 
+#include "backends/columns.h"
 #include "backends/device/queue.h"
 
 namespace lacuna::device {
 
 PartLimits limits_by_area(std::uint32_t count, double mean_disk_area, double widest_disk_area) {
-    constexpr double kMostRivals = 64;
-    constexpr std::uint32_t kFewDraws = 1024;  // compared all with all
     PartLimits limits;
     const double most = std::max<double>(kFewDraws, kMostTurns / widest_disk_area);
     if (count > most) limits.most = static_cast<std::uint32_t>(most);

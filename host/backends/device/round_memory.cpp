@@ -89,14 +89,12 @@ void RoundMemory::open_part(std::uint32_t number) {
 }
 
 void RoundMemory::sort() {
-    launch<kernels::sort_columns>(
-        queue, memory, {.first_item = 0, .last_pass = kPasses - 1, .g = geometry, .room = 0},
-        geometry.columns, kSortWork * draws_per_column());
+    launch<kernels::sort_columns>(queue, memory, {.last_pass = kPasses - 1, .g = geometry},
+                                  geometry.columns, kSortWork * draws_per_column());
 }
 
 void RoundMemory::begin_more_passes() {
     queue.fill(memory.undecided, 0, kPasses);
-    queue.fill(memory.undecided, 1, 1);
     has_more_passes_ = true;
 }
 
@@ -128,13 +126,11 @@ void RoundMemory::throw_if_failed() const {
 }
 
 portable::DrawArguments RoundMemory::arguments() const {
-    portable::DrawArguments arguments{};
-    arguments.chunk = queue.chunk_of(part_count());
-    arguments.g = geometry;
-    arguments.first = part.begin;
-    arguments.count = part.end;
-    arguments.last_pass = kPasses - 1;
-    return arguments;
+    return {.chunk = queue.chunk_of(part_count()),
+            .g = geometry,
+            .first = part.begin,
+            .count = part.end,
+            .last_pass = kPasses - 1};
 }
 
 std::vector<Candidate> RoundMemory::candidates() {
@@ -150,7 +146,7 @@ void RoundMemory::snapshot(Snapshot& snapshot) {
     snapshot.statuses.resize(draw_count);
     get<std::uint32_t>(memory.statuses, snapshot.statuses);
     queue.wait();
-    if (parts() > 1) merge_parts(snapshot);
+    if (parts() > 1 || plan.has_field()) merge_parts(snapshot);
 }
 
 void RoundMemory::merge_parts(Snapshot& snapshot) const {
@@ -159,6 +155,7 @@ void RoundMemory::merge_parts(Snapshot& snapshot) const {
     std::iota(all.begin(), all.end(), 0);
     const auto key = [&](std::uint32_t i) {
         const Candidate& candidate = by_part.candidates[i];
+        if (plan.has_field()) return std::tuple(0u, 0u, candidate.order);
         return std::tuple(portable::column_of_line(candidate.line, plan.lines, geometry.columns),
                           candidate.y, candidate.order);
     };
@@ -167,18 +164,19 @@ void RoundMemory::merge_parts(Snapshot& snapshot) const {
     for (std::uint32_t i = 0; i < draw_count; ++i) {
         snapshot.candidates[i] = by_part.candidates[all[i]];
         snapshot.statuses[i] = by_part.statuses[all[i]];
+        if (plan.has_field()) snapshot.candidates[i].line = 0;
     }
 }
 
-void RoundMemory::restore_candidates(const Snapshot& snapshot, PartLimits limits) {
+std::vector<Candidate> RoundMemory::restored_candidates(const Snapshot& snapshot,
+                                                        PartLimits limits) {
     find_column_begins(plan, geometry.columns, snapshot.candidates, column_begins);
     arrangement_ = arrange(std::span(snapshot.candidates), column_begins, limits);
     begin(static_cast<std::uint32_t>(snapshot.candidates.size()));
     std::vector<Candidate> candidates = snapshot.candidates;
     for (std::size_t i = 0; i < arrangement_.origins.size(); ++i)
         candidates[i] = snapshot.candidates[arrangement_.origins[i]];
-    put<Candidate>(memory.located, candidates);
-    queue.wait();
+    return candidates;
 }
 
 void RoundMemory::restore_statuses(const Snapshot& snapshot) {

@@ -41,14 +41,10 @@ struct RoundMemory {
     }
     // Sorts the part's located candidates by column and y.
     void sort();
-    // For passes after the first kPasses: all passes except the last count as done. Then an item of
-    // admit serves one candidate. If draws crowd, an item with a longer chunk leaves some of them
-    // to the next pass (bodies/common/admit.h), and the others might wait for one that it never
-    // comes to.
+    // Before passes after the first kPasses. Then an item of admit serves one candidate. If draws
+    // crowd, an item with a longer chunk leaves some of them to the next pass
+    // (bodies/common/admit.h), and the others might wait for one that it never comes to.
     void begin_more_passes();
-    std::uint32_t chunk_of_admit(std::uint32_t chunk) const { return has_more_passes_ ? 1 : chunk; }
-    // Work of a draw, see Queue::launch: the first pass looks at all draws, the others at few.
-    static std::uint64_t admit_work(std::uint32_t pass) { return pass == 0 ? 6 : 1; }
 
     // Queues the download of flags which say, after the wait, whether the passes have decided all
     // draws; and of by_order. throw_if_failed throws DeviceError if a kernel could not finish.
@@ -63,6 +59,24 @@ struct RoundMemory {
         launch<Kernel>(queue, memory, arguments,
                        items_of(arguments.count - arguments.first, arguments.chunk),
                        work_of_draw * arguments.chunk);
+    }
+    // A pass of admit; its first one looks at all draws, the others at few.
+    template <typename Kernel>
+    void admit(portable::DrawArguments arguments, std::uint32_t pass, std::uint32_t chunk) {
+        arguments.pass = pass;
+        arguments.chunk = has_more_passes_ ? 1 : chunk;
+        launch_over_draws<Kernel>(arguments, pass == 0 ? 6 : 1);
+    }
+    // Screens these draws, see Bins.
+    template <typename Kernel>
+    void screen(Range draws, std::uint32_t status, std::uint64_t work_of_draw,
+                bool is_listed = false) {
+        portable::DrawArguments screening = arguments();
+        screening.first = draws.begin;
+        screening.count = draws.end;
+        screening.status = status;
+        screening.is_listed = is_listed ? 1 : 0;
+        launch_over_draws<Kernel>(screening, work_of_draw);
     }
     // The number of draws of the part; and of one of its columns on average, rounded up.
     std::uint32_t part_count() const { return part.end - part.begin; }
@@ -95,8 +109,8 @@ struct RoundMemory {
     std::vector<Candidate> candidates();
 
     void snapshot(Snapshot& snapshot);
-    // The candidates, part by part, to be sorted; then their statuses.
-    void restore_candidates(const Snapshot& snapshot, PartLimits limits);
+    // Begins a round with the candidates, part by part; once they are sorted, sets their statuses.
+    std::vector<Candidate> restored_candidates(const Snapshot& snapshot, PartLimits limits);
     void restore_statuses(const Snapshot& snapshot);
 
     const Plan& plan;
@@ -110,7 +124,7 @@ struct RoundMemory {
 
 private:
     void begin(std::uint32_t count);
-    // Sorts the candidates as if the round had one part.
+    // Sorts the candidates as if the round had one part; with a radius field by order.
     void merge_parts(Snapshot& snapshot) const;
 
     Arrangement arrangement_;

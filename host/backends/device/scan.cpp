@@ -30,13 +30,13 @@ void scan(RoundMemory& round, std::uint32_t count) {
     const std::uint32_t block = std::uint32_t{1} << block_bits_of_scan(count);
     const auto blocks = static_cast<std::uint32_t>(items_of(count, block));
     round.queue.fill(round.memory.total, 0, 1);
-    launch<kernels::scan>(round.queue, round.memory, {0, count, block}, blocks,
+    launch<kernels::scan>(round.queue, round.memory, {.count = count, .block = block}, blocks,
                           block * kScanWork / 8);
     Memory memory = round.memory;
     memory.counts = memory.sums;
     memory.sums = memory.total;
-    launch<kernels::scan>(round.queue, memory, {0, blocks, blocks}, std::min(blocks, 1u),
-                          blocks * kScanWork / 8);
+    launch<kernels::scan>(round.queue, memory, {.count = blocks, .block = blocks},
+                          std::min(blocks, 1u), blocks * kScanWork / 8);
 }
 
 }  // namespace lacuna::device

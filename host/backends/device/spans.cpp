@@ -35,15 +35,12 @@ public:
         round_.make_room(m.near_counts, round_.geometry.columns);
         round_.make_room(m.overflow, 1);
         round_.queue.fill(m.overflow, 0, 1);
-        if (plan.is_exact()) {
-            grid_.emplace(round_);
-            boxes_.emplace(round_);
-        }
+        if (plan.is_exact()) grid_.emplace(round_);
         make_lines();
     }
 
     std::span<const std::uint32_t> begins() const override {
-        return has_boxes() ? boxes_->begins() : first_lines_;
+        return boxes_ ? boxes_->begins() : first_lines_;
     }
 
     void begin_part() override {
@@ -53,7 +50,7 @@ public:
     }
 
     void locate(std::span<const Draw> draws) override {
-        if (has_boxes())
+        if (boxes_)
             return round_.launch_over_draws<kernels::locate_in_boxes>(round_.arguments(), 1);
         const std::uint32_t chunk = chunk_of_lines();
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
@@ -67,29 +64,23 @@ public:
         }
     }
 
-    void screen() override {
-        if (grid_) grid_->screen();
-    }
-
-    void screen_again(std::uint32_t end) override {
-        if (grid_) return grid_->screen_again(end);
+    void screen(Range draws, std::uint32_t status) override {
+        if (grid_) return grid_->screen(draws, status);
         const std::uint32_t chunk = chunk_of_lines();
-        const std::uint32_t begin = round_.part.begin;
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
             portable::SlabArguments arguments = arguments_of(i);
             arguments.chunk = chunk;
-            arguments.first_draw = begin;
-            arguments.end_draw = end;
+            arguments.first_draw = draws.begin;
+            arguments.end_draw = draws.end;
             launch<kernels::screen_on_lines>(round_.queue, memory_of(i), arguments,
-                                             items_of(end - begin, chunk), kLocateWork * chunk);
+                                             items_of(draws.end - draws.begin, chunk),
+                                             kLocateWork * chunk);
         }
     }
 
     void admit(std::uint32_t pass) override {
-        portable::DrawArguments arguments = round_.arguments();
-        arguments.pass = pass;
-        arguments.chunk = round_.chunk_of_admit(round_.queue.run_of(round_.part_count()));
-        round_.launch_over_draws<kernels::admit>(arguments, RoundMemory::admit_work(pass));
+        round_.admit<kernels::admit>(round_.arguments(), pass,
+                                     round_.queue.run_of(round_.part_count()));
     }
 
     void subtract() override {
@@ -101,38 +92,24 @@ public:
         if (grid_) return grid_->insert();
         cut_spans();
     }
-    bool is_cut_by_take_out() const override { return !boxes_; }
-
-    bool queue_before_refine() override {
-        if (!boxes_) throw std::logic_error("mode lines has nothing to refine");
-        if (has_boxes()) return false;
-        boxes_->make_room_to_count(round_.plan.lines);
-        unfold(true);
-        scan(round_, round_.plan.lines);
-        return true;
-    }
+    bool is_cut_by_take_out() const override { return !grid_; }
 
     void refine(bool halve) override {
-        if (!has_boxes()) {
-            boxes_->make_room(boxes_->total(), round_.plan.strip_width);
-            unfold(false);
-            slabs_.clear();
-            spans_.clear();
-        }
+        if (!grid_) throw std::logic_error("mode lines has nothing to refine");
+        if (!boxes_) turn_into_boxes();
         grid_->insert();
         boxes_->refine(halve);
     }
 
     void start_download() override {
-        if (boxes_) boxes_->start_download();
-        if (has_boxes()) return;
+        if (boxes_) return boxes_->start_download();
         free_lengths_.resize(round_.plan.lines);
         round_.get<std::uint32_t>(round_.memory.free_lengths, free_lengths_);
         round_.get<std::uint32_t>(round_.memory.overflow, overflow_);
     }
 
     bool queue_rest() override {
-        if (has_boxes()) return boxes_->queue_rest();
+        if (boxes_) return boxes_->queue_rest();
         if (overflow_.front() == 0) return false;
         grow(2 * round_.geometry.capacity);
         cut_spans();
@@ -140,19 +117,19 @@ public:
     }
 
     void end_round() override {
-        if (has_boxes()) boxes_->end_round();
+        if (boxes_) boxes_->end_round();
     }
 
     std::span<const std::uint32_t> free_lengths() const override {
-        return has_boxes() ? boxes_->free_lengths() : free_lengths_;
+        return boxes_ ? boxes_->free_lengths() : free_lengths_;
     }
     std::uint32_t width() const override {
-        return has_boxes() ? boxes_->width() : round_.plan.strip_width;
+        return boxes_ ? boxes_->width() : round_.plan.strip_width;
     }
 
     void snapshot(Snapshot& snapshot) override {
         if (grid_) grid_->snapshot(snapshot);
-        if (has_boxes()) {
+        if (boxes_) {
             snapshot.box_width = boxes_->width();
             for (const Rectangle& box : boxes_->get())
                 snapshot.boxes.push_back({box.x, box.begin, box.end});
@@ -170,16 +147,15 @@ public:
 
     void restore(const Snapshot& snapshot) override {
         if (grid_) grid_->restore(snapshot);
+        boxes_.reset();
         slabs_.clear();
         spans_.clear();
-        if (snapshot.box_width == 0) {
-            if (boxes_) boxes_.emplace(round_);
-            return put_spans(snapshot);
-        }
+        if (snapshot.box_width == 0) return put_spans(snapshot);
         std::vector<Rectangle> boxes;
         for (const Box box : snapshot.boxes)
             boxes.push_back({box.x, snapshot.box_width, box.begin, box.end});
-        boxes_->put(boxes, {}, snapshot.box_width);
+        boxes_.emplace(round_, snapshot.box_width);
+        boxes_->put(boxes, {});
     }
 
 private:
@@ -190,9 +166,24 @@ private:
         return std::clamp(kMostTurns / round_.geometry.capacity, 1u, run);
     }
 
-    bool has_boxes() const { return boxes_ && boxes_->are_bins(); }
-
     // At the first refinement: counts the boxes of each line and, once there is room, writes them.
+    void turn_into_boxes() {
+        std::array<std::uint32_t, 1> total{};
+        make_room_to_scan(round_, round_.plan.lines);
+        round_.make_room(round_.memory.boxes, 0);
+        unfold(true);
+        scan(round_, round_.plan.lines);
+        round_.get<std::uint32_t>(round_.memory.total, total);
+        round_.start_download(false);
+        round_.queue.wait();
+        round_.throw_if_failed();
+        boxes_.emplace(round_, round_.plan.strip_width);
+        boxes_->make_room(total.front());
+        unfold(false);
+        slabs_.clear();
+        spans_.clear();
+    }
+
     void unfold(bool is_counting) {
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
             portable::SlabArguments arguments = arguments_of(i);
@@ -247,9 +238,7 @@ private:
     void grow(std::uint32_t larger) {
         const std::vector<Slab> old_slabs = std::move(slabs_);
         const std::vector<Buffer> old_spans = std::move(spans_);
-        portable::SlabArguments arguments{};
-        arguments.g = round_.geometry;
-        arguments.larger = larger;
+        portable::SlabArguments arguments{.g = round_.geometry, .larger = larger};
         make_slabs(larger);
         Memory memory = round_.memory;
         for (std::size_t from = 0; from < old_slabs.size(); ++from) {
@@ -271,10 +260,8 @@ private:
         const std::uint32_t columns = round_.geometry.columns;
         const std::uint64_t near = 3 * std::uint64_t{round_.draws_per_column()};
         round_.queue.fill(round_.memory.overflow, 0, 1);
-        launch<kernels::collect>(
-            round_.queue, round_.memory,
-            {.first_item = 0, .last_pass = kPasses - 1, .g = round_.geometry, .room = 0}, columns,
-            near);
+        launch<kernels::collect>(round_.queue, round_.memory,
+                                 {.last_pass = kPasses - 1, .g = round_.geometry}, columns, near);
         const Span own = round_.plan.own_lines();
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
             portable::SlabArguments arguments = arguments_of(i);
@@ -292,19 +279,18 @@ private:
         return memory;
     }
     portable::SlabArguments arguments_of(std::size_t slab) const {
-        portable::SlabArguments arguments{};
-        arguments.chunk = 1;
-        arguments.g = round_.geometry;
-        arguments.first_line = arguments.slab_begin = slabs_[slab].first_line;
-        arguments.end_line = slabs_[slab].end_line;
-        arguments.last_pass = kPasses - 1;
-        return arguments;
+        return {.chunk = 1,
+                .g = round_.geometry,
+                .first_line = slabs_[slab].first_line,
+                .end_line = slabs_[slab].end_line,
+                .slab_begin = slabs_[slab].first_line,
+                .last_pass = kPasses - 1};
     }
 
     std::uint64_t largest_slab_;
     std::vector<std::uint32_t> first_lines_;
     std::optional<Grid> grid_;    // in exact
-    std::optional<Boxes> boxes_;  // in exact
+    std::optional<Boxes> boxes_;  // from the first refinement on, in place of spans
     std::vector<Slab> slabs_;
     std::vector<Buffer> spans_;  // of each slab; freed at the first refinement
     std::vector<std::uint32_t> near_begins_;

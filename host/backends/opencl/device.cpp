@@ -71,7 +71,7 @@ std::shared_ptr<Device> kept_device(const std::string& wanted) {
 }
 
 std::string_view source_of(std::string_view kernel, std::span<const std::string_view> sources) {
-    const std::string entry = "\nENTRY(" + std::string(kernel) + ",";
+    const std::string entry = "\nKERNEL(" + std::string(kernel) + ",";
     for (const std::string_view source : sources)
         if (source.find(entry) != std::string_view::npos) return source;
     return {};

@@ -8,7 +8,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "backends/device/queue.h"
 #include "backends/opencl/cl.h"
 #include "backends/opencl/devices.h"
 #include "backends/opencl/errors.h"
@@ -63,8 +65,13 @@ private:
 std::shared_ptr<Device> kept_device(const std::string& wanted);
 
 // The files of kernels/, includes expanded, in groups that are compiled together; and the first
-// source that has the kernel's ENTRY, empty if there is none.
+// source that has the KERNEL, empty if there is none.
 std::span<const std::string_view> kernel_sources();
 std::string_view source_of(std::string_view kernel, std::span<const std::string_view> sources);
+
+// The queue of one backend on the device. A kernel is compiled when it is first launched: from the
+// first of `sources` that has it, else from kernel_sources().
+std::unique_ptr<device::Queue> make_queue(std::shared_ptr<Device> device,
+                                          const std::vector<std::string>& sources);
 
 }  // namespace lacuna::opencl

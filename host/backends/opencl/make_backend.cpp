@@ -3,7 +3,6 @@
 
 #include "backends/device/device_backend.h"
 #include "backends/opencl/device.h"
-#include "backends/opencl/queue.h"
 
 namespace lacuna::opencl {
 

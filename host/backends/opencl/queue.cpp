@@ -1,6 +1,4 @@
 // The queue of an OpenCL device.
-#include "backends/opencl/queue.h"
-
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -8,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "backends/opencl/errors.h"
+#include "backends/opencl/device.h"
 
 namespace lacuna::opencl {
 namespace {

@@ -1,4 +1,4 @@
-// The vulkan backend: the verbs as compute shaders (shaders/*.comp). It needs only Vulkan 1.2 and
+// The vulkan backend: the verbs as compute shaders (kernels/*.cl). It needs only Vulkan 1.2 and
 // 64-bit integers in shaders.
 #pragma once
 

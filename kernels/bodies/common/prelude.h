@@ -3,7 +3,8 @@
 // A body is the loop of one kernel, written once. It uses the kernel's buffers by name:
 // AT(statuses, i) is a word of the buffer `statuses`. A function that uses buffers has MEMORY
 // before its parameters and is called with ON before its arguments: in OpenCL they pass a struct of
-// pointers, in GLSL they are empty.
+// pointers, in GLSL they are empty. KERNEL comes first: it defines the kernel, which calls
+// serve(arguments, item), and in GLSL its buffers.
 #ifndef LACUNA_BODIES_PRELUDE_H
 #define LACUNA_BODIES_PRELUDE_H
 #ifndef __OPENCL_C_VERSION__
@@ -40,11 +41,10 @@ typedef struct Memory {
 #define ATOMIC_MAX(name, i, value) atomic_max(&memory.name[i], value)
 #define ATOMIC_SET(name, i, value) atomic_xchg(&memory.name[i], value)
 
-// ENTRY defines the kernel: it calls serve(arguments, item).
 #define LACUNA_PARAMETER(number, access, type, name) , global type* restrict name
 #define LACUNA_PUT(number, access, type, name) memory.name = name;
-#define BINDINGS(Arguments, LIST)
-#define ENTRY(name, serve, Arguments, LIST)                                     \
+#define KERNEL(name, serve, Arguments, LIST)                                    \
+    BODY void serve(MEMORY const Arguments a, const u32 item);                  \
     kernel void name(const Arguments arguments LIST(LACUNA_PARAMETER)) {        \
         Memory memory;                                                          \
         LIST(LACUNA_PUT)                                                        \
@@ -76,13 +76,13 @@ typedef struct Memory {
     layout(binding = number) access buffer Binding##number { \
         type name[];                                         \
     };
-#define BINDINGS(Arguments, LIST)             \
-    layout(local_size_x_id = 0) in;           \
-    layout(push_constant) uniform Constants { \
-        Arguments arguments;                  \
-    };                                        \
-    LIST(LACUNA_LAYOUT)
-#define ENTRY(name, serve, Arguments, LIST)                               \
+#define KERNEL(name, serve, Arguments, LIST)                              \
+    layout(local_size_x_id = 0) in;                                       \
+    layout(push_constant) uniform Constants {                             \
+        Arguments arguments;                                              \
+    };                                                                    \
+    LIST(LACUNA_LAYOUT)                                                   \
+    void serve(const Arguments a, const u32 item);                        \
     void main() {                                                         \
         serve(arguments, arguments.first_item + gl_GlobalInvocationID.x); \
     }

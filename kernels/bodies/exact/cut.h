@@ -8,12 +8,12 @@ BODY void serve_cut(MEMORY const StripArguments a, const u32 item) {
     if (AT(undecided, a.last_pass) != 0u) return;
     const u32 end_box = min((item + 1u) * a.chunk, a.boxes);
     for (u32 number = item * a.chunk; number < end_box; ++number) {
-        const Strip box = box_at(ON a, number);
-        const bool is_halo = box.at.x - a.own_begin >= a.own_width;
+        const Box box = box_at(ON a, number);
+        const bool is_halo = box.whole.at.x - a.own_begin >= a.own_width;
         const Near near = near_of(ON a, number, box);
         u32 total = 0u;
         for (u32 k = 0u; k < 1u << a.strip_bits; ++k) {
-            const Strip strip = strip_of(ON a, number, box, k);
+            const Strip strip = strip_of(a, box, k);
             Pieces pieces = {strip.at.z, k == 0u ? strip.at.w : strip.at.z, 0u};
             if (!is_halo) pieces = cut_strip(ON a, near, strip);
             u32 count = 0u;

@@ -22,14 +22,15 @@ struct Walk {
 };
 LACUNA_TYPEDEF(Walk)
 
-BODY Strip box_at(MEMORY const StripArguments a, const u32 number) {
-    const Strip box = {AT(boxes, number), a.g.radius, true};
+BODY Box box_at(MEMORY const StripArguments a, const u32 number) {
+    const Strip whole = {AT(boxes, number), a.g.radius, true};
+    const Box box = {whole, U32X4(0u, 0u, 0u, 0u), U32X4(0u, 0u, 0u, 0u)};
     return box;
 }
 
-BODY Strip strip_of(MEMORY const StripArguments a, const u32 number, const Strip box, const u32 k) {
-    Strip strip = box;
-    if (a.strip_bits != 0u) strip.at = half_of(box.at, k);
+BODY Strip strip_of(const StripArguments a, const Box box, const u32 k) {
+    Strip strip = box.whole;
+    if (a.strip_bits != 0u) strip.at = half_of(strip.at, k);
     return strip;
 }
 
@@ -50,20 +51,20 @@ BODY u64 bit_of_cell(MEMORY const Geometry g, const u32x4 box, const u32 cell, c
     return bit << number;
 }
 
-BODY Near near_of(MEMORY const StripArguments a, const u32 number, const Strip box) {
+BODY Near near_of(MEMORY const StripArguments a, const u32 number, const Box box) {
     const Geometry g = a.g;
+    const u32x4 at = box.whole.at;
     Near near;
-    near.columns = cells_near(box.at.x, box.at.x + box.at.y, g.radius, g.width, g.period_x,
-                              g.grid_side, g.grid_columns);
-    near.rows =
-        cells_near(box.at.z, box.at.w, g.radius, g.height, g.period_y, g.grid_side, g.grid_rows);
+    near.columns =
+        cells_near(at.x, at.x + at.y, g.radius, g.width, g.period_x, g.grid_side, g.grid_columns);
+    near.rows = cells_near(at.z, at.w, g.radius, g.height, g.period_y, g.grid_side, g.grid_rows);
     near.cells = 0u;
     if (max(near.columns.count, near.rows.count) > NEAR_SIDE) ATOMIC_OR(failure, 0, FAILED_CHORDS);
     // No branch: where samples lie cannot be predicted.
     for (u32 i = 0u; i < near.columns.count; ++i) {
         for (u32 j = 0u; j < near.rows.count; ++j) {
             const u32 bit = i * NEAR_SIDE + j;
-            near.cells = near.cells | bit_of_cell(ON g, box.at, cell_of(g, near, bit), bit);
+            near.cells = near.cells | bit_of_cell(ON g, at, cell_of(g, near, bit), bit);
         }
     }
     return near;

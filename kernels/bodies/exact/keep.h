@@ -11,7 +11,7 @@ BODY void keep_piece(MEMORY const StripArguments a, const u32 from, const Strip 
 
 // Cuts a strip that has several pieces once more, and writes these from index `to` upwards. Returns
 // the index after the last.
-BODY u32 keep_several(MEMORY const StripArguments a, const u32 number, const Strip box,
+BODY u32 keep_several(MEMORY const StripArguments a, const u32 number, const Box box,
                       const Strip strip, const u32 to) {
     const Near near = near_of(ON a, number, box);
     const Pieces pieces = cut_strip(ON a, near, strip);
@@ -41,8 +41,8 @@ BODY void serve_keep(MEMORY const StripArguments a, const u32 item) {
             number = index >> a.strip_bits;
             to = AT(counts, number) + AT(sums, number >> a.block_bits);
         }
-        const Strip box = box_at(ON a, number);
-        const Strip strip = strip_of(ON a, number, box, index & (1u << a.strip_bits) - 1u);
+        const Box box = box_at(ON a, number);
+        const Strip strip = strip_of(a, box, index & (1u << a.strip_bits) - 1u);
         const u32x2 piece = AT(strip_pieces, index);
         if (piece.y == NO_SAMPLE) {
             to = keep_several(ON a, number, box, strip, to);

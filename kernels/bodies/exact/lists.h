@@ -22,14 +22,15 @@ struct Walk {
 };
 LACUNA_TYPEDEF(Walk)
 
-BODY bool is_even(const u32 radius) {
-    return (radius & IS_EVEN) != 0u;
-}
-
 // A box where no sample may lie stays until it is halved if only measure has shown it.
-BODY Strip box_at(MEMORY const StripArguments a, const u32 number) {
+BODY Box box_at(MEMORY const StripArguments a, const u32 number) {
     const u32 radius = AT(origins, number).y;
-    const Strip box = {AT(boxes, number), radius & ~IS_EVEN, is_even(radius)};
+    const Strip whole = {AT(boxes, number), radius & ~IS_EVEN, (radius & IS_EVEN) != 0u};
+    Box box = {whole, U32X4(0u, 0u, 0u, 0u), U32X4(0u, 0u, 0u, 0u)};
+    if (a.strip_bits != 0u && !whole.is_even) {
+        box.borders = AT(borders, number);
+        box.radii = AT(strip_radii, number);
+    }
     return box;
 }
 
@@ -39,24 +40,25 @@ BODY u32 component(const u32x4 words, const u32 k) {
 
 // Strip k of a box. A box on like pixels has two, its halves, and no strips 2 and 3. A box on
 // unlike pixels has four, below and above a border of pixels: two in the left half, two in the
-// right. split has found the borders and the radii.
-BODY Strip strip_of(MEMORY const StripArguments a, const u32 number, const Strip box, const u32 k) {
-    if (a.strip_bits == 0u) return box;
-    Strip strip = box;
-    if (box.is_even) {
-        strip.at = half_of(box.at, k);
+// right.
+BODY Strip strip_of(const StripArguments a, const Box box, const u32 k) {
+    Strip strip = box.whole;
+    if (a.strip_bits == 0u) return strip;
+    const u32x4 whole = strip.at;
+    if (strip.is_even) {
+        strip.at = half_of(whole, k);
         if (k > 1u) strip.at.w = strip.at.z;
         return strip;
     }
-    const u32x4 borders = AT(borders, number);
-    const u32 radius = component(AT(strip_radii, number), k);
-    const u32 y = k < 2u ? borders.y : borders.z;
-    strip.at.x = k < 2u ? box.at.x : borders.x;
-    strip.at.y = (k < 2u ? borders.x : box.at.x + box.at.y) - strip.at.x;
-    strip.at.z = k % 2u == 0u ? box.at.z : y;
-    strip.at.w = radius == 0u ? strip.at.z : (k % 2u == 0u ? y : box.at.w);
+    const u32 radius = component(box.radii, k);
+    const u32 x = box.borders.x;
+    const u32 y = k < 2u ? box.borders.y : box.borders.z;
+    strip.at.x = k < 2u ? whole.x : x;
+    strip.at.y = (k < 2u ? x : whole.x + whole.y) - strip.at.x;
+    strip.at.z = k % 2u == 0u ? whole.z : y;
+    strip.at.w = radius == 0u ? strip.at.z : (k % 2u == 0u ? y : whole.w);
     strip.radius = radius & ~IS_EVEN;
-    strip.is_even = is_even(radius);
+    strip.is_even = (radius & IS_EVEN) != 0u;
     return strip;
 }
 
@@ -66,11 +68,10 @@ BODY bool is_in_list(const StripArguments a, const u32 number) {
 }
 
 // The greatest radius of a box's strips: no chord is of a larger radius.
-BODY u32 greatest_radius(MEMORY const StripArguments a, const u32 number, const Strip box) {
-    if (a.strip_bits == 0u || box.is_even) return box.radius;
-    const u32x4 radii = AT(strip_radii, number);
-    return max(max(radii.x & ~IS_EVEN, radii.y & ~IS_EVEN),
-               max(radii.z & ~IS_EVEN, radii.w & ~IS_EVEN));
+BODY u32 greatest_radius(const StripArguments a, const Box box) {
+    if (a.strip_bits == 0u || box.whole.is_even) return box.whole.radius;
+    return max(max(box.radii.x & ~IS_EVEN, box.radii.y & ~IS_EVEN),
+               max(box.radii.z & ~IS_EVEN, box.radii.w & ~IS_EVEN));
 }
 
 // The least distance in x of a sample from the far edges of the box's strips. Where a box is halved
@@ -83,15 +84,16 @@ BODY u32 least_distance(const StripArguments a, const Strip box, const u32 x) {
 }
 
 // Walks along the list once.
-BODY Near near_of(MEMORY const StripArguments a, const u32 number, const Strip box) {
-    const u32 greatest = greatest_radius(ON a, number, box);
+BODY Near near_of(MEMORY const StripArguments a, const u32 number, const Box box) {
+    const Strip whole = box.whole;
+    const u32 greatest = greatest_radius(a, box);
     Near near = {AT(lists, AT(origins, number).x), 0u, U32X4(0u, 0u, 0u, 0u),
                  U32X4(0u, 0u, 0u, 0u)};
     u32 next = near.first;
     while (is_in_list(a, next)) {
         const u32x4 entry = AT(entries, next);
-        const u32 dx = least_distance(a, box, entry.x);
-        const u32 dy = distance_to_stretch(entry.y, box.at.z, box.at.w, a.g.period_y);
+        const u32 dx = least_distance(a, whole, entry.x);
+        const u32 dy = distance_to_stretch(entry.y, whole.at.z, whole.at.w, a.g.period_y);
         if (squared_length(dx, dy) < squared_limit(entry.z, greatest)) {
             near.high = U32X4(near.low.w, near.high.x, near.high.y, near.high.z);
             near.low = U32X4(next, near.low.x, near.low.y, near.low.z);
@@ -103,8 +105,7 @@ BODY Near near_of(MEMORY const StripArguments a, const u32 number, const Strip b
 }
 
 BODY Walk walk_over(const StripArguments a, const Near near) {
-    Walk walk = {near.count, near.low.x};
-    if (near.count > MOST_NEAR) walk.number = near.first;
+    const Walk walk = {near.count, near.count > MOST_NEAR ? near.first : near.low.x};
     return walk;
 }
 

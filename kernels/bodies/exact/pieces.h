@@ -72,7 +72,7 @@ BODY Walk next_touching(MEMORY const StripArguments a, const Near near, const St
 
 BODY Pieces cut_strip(MEMORY const StripArguments a, const Near near, const Strip strip) {
     Pieces pieces = {strip.at.z, strip.at.w, 0u};
-    if (is_empty(strip)) return pieces;
+    if (strip.at.z == strip.at.w) return pieces;
     if (is_covered_by_one(ON a, near, strip)) {
         pieces.high = pieces.low;
         return pieces;

@@ -11,9 +11,13 @@ struct Strip {
 };
 LACUNA_TYPEDEF(Strip)
 
-BODY bool is_empty(const Strip strip) {
-    return strip.at.z == strip.at.w;
-}
+struct Box {
+    Strip whole;
+    // With a radius field, if the box lies on unlike pixels and is halved: what split has found.
+    u32x4 borders;
+    u32x4 radii;
+};
+LACUNA_TYPEDEF(Box)
 
 // Half k of a box. The left half of a box that is one unit wide is the whole box.
 BODY u32x4 half_of(const u32x4 box, const u32 k) {

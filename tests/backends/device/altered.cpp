@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <set>
 #include <span>
 #include <sstream>
@@ -72,26 +71,13 @@ bool includes(const std::string& text, const std::string& file) {
     return false;
 }
 
-// Maps each entry of a shader's file to the text between its #ifdef and its #endif.
-std::map<std::string, std::string> entries_of(const std::string& text) {
-    std::map<std::string, std::string> entries;
-    const std::string word = "#ifdef ENTRY_";
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-        const std::size_t name = at + word.size();
-        const std::size_t line_end = text.find('\n', at);
-        entries[text.substr(name, line_end - name)] =
-            text.substr(line_end, text.find("#endif", at) - line_end);
-    }
-    return entries;
-}
-
-std::vector<std::uint32_t> compiled(const fs::path& shader, const std::string& entry,
-                                    const fs::path& kernels) {
-    const fs::path spirv = kernels / (entry + ".spv");
+// See cmake/vulkan.cmake.
+std::vector<std::uint32_t> compiled(const std::string& kernel, const fs::path& kernels) {
+    const fs::path shader = fs::path(LACUNA_SOURCE) / "shaders" / (kernel + ".comp");
+    const fs::path spirv = kernels / (kernel + ".spv");
     const std::string command = std::string("'") + LACUNA_GLSLANG +
                                 "' -V --target-env vulkan1.2 --quiet '-I" + kernels.string() +
-                                "' -DENTRY_" + entry + " -o '" + spirv.string() + "' '" +
-                                shader.string() + "'";
+                                "' -o '" + spirv.string() + "' '" + shader.string() + "'";
     if (std::system(command.c_str()) != 0) throw std::runtime_error(command + " failed");
     const std::string bytes = read(spirv);
     std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
@@ -110,11 +96,9 @@ vulkan::Trial faulty_shaders(const Fault& fault) {
     std::ofstream(copy / fault.file, std::ios::binary) << text;
 
     vulkan::Trial trial;
-    for (const fs::directory_entry& shader : fs::directory_iterator(source / "shaders"))
-        for (const auto& [entry, body] : entries_of(read(shader.path())))
-            if (includes(body, fault.file) ||
-                includes("#include \"bodies/common/prelude.h\"\n", fault.file))
-                trial.shaders[entry] = compiled(shader.path(), entry, copy);
+    for (const fs::directory_entry& file : fs::directory_iterator(source / "kernels"))
+        if (file.path().extension() == ".cl" && includes(read(file.path()), fault.file))
+            trial.shaders[file.path().stem()] = compiled(file.path().stem(), copy);
     fs::remove_all(copy);
     if (trial.shaders.empty())
         throw std::runtime_error("no shader includes " + std::string(fault.file));

@@ -84,8 +84,8 @@ TEST_P(Faults, InExactAreNoticed) {
                    {{"bodies/exact/locate_in_boxes.h", "box.z + draw.y,", "box.z,"},
                     {"bodies/lines/limit.h", "? candidate.x",
                      "? candidate.x / a.g.strip_width * a.g.strip_width"},
-                    {"bodies/exact/screen.h", "return covered != 0u;", "return false;"},
-                    {"bodies/exact/screen.h", "i < columns.count", "i < 1u"},
+                    {"bodies/exact/covered_in_grid.h", "return covered != 0u;", "return false;"},
+                    {"bodies/exact/covered_in_grid.h", "k < columns.count", "k < 1u"},
                     {"bodies/common/insert.h", "AT(grid_y, cell) = admitted.y",
                      "AT(grid_y, cell) = admitted.x"},
                     {"bodies/lines/subtract.h", "g.period_x) + g.chord_margin", "g.period_x)"},
@@ -160,8 +160,8 @@ TEST_P(Faults, WithARadiusFieldAreNoticed) {
         radius_field_plan(Boundary::torus, 0.8),
         {{"bodies/exact/locate_with_field.h", "box.z + draw.y;", "box.z;"},
          {"bodies/exact/locate_with_field.h", "(ON grids, x, y);", "(ON grids, x, box.z);"},
-         {"bodies/exact/screen_with_field.h", "if (radius == 0u) return true;", ""},
-         {"bodies/exact/screen_with_field.h", "entry.y, entry.z};", "entry.y, 0xffffffffu};"},
+         {"bodies/exact/covered_in_lists.h", "if (radius == 0u) return true;", ""},
+         {"bodies/exact/covered_in_lists.h", "entry.y, entry.z};", "entry.y, 0xffffffffu};"},
          {"bodies/exact/reach.h", "if (node != links.y)", "if (node == links.y)"},
          {"bodies/exact/reach.h", "min(radius, greatest)", "min(radius, greatest) / 2u"},
          {"bodies/exact/reach.h", "root == 0u ? a.g.period_y : 0u", "0u"},
@@ -191,8 +191,8 @@ TEST_P(Faults, InHalvedBoxesWithARadiusFieldAreNoticed) {
                      "squared_length(cut_distance(a.g, strip, neighbour.x), dy) <", "0u <"},
                     {"bodies/exact/cut.h", "total += count;", "total = count;"},
                     {"bodies/exact/keep.h", "keep_piece(ON a, number, strip, piece, to)",
-                     "keep_piece(ON a, number, box, piece, to)"},
-                    {"bodies/exact/lists.h", "k % 2u == 0u ? y : box.at.w", "false ? y : box.at.w"},
+                     "keep_piece(ON a, number, box.whole, piece, to)"},
+                    {"bodies/exact/lists.h", "k % 2u == 0u ? y : whole.w", "false ? y : whole.w"},
                     {"bodies/exact/lists.h", "is_whole ? strip.radius : 0u", "is_whole ? 1u : 0u"},
                     {"bodies/exact/lists.h", "if (k > 1u) strip", "if (false) strip"},
                     {"bodies/exact/radius_field.h", "AT(mask_bits, number / ALLOWED_PER_WORD)",
@@ -229,13 +229,13 @@ TEST_P(Faults, InCrowdedRoundsAreNoticed) {
          {"bodies/lines/screen_on_lines.h", "a.first_draw + item", "item"}});
     expect_noticed(
         crowded(tests::plan_of(0.9, 2, Boundary::torus, 1, 1000, Mode::exact)),
-        {{"bodies/exact/screen.h", "a.first + item * a.chunk", "item * a.chunk + a.count"},
+        {{"bodies/common/screen.h", "a.first + item * a.chunk", "item * a.chunk + a.count"},
          {"bodies/common/insert.h", "a.first + item * a.chunk", "item * a.chunk + a.count"}});
     expect_noticed(
         crowded(tests::cells_plan(tests::noise_field(40, 30, 5), 0.1, 5, Metric::mean,
                                   Boundary::torus)),
-        {{"bodies/cells/screen_in_cells.h", "& 1u) != 0u) continue;", "& 1u) == 0u) continue;"},
-         {"bodies/cells/screen_in_cells.h", "a.first + item * a.chunk", "item * a.chunk + a.count"},
+        {{"bodies/cells/covered_in_cells.h", "& 1u) == 0u;", "& 1u) != 0u;"},
+         {"bodies/common/screen.h", "a.first + item * a.chunk", "item * a.chunk + a.count"},
          {"bodies/cells/subtract_in_cells.h", "a.first + item / a.slices", "item / a.slices"}});
 }
 
@@ -275,7 +275,7 @@ TEST_P(Faults, OfBoxesInSeveralPiecesAreNoticed) {
          "begin = chord_begin <= begin ? pieces.high :"},
         {"bodies/exact/cut.h", "count > 1u ? NO_SAMPLE :", "false ? NO_SAMPLE :"},
         {"bodies/exact/keep.h", "keep_piece(ON a, number, strip, piece, next)",
-         "keep_piece(ON a, number, box, piece, next)"},
+         "keep_piece(ON a, number, box.whole, piece, next)"},
     };
     for (const Fault& fault : faults)
         EXPECT_TRUE(boxes_of(*tests::make_faulty(GetParam(), exact_, fault)) != right)

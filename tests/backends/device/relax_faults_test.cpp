@@ -101,7 +101,8 @@ TEST_P(RelaxFaults, InGatherAreNoticed) {
                             {"bodies/relax/assign.h", "+= mass * u", "+= 0u"},
                             {"bodies/relax/assign.h", "above[u] += column[u]", "above[u] += 0u"},
                             {"bodies/relax/assign.h", "column / ONE_POINT", "1u"},
-                            {"bodies/relax/assign.h", "image % 3u", "1u"}});
+                            {"bodies/relax/assign.h", "a.lattice.columns, image % 3u",
+                             "a.lattice.columns, 1u"}});
 }
 
 // Few samples with many lattice points each: their moments take more than 32 bits.

@@ -58,8 +58,8 @@ TEST_F(Kernels, ThatDoNotCompileAreAnErrorWithTheBuildLog) {
 
 TEST_F(Kernels, ThatAreMissingAreAnErrorWithTheirCall) {
     const std::string what =
-        error_of(plan_, altered("ENTRY(locate, serve_locate, SlabArguments, LOCATE_BINDINGS)",
-                                "#if 0\nENTRY(locate, gone)\n#endif"));
+        error_of(plan_, altered("KERNEL(locate, serve_locate, SlabArguments, LOCATE_BINDINGS)",
+                                "#if 0\nKERNEL(locate, gone)\n#endif"));
     EXPECT_NE(what.find("clCreateKernel failed with CL_INVALID_KERNEL_NAME (-46)"),
               std::string::npos)
         << what;

@@ -1,0 +1,4 @@
+// assign of relax: each lattice point's mass goes to the site of least power.
+#include "bodies/common/prelude.h"
+KERNEL(assign, serve_assign, LeafArguments, ASSIGN_BINDINGS)
+#include "bodies/relax/assign.h"

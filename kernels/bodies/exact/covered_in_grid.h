@@ -1,0 +1,51 @@
+// What screen asks in exact: whether a sample in the grid covers a candidate.
+#include "portable/distance.h"
+#include "portable/stretch.h"
+
+// 1 if the cell has a sample closer than the radius, else 0. Numbers instead of truth values, for
+// which compilers keep branches.
+BODY u32 is_covered_from(MEMORY const Geometry g, const u32 cell, const u32 x, const u32 y,
+                         const u32 period_x, const u32 period_y) {
+    const u32 sample_x = AT(grid_x, cell);
+    const bool is_near =
+        are_closer(sample_x, AT(grid_y, cell), x, y, period_x, period_y, g.radius_squared);
+    return (is_near ? 1u : 0u) & (sample_x != NO_SAMPLE ? 1u : 0u);
+}
+
+// A disk that touches no edge lies within 4 x 4 cells, because 2 sqrt(2) is less than 3. No branch:
+// neighbouring items, which run in lockstep, look at different places.
+BODY bool is_covered_inside(MEMORY const Geometry g, const u32 x, const u32 y) {
+    const u32 column = min((x - g.radius) / g.grid_side, g.grid_columns - 4u);
+    const u32 row = min((y - g.radius) / g.grid_side, g.grid_rows - 4u);
+    u32 covered = 0u;
+    for (u32 i = 0u; i < 4u; ++i) {
+        const u32 first = (column + i) * g.grid_rows + row;
+        for (u32 j = 0u; j < 4u; ++j)
+            covered = covered | is_covered_from(ON g, first + j, x, y, 0u, 0u);
+    }
+    return covered != 0u;
+}
+
+// Whether a sample in the grid is closer than the radius.
+BODY bool is_covered(MEMORY const DrawArguments a, const u32 i) {
+    const Geometry g = a.g;
+    const u32 x = AT(candidates, i).x;
+    const u32 y = AT(candidates, i).y;
+    if (min(g.grid_columns, g.grid_rows) >= 4u && g.radius < min(g.width, g.height) &&
+        min(x, y) >= g.radius && x < g.width - g.radius && y < g.height - g.radius)
+        return is_covered_inside(ON g, x, y);
+    const Stretch columns =
+        cells_near(x, x + 1u, g.radius, g.width, g.period_x, g.grid_side, g.grid_columns);
+    const Stretch rows =
+        cells_near(y, y + 1u, g.radius, g.height, g.period_y, g.grid_side, g.grid_rows);
+    u32 covered = 0u;
+    for (u32 k = 0u; k < columns.count; ++k) {
+        const u32 column = nth_of_stretch(columns, k, g.grid_columns) * g.grid_rows;
+        for (u32 j = 0u; j < rows.count && covered == 0u; ++j)
+            covered = is_covered_from(ON g, column + nth_of_stretch(rows, j, g.grid_rows), x, y,
+                                      g.period_x, g.period_y);
+    }
+    return covered != 0u;
+}
+
+BODY void leave_open(MEMORY const DrawArguments a, const u32 i) {}

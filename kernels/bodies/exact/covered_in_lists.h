@@ -1,0 +1,22 @@
+// What screen asks with a radius field: whether a candidate lies where no sample may lie, or
+// whether a sample in the list of its block covers it.
+#include "portable/conflict.h"
+
+BODY bool is_covered(MEMORY const DrawArguments a, const u32 i) {
+    const u32x4 candidate = AT(candidates, i);
+    const u32 radius = AT(candidate_radii, i);
+    if (radius == 0u) return true;
+    const Sized one = {candidate.x, candidate.y, radius};
+    for (u32 number = AT(lists, candidate.z); number != NO_SAMPLE;) {
+        const u32x4 entry = AT(entries, number);
+        const Sized other = {entry.x, entry.y, entry.z};
+        if (conflicts(other, one, a.g.period_x, a.g.period_y)) return true;
+        number = entry.w;
+    }
+    return false;
+}
+
+// For reach, if the round has one part.
+BODY void leave_open(MEMORY const DrawArguments a, const u32 i) {
+    if (a.is_listed != 0u) AT(survivors, ATOMIC_ADD(survivor_count, 0, 1u)) = i;
+}

@@ -1,0 +1,6 @@
+// keep: writes what cut has counted.
+#include "bodies/common/prelude.h"
+KERNEL(keep, serve_keep, StripArguments, KEEP_BINDINGS)
+#include "bodies/exact/grid.h"
+#include "bodies/exact/pieces.h"
+#include "bodies/exact/keep.h"

@@ -1,0 +1,6 @@
+// keep with a radius field: writes what cut has counted.
+#include "bodies/common/prelude.h"
+KERNEL(keep_with_field, serve_keep, StripArguments, KEEP_WITH_FIELD_BINDINGS)
+#include "bodies/exact/lists.h"
+#include "bodies/exact/pieces.h"
+#include "bodies/exact/keep.h"

@@ -1,7 +1,0 @@
-// locate with a radius field: a draw becomes a candidate, with the radius that its place asks for.
-#include "bodies/common/prelude.h"
-
-BINDINGS(DrawArguments, LOCATE_WITH_FIELD_BINDINGS)
-#include "bodies/exact/radius_field.h"
-#include "bodies/exact/locate_with_field.h"
-ENTRY(locate_with_field, serve_locate_with_field, DrawArguments, LOCATE_WITH_FIELD_BINDINGS)

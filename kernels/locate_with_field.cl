@@ -1,0 +1,5 @@
+// locate with a radius field: a candidate gets the radius that its place asks for.
+#include "bodies/common/prelude.h"
+KERNEL(locate_with_field, serve_locate_with_field, DrawArguments, LOCATE_WITH_FIELD_BINDINGS)
+#include "bodies/exact/radius_field.h"
+#include "bodies/exact/locate_with_field.h"

@@ -1,0 +1,5 @@
+// split: where boxes on unlike pixels are halved.
+#include "bodies/common/prelude.h"
+KERNEL(split, serve_split, StripArguments, SPLIT_BINDINGS)
+#include "bodies/exact/radius_field.h"
+#include "bodies/exact/split.h"

@@ -1,0 +1,4 @@
+// kernels/locate_with_field.cl as a compute shader in GLSL.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "locate_with_field.cl"
