@@ -43,17 +43,15 @@ struct DrawArguments {
     Geometry g;
     u32 first;  // the draws to serve are [first, count)
     u32 count;
-    u32 pass OR_ZERO;    // only in admit
-    u32 last_pass;       // admission is finished if undecided[last_pass] is 0
-    u32 status OR_ZERO;  // in screen: the new status of candidates that are covered
-    u32 rows OR_ZERO;    // number of pixels in a column of pixels
-    u32 metric OR_ZERO;  // see metric.h
-    u32 slices
-        OR_ZERO;  // in subtract_in_cells: an item serves every slices-th line near its samples
+    u32 pass OR_ZERO;        // only in admit
+    u32 last_pass;           // admission is finished if undecided[last_pass] is 0
+    u32 status OR_ZERO;      // in screen: the new status of candidates that are covered
+    u32 rows OR_ZERO;        // number of pixels in a column of pixels
+    u32 metric OR_ZERO;      // see metric.h
+    u32 slices OR_ZERO;      // in cells: an item serves every slices-th line near its samples
     u32 most_reach OR_ZERO;  // samples that reach farther wait for the next launch
-    u32 is_listed OR_ZERO;  // 1: the candidates to serve are listed in `todo` or `survivors`, which
-                            // screen fills
-    u32 room OR_ZERO;       // in reach: most visitors of blocks
+    u32 is_listed OR_ZERO;   // 1: serve the candidates in `todo` or `survivors`; screen lists these
+    u32 room OR_ZERO;        // in reach: most visitors of blocks
 };
 LACUNA_TYPEDEF(DrawArguments)
 

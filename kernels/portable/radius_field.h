@@ -27,10 +27,6 @@
 // no radius, because no sample may lie there.
 #define HAS_ZEROS 0x80000000u
 
-// The words of list_counts[]: how long new_uneven[] and several[] are.
-#define OF_NEW_UNEVEN 0u
-#define OF_SEVERAL 1u
-
 // The least radius under a box shares a word with this bit. It is set if samples may lie everywhere
 // in the box, and all with this radius.
 #define IS_EVEN 0x80000000u

@@ -27,7 +27,7 @@ inline Scene field_scene(const FieldRequest& made, std::uint32_t rounds, std::ui
     }
     backend->locate(draws(1 + chance.below(300)));
     scene.memory = backend->snapshot();
-    scene.draws = draws(300);
+    scene.draws = draws(static_cast<std::uint32_t>(scene.memory.candidates.size()));
     return scene;
 }
 

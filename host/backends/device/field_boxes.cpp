@@ -143,7 +143,7 @@ private:
         std::uint32_t radius = even_radius | IS_EVEN;
         if (even_radius == 0) {
             const Under under = round_.plan.field().radius_field->under(box);
-            radius = under.least | (under.is_even ? IS_EVEN : 0);
+            radius = under.least | (under.is_even && under.least != 0 ? IS_EVEN : 0);
         }
         origins.insert(origins.end(), {block, radius});
     }

@@ -86,6 +86,7 @@ std::vector<Sample> NeighbourLists::get() const {
     round_.get<Candidate>(round_.memory.entries, entries);
     round_.queue.wait();
     std::vector<Sample> samples;
+    samples.reserve(entries.size());
     for (const Candidate& entry : entries) samples.push_back({entry.x, entry.y});
     return samples;
 }

@@ -6,7 +6,7 @@ typedef struct Arguments {
     u32 items;
 } Arguments;
 
-#define ENTRY(name, answer)                                                      \
+#define KERNEL(name, answer)                                                     \
     kernel void name(const Arguments arguments, global const Numbers* questions, \
                      global Answers* replies, global u32* off_by) {              \
         const u32 i = arguments.first_item + (u32)get_global_id(0);              \
@@ -17,4 +17,4 @@ typedef struct Arguments {
         off_by[i] = (u32)(estimate > root ? estimate - root : root - estimate);  \
     }
 
-ENTRY(arithmetic, answer)
+KERNEL(arithmetic, answer)
