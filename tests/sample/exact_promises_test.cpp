@@ -1,5 +1,5 @@
-// The promises of lacuna.h for mode exact, seen from outside: distances in double, the m of the
-// result, and refusals in one line.
+// The promises of lacuna.h for mode exact, seen from outside: distances in double and the m of the
+// result.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
@@ -115,34 +115,6 @@ TEST(APrefix, OfAnExactSetIsWhatALimitGives) {
         ASSERT_EQ(result.points.size(), limit);
         EXPECT_TRUE(std::equal(result.points.begin(), result.points.end(), all.begin()));
         EXPECT_FALSE(result.maximal);
-    }
-}
-
-std::string refusal(const Request& request) {
-    try {
-        sample(request);
-    } catch (const BadRequest& error) {
-        return error.option() + ": " + error.what();
-    }
-    return "accepted";
-}
-
-TEST(ABadRequest, IsRefusedInOneLineThatNamesTheOption) {
-    Request snap = request_of(0.1);
-    snap.snap = true;
-    EXPECT_EQ(refusal(snap), "snap: snap with mode exact: is for mode lines only");
-    Request uniform_x = request_of(0.1);
-    uniform_x.uniform_x = true;
-    EXPECT_EQ(refusal(uniform_x), "uniform-x: uniform-x with mode exact: is for mode lines only");
-    for (const std::uint32_t m : {0u, 1001u}) {
-        Request request = request_of(0.1);
-        request.lines_per_radius = m;
-        EXPECT_EQ(refusal(request), "lines-per-radius: lines-per-radius " + std::to_string(m) +
-                                        ": must be between 1 and 1000");
-    }
-    for (Request request : {snap, uniform_x}) {
-        request.mode = Mode::lines;
-        EXPECT_EQ(refusal(request), "accepted");
     }
 }
 
