@@ -11,22 +11,14 @@
 #include "drawing/plot.h"
 #include "files/point_files.h"
 #include "pdf_text.h"
+#include "text.h"
 
 namespace lacuna::analysis {
 namespace {
 
 using drawing::Medium;
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-std::size_t occurrences(const std::string& text, const std::string& part) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-        ++count;
-    return count;
-}
+using test::contains;
+using test::occurrences;
 
 std::string sheet_of(const Sets& sets, Medium medium, const Domain& domain = {1, 1, true}) {
     return draw_sheet(analyse(sets, domain, {}, carry_on), sets.front(), medium);

@@ -1,7 +1,6 @@
 // Given a request, `lacuna compare` makes it on every backend, and says whether all agree.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -29,10 +28,7 @@ Setting faulty() {
 }
 
 Words compare(const Words& request, const Words& more) {
-    Words all{"compare"};
-    all.insert(all.end(), request.begin(), request.end());
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
+    return joined(joined({"compare"}, request), more);
 }
 
 TEST(Compare, FindsTheSamePointsOnEveryBackendInEveryMode) {
@@ -70,10 +66,9 @@ TEST(Compare, FindsTheSameRelaxedPointsOnEveryBackend) {
         ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
         EXPECT_NE(outcome.out.find("made these points"), std::string::npos) << outcome.out;
         // The points are the same as stipple's or sample's, not those before relaxing.
-        Words same = request;
-        same.insert(same.begin(), request.front() == "--count" ? "sample" : "stipple");
-        same.insert(same.end(), {"--quiet", "-o", folder.path("b.npy"), "--report", alone});
-        ASSERT_EQ(run(same).exit_code, 0);
+        const std::string command = request.front() == "--count" ? "sample" : "stipple";
+        expect_success(joined(joined({command}, request),
+                              {"--quiet", "-o", folder.path("b.npy"), "--report", alone}));
         EXPECT_EQ(Json::parse(content_of(json)).at("entries")[0].at("points_sha256"),
                   Json::parse(content_of(alone)).at("points_sha256"));
     }
@@ -156,24 +151,6 @@ TEST(Compare, MakesASetOnEachBeforeThoseThatItTakesTimesOf) {
     };
     EXPECT_EQ(with_runs("1").exit_code, 0);
     EXPECT_EQ(with_runs("2").exit_code, 4);  // at the third set
-}
-
-TEST(Compare, RefusesWhatItCannotDo) {
-    const Folder folder;
-    const auto refuse = [&](const Words& more, const Words& pieces) {
-        expect_one_error(run(compare({"--radius", "0.1"}, more)), 2, pieces);
-        EXPECT_EQ(folder.names(), Words{});
-    };
-    refuse({"--runs", "0"}, {"--runs 0", "between 1 and"});
-    refuse({"--backends", "gpu"}, {"--backends", "gpu", "cpu, opencl, vulkan, reference"});
-    refuse({"--output", folder.path("a.txt")}, {"--output", ".svg .pdf .png"});
-    refuse({"--json", folder.path("a.txt")}, {"--json", ".json"});
-    expect_one_error(run({"compare"}), 2, {"--radius", "missing"});
-    expect_one_error(run({"compare", folder.path("none.png"), "--count", "10"}), 3, {"none.png"});
-    expect_one_error(run({"compare", "--radius", "0.1", "--invert"}), 2, {"--invert"});
-    expect_one_error(
-        run({"compare", LACUNA_EXAMPLES "/raccoon.png", "--count", "10", "--mode", "lines"}), 2,
-        {"--mode with a picture"});
 }
 
 // Otherwise its exit(1) would mean that points differ.

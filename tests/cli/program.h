@@ -3,27 +3,13 @@
 
 #include <sys/types.h>
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "folder.h"
+
 namespace lacuna::test {
-
-// A new folder, deleted with its content at the end of the test.
-class Folder {
-public:
-    Folder();
-    ~Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    std::string path(const std::string& name) const { return (path_ / name).string(); }
-    std::vector<std::string> names() const;  // of its content, sorted
-
-private:
-    std::filesystem::path path_;
-};
 
 struct Outcome {
     int exit_code;  // 128 + the signal if one ended it, as shells say
@@ -63,8 +49,5 @@ private:
 };
 
 Outcome run(const std::vector<std::string>& arguments, const Setting& setting = {});
-
-std::string content_of(const std::string& path);
-void write_file(const std::string& path, const std::string& content);
 
 }  // namespace lacuna::test

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "expectations.h"
 #include "program.h"
 
 namespace {
@@ -71,10 +72,9 @@ std::string shown_by(const std::vector<std::string>& words, const Terminal& term
     return text + terminal.text();
 }
 
-std::string shown_on(const Terminal& terminal, std::vector<std::string> more,
+std::string shown_on(const Terminal& terminal, const Words& more,
                      std::map<std::string, std::string> environment) {
-    more.insert(more.begin(), kRun.begin(), kRun.end());
-    return shown_by(more, terminal, std::move(environment));
+    return shown_by(joined(kRun, more), terminal, std::move(environment));
 }
 
 TEST(ProgressBar, TellsPointsRoundsAndRateAndClearsItsLineAtTheEnd) {
@@ -120,7 +120,7 @@ TEST(ProgressBar, TellsHowFarAnAnalysisIsAndClearsItsLineAtTheEnd) {
     if (!terminal.exists()) GTEST_SKIP() << "no terminals here";
     const Folder folder;
     const std::string points = folder.path("a.npy");
-    ASSERT_EQ(run({"sample", "--count", "20000", "-o", points, "--quiet"}).exit_code, 0);
+    expect_success({"sample", "--count", "20000", "-o", points, "--quiet"});
     const std::string text = shown_by({"analyze", points}, terminal, {{"NO_COLOR", "1"}});
     EXPECT_TRUE(std::regex_search(text, std::regex(" [0-9]+ %  analysing 1 set"))) << text;
     EXPECT_TRUE(text.ends_with("\r\x1b[K")) << text;
@@ -132,7 +132,7 @@ TEST(ProgressBar, TellsHowLongAnAnalysisWillStillTake) {
     if (!terminal.exists()) GTEST_SKIP() << "no terminals here";
     const Folder folder;
     const std::string points = folder.path("a.npy");
-    ASSERT_EQ(run({"sample", "--count", "20000", "-o", points, "--quiet"}).exit_code, 0);
+    expect_success({"sample", "--count", "20000", "-o", points, "--quiet"});
     // Some seconds of work.
     const std::string text =
         shown_by({"analyze", points, "--threads", "1", "--max-frequency", "20"}, terminal,

@@ -1,6 +1,5 @@
 // `lacuna reproduce` as a user sees it: lines, files, exit codes.
 #include <gtest/gtest.h>
-#include <signal.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -42,10 +41,9 @@ TEST(Reproduce, WritesDataAndPictureOfEachIntoTheFolder) {
 }
 
 TEST(Reproduce, TakesItemsInAnyOrderAndOnce) {
-    const Words some{"reproduce", "--runs", "1", "--smallest-radius", "0.05"};
-    Words words = some;
-    words.insert(words.end(), {"fig3", "table2", "fig3"});
-    const std::string out = run(words).out;
+    const std::string out =
+        run({"reproduce", "--runs", "1", "--smallest-radius", "0.05", "fig3", "table2", "fig3"})
+            .out;
     EXPECT_LT(out.find("table2 "), out.find("fig3 "));
     EXPECT_EQ(std::count(out.begin(), out.end(), '\n'), 12);
 }
@@ -71,35 +69,6 @@ TEST(Reproduce, ExitsWith1WhenANumberIsNotWithinAndWritesAllTheSame) {
     EXPECT_EQ(folder.names(), (Words{"fig3.json", "fig3.svg"}));
 }
 
-TEST(ReproduceWithBadUsage, ExitsWith2AndSaysWhatIsAllowed) {
-    expect_one_error(run({"reproduce"}), 2, {"WHAT", "lacuna reproduce --help"});
-    expect_one_error(run({"reproduce", "fig9"}), 2,
-                     {"fig9: must be one of table1, table2, fig3, ", "fig8, all"});
-    expect_one_error(run({"reproduce", "fig3", "--runs", "0"}), 2, {"--runs 0: ", "at least 1"});
-    expect_one_error(run({"reproduce", "fig3", "--runs", "x"}), 2, {"--runs x: "});
-    expect_one_error(run({"reproduce", "table1", "--smallest-radius", "0.1"}), 2,
-                     {"--smallest-radius 0.1: ", "0.05"});
-    expect_one_error(run({"reproduce", "fig3", "--wrong"}), 2, {"--wrong", "no such option"});
-}
-
-TEST(ReproduceOfAnImage, ThatIsMissingIsRefusedBeforeTheWorkStarts) {
-    for (const char* what : {"fig7", "all"})
-        expect_one_error(run({"reproduce", what}), 2,
-                         {"--image missing: fig7 stipples a picture", "--image FILE"});
-    expect_one_error(run({"reproduce", "fig7", "--image", "missing.png"}), 3,
-                     {"missing.png: No such file"});
-}
-
-TEST(ReproduceIntoAFolder, ThatCannotBeMadeExitsWith3BeforeTheWorkStarts) {
-    const Folder folder;
-    write_file(folder.path("file"), "");
-    expect_one_error(run({"reproduce", "table1", "-o", folder.path("file/no")}), 3,
-                     {folder.path("file/no"), "cannot be made"});
-    expect_one_error(run({"reproduce", "table1", "-o", folder.path("file")}), 3,
-                     {folder.path("file")});
-    EXPECT_EQ(folder.names(), Words{"file"});
-}
-
 TEST(ReproduceIntoAFolder, LeavesNoHalfFileWhenTheDiskIsFull) {
     const Folder folder;
     Setting setting;
@@ -108,26 +77,6 @@ TEST(ReproduceIntoAFolder, LeavesNoHalfFileWhenTheDiskIsFull) {
     EXPECT_EQ(outcome.exit_code, 3);
     expect_has(outcome.err, {"fig3.svg: File too large"});
     EXPECT_EQ(folder.names(), Words{"fig3.json"});
-}
-
-TEST(ReproduceInterrupted, ExitsWith130AndWritesNothing) {
-    const Folder folder;
-    Program program({"reproduce", "table1", "-o", folder.path("")});
-    ASSERT_TRUE(program.waits_for(SIGINT));
-    program.send(SIGINT);
-    const Outcome outcome = program.wait();
-    EXPECT_EQ(outcome.exit_code, 130);
-    EXPECT_EQ(outcome.out, "");
-    expect_has(outcome.err, {"interrupted, nothing was written"});
-    EXPECT_EQ(folder.names(), Words{});
-}
-
-TEST(ReproduceHelp, BeginsWithExamplesAndNamesEveryOption) {
-    const Outcome outcome = run({"reproduce", "--help"});
-    EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_LT(outcome.out.find("Examples:"), outcome.out.find("Options:"));
-    expect_has(outcome.out.substr(outcome.out.find("Positionals:")),
-               {"WHAT", "--output", "--image", "--runs", "--smallest-radius", "--quiet"});
 }
 
 }  // namespace

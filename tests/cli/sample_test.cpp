@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "expectations.h"
 #include "program.h"
 
 namespace {
@@ -59,16 +59,6 @@ TEST(Sample, EndsWithOneLineAboutAFileUnlessQuiet) {
     const Outcome quiet = run({"sample", "--count", "100", "-o", path, "--quiet"});
     EXPECT_EQ(quiet.exit_code, 0);
     EXPECT_EQ(quiet.err, "");
-}
-
-TEST(Sample, MakesEveryKindOfFile) {
-    const Folder folder;
-    for (const std::string name :
-         {"a.txt", "a.csv", "a.npy", "a.ply", "a.json", "a.svg", "a.pdf", "a.png", "A.SVG"}) {
-        EXPECT_EQ(run({"sample", "--radius", "0.2", "-o", folder.path(name)}).exit_code, 0);
-        EXPECT_GT(std::filesystem::file_size(folder.path(name)), 20u) << name;
-    }
-    EXPECT_EQ(folder.names().size(), 9u);
 }
 
 TEST(Sample, TakesEveryOptionIntoTheRequestAndTheReport) {
@@ -137,9 +127,7 @@ TEST(Sample, ReportsTheModeAndItsLinesPerRadiusAndNoRefiningInLines) {
     const Folder folder;
     const std::string report = folder.path("report.json");
     const auto report_of = [&](const Names& more) {
-        Names words{"sample", "--radius", "0.05", "--report", report};
-        words.insert(words.end(), more.begin(), more.end());
-        EXPECT_EQ(run(words).exit_code, 0);
+        expect_success(joined({"sample", "--radius", "0.05", "--report", report}, more));
         return nlohmann::json::parse(content_of(report));
     };
     const auto lines = report_of({"--mode", "lines"});
@@ -155,35 +143,13 @@ TEST(Sample, ReportsTheModeAndItsLinesPerRadiusAndNoRefiningInLines) {
 
 TEST(Sample, MakesExactSetsUnlessToldOtherwise) {
     const Names request{"sample", "--radius", "0.05", "--torus"};
-    const auto in_mode = [&](const Names& mode) {
-        Names words = request;
-        words.insert(words.end(), mode.begin(), mode.end());
-        return run(words).out;
-    };
+    const auto in_mode = [&](const Names& mode) { return run(joined(request, mode)).out; };
     EXPECT_EQ(in_mode({}), in_mode({"--mode", "exact"}));
     EXPECT_EQ(in_mode({}), in_mode({"--mode", "exact", "--lines-per-radius", "6"}));
     EXPECT_NE(in_mode({}), in_mode({"--mode", "lines"}));
     EXPECT_NE(in_mode({}), in_mode({"--mode", "lines", "--lines-per-radius", "6"}));
     EXPECT_EQ(in_mode({"--mode", "lines"}),
               in_mode({"--mode", "lines", "--lines-per-radius", "30"}));
-}
-
-TEST(Help, BeginsWithExamplesAndNamesEveryOption) {
-    const Outcome general = run({"--help"});
-    EXPECT_EQ(general.exit_code, 0);
-    EXPECT_EQ(general.err, "");
-    EXPECT_NE(general.out.find("Examples:"), std::string::npos);
-
-    const Outcome outcome = run({"sample", "--help"});
-    EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_EQ(outcome.err, "");
-    EXPECT_LT(outcome.out.find("Examples:"), outcome.out.find("Options:"));
-    for (const char* option :
-         {"--radius", "--count", "--domain", "--torus", "--mode", "--lines-per-radius",
-          "--uniform-x", "--snap", "--limit", "--round-size", "--seed", "--backend", "--device",
-          "--threads", "--output", "--report", "--quiet"})
-        EXPECT_NE(outcome.out.find(option, outcome.out.find("Options:")), std::string::npos)
-            << option;
 }
 
 }  // namespace

@@ -27,16 +27,10 @@ std::string gradient(const Folder& folder) {
     return grey_picture(folder, 24, 16, pixels);
 }
 
-Names joined(Names first, const Names& second) {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-}
-
 // Bytes of the points that a command makes, as .npy.
-std::string points_by(const Folder& folder, Names command, const Names& arguments) {
+std::string points_by(const Folder& folder, const Names& command, const Names& arguments) {
     const std::string path = folder.path("points.npy");
-    command.insert(command.end(), arguments.begin(), arguments.end());
-    const Outcome outcome = run(joined(command, {"--quiet", "-o", path}));
+    const Outcome outcome = run(joined(joined(command, arguments), {"--quiet", "-o", path}));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return outcome.exit_code == 0 ? content_of(path) : "";
 }
@@ -93,7 +87,7 @@ TEST(ExactStipple, WithoutACountMakesAsManyDotsAsSuitThePicture) {
     const Folder folder;
     const std::string image = gradient(folder);
     const std::string path = folder.path("a.npy");
-    ASSERT_EQ(run({"stipple", image, "-o", path, "--quiet", "--relax", "0"}).exit_code, 0);
+    expect_success({"stipple", image, "-o", path, "--quiet", "--relax", "0"});
     const std::size_t count = lacuna::files::read_points(path).size();
     const Outcome outcome = run({"stipple", image, "--mode", "exact", "-o", folder.path("a.svg")});
     EXPECT_EQ(outcome.exit_code, 0);
@@ -107,10 +101,8 @@ TEST(ExactStipple, TellsItsModeAndTheMetricThatItHas) {
     const Folder folder;
     const std::string image = gradient(folder);
     const std::string path = folder.path("a.json"), report = folder.path("report.json");
-    ASSERT_EQ(run({"stipple", image, "--mode", "exact", "--count", "100", "--relax", "2", "-o",
-                   path, "--report", report, "--quiet"})
-                  .exit_code,
-              0);
+    expect_success({"stipple", image, "--mode", "exact", "--count", "100", "--relax", "2", "-o",
+                    path, "--report", report, "--quiet"});
     const auto request = nlohmann::json::parse(content_of(report)).at("request");
     EXPECT_EQ(request.at("mode"), "exact");
     EXPECT_EQ(request.at("metric"), "min");

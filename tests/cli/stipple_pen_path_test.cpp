@@ -1,6 +1,5 @@
 // Given --pen-path, dots come in the order of a short way.
 #include <gtest/gtest.h>
-#include <signal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,9 +51,8 @@ TEST(APenPath, OnPaperIsDrawnInItsOrderAndInMillimetres) {
     const Folder folder;
     const Names request{"--count", "300", "--pen-path"};
     const std::vector<Point> path = points_of(kRaccoon, request);
-    Names arguments = request;
-    arguments.insert(arguments.end(), {"--paper-size", "A4", "--margin", "20mm"});
-    ASSERT_EQ(stipple(kRaccoon, arguments, folder.path("a.svg")).exit_code, 0);
+    const Names on_paper = joined(request, {"--paper-size", "A4", "--margin", "20mm"});
+    ASSERT_EQ(stipple(kRaccoon, on_paper, folder.path("a.svg")).exit_code, 0);
     const std::string svg = content_of(folder.path("a.svg"));
     EXPECT_NE(svg.find("width=\"297mm\" height=\"210mm\""), std::string::npos)
         << "A4 lies across for a wide picture";
@@ -70,18 +68,6 @@ TEST(APenPath, OnPaperIsDrawnInItsOrderAndInMillimetres) {
         EXPECT_NEAR(std::stod(svg.substr(blank)), 190 - point.y * scale, 1e-3);
     }
     EXPECT_EQ(svg.find('M', at + 1), std::string::npos);
-}
-
-TEST(APenPath, ThatIsInterruptedWritesNothing) {
-    const Folder folder;
-    Program program({"stipple", kRaccoon, "--count", "100000", "--lines-per-radius", "3",
-                     "--pen-path", "-o", folder.path("a.svg")});
-    ASSERT_TRUE(program.waits_for(SIGINT));
-    program.send(SIGINT);
-    const Outcome outcome = program.wait();
-    EXPECT_EQ(outcome.exit_code, 130);
-    EXPECT_TRUE(outcome.err.ends_with("lacuna: interrupted, nothing was written\n")) << outcome.err;
-    EXPECT_EQ(folder.names(), Names{});
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/expectations.h"
 #include "cli/pictures.h"
 #include "files/read_points.h"
 #include "program.h"

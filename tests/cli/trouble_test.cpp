@@ -13,6 +13,8 @@
 #include <thread>
 #include <vector>
 
+#include "cli/pictures.h"
+#include "expectations.h"
 #include "program.h"
 
 namespace {
@@ -23,33 +25,6 @@ using Names = std::vector<std::string>;
 void expect_one_line(const std::string& text) {
     EXPECT_TRUE(text.starts_with("lacuna: ")) << text;
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
-}
-
-// Fine enough to run for minutes, with rounds small enough to be stopped soon.
-const Names kLongRun{"sample",       "--radius", "0.0005", "--backend", "reference",
-                     "--round-size", "64",       "--mode", "lines"};
-
-Names long_run(const Names& more) {
-    Names words = kLongRun;
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-}
-
-TEST(AFileThatCannotBeMade, IsRefusedBeforeTheWorkStarts) {
-    const Folder folder;
-    write_file(folder.path("file"), "");
-    std::filesystem::create_directory(folder.path("folder.txt"));
-    for (const std::string name : {"missing/a.txt", "file/a.txt", "folder.txt"}) {
-        const Outcome outcome = run(long_run({"-o", folder.path(name)}));
-        EXPECT_EQ(outcome.exit_code, 3);
-        EXPECT_EQ(outcome.out, "");
-        expect_one_line(outcome.err);
-        EXPECT_NE(outcome.err.find(folder.path(name)), std::string::npos) << outcome.err;
-    }
-    const Outcome outcome = run(long_run({"--report", folder.path("missing/a.json")}));
-    EXPECT_EQ(outcome.exit_code, 3);
-    expect_one_line(outcome.err);
-    EXPECT_EQ(folder.names(), (Names{"file", "folder.txt"}));
 }
 
 TEST(AFileThatCannotBeFinished, LeavesTheOlderOneUntouched) {
@@ -140,7 +115,10 @@ class AnInterruptedRun : public testing::TestWithParam<int> {};
 TEST_P(AnInterruptedRun, ExitsWithTheSignalsCodeAndLeavesNothing) {
     const Folder folder;
     write_file(folder.path("a.txt"), "older\n");
-    Program program(long_run({"-o", folder.path("a.txt"), "--report", folder.path("report.json")}));
+    // Fine enough to run for minutes, with rounds small enough to be stopped soon.
+    Program program({"sample", "--radius", "0.0005", "--backend", "reference", "--round-size", "64",
+                     "--mode", "lines", "-o", folder.path("a.txt"), "--report",
+                     folder.path("report.json")});
     ASSERT_TRUE(program.waits_for(GetParam()));
     program.send(GetParam());
     const Outcome outcome = program.wait();
@@ -233,6 +211,25 @@ TEST_P(AnInterruptedRun, OfTheCpuBackendInExactDoesSoToo) {
     EXPECT_EQ(outcome.exit_code, 128 + GetParam());
     expect_one_line(outcome.err);
     EXPECT_EQ(folder.names(), Names{});
+}
+
+TEST(AnInterruptedCommand, OfAnyKindExitsWith130AndWritesNothing) {
+    const Folder folder;
+    const std::string set = folder.path("set.npy");
+    expect_success({"sample", "--count", "200000", "--quiet", "-o", set});
+    for (const Names& words :
+         {Names{"relax", set, "--iterations", "10000", "-o", folder.path("even.npy")},
+          Names{"analyze", set, "-o", folder.path("a.pdf")},
+          Names{"reproduce", "table1", "-o", folder.path("")},
+          Names{"stipple", kRaccoon, "--count", "100000", "--lines-per-radius", "3", "--pen-path",
+                "-o", folder.path("a.svg")}}) {
+        SCOPED_TRACE(words.front());
+        Program program(words);
+        ASSERT_TRUE(program.waits_for(SIGINT));
+        program.send(SIGINT);
+        expect_one_error(program.wait(), 130, {"lacuna: interrupted, nothing was written\n"});
+        EXPECT_EQ(folder.names(), Names{"set.npy"});
+    }
 }
 
 TEST(ASecondSignal, DoesNotWaitForTheEndOfTheRound) {

@@ -39,8 +39,7 @@ TEST_F(Viewers, GivenAPlottersFileThenVpypeSeesAPathADotAndNoOther) {
     const std::string path = folder_.path("plot.svg");
     for (const Names& paper : {Names{}, Names{"--paper-size", "A4", "--margin", "15mm"},
                                Names{"--paper-size", "A4", "--dot-size", "0.5mm"}}) {
-        Names arguments{"--count", "700", "--pen-path"};
-        arguments.insert(arguments.end(), paper.begin(), paper.end());
+        const Names arguments = joined({"--count", "700", "--pen-path"}, paper);
         ASSERT_EQ(stipple(kRaccoon, arguments, path).exit_code, 0);
         EXPECT_EQ(seen("paths", path), "700\n");
     }
@@ -56,8 +55,7 @@ TEST_F(Viewers, GivenTinyDotsThenVpypeSeesThemAll) {
 
 TEST_F(Viewers, GivenAPdfThenADotIsRoundInPdfium) {
     const std::string path = folder_.path("dot.pdf");
-    ASSERT_EQ(run({"sample", "--radius", "0.03", "--limit", "1", "--quiet", "-o", path}).exit_code,
-              0);
+    expect_success({"sample", "--radius", "0.03", "--limit", "1", "--quiet", "-o", path});
     std::istringstream words(seen("dots", path));
     int width = 0, height = 0;
     double dark = 0;

@@ -15,22 +15,14 @@
 #include "files/point_files.h"
 #include "files/sets.h"
 #include "pdf_text.h"
+#include "text.h"
 
 namespace lacuna::files {
 namespace {
 
 using drawing::Medium;
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-std::size_t occurrences(const std::string& text, const std::string& part) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-        ++count;
-    return count;
-}
+using test::contains;
+using test::occurrences;
 
 // A decoded PNG.
 class Image {

@@ -2,7 +2,6 @@
 #include "files/read_points.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cstddef>
@@ -14,6 +13,7 @@
 #include "files/point_files.h"
 #include "files/read_points_bytes.h"
 #include "files/sets.h"
+#include "folder.h"
 
 namespace lacuna::files {
 namespace {
@@ -42,19 +42,17 @@ TEST(APointFile, OfEveryReadableFormatGivesBackWhatWasEncoded) {
 }
 
 TEST(APointFile, IsReadByItsExtensionAndErrorsNameIt) {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("lacuna_read_" + std::to_string(getpid()));
-    std::filesystem::create_directory(folder);
+    const test::Folder folder;
     const Points points = spread_points(10);
     for (const char* name : {"a.txt", "a.csv", "a.npy", "a.ply", "a.json", "A.TXT"}) {
-        const std::string path = folder / name;
+        const std::string path = folder.path(name);
         write_whole(path, encode({points}, format_of(path)));
         expect_same_bits(read_points(path), points);
     }
-    std::filesystem::create_directory(folder / "folder.txt");
+    std::filesystem::create_directory(folder.path("folder.txt"));
     for (const char* name :
          {"missing.txt", "folder.txt", "a.svg", "a.pdf", "a.png", "a.xyz", "a"}) {
-        const std::string path = folder / name;
+        const std::string path = folder.path(name);
         try {
             read_points(path);
             ADD_FAILURE() << name << " was read";
@@ -62,7 +60,6 @@ TEST(APointFile, IsReadByItsExtensionAndErrorsNameIt) {
             EXPECT_TRUE(std::string(error.what()).starts_with(path + ": ")) << error.what();
         }
     }
-    std::filesystem::remove_all(folder);
 }
 
 TEST(ATextFile, MayHaveCommentsBlankLinesTabsPlusesAndNoLastLineEnd) {

@@ -7,15 +7,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "files/point_files.h"
+#include "folder.h"
 
 namespace lacuna::files {
 namespace {
@@ -24,20 +21,10 @@ using Points = std::vector<Point>;
 
 class ReadSets : public testing::Test {
 protected:
-    ReadSets() {
-        std::string name = (std::filesystem::temp_directory_path() / "lacuna-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for the test");
-        folder_ = name;
-    }
-    ~ReadSets() override {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
-    }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_.path(name); }
 
     SetsOfFile read(const std::string& name, std::string_view content) const {
-        std::ofstream(path(name), std::ios::binary) << content;
+        test::write_file(path(name), std::string(content));
         return read_sets(path(name));
     }
 
@@ -55,7 +42,7 @@ protected:
     }
 
 private:
-    std::filesystem::path folder_;
+    const test::Folder folder_;
 };
 
 const Points kThree{{0.25, 0.5}, {0.125, 1e-3}, {0.75, 0.875}};

@@ -9,46 +9,27 @@
 #include <array>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <thread>
 
 #include "files/point_files.h"
+#include "folder.h"
 
 namespace lacuna::files {
 namespace {
 
 namespace fs = std::filesystem;
+using test::content_of;
 
 // A folder of its own for each test.
 class WriteWhole : public testing::Test {
 protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "lacuna_files_XXXXXX").string();
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
+    std::string path(const std::string& name) const { return folder_.path(name); }
+    std::size_t files_in_folder() const { return folder_.names().size(); }
 
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    std::ptrdiff_t files_in_folder() const {
-        return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
-    }
-
-    fs::path folder_;
+    const test::Folder folder_;
 };
-
-std::string content_of(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-void put(const fs::path& path, const std::string& bytes) {
-    std::ofstream(path, std::ios::binary) << bytes;
-}
 
 mode_t permissions_of(const std::string& path) {
     struct stat status {};
@@ -69,7 +50,7 @@ TEST_F(WriteWhole, GivenNoFileThenOneAppearsWithTheseBytesAlone) {
     const std::string bytes("a\0b\n", 4);
     write_whole(path("points.txt"), bytes);
     EXPECT_EQ(content_of(path("points.txt")), bytes);
-    EXPECT_EQ(files_in_folder(), 1);
+    EXPECT_EQ(files_in_folder(), 1U);
 }
 
 TEST_F(WriteWhole, GivenNoBytesThenTheFileIsEmpty) {
@@ -79,12 +60,12 @@ TEST_F(WriteWhole, GivenNoBytesThenTheFileIsEmpty) {
 }
 
 TEST_F(WriteWhole, GivenAnOlderFileThenItIsReplacedAndKeepsItsPermissions) {
-    put(path("points.txt"), "a longer older file");
+    test::write_file(path("points.txt"), "a longer older file");
     ASSERT_EQ(::chmod(path("points.txt").c_str(), 0640), 0);
     write_whole(path("points.txt"), "new");
     EXPECT_EQ(content_of(path("points.txt")), "new");
     EXPECT_EQ(permissions_of(path("points.txt")), 0640U);
-    EXPECT_EQ(files_in_folder(), 1);
+    EXPECT_EQ(files_in_folder(), 1U);
 }
 
 TEST_F(WriteWhole, GivenANewFileThenItsPermissionsAreWhatTheUmaskLeaves) {
@@ -96,7 +77,7 @@ TEST_F(WriteWhole, GivenANewFileThenItsPermissionsAreWhatTheUmaskLeaves) {
 
 TEST_F(WriteWhole, GivenARelativeNameThenTheFileIsInTheCurrentFolder) {
     const fs::path before = fs::current_path();
-    fs::current_path(folder_);
+    fs::current_path(path("."));
     write_whole("points.txt", "new");
     fs::current_path(before);
     EXPECT_EQ(content_of(path("points.txt")), "new");
@@ -110,14 +91,14 @@ TEST_F(WriteWhole, GivenTheLongestNameThatTheSystemTakesThenItIsWritten) {
 
 TEST_F(WriteWhole, GivenALinkThenTheFileBehindItIsWrittenAndTheLinkStays) {
     fs::create_directory(path("deep"));
-    put(path("deep/points.txt"), "old");
+    test::write_file(path("deep/points.txt"), "old");
     fs::create_symlink("deep/points.txt", path("second.txt"));
     fs::create_symlink(path("second.txt"), path("first.txt"));
     write_whole(path("first.txt"), "new");
     EXPECT_EQ(content_of(path("deep/points.txt")), "new");
     EXPECT_TRUE(fs::is_symlink(path("first.txt")));
     EXPECT_TRUE(fs::is_symlink(path("second.txt")));
-    EXPECT_EQ(files_in_folder(), 3);
+    EXPECT_EQ(files_in_folder(), 3U);
 }
 
 TEST_F(WriteWhole, GivenALinkToNothingThenTheFileBehindItAppears) {
@@ -136,11 +117,11 @@ TEST_F(WriteWhole, GivenALinkToItselfThenTheErrorSaysSo) {
 TEST_F(WriteWhole, GivenAMissingFolderThenTheErrorNamesThePathAndTheReason) {
     EXPECT_EQ(message_of_failure(path("missing/points.txt"), "new"),
               path("missing/points.txt") + ": No such file or directory");
-    EXPECT_EQ(files_in_folder(), 0);
+    EXPECT_EQ(files_in_folder(), 0U);
 }
 
 TEST_F(WriteWhole, GivenAFileInPlaceOfTheFolderThenTheErrorSaysSo) {
-    put(path("file"), "old");
+    test::write_file(path("file"), "old");
     EXPECT_EQ(message_of_failure(path("file/points.txt"), "new"),
               path("file/points.txt") + ": Not a directory");
     EXPECT_EQ(content_of(path("file")), "old");
@@ -151,23 +132,23 @@ TEST_F(WriteWhole, GivenAFolderThenTheErrorSaysSoAndTheFolderStays) {
     EXPECT_EQ(message_of_failure(path("folder.txt"), "new"),
               path("folder.txt") + ": Is a directory");
     EXPECT_TRUE(fs::is_directory(path("folder.txt")));
-    EXPECT_EQ(files_in_folder(), 1);
+    EXPECT_EQ(files_in_folder(), 1U);
 }
 
 TEST_F(WriteWhole, GivenAFolderThatMayNotBeWrittenThenTheOlderFileIsUntouched) {
     if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
-    put(path("points.txt"), "old");
-    fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
+    test::write_file(path("points.txt"), "old");
+    fs::permissions(path("."), fs::perms::owner_read | fs::perms::owner_exec);
     const std::string message = message_of_failure(path("points.txt"), "new");
-    fs::permissions(folder_, fs::perms::owner_all);
+    fs::permissions(path("."), fs::perms::owner_all);
     EXPECT_EQ(message, path("points.txt") + ": Permission denied");
     EXPECT_EQ(content_of(path("points.txt")), "old");
-    EXPECT_EQ(files_in_folder(), 1);
+    EXPECT_EQ(files_in_folder(), 1U);
 }
 
 TEST_F(WriteWhole, GivenAWriteProtectedFileThenItIsUntouched) {
     if (::geteuid() == 0) GTEST_SKIP() << "root may write anything";
-    put(path("points.txt"), "old");
+    test::write_file(path("points.txt"), "old");
     ASSERT_EQ(::chmod(path("points.txt").c_str(), 0444), 0);
     EXPECT_EQ(message_of_failure(path("points.txt"), "new"),
               path("points.txt") + ": Permission denied");
@@ -175,7 +156,7 @@ TEST_F(WriteWhole, GivenAWriteProtectedFileThenItIsUntouched) {
 }
 
 TEST_F(WriteWhole, GivenNoRoomHalfwayThenTheOlderFileIsUntouchedAndNothingElseIsLeft) {
-    put(path("points.txt"), "old");
+    test::write_file(path("points.txt"), "old");
     rlimit before{};
     ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
     const rlimit tight{1000, before.rlim_max};
@@ -186,7 +167,7 @@ TEST_F(WriteWhole, GivenNoRoomHalfwayThenTheOlderFileIsUntouchedAndNothingElseIs
     std::signal(SIGXFSZ, handler);
     EXPECT_EQ(message, path("points.txt") + ": File too large");
     EXPECT_EQ(content_of(path("points.txt")), "old");
-    EXPECT_EQ(files_in_folder(), 1);
+    EXPECT_EQ(files_in_folder(), 1U);
 }
 
 TEST_F(WriteWhole, GivenAFullDeviceThenTheErrorNamesItAndTheReason) {
@@ -271,7 +252,7 @@ TEST_F(WriteWhole, GivenADashThenStandardOutputGetsTheBytes) {
 }
 
 TEST_F(WriteWhole, GivenDevStdoutIntoAFileThenTheBytesAreAppendedToIt) {
-    put(path("out.txt"), "earlier\n");
+    test::write_file(path("out.txt"), "earlier\n");
     {
         const StandardOutputInto file(path("out.txt"));
         write_whole("/dev/stdout", "points\n");

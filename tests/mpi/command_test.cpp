@@ -11,6 +11,7 @@ namespace {
 
 using lacuna::test::content_of;
 using lacuna::test::Folder;
+using lacuna::test::occurrences;
 using lacuna::test::Outcome;
 using namespace lacuna::test::mpi;
 
@@ -28,7 +29,7 @@ TEST(Mpi, TheCommandWritesTheFileOfLacunaAndReportsWhatItCost) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "");
     EXPECT_NE(outcome.err.find(" on 3 ranks -> "), std::string::npos) << outcome.err;
-    EXPECT_EQ(lines_of(outcome.err, "\n"), 1u) << outcome.err;
+    EXPECT_EQ(occurrences(outcome.err, "\n"), 1u) << outcome.err;
     EXPECT_EQ(content_of(path), content_of(alone));
     const std::string told = content_of(report);
     for (const char* const word : {"\"ranks\": 3", "border_bytes_sent", "points_sha256", "median",
@@ -48,10 +49,10 @@ TEST(Mpi, TheProgressBarIsShownWhereItIsAskedFor) {
 TEST(Mpi, HelpAndVersionAreToldOnce) {
     const Outcome version = mpirun(ranks(3, {"--version"}));
     EXPECT_EQ(version.exit_code, 0) << version.err;
-    EXPECT_EQ(lines_of(version.out, "lacuna-mpi "), 1u) << version.out;
+    EXPECT_EQ(occurrences(version.out, "lacuna-mpi "), 1u) << version.out;
     const Outcome help = mpirun(ranks(2, {"sample", "--help"}));
     EXPECT_EQ(help.exit_code, 0);
-    EXPECT_EQ(lines_of(help.out, "Usage: "), 1u) << help.out;
+    EXPECT_EQ(occurrences(help.out, "Usage: "), 1u) << help.out;
 }
 
 }  // namespace

@@ -18,12 +18,13 @@ namespace {
 
 using lacuna::test::content_of;
 using lacuna::test::Folder;
+using lacuna::test::occurrences;
 using lacuna::test::Outcome;
 using namespace lacuna::test::mpi;
 
 void expect_one_message(const Outcome& outcome, int exit_code, const std::string& message) {
     EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
-    EXPECT_EQ(lines_of(outcome.err, "lacuna-mpi: "), 1u) << outcome.err;
+    EXPECT_EQ(occurrences(outcome.err, "lacuna-mpi: "), 1u) << outcome.err;
     EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.out, "");
 }

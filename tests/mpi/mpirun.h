@@ -2,11 +2,11 @@
 // message: its option -q, which silences that, is unknown to Open MPI 5.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "cli/program.h"
+#include "text.h"
 
 namespace lacuna::test::mpi {
 
@@ -50,14 +50,6 @@ inline std::vector<std::string> joined(std::vector<std::string> first,
     first.emplace_back(":");
     first.insert(first.end(), then.begin(), then.end());
     return first;
-}
-
-inline std::size_t lines_of(const std::string& text, const std::string& beginning) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(beginning); at != std::string::npos;
-         at = text.find(beginning, at + 1))
-        ++count;
-    return count;
 }
 
 }  // namespace lacuna::test::mpi

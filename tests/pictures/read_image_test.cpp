@@ -8,27 +8,14 @@
 #include <thread>
 
 #include "files/point_files.h"
+#include "folder.h"
 #include "pictures/image.h"
 #include "pictures/pictures.h"
 
 namespace lacuna::pictures {
 namespace {
 
-class Folder {
-public:
-    Folder()
-        : path_(std::filesystem::temp_directory_path() /
-                ("lacuna_field_" + std::to_string(getpid()))) {
-        std::filesystem::create_directory(path_);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { std::filesystem::remove_all(path_); }
-    std::string path(const std::string& name) const { return path_ / name; }
-
-private:
-    std::filesystem::path path_;
-};
+using test::Folder;
 
 TEST(APictureFile, IsReadByItsContentAndNotByItsName) {
     const Folder folder;
