@@ -153,13 +153,22 @@ TEST(Compare, MakesASetOnEachBeforeThoseThatItTakesTimesOf) {
     EXPECT_EQ(with_runs("2").exit_code, 4);  // at the third set
 }
 
+TEST(Compare, ShowsTheOthersWhereOneRunsOutOfMemory) {
+    const Outcome outcome = run({"compare", "--radius", "0.1", "--seed", "14", "--backends",
+                                 "cpu,reference", "--runs", "2"},
+                                faulty());
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.out;
+    EXPECT_EQ(outcome.err, "lacuna: backend reference: out of memory\n");
+    expect_has(outcome.out, {"failed in run 1: backend reference: out of memory"});
+}
+
 // Otherwise its exit(1) would mean that points differ.
 TEST(Compare, TellsOfADriverThatEndsTheProgram) {
     const std::string table = run({"devices"}).out;
     for (const std::string backend : {"opencl", "vulkan"}) {
         if (line_of(table, backend).find("not available") != std::string::npos) continue;
         const std::vector<std::pair<std::string, std::string>> ways{
-            {"10", "exit()"}, {"11", "abort()"}, {"12", "SIGSEGV"}};
+            {"10", "exit()"}, {"11", "abort()"}, {"12", "SIGSEGV"}, {"13", "an exception"}};
         for (const auto& [seed, way] : ways)
             expect_one_error(run({"compare", "--radius", "0.1", "--runs", "1", "--backends",
                                   "cpu," + backend, "--seed", seed},

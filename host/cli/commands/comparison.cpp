@@ -2,6 +2,7 @@
 #include "cli/commands/comparison.h"
 
 #include <algorithm>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -44,6 +45,11 @@ public:
             entry.failure = error.what();
         } catch (const DeviceError& error) {
             entry.failure = error.what();
+            entry.broke_off = true;
+        } catch (const std::bad_alloc&) {
+            // A driver takes far more memory than the cpu: the others may have enough.
+            if (entry.contestant.backend == "cpu") throw;
+            entry.failure = "backend " + entry.contestant.backend + ": out of memory";
             entry.broke_off = true;
         }
     }

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
 #include <string_view>
 
 #include "backends/backends.h"
@@ -58,6 +59,11 @@ void on_driver_signal(int signal) {
     tell_of_driver_and_exit(name_of_signal(signal));
 }
 
+// For an exception that leaves a driver's thread. The default handler would add lines of its own.
+[[noreturn]] void on_driver_terminate() {
+    tell_of_driver_and_exit("an exception");
+}
+
 bool has_driver(const std::string& backend) {
     const std::string name = wanted_backend(backend);
     return name != "auto" && name != "cpu" && name != "reference";
@@ -73,6 +79,7 @@ DriverAtWork::DriverAtWork(const std::string& backend) : has_driver_(has_driver(
     line_begin = {};
     std::copy_n(text.begin(), std::min(text.size(), line_begin.size() - 1), line_begin.begin());
     driver_at_work = true;
+    terminate_before_ = std::set_terminate(on_driver_terminate);
 
     // Handlers have a stack of their own: the normal one may have overflowed.
     static std::array<char, std::size_t{1} << 16U> other_stack;
@@ -106,6 +113,7 @@ DriverAtWork::~DriverAtWork() {
     if (!has_driver_) return;
     set_handlers();
     for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
+    std::set_terminate(terminate_before_);
     driver_at_work = false;
 }
 

@@ -5,14 +5,17 @@
 #include <signal.h>
 
 #include <array>
+#include <exception>
 #include <string>
 #include <vector>
 
 namespace lacuna::cli {
 
 // Some drivers call exit(1), which would mean a failed check, or abort() when they lack disk space,
-// threads or memory, and some crash. While an object of this class exists, the program then prints
-// one line on standard error and exits with kExitDevice. Objects must not be nested.
+// threads or memory, some crash, and some let an exception leave a thread of theirs. While an
+// object of this class exists, the program then prints one line on standard error and exits with
+// kExitDevice. What the driver itself has printed, such as a failed assertion, stands above that
+// line. Objects must not be nested.
 //
 // It must observe the run. Drivers that compile with LLVM install LLVM's handlers of these signals,
 // which return from an abort(), so that it kills the program, and which swallow a SIGQUIT.
@@ -33,6 +36,7 @@ private:
 
     static constexpr std::array kSignals{SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV};
     bool has_driver_;
+    std::terminate_handler terminate_before_ = nullptr;
     std::array<struct sigaction, kSignals.size()> before_{};
     static constexpr std::array kInterruptions{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
     std::array<struct sigaction, kInterruptions.size()> interruptions_{};

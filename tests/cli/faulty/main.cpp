@@ -1,10 +1,13 @@
 // The command with faults: on any backend except cpu, one bit of point 17 is wrong; with seed 9 the
-// backend fails at its third set; with 10, 11 and 12 the program is ended as drivers end it.
+// backend fails at its third set; with 10 to 13 the program is ended as drivers end it, and with 14
+// memory is exhausted.
 #include <signal.h>
 
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
+#include <new>
+#include <thread>
 
 #include "cli/commands/commands.h"
 
@@ -22,9 +25,13 @@ lacuna::Result faulty_sample(const lacuna::Request& request, lacuna::Observer& o
     constexpr std::uint64_t kExiting = 10;
     constexpr std::uint64_t kAborting = 11;
     constexpr std::uint64_t kCrashing = 12;
+    constexpr std::uint64_t kThrowing = 13;
+    constexpr std::uint64_t kExhausted = 14;
     if (request.seed == kExiting) std::exit(1);
     if (request.seed == kAborting) std::abort();
     if (request.seed == kCrashing) raise(SIGSEGV);
+    if (request.seed == kThrowing) std::thread([] { throw std::bad_alloc(); }).join();
+    if (request.seed == kExhausted) throw std::bad_alloc();
     constexpr std::size_t kPoint = 17;
     if (result.points.size() > kPoint) {
         double& x = result.points[kPoint].x;
