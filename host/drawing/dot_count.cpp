@@ -32,10 +32,15 @@ std::uint64_t dot_count(const Field& field, double width, double height) {
 
 std::uint64_t default_count(const Field& field, double width, double height,
                             std::optional<double> dot_size_mm, const Style& style) {
-    if (!dot_size_mm) return dot_count(field, width, height);
+    return dot_size_mm ? rounded(dots_for_ink(field, width, height, *dot_size_mm, style))
+                       : dot_count(field, width, height);
+}
+
+double dots_for_ink(const Field& field, double width, double height, double dot_size_mm,
+                    const Style& style) {
     const double scale = millimetres_per_unit(files::PointSet{{}, width, height}, style);
-    const double dot = std::numbers::pi / 4 * *dot_size_mm * *dot_size_mm;
-    return rounded(darkness_of(field) * width * scale * height * scale / dot);
+    const double dot = std::numbers::pi / 4 * dot_size_mm * dot_size_mm;
+    return darkness_of(field) * width * scale * height * scale / dot;
 }
 
 }  // namespace lacuna::drawing

@@ -18,8 +18,13 @@ double darkness_of(const Field& field);
 constexpr double kMostDots = 1e6;
 std::uint64_t dot_count(const Field& field, double width, double height);
 
-// The number of dots if the user gives none. With a dot diameter in mm it is the number at which
-// the areas of all dots sum to the picture's darkness; without one it is dot_count().
+// The number of dots of one diameter at which their areas sum to the picture's darkness on the
+// page.
+double dots_for_ink(const Field& field, double width, double height, double dot_size_mm,
+                    const Style& style);
+
+// The number of dots if the user gives none: with a dot diameter in mm dots_for_ink(), from 1 to
+// kMostDots, and without one dot_count().
 std::uint64_t default_count(const Field& field, double width, double height,
                             std::optional<double> dot_size_mm, const Style& style);
 

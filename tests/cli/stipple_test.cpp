@@ -166,6 +166,33 @@ TEST(Stipple, GivenAFixedDotSizeThenThePictureHasSoMuchInk) {
     EXPECT_NEAR(ink, 200 * 3.14159 * 5 * 5, 200);
 }
 
+TEST(Stipple, WarnsInOneLineOfDotsWithLessThanHalfOfTheInkOrMoreThanTwice) {
+    const Folder folder;
+    const std::string grey = grey_picture(folder, 1, 1, bytes({128}));  // importance 127 / 255
+    const auto warning = [&](const Names& more) {
+        Names words{"stipple", grey, "--paper-size", "120x100mm",         "--margin", "10mm",
+                    "--relax", "0",  "-o",           folder.path("a.svg")};
+        words.insert(words.end(), more.begin(), more.end());
+        const std::string err = run(words).err;
+        return err.starts_with("lacuna: ") ? err.substr(0, err.find('\n')) : "";
+    };
+    // 80 mm x 80 mm, half of it black, is 4058 dots of 1 mm.
+    EXPECT_EQ(warning({"--count", "100", "--dot-size", "1mm"}),
+              "lacuna: 100 dots of 1mm have 2.5 % of the picture's ink: about 4060 dots, or "
+              "--dot-size 6.4mm, would suit");
+    EXPECT_EQ(warning({"--count", "1000", "--dot-size", "4mm"}),
+              "lacuna: 1000 dots of 4mm have 394 % of the picture's ink: about 254 dots, or "
+              "--dot-size 2mm, would suit");
+    EXPECT_EQ(warning({"--count", "2100", "--dot-size", "1mm"}), "");
+    EXPECT_EQ(warning({"--count", "8000", "--dot-size", "1mm"}), "");
+    EXPECT_EQ(warning({"--dot-size", "1mm"}), "");
+    EXPECT_EQ(warning({"--count", "100"}), "");
+    EXPECT_EQ(warning({"--count", "100", "--dot-size", "1mm", "--quiet"}), "");
+    const Outcome sampled = run({"sample", "--field", grey, "--count", "50", "--dot-size", "0.1mm",
+                                 "-o", folder.path("b.svg")});
+    EXPECT_TRUE(sampled.err.starts_with("lacuna: 50 dots of 0.1mm have ")) << sampled.err;
+}
+
 TEST(Stipple, EndsWithOneLineAndReportsWhatItMade) {
     const Folder folder;
     const std::string path = folder.path("a.svg"), report = folder.path("a.json");

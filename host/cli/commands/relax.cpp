@@ -126,23 +126,24 @@ void run(const RelaxCommand& options) {
     if (file.boundary == Boundary::torus) request.boundary = Boundary::torus;
     Made made;
     made.result.points = std::move(file.sets.front());
-    const Field* const field_or_null = field ? &*field : nullptr;
+    if (field) request.field = &*field;
     const Relaxation relaxation = relax_points(
-        common, outputs, relax_options_of(request, options.iterations), field_or_null, made);
+        common, outputs, relax_options_of(request, options.iterations), request.field, made);
 
     const files::PointSet set{made.result.points, request.width, request.height,
                               made.result.radius};
+    const drawing::Style style = style_of(options.drawing, request.width, request.height);
+    if (!common.quiet) warn_of_ink(options.drawing, request, set.points.size(), style);
     Writing writing(interruption);
     if (!common.report.empty())
         writing.add(common.report, [&] {
             return relax_report(json_of(options, request), made, json_of(relaxation));
         });
-    write_set(writing, options.drawing, outputs, set,
-              style_of(options.drawing, request.width, request.height), [&] {
-                  return field ? drawing::dot_diameters(set.points, *field, set.width, set.height,
-                                                        drawing::Spread::even)
-                               : std::vector<double>();
-              });
+    write_set(writing, options.drawing, outputs, set, style, [&] {
+        return field ? drawing::dot_diameters(set.points, *field, set.width, set.height,
+                                              drawing::Spread::even)
+                     : std::vector<double>();
+    });
     sum_up(options, outputs, made, relaxation);
 }
 

@@ -48,16 +48,16 @@ Examples:
   lacuna stipple photo.jpg --scale 0.003 -o dots.png         as many as there is room for
   lacuna stipple photo.jpg --count 20000 --relax 0 -o dots.pdf        the paper's set, grainy
   lacuna stipple photo.jpg --scale 0.003 --relax 0 --mode exact -o dots.npy   no gap is left
-  lacuna stipple photo.jpg --count 5000 --paper-size A4 --margin 15mm --dot-size 0.5mm --pen-path
-    -o plot.svg                                              for a plotter with a pen of 0.5 mm
+  lacuna stipple photo.jpg --dot-size 0.5mm --paper-size A6 --margin 8mm --pen-path -o plot.svg
+                                                             for a plotter with a pen of 0.5 mm
   lacuna stipple density.npy --invert --count 5000 > points.txt       high numbers are dense
 
 The domain is the picture, with a longer side of 1 and y upwards. Importance is 1 where the picture
 is black and 0, which means no dots, where it is white. Dots are placed at random, at least a radius
 apart; the radius is G / sqrt(importance). Then --relax moves them K times, until their cells hold
 equal darkness and each dot is in the middle of its cell. With --relax 0 they are not moved: radii
-are then least distances, points come in the order in which they were admitted, and any prefix is
-itself a Poisson-disk set.
+are then least distances, and points come in the order in which they were admitted: any prefix keeps
+these distances, but has gaps.
 
 Where radii differ, --metric min keeps two dots at least the smaller radius apart, so that dots in
 light areas take no room from dark areas. With mean and max they do, and gaps remain along edges of
@@ -66,6 +66,9 @@ and in --mode exact.
 
 With --mode cells dots are placed on a lattice, and about 4 % fewer fit than in the plane. With
 --mode exact they are placed in the plane and no gap is left: the set of lacuna sample --field.
+
+With --dot-size 0.5mm all dots are equally large, as a pen draws them. Without --count there are then
+as many as give the picture's ink. A line warns of less than half of that ink or more than twice.
 
 With --paper-size the picture lies in the middle of the paper, as large as --margin allows, and .svg
 is in mm. Without it the page is the picture, and 512pt long.
@@ -215,6 +218,7 @@ void run(const CLI::App& command, const StippleCommand& options) {
         work.relaxation =
             relax_points(common, outputs, relax_options_of(request, options.relax), &field, made);
     if (options.pen_path) order_for_a_pen(options, made, work);
+    if (!common.quiet) warn_of_ink(options.drawing, request, made.result.points.size(), style);
 
     const files::Origin origin = origin_of(command, request, made.result, json_of(options));
     const files::PointSet set{made.result.points, request.width, request.height, made.result.radius,

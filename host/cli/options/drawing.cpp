@@ -6,14 +6,27 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
 
 #include "cli/options/options.h"
+#include "drawing/dot_count.h"
 
 namespace lacuna::cli {
 namespace {
 
 constexpr double kMostPixels = 32767;  // that cairo can draw along a side of an image
 constexpr double kLeastDot = 0.001;    // mm
+// The dots' ink, over the picture's, beyond which the user is warned. At half of it the picture is
+// as pale as a photograph that is exposed twice as long, and at twice of it as dark as one exposed
+// half as long. Within these limits it may well be what the user wants.
+constexpr double kLeastInk = 0.5, kMostInk = 2;
+
+// Rounds a number of dots, which is an advice, to three digits.
+std::uint64_t to_three_digits(double number) {
+    const double step = std::pow(10, std::max(0.0, std::floor(std::log10(number)) - 2));
+    return static_cast<std::uint64_t>(std::max(1.0, std::round(number / step) * step));
+}
 
 // Adds an option whose text is passed to `read`.
 template <class Read>
@@ -100,6 +113,24 @@ drawing::Style style_of(const DrawingOptions& options, double width, double heig
                                      "along its longer side",
                                      most, kMostPixels));
     return style;
+}
+
+void warn_of_ink(const DrawingOptions& options, const Request& request, std::size_t count,
+                 const drawing::Style& style) {
+    if (!options.dot_size_mm || request.field == nullptr || count == 0) return;
+    const double suits = drawing::dots_for_ink(*request.field, request.width, request.height,
+                                               *options.dot_size_mm, style);
+    const double ink = static_cast<double>(count) / suits;
+    if (ink >= kLeastInk && ink <= kMostInk) return;
+    const std::string percent =
+        ink < 0.1 ? fmt::format("{:.2g}", 100 * ink) : fmt::format("{:.0f}", 100 * ink);
+    std::fputs(
+        fmt::format("lacuna: {} dots of {:.3g}mm have {} % of the picture's ink: about {} dots, or "
+                    "--dot-size {:.2g}mm, would suit\n",
+                    count, *options.dot_size_mm, percent, to_three_digits(suits),
+                    *options.dot_size_mm / std::sqrt(ink))
+            .c_str(),
+        stderr);
 }
 
 void write_set(Writing& writing, const DrawingOptions& options, const std::vector<Output>& outputs,

@@ -3,6 +3,7 @@
 
 #include <lacuna/lacuna.h>
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -37,6 +38,11 @@ void check_drawing(const DrawingOptions& options, const std::vector<Output>& out
 // The style for a domain of this shape, without the dots' sizes. Throws BadRequest where a png
 // would have more pixels than cairo can draw.
 drawing::Style style_of(const DrawingOptions& options, double width, double height);
+
+// Prints a line on standard error if --dot-size gives the dots of the request's field less than
+// half of the picture's ink, or more than twice as much.
+void warn_of_ink(const DrawingOptions& options, const Request& request, std::size_t count,
+                 const drawing::Style& style);
 
 // Returns the diameters of a set's dots in the domain's units; empty if all follow from its radius.
 using FindDiameters = std::function<std::vector<double>()>;

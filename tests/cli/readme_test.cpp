@@ -1,0 +1,107 @@
+// README's commands do what it says: each ends well, makes its files and warns of nothing, and a
+// stippled picture has the ink of the photograph.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "expectations.h"
+#include "pictures/image.h"
+#include "program.h"
+
+namespace {
+
+using namespace lacuna::test;
+using lacuna::pictures::Image;
+
+// The program's commands among README's indented lines, without comments; a line that ends in \ is
+// joined with the next one.
+Words commands_of_readme() {
+    std::istringstream text(content_of(LACUNA_EXAMPLES "/../README.md"));
+    Words commands;
+    bool goes_on = false;
+    for (std::string line; std::getline(text, line);) {
+        const std::size_t begin = line.find_first_not_of(' ');
+        if (goes_on)
+            commands.back() += line;
+        else if (begin == 4 && line.substr(begin).starts_with("build/lacuna "))
+            commands.push_back(line.substr(begin));
+        else
+            continue;
+        std::string& command = commands.back();
+        command = command.substr(0, command.find(" #"));
+        goes_on = command.ends_with("\\");
+        if (goes_on) command.pop_back();
+    }
+    return commands;
+}
+
+Words words_of(const std::string& command) {
+    std::istringstream text(command);
+    Words words;
+    for (std::string word; text >> word;) words.push_back(word);
+    return words;
+}
+
+Words outputs_of(const std::string& command) {
+    const Words words = words_of(command);
+    Words outputs;
+    for (std::size_t i = 0; i + 1 < words.size(); ++i)
+        if (words[i] == "-o") outputs.push_back(words[i + 1]);
+    return outputs;
+}
+
+// Runs a command in `folder`, which holds the names that README's commands begin with.
+Outcome run_in(const Folder& folder, const std::string& command) {
+    Setting shell;
+    shell.program = "/bin/sh";
+    return run({"-c", "cd " + folder.path("") + " && " + command}, shell);
+}
+
+// The mean darkness of the smallest rectangle that holds all ink, so without margins.
+double ink_of(const Image& image) {
+    std::size_t left = image.columns, right = 0, top = image.rows, bottom = 0;
+    double ink = 0;
+    for (std::size_t row = 0; row < image.rows; ++row)
+        for (std::size_t column = 0; column < image.columns; ++column) {
+            const double dark = 1 - image.luminance[row * image.columns + column];
+            if (dark == 0) continue;
+            ink += dark;
+            left = std::min(left, column);
+            right = std::max(right, column + 1);
+            top = std::min(top, row);
+            bottom = std::max(bottom, row + 1);
+        }
+    return ink / static_cast<double>((right - left) * (bottom - top));
+}
+
+TEST(Readme, HasCommandsThatAllEndWellAndMakeTheirFiles) {
+    const Folder folder;
+    std::filesystem::create_directory(folder.path("build"));
+    std::filesystem::create_symlink(LACUNA_PROGRAM, folder.path("build/lacuna"));
+    std::filesystem::create_directory_symlink(LACUNA_EXAMPLES, folder.path("examples"));
+    const double photograph = ink_of(lacuna::pictures::read_image(LACUNA_EXAMPLES "/raccoon.png"));
+    std::size_t stippled = 0;
+    const Words commands = commands_of_readme();
+    EXPECT_GT(commands.size(), 10U);
+    for (const std::string& command : commands) {
+        const Outcome outcome = run_in(folder, command);
+        EXPECT_EQ(outcome.exit_code, 0) << command << "\n" << outcome.err;
+        EXPECT_EQ(outcome.err.find("lacuna: "), std::string::npos) << command << "\n"
+                                                                   << outcome.err;
+        for (const std::string& output : outputs_of(command))
+            EXPECT_GT(std::filesystem::file_size(folder.path(output)), 1000U) << command;
+        if (words_of(command)[1] != "stipple") continue;
+        ++stippled;
+        ASSERT_EQ(run_in(folder, command + " -o ink.png").exit_code, 0) << command;
+        const double ink = ink_of(lacuna::pictures::read_image(folder.path("ink.png")));
+        EXPECT_NEAR(ink / photograph, 1, 0.2) << command;
+    }
+    EXPECT_GT(stippled, 3U);
+}
+
+}  // namespace
