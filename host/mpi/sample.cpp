@@ -128,7 +128,8 @@ void sum_up(const MpiSample& all, const ResultOnRanks& result, double seconds,
             std::uint32_t ranks) {
     const std::uint64_t rounds = result.outcome.rounds;
     const std::string size =
-        all.common.request.count ? fmt::format(", radius {:.4g}", result.radius) : "";
+        (all.common.request.count ? fmt::format(", radius {:.4g}", result.radius) : "") +
+        (result.outcome.maximal ? "" : ", not maximal");
     const std::string line = fmt::format(
         "{} point{}{}, {} round{}, {:.3f} s, {} on {} rank{} -> {}", result.outcome.samples,
         result.outcome.samples == 1 ? "" : "s", size, rounds, rounds == 1 ? "" : "s", seconds,

@@ -133,6 +133,7 @@ TEST(Refused, OfSampleAreSeedsThatAreUnclear) {
         {"--seeds 0..3 --seed 4 -o {seed}.npy", 2, "--seed"},
         {"--seeds 0..3 --relax 4 -o {seed}.npy", 2, "relax 4"},
         {"--seeds 0..3 -o {seed}.doc", 2, "0.doc"},
+        {"--seeds 0..3 -o {seed}.npy --report {seed}.json", 2, "one report of all sets"},
         {"--seeds 0..3 -o none/{seed}.npy", 3, "none"},
     };
     expect_refusals(Files{}, "sample --radius 0.1", refusals);

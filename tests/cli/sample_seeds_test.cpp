@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -55,7 +56,7 @@ TEST(SampleSeeds, TellsTheTotalsInOneLineAndInAReport) {
     const Outcome outcome = run({"sample", "--count", "50", "--seeds", "0..99", "-o",
                                  folder.path("{seed}.npy"), "--report", folder.path("all.json")});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_TRUE(outcome.err.starts_with("100 sets of 50 to 50 points, ")) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("100 sets of 50 points, not maximal, ")) << outcome.err;
     const Json report = Json::parse(content_of(folder.path("all.json")));
     EXPECT_EQ(report["sets"], 100);
     EXPECT_EQ(report["count"], 5000);
@@ -63,6 +64,23 @@ TEST(SampleSeeds, TellsTheTotalsInOneLineAndInAReport) {
     EXPECT_EQ(report["request"]["seeds"], Json({{"first", 0}, {"last", 99}}));
     EXPECT_FALSE(report["request"].contains("seed"));
     EXPECT_EQ(folder.names().size(), 101U);
+}
+
+TEST(SampleSeeds, ChecksTheFolderAndTheFileOfEachSeedBeforeTheWork) {
+    const Folder folder;
+    const auto refused = [&](const std::string& output, const std::string& named) {
+        const Outcome outcome =
+            run({"sample", "--radius", "0.1", "--seeds", "0..9", "-o", folder.path(output)});
+        expect_one_error(outcome, 3, {named});
+    };
+    for (const std::string seed : {"0", "1", "2", "3", "4", "6", "7", "8", "9"})
+        std::filesystem::create_directory(folder.path(seed));
+    refused("{seed}/a.txt", "5/a.txt: there is no folder");
+    refused("{seed}/../a{seed}.txt", "5/../a5.txt: there is no folder");
+    std::filesystem::create_directory(folder.path("7.txt"));
+    refused("{seed}.txt", "7.txt");
+    EXPECT_FALSE(std::filesystem::exists(folder.path("0/a.txt")));
+    EXPECT_FALSE(std::filesystem::exists(folder.path("0.txt")));
 }
 
 TEST(SampleSeeds, LeavesNoPartOfAFileWhereTheDiskIsFull) {

@@ -61,6 +61,22 @@ TEST(Sample, EndsWithOneLineAboutAFileUnlessQuiet) {
     EXPECT_EQ(quiet.err, "");
 }
 
+TEST(Sample, SaysInItsLastLineThatASetIsNotMaximal) {
+    const Folder folder;
+    const auto said = [&](Words words) {
+        words.insert(words.begin(), "sample");
+        words.insert(words.end(), {"-o", folder.path("a.txt")});
+        return run(words).err.find(", not maximal, ") != std::string::npos;
+    };
+    EXPECT_FALSE(said({"--radius", "0.1"}));
+    EXPECT_TRUE(said({"--count", "100"}));
+    EXPECT_TRUE(said({"--radius", "0.1", "--limit", "20"}));
+    EXPECT_TRUE(said({"--radius", "0.1", "--relax", "2"}));
+    const std::string relaxed =
+        run({"sample", "--count", "100", "--relax", "2", "-o", folder.path("a.txt")}).err;
+    EXPECT_TRUE(relaxed.starts_with("100 points, not maximal, ")) << relaxed;
+}
+
 TEST(Sample, TakesEveryOptionIntoTheRequestAndTheReport) {
     const Folder folder;
     const std::string report = folder.path("report.json");

@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -76,6 +78,20 @@ WrittenFiles written_files(const CommonOptions& options, SeedRange seeds) {
     return {sets + (options.report.empty() ? 0 : 1), at};
 }
 
+// Checks each folder, and each file that is there. A folder is not checked again for the next seed.
+void check_writable_files(const std::vector<std::string>& paths, SeedRange seeds) {
+    for (const std::string& path : paths) {
+        std::optional<std::filesystem::path> checked;
+        for (std::uint64_t i = 0; i <= seeds.last - seeds.first; ++i) {
+            const std::filesystem::path file = path_of(path, seeds.first + i);
+            std::error_code error;
+            const bool is_there = std::filesystem::exists(symlink_status(file, error));
+            if (is_there || checked != file.parent_path()) check_writable(file.string());
+            checked = file.parent_path();
+        }
+    }
+}
+
 class Sets : public Observer {
 public:
     explicit Sets(bool quiet) : bar_(quiet) {}
@@ -108,9 +124,16 @@ void sum_up(const CommonOptions& options, const ManyMade& all) {
     std::string paths;
     for (const std::string& path : options.output.paths)
         paths += (paths.empty() ? "" : ", ") + path;
-    const std::string summary = fmt::format("{} set{} of {} to {} points, {:.3f} s, {} -> {}",
-                                            all.sets, all.sets == 1 ? "" : "s", all.least, all.most,
-                                            all.seconds, all.last.backend, paths);
+    const std::string counts = all.least == all.most ? fmt::format("{}", all.least)
+                                                     : fmt::format("{} to {}", all.least, all.most);
+    std::string maximal;
+    if (all.maximal == 0)
+        maximal = ", not maximal";
+    else if (all.maximal < all.sets)
+        maximal = fmt::format(", {} of them maximal", all.maximal);
+    const std::string summary = fmt::format("{} set{} of {} points{}, {:.3f} s, {} -> {}", all.sets,
+                                            all.sets == 1 ? "" : "s", counts, maximal, all.seconds,
+                                            all.last.backend, paths);
     std::fputs((printable(summary) + "\n").c_str(), stderr);
 }
 
@@ -138,8 +161,13 @@ std::vector<Output> checked_outputs(const CLI::App& command, const CommonOptions
                              "must have {seed} in its name, for --seeds: a file a set");
         path = path_of(path, seeds.first);
     }
-    // The first set's files tell the formats, and whether the folders can be written to.
+    if (options.report.find(kPlace) != std::string::npos)
+        throw BadRequest("report", shown(options.report),
+                         "is one report of all sets, without {seed}: an --output of .json tells of "
+                         "each set");
+    // The first set's files tell the formats.
     const std::vector<Output> checked = checked_outputs(of_first, read);
+    check_writable_files(options.output.paths, seeds);
     check_given_files(read, written_files(options, seeds));
     std::vector<Output> outputs;
     for (std::size_t i = 0; i < checked.size(); ++i)
@@ -178,6 +206,7 @@ void sample_seeds(const CLI::App& command, const CommonOptions& options,
             observers);
     }
     made.seconds = stopwatch.seconds_so_far();
+    if (!options.quiet) warn_of_ink(drawing, options.request, made.points / made.sets, style);
     Writing writing(interruption);
     if (!options.report.empty())
         writing.add(options.report, [&] { return many_report(options.request, made); });

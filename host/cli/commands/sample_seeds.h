@@ -22,7 +22,8 @@ struct SeedRange {
 // --seeds; `seeds` must outlive the command.
 void add_seeds(CLI::App& command, std::optional<SeedRange>& seeds);
 
-// What the sets are written to, before the work starts: each path must have {seed} in its name.
+// What the sets are written to, before the work starts: each path must have {seed} in its name, and
+// the report must not, because it is one of all sets. All folders must be there and writable.
 // Throws as checked_outputs of one set does, where a file of any seed is that of another, or the
 // report, or one of those in `read`.
 std::vector<Output> checked_outputs(const CLI::App& command, const CommonOptions& options,

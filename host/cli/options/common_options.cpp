@@ -21,8 +21,10 @@ void add_what_to_make(CLI::App& command, Request& request) {
             "--torus", [&request] { request.boundary = Boundary::torus; }, "The edges wrap")
         ->disable_flag_override();
     add_number(command, "limit", "K", request.limit, "Stop after K points");
-    add_number(command, "seed", "S", request.seed,
-               "Same seed, same points, whatever the backend (default 0)");
+    add_number(
+        command, "seed", "S", request.seed,
+        "Same seed, same points, whatever the backend (default 0). Give each colour channel a "
+        "seed of its own: where channels are equal, one seed puts their dots on the same spots");
 }
 
 void add_effort(CLI::App& command, Request& request) {
@@ -53,7 +55,8 @@ void add_what_to_write(CLI::App& command, CommonOptions& options) {
             "Writes the request, counts, seconds by verb, memory and SHA-256 of the points; - is "
             "standard output")
         ->type_name("FILE.json");
-    command.add_flag("--quiet", options.quiet, "No progress bar and no summary at the end")
+    command
+        .add_flag("--quiet", options.quiet, "No progress bar, no warning and no summary at the end")
         ->disable_flag_override();
 }
 
@@ -86,10 +89,15 @@ void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, co
     if (options.quiet || has_standard_output(outputs) || is_standard_output(options.report)) return;
     const Result& result = made.result;
     // The radius or scale that was chosen for --count or for stipple's default number of dots.
+    // After relaxing the radius may be 0, which means not known.
     std::string size;
-    if (!options.request.radius && !options.request.scale)
-        size = options.request.field != nullptr ? fmt::format(", scale {:.4g}", result.scale)
-                                                : fmt::format(", radius {:.4g}", result.radius);
+    if (!options.request.radius && !options.request.scale) {
+        if (options.request.field != nullptr)
+            size = fmt::format(", scale {:.4g}", result.scale);
+        else if (result.radius > 0)
+            size = fmt::format(", radius {:.4g}", result.radius);
+    }
+    if (what == "point" && !result.maximal) size += ", not maximal";
     std::string paths;
     for (const Output& output : outputs) paths += (paths.empty() ? "" : ", ") + output.path;
     const std::size_t count = result.points.size();

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "cli/options/options.h"
+#include "files/links.h"
 
 namespace lacuna::cli {
 namespace {
@@ -111,8 +112,7 @@ void check_writable(const std::string& path) {
     if (fs::exists(status) && is_stream(path)) return;
     if (files::descriptor_named(path)) refuse(path, reason(EBADF));
 
-    const fs::path folder = folder_of(fs::weakly_canonical(path, error));
-    if (error) refuse(path, error.message());
+    const fs::path folder = folder_of(files::behind_links(path));
     if (!fs::is_directory(folder, error))
         refuse(path, fmt::format("there is no folder {}", folder.string()));
     if (access(folder.c_str(), W_OK | X_OK) != 0)
