@@ -170,7 +170,7 @@ Mask draw_mask(std::span<const PolygonRing> rings, double width, double height, 
     const Extent extent = extent_of(rings);
     throw BadRequest(
         "inside",
-        fmt::format("{} ring{} in [{:.6g}, {:.6g}] x [{:.6g}, {:.6g}]", rings.size(),
+        fmt::format("{} ring{} in [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]", rings.size(),
                     rings.size() == 1 ? "" : "s", extent.least.x, extent.most.x, extent.least.y,
                     extent.most.y),
         fmt::format("must enclose some of the domain, [0, {:.6g}) x [0, {:.6g}), and be wider "

@@ -95,7 +95,8 @@ class PointSet(_HasPoints):
     Attributes
     ----------
     points : ndarray, shape (N, 2), float64
-        Points in the order in which they were admitted: any prefix is itself a Poisson-disk set.
+        Points in the order in which they were admitted: any prefix is a Poisson-disk set of the
+        same radius, with gaps, and not one that is spread evenly at its lower density.
         The array uses the library's memory, without a copy.
     domain : tuple of float
         Width and height; points lie in [0, width) x [0, height).

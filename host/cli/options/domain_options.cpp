@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -70,6 +71,35 @@ double least_radius(const Request& request, const std::vector<PolygonRing>& ring
     const double area = filled_share(mask, files) * request.width * request.height;
     const double density = expected_count(1, 1, Boundary::torus, 1);
     return std::sqrt(density * area / static_cast<double>(*request.count) / greatest);
+}
+
+// Polygons without a page lie where their coordinates say. Where no domain is given, a map in
+// metres would be cut off at the default of 1x1: little of it would be left, or nothing.
+void check_within_default(const std::string& path, const std::vector<PolygonRing>& rings,
+                          const Request& request) {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    Point least{kFar, kFar}, most{-kFar, -kFar};
+    for (const PolygonRing& ring : rings)
+        for (const Point& point : ring) {
+            least = {std::min(least.x, point.x), std::min(least.y, point.y)};
+            most = {std::max(most.x, point.x), std::max(most.y, point.y)};
+        }
+    if (least.x >= 0 && least.y >= 0 && most.x <= request.width && most.y <= request.height) return;
+    const double width = most.x - least.x, height = most.y - least.y;
+    const bool begins_near_0 =
+        least.x >= 0 && least.y >= 0 && least.x <= width && least.y <= height;
+    const std::string remedy =
+        begins_near_0 ? fmt::format("give --domain {:.10g}x{:.10g}", most.x, most.y)
+                      : fmt::format(
+                            "subtract ({:.10g}, {:.10g}) from all points and give --domain "
+                            "{:.10g}x{:.10g}",
+                            least.x, least.y, width, height);
+    throw BadRequest(
+        "domain", "missing",
+        fmt::format("the polygons of {} lie in [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}], which is "
+                    "not within the default, {:.10g}x{:.10g}: {}",
+                    shown(path), least.x, most.x, least.y, most.y, request.width, request.height,
+                    remedy));
 }
 
 }  // namespace
@@ -173,6 +203,8 @@ void read_domain_files(const CLI::App& command, const DomainOptions& options, Re
     read_given_files(command, options, request, files);
     if (!files.polygons) return;
     const std::vector<PolygonRing> rings = rings_of(request, files);
+    if (files.polygons->width == 0 && command.count("--domain") == 0)
+        check_within_default(options.inside, rings, request);
     files.edge = edge_of(options, request, rings, files);
     files.mask =
         draw_mask(rings, request.width, request.height, files.edge, request.memory_limit_bytes);

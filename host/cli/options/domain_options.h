@@ -58,7 +58,8 @@ std::vector<PolygonRing> rings_of(const Request& request, const DomainFiles& fil
 double edge_of(const DomainOptions& options, const Request& request,
                const std::vector<PolygonRing>& rings, const DomainFiles& files);
 
-// Does what read_given_files() does, and draws the polygons onto the request's mask.
+// Does what read_given_files() does, and draws the polygons onto the request's mask. Without
+// --domain polygons that have no page must lie within the domain.
 void read_domain_files(const CLI::App& command, const DomainOptions& options, Request& request,
                        DomainFiles& files);
 
