@@ -4,11 +4,13 @@
 #     tests/cli/limits.sh [--short] PROGRAM BACKEND...
 #
 # Address space (ulimit -v, KiB), threads and processes (-u), open files (-n), the stack (-s, KiB).
-# Prints a line for each step that gives no points, and how many steps ended with which code. Fails
-# for a code other than 0, 2, 3 and 4 (docs/design.md, section 7), and for a step that takes over a
-# minute. Limits under which even `PROGRAM --version` does not start are named and do not count. If
-# a driver ends the program, by exit(), abort() or a crash, the program reports it with code 4. Code
-# 134 is allowed if the driver calls abort() while devices are first listed.
+# In the end `compare` with all backends gets the steps of the address space. Prints a line for each
+# step that gives no points, and how many steps ended with which code. Fails for a code other than
+# 0, 2, 3 and 4 (docs/design.md, section 7), for a step that takes over a minute, and for words of
+# the C++ library about an exception. Limits under which even `PROGRAM --version` does not start are
+# named and do not count. If a driver ends the program, by exit(), abort(), a crash or an exception,
+# the program reports it with code 4. Code 134 is allowed if the driver calls abort() while devices
+# are first listed.
 set -u
 
 steps_v="15000 20000 22000 24000 26000 28000 30000 32000 34000 36000 38000 40000 45000 50000 60000
@@ -61,15 +63,17 @@ exec 3>&2 2>/dev/null
 
 declare -A seen
 failed=0
-# step BACKEND LETTER VALUE
+# step NAME LETTER VALUE WORD...: NAME is a backend, or compare for several.
 step() {
-    run "$2" "$3" sample --radius 0.01 --quiet --threads 4 --backend "$1"
-    local code=$? said
+    local name=$1 letter=$2 value=$3 code said
+    shift 3
+    run "$letter" "$value" "$@"
+    code=$?
     said=$(tail -n 1 "$folder/err" | cut -c 1-160)
     local verdict=$code
     case $code in
         0 | 2 | 3 | 4) if [[ $said == *"its driver ended"* ]]; then verdict="4, by its driver"; fi ;;
-        134) if [[ $1 != cpu && -n $said && $said != lacuna:* && $said != *what\(\)* ]]; then
+        134) if [[ $name != cpu && -n $said && $said != lacuna:* && $said != *what\(\)* ]]; then
             # PoCL's abort while devices are first listed: see host/cli/terminal/driver.h.
             verdict="134, by its driver's own abort"
         else
@@ -77,7 +81,7 @@ step() {
             failed=1
         fi ;;
         *)
-            if ! run "$2" "$3" --version; then
+            if ! run "$letter" "$value" --version; then
                 verdict="does not start"
             else
                 verdict="$code, NOT ALLOWED"
@@ -85,15 +89,24 @@ step() {
             fi
             ;;
     esac
-    seen["$1: $verdict"]=$((${seen["$1: $verdict"]:-0} + 1))
-    if [[ $code != 0 ]]; then echo "$1 -$2 $3: $verdict: $said"; fi
+    if grep -q "^terminate called" "$folder/err"; then
+        verdict="$code, with words of the C++ library, NOT ALLOWED"
+        failed=1
+    fi
+    seen["$name: $verdict"]=$((${seen["$name: $verdict"]:-0} + 1))
+    if [[ $code != 0 ]]; then echo "$name -$letter $value: $verdict: $said"; fi
 }
 
 for backend in "$@"; do
-    for value in $steps_v; do step "$backend" v "$value"; done
-    for value in $steps_u; do step "$backend" u "$value"; done
-    for value in $steps_n; do step "$backend" n "$value"; done
-    for value in $steps_s; do step "$backend" s "$value"; done
+    sample=(sample --radius 0.01 --quiet --threads 4 --backend "$backend")
+    for value in $steps_v; do step "$backend" v "$value" "${sample[@]}"; done
+    for value in $steps_u; do step "$backend" u "$value" "${sample[@]}"; done
+    for value in $steps_n; do step "$backend" n "$value" "${sample[@]}"; done
+    for value in $steps_s; do step "$backend" s "$value" "${sample[@]}"; done
+done
+all=$(IFS=,; echo "$*")
+for value in $steps_v; do
+    step compare v "$value" compare --radius 0.05 --runs 1 --quiet --backends "$all"
 done
 for verdict in "${!seen[@]}"; do echo "${seen[$verdict]} steps of $verdict"; done | sort -k 4
 exit $failed

@@ -3,8 +3,8 @@
 // What is promised
 //   - The same request and seed give the same points, bit for bit, on every backend, every device
 //     and any number of threads.
-//   - Points come in the order in which they were admitted; any prefix of a set is itself an
-//     unbiased Poisson-disk set.
+//   - Points come in the order in which they were admitted; any prefix of a set is an unbiased
+//     Poisson-disk set of the same radius. It has gaps: it is not spread evenly at its density.
 //   - Every point lies in [0, width) x [0, height).
 //   - Mode::exact: no two points are closer than the radius, computed in double from the points
 //     returned. Every spot of the domain has a point within the radius plus 2^-28 of the longer
