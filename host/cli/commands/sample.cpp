@@ -35,7 +35,7 @@ constexpr const char* kSampleDescription =
 Examples:
   lacuna sample --radius 0.01                       points as `x y` lines on standard output
   lacuna sample --radius 0.01 -o points.svg         a picture; see --output for the formats
-  lacuna sample --count 10000 --torus -o points.npy exactly 10000 points, so not maximal; edges wrap
+  lacuna sample --count 10000 --torus -o points.npy exactly 10000 points, not maximal; edges wrap
   lacuna sample --radius 0.02 --domain 2x1 --mode lines   the paper's algorithm
   lacuna sample --count 4096 --torus --relax 30 -o even.npy   far more even: see lacuna relax --help
   lacuna sample --radius 0.005 --seed 7 -o a.csv --report a.json   points, and a report of the run

@@ -67,8 +67,8 @@ and in --mode exact.
 With --mode cells dots are placed on a lattice, and about 4 % fewer fit than in the plane. With
 --mode exact they are placed in the plane and no gap is left: the set of lacuna sample --field.
 
-With --dot-size 0.5mm all dots are equally large, as a pen draws them. Without --count there are then
-as many as give the picture's ink. A line warns of less than half of that ink or more than twice.
+With --dot-size 0.5mm all dots are equally large, as a pen draws them. Without --count there are as
+many as give the picture's ink. A line warns of less than half of that ink or more than twice.
 
 With --paper-size the picture lies in the middle of the paper, as large as --margin allows, and .svg
 is in mm. Without it the page is the picture, and 512pt long.
