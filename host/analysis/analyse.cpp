@@ -223,7 +223,6 @@ Analysis analyse(std::span<const std::vector<Point>> sets, const Domain& domain,
     }
     const auto threads = static_cast<int>(effort.threads);
     make_sure_of_threads(threads);
-    allow_more_threads_than_cores();
     tbb::task_arena arena(threads);
     return arena.execute(
         [&] { return analysed(sets, domain, radii, keep_going, effort.max_frequency); });

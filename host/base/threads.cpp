@@ -1,4 +1,5 @@
-// Starts threads and ends them again, to learn whether the system allows that number.
+// Starts threads and ends them again, to learn whether the system allows that number. Limits the
+// threads of oneTBB to it.
 #include "base/threads.h"
 
 #include <lacuna/lacuna.h>
@@ -46,6 +47,18 @@ int try_to_make(int threads) {
     return error;
 }
 
+// Lets oneTBB keep this many threads, the caller included, if that is more than one for each core.
+// Without this call it keeps at most one for each core, and prints a warning when asked for more.
+void allow_threads(int threads) {
+    if (threads <= tbb::info::default_concurrency()) return;
+    // The last control is never destroyed. Of several controls oneTBB obeys the smallest, and the
+    // assignment makes the new one before it destroys the old one.
+    using Control = std::unique_ptr<tbb::global_control>;
+    static Control& kept = *std::make_unique<Control>().release();
+    kept = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                 static_cast<std::size_t>(threads));
+}
+
 }  // namespace
 
 void make_sure_of_threads(int threads) {
@@ -61,20 +74,12 @@ void make_sure_of_threads(int threads) {
                           std::generic_category().message(error) +
                           "): allow more of them or more memory (ulimit -u, ulimit -v), or use "
                           "fewer (--threads, taskset)");
+    allow_threads(threads);
     sure_of = threads;
 }
 
 void make_sure_of_threads() {
     make_sure_of_threads(tbb::info::default_concurrency());
-}
-
-void allow_more_threads_than_cores() {
-    // Made once and never destroyed: of several controls oneTBB obeys the smallest.
-    static const tbb::global_control* const kept =
-        std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                              kMostThreads)
-            .release();
-    static_cast<void>(kept);
 }
 
 }  // namespace lacuna

@@ -29,9 +29,7 @@ public:
     // 0: one thread for each core.
     explicit Workers(std::uint32_t threads)
         : threads_(threads != 0 ? static_cast<int>(threads) : tbb::info::default_concurrency()),
-          arena_(threads_) {
-        allow_more_threads_than_cores();
-    }
+          arena_(threads_) {}
 
     std::string name() const {
         return std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads");

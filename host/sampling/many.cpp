@@ -95,7 +95,6 @@ void in_batches(const Request& request, std::span<const std::uint64_t> seeds, co
     const int threads =
         request.threads == 0 ? tbb::info::default_concurrency() : static_cast<int>(request.threads);
     make_sure_of_threads(threads);
-    allow_more_threads_than_cores();
     tbb::task_arena arena(threads);
     Request single = request;
     single.threads = 1;

@@ -8,10 +8,23 @@
 #include <chrono>
 #include <future>
 #include <optional>
+#include <string>
+#include <system_error>
 
 namespace lacuna::python {
 
 namespace nb = nanobind;
+
+// Throws Unavailable if the system refuses the thread.
+template <typename Work>
+auto on_a_thread(Work work) {
+    try {
+        return std::async(std::launch::async, work);
+    } catch (const std::system_error& error) {
+        throw Unavailable("the system makes no further thread (" + error.code().message() +
+                          "): allow more of them or more memory (ulimit -u, ulimit -v)");
+    }
+}
 
 // Calls work(stop) on a new thread and waits for it with the GIL released. Meanwhile it runs
 // Python's signal handlers. When one of them raises an exception, `stop` becomes true and the work
@@ -22,7 +35,7 @@ auto in_background(Work work) {
     std::atomic<bool> stop = false;
     std::optional<nb::python_error> raised;
     const nb::gil_scoped_release no_gil;
-    auto result = std::async(std::launch::async, [&] { return work(stop); });
+    auto result = on_a_thread([&] { return work(stop); });
     while (!stop && result.wait_for(kInterval) != std::future_status::ready) {
         const nb::gil_scoped_acquire gil;
         if (PyErr_CheckSignals() == 0) continue;

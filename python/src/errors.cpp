@@ -4,7 +4,11 @@
 #include <nanobind/nanobind.h>
 
 #include <exception>
+#include <new>
+#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 #include "parts.h"
 
@@ -22,25 +26,42 @@ nb::object text_of(const char* message) {
     return nb::steal(text);
 }
 
-void raise(const char* type, const std::exception& thrown, const std::string& argument = "") {
+void raise(const char* type, const char* message, const std::string& argument = "") {
     const nb::object errors = nb::module_::import_("lacuna._errors");
-    const nb::object error = errors.attr(type)(text_of(thrown.what()), text_of(argument.c_str()));
+    const nb::object error = errors.attr(type)(text_of(message), text_of(argument.c_str()));
     PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
+}
+
+// What the system refuses in the middle of the work: a thread that oneTBB or std::async starts, or
+// memory.
+void translate_refusal(const std::exception_ptr& thrown) {
+    try {
+        std::rethrow_exception(thrown);
+    } catch (const std::bad_alloc&) {
+        raise("MemoryRefused", "the system gives no more memory");
+    } catch (const std::system_error& error) {
+        raise("Unavailable", error.what());
+    } catch (const std::runtime_error& error) {
+        if (!std::string_view(error.what()).starts_with("pthread_create")) throw;
+        raise("Unavailable", error.what());
+    }
 }
 
 void translate(const std::exception_ptr& thrown, void*) {
     try {
         std::rethrow_exception(thrown);
     } catch (const MemoryRefused& error) {
-        raise("MemoryRefused", error, error.option());
+        raise("MemoryRefused", error.what(), error.option());
     } catch (const BadRequest& error) {
-        raise("BadRequest", error, error.option());
+        raise("BadRequest", error.what(), error.option());
     } catch (const Unavailable& error) {
-        raise("Unavailable", error);
+        raise("Unavailable", error.what());
     } catch (const DeviceError& error) {
-        raise("DeviceError", error);
+        raise("DeviceError", error.what());
     } catch (const FileError& error) {
-        raise("FileError", error);
+        raise("FileError", error.what());
+    } catch (...) {
+        translate_refusal(thrown);
     }
 }
 

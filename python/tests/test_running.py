@@ -64,6 +64,83 @@ def test_threads_may_call_at_once() -> None:
         assert len(relaxed) == 1
 
 
+THREADS = """
+import sys
+import numpy as np, lacuna
+few = np.random.default_rng(1).random((50, 2))
+many = np.random.default_rng(1).random((10_001, 2))
+ramp = np.linspace(0, 1, 16) * np.ones((16, 1))
+kind, calls = sys.argv[1], int(sys.argv[2])
+call = {
+    "sample": lambda: lacuna.sample(0.01, seed=1),
+    "threads": lambda: lacuna.sample(0.01, seed=1, threads=5),
+    "field": lambda: lacuna.sample(n=600, field=ramp, seed=1),
+    "cells": lambda: lacuna.sample(n=600, field=ramp, mode="cells", seed=1),
+    "sample_many": lambda: lacuna.sample_many(range(4), n=20),
+    "relax": lambda: lacuna.relax(few, iterations=1),
+    "verify": lambda: lacuna.verify(many, 0.01, distances_only=True),
+    "analyze": lambda: lacuna.analyze(few, max_frequency=0.5),
+    "stipple": lambda: lacuna.stipple(np.eye(8), 10, relax=1, seed=1),
+    "opencl": lambda: lacuna.sample(0.1, seed=1, backend="opencl"),
+    "vulkan": lambda: lacuna.sample(0.1, seed=1, backend="vulkan"),
+    "relax on opencl": lambda: lacuna.relax(few, iterations=1, backend="opencl"),
+    "relax on vulkan": lambda: lacuna.relax(few, iterations=1, backend="vulkan"),
+}[kind]
+
+def threads():
+    with open("/proc/self/status") as status:
+        return int(next(line for line in status if line.startswith("Threads")).split()[1])
+
+for _ in range(10):
+    call()
+before = threads()
+for _ in range(calls):
+    call()
+print(before, threads())
+"""
+
+
+@pytest.mark.parametrize(
+    "kind",
+    ["sample", "threads", "field", "cells", "sample_many", "relax", "verify", "analyze", "stipple"]
+    + ["opencl", "vulkan", "relax on opencl", "relax on vulkan"],
+)
+def test_calls_leave_no_threads_behind(kind: str) -> None:
+    name = kind.split()[-1]
+    if not any(one.usable for one in lacuna.devices() if one.backend == name) and name in (
+        "opencl",
+        "vulkan",
+    ):
+        pytest.skip(f"backend {name} is not there")
+    calls = 30 if name in ("opencl", "vulkan") else 300
+    run = subprocess.run(
+        [sys.executable, "-c", THREADS, kind, str(calls)], capture_output=True, text=True
+    )
+    assert run.returncode == 0, run.stderr
+    before, after = map(int, run.stdout.split())
+    assert after <= before + 4
+
+
+REFUSED = """
+import resource
+import numpy as np, lacuna
+points = np.random.default_rng(1).random((10_001, 2))
+with open("/proc/self/statm") as sizes:
+    size = int(sizes.read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (size + 2**22, resource.RLIM_INFINITY))
+try:
+    lacuna.verify(points, 0.01)
+except lacuna.Error as error:
+    print(type(error).__name__, str(error).count("\\n"))
+"""
+
+
+def test_a_thread_that_the_system_refuses_is_told_in_a_line() -> None:
+    run = subprocess.run([sys.executable, "-c", REFUSED], capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+    assert run.stdout in ("Unavailable 0\n", "MemoryRefused 0\n")
+
+
 INTERRUPTED = """
 import sys, threading, os, signal, time
 import numpy as np, lacuna

@@ -5,6 +5,5 @@ namespace lacuna {
 
 void make_sure_of_threads(int) {}
 void make_sure_of_threads() {}
-void allow_more_threads_than_cores() {}
 
 }  // namespace lacuna
