@@ -10,7 +10,10 @@
 #include <vector>
 
 int main(int argc, char** argv) {
-    if (argc != 3) return 2;
+    if (argc != 3) {
+        std::fprintf(stderr, "usage: stippled_picture PICTURE POINTS\n");
+        return 2;
+    }
     try {
         const lacuna::Field field = lacuna::read_field(argv[1]);
         lacuna::Request request;
