@@ -30,7 +30,7 @@ RUNS: dict[str, Callable[[Progress], object]] = {
         n=1_000_000, seed=1, threads=1, progress=told
     ),
     "sample of 64 million pixels": lambda told: lacuna.sample(
-        n=100_000, field=even, seed=1, threads=1, progress=told
+        n=100_000, field=even, mode="cells", seed=1, threads=1, progress=told
     ),
     "stipple of 16 million pixels": lambda told: lacuna.stipple(
         rough, 100_000, threads=1, relax=1, progress=told

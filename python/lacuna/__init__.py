@@ -15,9 +15,10 @@ from . import _core
 from ._domains import Polygons, draw_mask, read_polygons
 from ._errors import BadRequest, DeviceError, Error, FileError, MemoryRefused, Unavailable
 from ._judging import analyze, devices
+from ._many import sample_many
 from ._relax import relax
 from ._results import Analysis, Device, Evenness, PointSet, Relaxed, Stippling
-from ._sample import sample, sample_many
+from ._sample import sample
 from ._stipple import stipple
 from ._verify import Verdict, verify
 

@@ -24,17 +24,31 @@ if TYPE_CHECKING:
 _OF_FIELDS = (28, 20)
 _OF_MASKS = (33, 24)
 _MOST_POINTS = 2**31
+_LONGEST_SHOWN = 60  # characters of a value in a message
+_LONGEST_NAME = 200  # characters
 _PIXELS_OF_PART = 2**22  # copied at a time, in some milliseconds, between which Ctrl-C works
+
+
+def shown(value: object) -> str:
+    """The value for a message: its repr on one line, and only the beginning of a long one."""
+    try:
+        written = repr(value)
+    except ValueError:  # Python writes no int of more than 4300 digits
+        if isinstance(value, int):
+            return f"an int of {value.bit_length()} bits"
+        return f"a {type(value).__name__}"
+    line = " ".join(written.split())
+    return line if len(line) <= _LONGEST_SHOWN else line[: _LONGEST_SHOWN - 3] + "..."
 
 
 def real(name: str, value: SupportsFloat) -> float:
     """A float. The library refuses NaN and infinity."""
     if isinstance(value, (str, bytes, bytearray)):
-        raise TypeError(f"{name} must be a number, not {value!r}")
+        raise TypeError(f"{name} must be a number, not {shown(value)}")
     try:
         return float(value)
     except (TypeError, ValueError):
-        raise TypeError(f"{name} must be a number, not {value!r:.60}") from None
+        raise TypeError(f"{name} must be a number, not {shown(value)}") from None
     except OverflowError:
         raise BadRequest(f"{name} is too large for a float", name) from None
 
@@ -44,9 +58,9 @@ def whole(name: str, value: SupportsIndex, least: int, most: int) -> int:
     try:
         number = operator.index(value)
     except TypeError:
-        raise TypeError(f"{name} must be a whole number (int), not {value!r:.60}") from None
+        raise TypeError(f"{name} must be a whole number (int), not {shown(value)}") from None
     if not least <= number <= most:
-        raise BadRequest(f"{name} {number}: must be {least} to {most}", name)
+        raise BadRequest(f"{name} {shown(number)}: must be {least} to {most}", name)
     return number
 
 
@@ -54,28 +68,32 @@ def flag(name: str, value: object) -> bool:
     """A bool. numpy's bools, 0 and 1 are accepted as well."""
     if isinstance(value, (bool, np.bool_)) or (isinstance(value, int) and value in (0, 1)):
         return bool(value)
-    raise TypeError(f"{name} must be True or False, not {value!r:.60}")
+    raise TypeError(f"{name} must be True or False, not {shown(value)}")
 
 
 def choice(name: str, value: object, known: tuple[str, ...]) -> str:
     """One of the words in ``known``."""
     if not isinstance(value, str):
-        raise TypeError(f"{name} must be a str, one of {', '.join(known)}, not {value!r:.60}")
+        raise TypeError(f"{name} must be a str, one of {', '.join(known)}, not {shown(value)}")
     if value not in known:
-        raise BadRequest(f"{name} {value!r:.60}: must be one of {', '.join(known)}", name)
+        raise BadRequest(f"{name} {shown(value)}: must be one of {', '.join(known)}", name)
     return value
 
 
 def text(name: str, value: object) -> str:
-    """A str that UTF-8 can encode, without NUL."""
+    """A name: a str of some length that UTF-8 can encode, without NUL."""
     if not isinstance(value, str):
-        raise TypeError(f"{name} must be a str, not {value!r:.60}")
+        raise TypeError(f"{name} must be a str, not {shown(value)}")
+    if len(value) > _LONGEST_NAME:
+        raise BadRequest(
+            f"{name} {shown(value)}: must have at most {_LONGEST_NAME} characters", name
+        )
     if "\0" in value:
-        raise BadRequest(f"{name} {value!r:.60}: must have no NUL", name)
+        raise BadRequest(f"{name} {shown(value)}: must have no NUL", name)
     try:
         value.encode()
     except UnicodeEncodeError:
-        raise BadRequest(f"{name} {value!r:.60}: must have no surrogates", name) from None
+        raise BadRequest(f"{name} {shown(value)}: must have no surrogates", name) from None
     return value
 
 
@@ -95,7 +113,7 @@ def pair(name: str, value: object) -> tuple[float, float]:
     except TypeError:
         both = []
     if len(both) != 2:
-        raise TypeError(f"{name} must be two numbers, (width, height), not {value!r:.60}")
+        raise TypeError(f"{name} must be two numbers, (width, height), not {shown(value)}")
     return real(name, both[0]), real(name, both[1])
 
 
@@ -122,9 +140,9 @@ def numbers(name: str, value: object) -> npt.NDArray[Any]:
     except ValueError:
         if not isinstance(value, (list, tuple)):
             raise
-        raise BadRequest(f"{name} {value!r:.60}: must have rows of one length", name) from None
+        raise BadRequest(f"{name} {shown(value)}: must have rows of one length", name) from None
     if array.dtype.kind not in "biuf":
-        raise TypeError(f"{name} must hold real numbers, not dtype {array.dtype}")
+        raise TypeError(f"{name} must hold real numbers, not dtype {str(array.dtype)[:_LONGEST_SHOWN]}")
     return array
 
 
@@ -179,8 +197,11 @@ def mask_of(name: str, value: object) -> _core.Mask:
     mask = _core.make_mask(*array.shape)
     values = mask.values
     for part in _parts(array):
-        if array.dtype.kind == "f" and np.isnan(array[part]).any():
-            raise BadRequest(f"{name} nan: must be numbers, 0 where no point may lie", name)
+        if array.dtype.kind == "f" and not (finite := np.isfinite(array[part])).all():
+            wrong = array[part][~finite][0]
+            raise BadRequest(
+                f"{name} {wrong}: must be finite numbers, 0 where no point may lie", name
+            )
         values[part] = array[part] != 0
     return mask
 
@@ -188,8 +209,13 @@ def mask_of(name: str, value: object) -> _core.Mask:
 def path_bytes(name: str, value: str | bytes | os.PathLike[Any]) -> bytes:
     """A path for the library. "-" is a file of that name, not standard input."""
     if not isinstance(value, (str, bytes, os.PathLike)):
-        raise TypeError(f"{name} must be a path, not {value!r:.60}")
-    path = os.fsencode(value)
+        raise TypeError(f"{name} must be a path, not {shown(value)}")
+    try:
+        path = os.fsencode(value)
+    except UnicodeEncodeError:  # of surrogates, os.fsencode takes what os.fsdecode makes
+        raise BadRequest(
+            f"{name} {shown(value)}: must have no surrogate that stands for no byte", name
+        ) from None
     if b"\0" in path:
-        raise BadRequest(f"{name} {path!r:.60}: must have no NUL", name)
+        raise BadRequest(f"{name} {shown(path)}: must have no NUL", name)
     return b"./-" if path == b"-" else path

@@ -100,6 +100,14 @@ def dot_count(field: Field, width: float, height: float) -> int: ...
 def dot_radii(
     points: npt.NDArray[np.float64], field: Field, width: float, height: float, relaxed: bool
 ) -> npt.NDArray[np.float64]: ...
+def write_points(
+    path: bytes,
+    points: npt.NDArray[np.float64],
+    width: float,
+    height: float,
+    radius: float,
+    radii: npt.NDArray[np.float64] | None,
+) -> None: ...
 def read_polygons(path: bytes) -> dict[str, Any]: ...
 def draw_mask(
     rings: list[npt.NDArray[np.float64]],

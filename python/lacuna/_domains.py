@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Iterable, SupportsFloat, SupportsIndex
 import numpy as np
 
 from . import _core
-from ._arguments import pair, path_bytes, points_array, real, whole
+from ._arguments import pair, path_bytes, points_array, real, shown, whole
 from ._errors import BadRequest
 from ._runs import MOST_64
 
@@ -93,7 +93,7 @@ def rings_on(name: str, rings: object, domain: tuple[float, float]) -> list[Floa
         with np.errstate(over="ignore", invalid="ignore"):  # the library refuses inf and NaN
             return [ring * scale for ring in rings.rings]
     if isinstance(rings, (str, bytes, os.PathLike)) or not isinstance(rings, Iterable):
-        raise TypeError(f"{name} must be Polygons or a list of N x 2 arrays, not {rings!r:.60}")
+        raise TypeError(f"{name} must be Polygons or a list of N x 2 arrays, not {shown(rings)}")
     return [points_array(name, ring) for ring in rings]
 
 

@@ -2,19 +2,31 @@
 
 from __future__ import annotations
 
+import re
+
 # Python's names of arguments that the library calls by another name.
 _SPELLED = {"count": "n", "iterations": "iterations", "sets": "points"}
 
+# Options of the command that the library's messages name.
+_OPTION = re.compile(
+    r"(?<![^\s(])(--(invert|min-importance|black|white|threads)|uniform-x|lines-per-radius)\b"
+)
 
 # Control characters, which paths may contain, are escaped: a message is one line.
 _CONTROLS = {code: f"\\x{code:02x}" for code in (*range(32), 127)}
+
+
+def _argument_of(option: re.Match[str]) -> str:
+    """Python's argument for an option."""
+    name = option[0].lstrip("-").replace("-", "_")
+    return "invert=True" if name == "invert" else name
 
 
 class Error(Exception):
     """The base class of lacuna's exceptions."""
 
     def __init__(self, message: str, argument: str = "") -> None:
-        super().__init__(message)
+        super().__init__(_OPTION.sub(_argument_of, message))
 
 
 class BadRequest(Error, ValueError):
@@ -64,7 +76,7 @@ class DeviceError(Error, RuntimeError):
 
 
 class FileError(Error, OSError):
-    """A file could not be read. Names the path and the reason."""
+    """A file could not be read or written. Names the path and the reason."""
 
     def __init__(self, message: str, argument: str = "") -> None:
         super().__init__(message.translate(_CONTROLS))

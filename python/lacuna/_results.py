@@ -2,43 +2,19 @@
 
 from __future__ import annotations
 
-import hashlib
 import resource
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Mapping
 
-import numpy as np
-
-from . import _core
+from . import _core, _plots
+from ._points import HasPoints
 
 if TYPE_CHECKING:
+    import numpy as np
     import numpy.typing as npt
+    from matplotlib.axes import Axes
 
     Floats = npt.NDArray[np.float64]
-
-
-@dataclass(frozen=True, eq=False)
-class _HasPoints:
-    """Points of a domain. numpy accepts the object as an array of N x 2 float64."""
-
-    points: Floats = field(repr=False)
-    domain: tuple[float, float]
-    torus: bool
-
-    def __len__(self) -> int:
-        return len(self.points)
-
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> npt.NDArray[Any]:
-        if copy is None:
-            return np.asarray(self.points, dtype=dtype)
-        if not copy and dtype is not None and np.dtype(dtype) != self.points.dtype:
-            raise ValueError(f"points are float64: an array of {np.dtype(dtype)} is a copy")
-        return np.array(self.points, dtype=dtype, copy=copy)
-
-    @property
-    def sha256(self) -> str:
-        """The SHA-256 of the points as little-endian float64, as in the command's --report."""
-        return hashlib.sha256(np.ascontiguousarray(self.points, "<f8").data).hexdigest()
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,8 +36,8 @@ class Evenness:
     after_voronoi: float
 
 
-@dataclass(frozen=True, eq=False)
-class Relaxed(_HasPoints):
+@dataclass(frozen=True, eq=False, repr=False)
+class Relaxed(HasPoints):
     """Points that ``relax`` has moved, in the order given.
 
     Attributes
@@ -88,16 +64,16 @@ class Relaxed(_HasPoints):
     device: str
 
 
-@dataclass(frozen=True, eq=False)
-class PointSet(_HasPoints):
-    """A point set, and how it was made.
+@dataclass(frozen=True, eq=False, repr=False)
+class PointSet(HasPoints):
+    """A point set, and how it was made. Has the length, rows and indices of ``points``.
 
     Attributes
     ----------
     points : ndarray, shape (N, 2), float64
         Points in the order in which they were admitted: any prefix is a Poisson-disk set of the
         same radius, with gaps, and not one that is spread evenly at its lower density.
-        The array uses the library's memory, without a copy.
+        The array is read-only and uses the library's memory, without a copy.
     domain : tuple of float
         Width and height; points lie in [0, width) x [0, height).
     torus : bool
@@ -140,6 +116,10 @@ class PointSet(_HasPoints):
     device: str
     _request: Mapping[str, Any] = field(repr=False)
 
+    def _least_distance(self) -> float:
+        # With a field the least of all radii would make dots that are too small to be seen.
+        return self.radius if self.scale is None else 0.0
+
     def report(self) -> dict[str, Any]:
         """The command's --report, as a dict that json can write."""
         report: dict[str, Any] = {
@@ -171,7 +151,7 @@ class PointSet(_HasPoints):
         return report
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Stippling(PointSet):
     """Dots that show a picture: a PointSet with the dots' radii.
 
@@ -182,6 +162,9 @@ class Stippling(PointSet):
     """
 
     radii: Floats = field(repr=False)
+
+    def _radii(self) -> Floats:
+        return self.radii
 
 
 @dataclass(frozen=True, eq=False)
@@ -225,6 +208,10 @@ class Analysis:
     effective_nyquist: float | None
     oscillations: float | None
     psi_6: float | None
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the radial power with matplotlib. Arguments and errors are as of ``PointSet.plot``."""
+        return _plots.power(ax, self.frequency, self.power)
 
 
 @dataclass(frozen=True)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import time
 from typing import TYPE_CHECKING, Any, Callable, SupportsFloat, SupportsIndex
 
 from . import _core
-from ._arguments import choice, device_text, flag, real, seed_of, text, whole
+from ._arguments import choice, device_text, flag, real, seed_of, shown, text, whole
 from ._errors import BadRequest
 from ._results import Evenness, Relaxed
 
@@ -19,13 +18,14 @@ if TYPE_CHECKING:
     Progress = Callable[[int, int], object]
 
 METRICS = ("min", "mean", "max")
+MODES = ("exact", "lines", "cells")
 MOST_32 = 2**32 - 1
 MOST_64 = 2**64 - 1
 
 
 def checked_progress(progress: object) -> None:
     if progress is not None and not callable(progress):
-        raise TypeError(f"progress must be callable, not {progress!r:.60}")
+        raise TypeError(f"progress must be callable, not {shown(progress)}")
 
 
 def shape_of(field: _core.Field | _core.Mask) -> tuple[float, float]:
@@ -93,6 +93,14 @@ def set_size(request: _core.Request, sizes: dict[str, Any]) -> None:
         setattr(request, name, real(name, value))
 
 
+def refuse_what_is_for_fields(request: _core.Request, scale: object, metric: object) -> None:
+    for name, value in (("scale", scale), ("metric", metric)):
+        if value is not None:
+            raise BadRequest(f"{name} {shown(value)}: is for a field", name)
+    if request.mode == "cells":
+        raise BadRequest("field missing: mode cells needs one", "field")
+
+
 def relaxed_points(
     points: npt.NDArray[np.float64],
     field: _core.Field | None,
@@ -140,7 +148,7 @@ def _relax_set(
     return relaxed, _core.verify(relaxed.points, claim, None, None, [], None)["least_distance"]
 
 
-def _request_of(request: _core.Request, has_field: bool, lines_per_radius: int) -> dict[str, Any]:
+def request_of(request: _core.Request, has_field: bool, lines_per_radius: int) -> dict[str, Any]:
     """The request, as reports have it."""
     cells = request.mode == "cells"
     size = "scale" if has_field else "radius"
@@ -173,7 +181,7 @@ def make(
     """Samples and relaxes. Returns the attributes of a PointSet."""
     checked_progress(progress)
     made = _core.sample(request, field, mask, keep, progress)
-    asked = _request_of(request, field is not None, made["lines_per_radius"])
+    asked = request_of(request, field is not None, made["lines_per_radius"])
     if request.border:
         asked["border"] = request.border
     if keep is not None:
@@ -186,27 +194,10 @@ def make(
         for step, spent in relaxed.seconds.items():
             seconds[step] = seconds.get(step, 0.0) + spent
         made.update(points=relaxed.points, radius=least, maximal=False, seconds=seconds)
-    return _set_of(made, request, field is not None, relaxed, asked)
+    return set_of(made, request, field is not None, relaxed, asked)
 
 
-def make_many(
-    request: _core.Request, seeds: list[int], progress: Progress | None
-) -> list[dict[str, Any]]:
-    """Samples once for each seed. Returns the attributes of PointSets."""
-    checked_progress(progress)
-    started = time.perf_counter()
-    all_made = _core.sample_many(request, seeds, progress)
-    total = time.perf_counter() - started
-    sets = []
-    for seed, made in zip(seeds, all_made):
-        request.seed = seed
-        made["seconds"] = {"total": total / len(seeds)}
-        asked = _request_of(request, False, made["lines_per_radius"])
-        sets.append(_set_of(made, request, False, None, asked))
-    return sets
-
-
-def _set_of(
+def set_of(
     made: dict[str, Any],
     request: _core.Request,
     has_field: bool,

@@ -1,21 +1,31 @@
-"""sample and sample_many: make point sets."""
+"""sample: makes a point set."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Iterable, SupportsFloat, SupportsIndex
+from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
 
 from . import _core
-from ._arguments import choice, field_of, flag, mask_of, pair, points_array, real, whole
+from ._arguments import (
+    choice,
+    field_of,
+    flag,
+    mask_of,
+    pair,
+    points_array,
+    real,
+    shown,
+    whole,
+)
 from ._errors import BadRequest
 from ._results import PointSet
 from ._runs import (
+    MODES,
     MOST_32,
-    MOST_64,
     choose_metric,
     fill,
     make,
-    make_many,
     place,
+    refuse_what_is_for_fields,
     set_size,
     shape_of,
 )
@@ -25,16 +35,6 @@ if TYPE_CHECKING:
 
     from ._arguments import Seed
     from ._runs import Progress
-
-_MODES = ("exact", "lines", "cells")
-
-
-def _refuse_what_is_for_fields(request: _core.Request, scale: object, metric: object) -> None:
-    for name, value in (("scale", scale), ("metric", metric)):
-        if value is not None:
-            raise BadRequest(f"{name} {value!r:.60}: is for a field", name)
-    if request.mode == "cells":
-        raise BadRequest("field missing: mode cells needs one", "field")
 
 
 def sample(
@@ -63,7 +63,9 @@ def sample(
     memory_limit: SupportsIndex | None = None,
     progress: Progress | None = None,
 ) -> PointSet:
-    """Make a blue-noise point set: random points, evenly spread, with no room for one more.
+    """Make a maximal set of random points, evenly spread; with ``field`` dense where it is high.
+
+    A maximal set has no room for one more point. No two points are closer than the radius.
 
     The same arguments and seed give the same points, bit for bit, on every backend and with any
     number of threads. The commands ``lacuna sample`` and ``lacuna stipple`` give the same points.
@@ -77,14 +79,14 @@ def sample(
         Exactly ``n`` points, at a radius or a scale with room for a few more: the set is not
         maximal.
     field : array_like, shape (rows, columns), optional
-        Importance: where points are wanted, and how densely. Finite and at least 0; where it is 0
-        there is no point. Row 0 is the top, where y is largest. Any real dtype, byte order and
+        Importance: points are dense where it is high. Finite and at least 0; where it is 0 there is
+        no point. Row 0 is the top, where y is largest. Any real dtype, byte order and
         strides. It is read once, before the work begins.
     scale : float
         With a field, this or ``n``: the radius at a point is ``scale / sqrt(importance there)``.
     metric : {'min', 'mean', 'max'}, optional
         With a field: the least distance of two points is the min, mean or max of their radii. By
-        default 'min', but 'mean' in 'cells' with ``relax``. 'exact' allows 'min' only.
+        default 'min', but 'mean' in 'cells' with ``relax``. 'exact' knows 'min' only.
     mask : array_like, shape (rows, columns), optional
         Points may lie on pixels that are not 0 or False. The mask is stretched over the domain. Row
         0 is the top. Any real dtype, byte order and strides. ``draw_mask`` makes one of polygons.
@@ -101,8 +103,8 @@ def sample(
         Whether the edges wrap.
     mode : {'exact', 'lines', 'cells'}, optional
         'exact', the default, leaves no gap; 'lines' is the approximation of Kalantari & Sen 2011;
-        'cells', the default with a field, puts points on a lattice. With mask, border or keep the
-        mode must be 'exact', which is then the default with a field too.
+        'cells', for a field, puts points on a lattice, as they do. Mask, border and keep need
+        'exact'.
     seed : None, int or numpy.random.Generator
         An int from 0 to 2^64 - 1 is the same as --seed of the command. A generator gives 64 random
         bits; for None the system gives them. The result holds the seed.
@@ -178,9 +180,7 @@ def sample(
     request.border = real("border", border)
     is_bounded = mask is not None or keep is not None or request.border != 0
     if mode is not None:
-        request.mode = choice("mode", mode, _MODES)
-    elif importance is not None and not is_bounded:
-        request.mode = "cells"
+        request.mode = choice("mode", mode, MODES)
     allowed = None if mask is None else mask_of("mask", mask)
     kept = None if keep is None else points_array("keep", keep)
     iterations = whole("relax", relax, 0, MOST_32)
@@ -190,12 +190,12 @@ def sample(
             "relax",
         )
     if importance is None:
-        _refuse_what_is_for_fields(request, scale, metric)
+        refuse_what_is_for_fields(request, scale, metric)
         set_size(request, {"radius": radius, "n": n})
         sides = (1.0, 1.0) if allowed is None else shape_of(allowed)
     else:
         if radius is not None:
-            raise BadRequest(f"radius {radius!r:.60}: with a field give scale or n", "radius")
+            raise BadRequest(f"radius {shown(radius)}: with a field give scale or n", "radius")
         set_size(request, {"scale": scale, "n": n})
         choose_metric(request, metric, iterations)
         sides = shape_of(importance)
@@ -213,77 +213,3 @@ def sample(
     request.snap = flag("snap", snap)
     request.uniform_x = flag("uniform_x", uniform_x)
     return PointSet(**make(request, importance, iterations, progress, allowed, kept))
-
-
-def sample_many(
-    seeds: Iterable[SupportsIndex],
-    radius: SupportsFloat | None = None,
-    n: SupportsIndex | None = None,
-    *,
-    domain: tuple[SupportsFloat, SupportsFloat] = (1, 1),
-    torus: bool = False,
-    mode: str = "exact",
-    limit: SupportsIndex | None = None,
-    lines_per_radius: SupportsIndex | None = None,
-    snap: bool = False,
-    uniform_x: bool = False,
-    round_size: SupportsIndex = 0,
-    backend: str = "auto",
-    device: int | str | None = None,
-    threads: SupportsIndex = 0,
-    memory_limit: SupportsIndex | None = None,
-    progress: Progress | None = None,
-) -> list[PointSet]:
-    """Make many sets of one request, one for each seed. Small sets are made in parallel.
-
-    Each set is the same as that of ``sample`` with this seed. Sets of up to about 20,000 points are
-    made on one thread each, several at the same time; larger sets are made one after another.
-
-    Parameters
-    ----------
-    seeds : iterable of int
-        Such as ``range(1000)``. Each is from 0 to 2^64 - 1.
-    radius, n, domain, torus, mode, limit, lines_per_radius, snap, uniform_x, round_size, backend, \
-device, threads, memory_limit
-        As for ``sample``; memory_limit is for each set.
-    progress : callable, optional
-        Called with the number of sets that are done and the number of all sets.
-
-    Returns
-    -------
-    list of PointSet
-        In the order of the seeds. Their ``seconds`` are the call's, divided by the number of sets.
-
-    Raises
-    ------
-    BadRequest, TypeError, MemoryRefused, Unavailable, DeviceError, KeyboardInterrupt
-        As ``sample``.
-
-    Examples
-    --------
-    >>> import lacuna
-    >>> tiles = lacuna.sample_many(range(100), n=256, torus=True)
-    >>> len(tiles), tiles[7].seed
-    (100, 7)
-    >>> bool((tiles[7].points == lacuna.sample(n=256, torus=True, seed=7).points).all())
-    True
-    """
-    request = _core.Request()
-    request.mode = choice("mode", mode, _MODES)
-    _refuse_what_is_for_fields(request, None, None)
-    set_size(request, {"radius": radius, "n": n})
-    if isinstance(seeds, (str, bytes)) or not isinstance(seeds, Iterable):
-        raise TypeError(f"seeds must be an iterable of int, not {seeds!r:.60}")
-    numbers = [whole("seeds", seed, 0, MOST_64) for seed in seeds]
-    place(request, pair("domain", domain), torus, backend, device, threads)
-    fill(
-        request,
-        seed=0,
-        limit=limit,
-        lines_per_radius=lines_per_radius,
-        round_size=round_size,
-        memory_limit=memory_limit,
-    )
-    request.snap = flag("snap", snap)
-    request.uniform_x = flag("uniform_x", uniform_x)
-    return [PointSet(**one) for one in make_many(request, numbers, progress)]

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Iterable, SupportsFloat
 
 import numpy as np
 
-from . import _core
-from ._arguments import field_of, flag, mask_of, points_array, real
+from . import _core, _plots
+from ._arguments import field_of, flag, mask_of, points_array, real, shown
 from ._domains import Polygons, rings_on
 from ._errors import BadRequest
 from ._judging import domain_of
@@ -17,6 +17,9 @@ from ._runs import shape_of
 
 if TYPE_CHECKING:
     import numpy.typing as npt
+    from matplotlib.axes import Axes
+
+    Floats = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +62,8 @@ class Verdict:
         As claimed; with a field radius is the least of all radii.
     scale : float or None
         With a field the radius where importance is 1, as claimed.
+    points, domain : ndarray, shape (N, 2); tuple of float
+        The set that was looked at, and its width and height.
     """
 
     holds: bool
@@ -78,6 +83,8 @@ class Verdict:
     radius: float
     tolerance: float
     scale: float | None
+    points: Floats = field(repr=False)
+    domain: tuple[float, float] = field(repr=False)
 
     # Deprecated names, for programs that were written for them.
     emptiest_spot = property(lambda self: self.largest_gap)
@@ -87,6 +94,11 @@ class Verdict:
     def __bool__(self) -> bool:
         return self.holds
 
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the points, the closest pair and the largest gap with matplotlib; in red what
+        refutes the claim. Arguments and errors are as of ``PointSet.plot``."""
+        return _plots.verdict(ax, self)
+
 
 def _claimed(
     points: object, radius: SupportsFloat | None, scale: SupportsFloat | None, has_field: bool
@@ -94,19 +106,25 @@ def _claimed(
     """The radius, with a field the scale: what was given, or else what a set knows of itself."""
     if not has_field:
         if scale is not None:
-            raise BadRequest(f"scale {scale!r:.60}: is for a field", "scale")
+            raise BadRequest(f"scale {shown(scale)}: is for a field", "scale")
         if radius is None:
             if not isinstance(points, PointSet):
                 raise BadRequest("radius missing: give the least distance to be proven", "radius")
             radius = points.radius
         return real("radius", radius)
     if radius is not None:
-        raise BadRequest(f"radius {radius!r:.60}: with a field give scale", "radius")
+        raise BadRequest(f"radius {shown(radius)}: with a field give scale", "radius")
     if scale is None and isinstance(points, PointSet):
         scale = points.scale
     if scale is None:
         raise BadRequest("scale missing: give the radius where importance is 1", "scale")
     return real("scale", scale)
+
+
+def _read_only(array: Floats) -> Floats:
+    view = array.view()
+    view.flags.writeable = False
+    return view
 
 
 def _shape(pixels: _core.Field | _core.Mask | None, inside: object) -> tuple[float, float]:
@@ -242,4 +260,6 @@ def verify(
         radius=claimed if importance is None else claimed / float(importance.values.max()) ** 0.5,
         tolerance=blur if claim.tolerance is None else claim.tolerance,
         scale=None if importance is None else claimed,
+        points=_read_only(array),
+        domain=(claim.width, claim.height),
     )

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
 import numpy as np
 from scipy.stats import qmc as _qmc
 
-from ._arguments import flag, numbers, real, seed_of, whole
+from ._arguments import flag, numbers, real, seed_of, shown, whole
 from ._errors import BadRequest
 from ._sample import sample
 
@@ -32,7 +32,7 @@ _SMALL = 20_000
 def _bounds(name: str, value: npt.ArrayLike) -> npt.NDArray[np.float64]:
     array = numbers(name, value).astype(np.float64)
     if array.shape not in ((), (1,), (2,)) or not np.isfinite(array).all():
-        raise BadRequest(f"{name} {value!r:.60}: must be one or two finite numbers", name)
+        raise BadRequest(f"{name} {shown(value)}: must be one or two finite numbers", name)
     return np.broadcast_to(array, 2)
 
 

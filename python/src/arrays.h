@@ -31,7 +31,7 @@ inline std::vector<Point> points_of(const PointArray& array) {
     return points;
 }
 
-// Makes an array that takes over the numbers, without a copy.
+// Makes a read-only array that takes over the numbers, without a copy.
 template <typename Number>
 nb::object array_of(std::vector<Number>&& numbers) {
     auto kept = std::make_unique<std::vector<Number>>(std::move(numbers));
@@ -43,9 +43,10 @@ nb::object array_of(std::vector<Number>&& numbers) {
     static_cast<void>(kept.release());
     if constexpr (std::is_same_v<Number, Point>) {
         double* const first = count != 0 ? &data->x : nullptr;  // an empty vector has no data->x
-        return nb::cast(nb::ndarray<nb::numpy, double, nb::ndim<2>>(first, {count, 2}, owner));
+        return nb::cast(
+            nb::ndarray<nb::numpy, const double, nb::ndim<2>>(first, {count, 2}, owner));
     } else {
-        return nb::cast(nb::ndarray<nb::numpy, Number, nb::ndim<1>>(data, {count}, owner));
+        return nb::cast(nb::ndarray<nb::numpy, const Number, nb::ndim<1>>(data, {count}, owner));
     }
 }
 

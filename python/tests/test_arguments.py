@@ -199,6 +199,48 @@ def test_a_path_is_any_bytes_and_its_error_one_line(tmp_path: Any) -> None:
         lacuna.stipple(tmp_path / "a\nb.png", 7)
 
 
+LONG: list[object] = [10**401, 10**10_000, "a" * 10_000, [1] * 1000, np.ones((9, 9)), [10**9999]]
+
+
+@pytest.mark.parametrize("value", LONG, ids=lambda value: type(value).__name__)
+def test_a_long_value_is_shortened_in_messages(value: Any) -> None:
+    calls: list[tuple[str, Any]] = [
+        (name, lambda name=name: lacuna.sample(**{"radius": 0.1, name: value}))
+        for name in ("seed", "limit", "threads", "memory_limit", "backend", "device", "mode")
+        + ("torus", "progress", "domain", "scale")
+    ]
+    calls += [
+        ("n", lambda: lacuna.sample(n=value)),
+        ("seeds", lambda: lacuna.sample_many([value], n=9)),
+        ("radius", lambda: lacuna.verify(POINTS, value)),
+        ("iterations", lambda: lacuna.relax(POINTS, iterations=value)),
+        ("gamma", lambda: lacuna.stipple(FIELD / 2, gamma=value)),
+    ]
+    for name, call in calls:
+        with pytest.raises((ValueError, TypeError)) as caught:
+            call()
+        message = str(caught.value)
+        assert message.startswith(name) and len(message) < 200 and "\n" not in message
+
+
+def test_a_path_with_a_lone_surrogate_is_refused() -> None:
+    for call in (lacuna.stipple, lacuna.read_polygons, lacuna.sample(0.2, seed=1).save):
+        name = "image" if call is lacuna.stipple else "path"
+        refused(lacuna.BadRequest, name, call, "pic\ud800ture.svg")  # type: ignore[arg-type]
+
+
+def test_messages_name_arguments_of_python() -> None:
+    for image, arguments, named in (
+        (np.ones((3, 3)), {}, "give invert=True or a min_importance over 0"),
+        (np.zeros((3, 3)), {"invert": True}, "with invert=True no sample"),
+        (np.eye(3), {"black": 0.5, "white": 0.2}, "must be over black"),
+        (np.eye(3), {"black": 0.1, "auto_levels": True}, "with black or white"),
+    ):
+        with pytest.raises(lacuna.BadRequest) as caught:
+            lacuna.stipple(image, **arguments)
+        assert named in str(caught.value) and "--" not in str(caught.value)
+
+
 def test_numbers_of_other_kinds_are_numbers() -> None:
     expected = lacuna.sample(0.25, seed=1).points
     for radius in (np.float32(0.25), Decimal("0.25"), np.array(0.25)):

@@ -92,6 +92,14 @@ def test_a_field_that_another_thread_changes_is_read_once() -> None:
         thread.join()
 
 
+def test_a_mask_of_numbers_that_are_not_finite_is_refused() -> None:
+    for wrong in (np.inf, -np.inf, np.nan):
+        mask = np.ones((4, 4))
+        mask[2, 1] = wrong
+        refused(lacuna.BadRequest, "mask", lacuna.sample, 0.1, mask=mask)
+        refused(lacuna.BadRequest, "mask", lacuna.verify, POINTS, 0.1, mask=mask)
+
+
 SETS: list[tuple[type[Exception], object]] = [
     (ValueError, np.ones((5, 3))),
     (ValueError, np.ones((2, 2, 2, 2))),

@@ -188,8 +188,9 @@ def test_no_kept_points_are_none(ramp: npt.NDArray[np.float64]) -> None:
     assert none.mode == "exact" and none.sha256 == exact.sha256
 
 
-def test_a_field_alone_still_means_cells(ramp: npt.NDArray[np.float64]) -> None:
-    assert lacuna.sample(n=50, field=ramp, seed=1, border=0).mode == "cells"
+def test_a_field_means_exact_with_a_border_and_without(ramp: npt.NDArray[np.float64]) -> None:
+    bounded = lacuna.sample(n=50, field=ramp, seed=1, border=0.01)
+    assert {bounded.mode, lacuna.sample(n=50, field=ramp, seed=1).mode} == {"exact"}
 
 
 def test_rings_of_arrays_and_of_lists_are_drawn_alike() -> None:
@@ -292,7 +293,7 @@ def test_a_claim_takes_the_shape_that_it_is_told_of() -> None:
 
 def test_a_set_in_cells_keeps_its_distances_but_is_not_maximal_in_the_plane() -> None:
     field = np.array([[1.0, 0.5]])
-    made = lacuna.sample(field=field, scale=0.02, seed=1)
+    made = lacuna.sample(field=field, scale=0.02, mode="cells", seed=1)
     verdict = lacuna.verify(made, field=field)
     assert verdict.kept and not verdict.covered
 

@@ -7,6 +7,7 @@ import dataclasses
 import json
 import os
 import pickle
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -45,6 +46,110 @@ def test_a_result_cannot_be_changed() -> None:
     made = lacuna.sample(0.2, seed=1)
     with pytest.raises(dataclasses.FrozenInstanceError):
         made.radius = 1.0  # type: ignore[misc]
+
+
+def test_the_arrays_of_a_result_are_read_only() -> None:
+    made = lacuna.stipple(np.eye(8), 30, seed=1)
+    relaxed = lacuna.relax(made)
+    found = lacuna.analyze(made)
+    arrays = [made.points, made.radii, relaxed.points, found.power]
+    arrays += [copy.deepcopy(made).points, pickle.loads(pickle.dumps(made)).radii]
+    for array in arrays:
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0
+    own = np.array(made)
+    own[0] = 0
+    given = np.random.default_rng(1).random((30, 2))
+    lacuna.verify(given, 0.1)
+    given[0] = 0
+
+
+def test_a_set_has_the_length_rows_and_indices_of_its_points() -> None:
+    made = lacuna.sample(0.2, seed=1)
+    assert len(made) == len(list(made)) == len(made[:]) == len(made.points)
+    assert (np.array([row for row in made]) == made.points).all()
+    assert (made[0] == made.points[0]).all() and (made[1:, 0] == made.points[1:, 0]).all()
+    assert repr(made).startswith(f"PointSet({len(made)} points, domain=")
+
+
+FORMATS = ["txt", "csv", "npy", "ply", "json", "svg", "pdf", "png"]
+
+
+@pytest.mark.parametrize("extension", FORMATS)
+def test_a_set_is_saved_as_the_command_writes_it(extension: str, tmp_path: Path) -> None:
+    made = lacuna.sample(0.05, domain=(2, 1), seed=3)
+    written = tmp_path / f"made.{extension}"
+    made.save(written)
+    assert written.stat().st_size > 1000
+    program = os.environ.get("LACUNA_COMMAND") or str(REPOSITORY / "build" / "lacuna")
+    if not os.path.exists(program):
+        pytest.skip("the command is not built: run ./bootstrap.sh run")
+    expected = tmp_path / f"expected.{extension}"
+    options = ["--radius", "0.05", "--domain", "2x1", "--seed", "3", "--quiet"]
+    subprocess.run([program, "sample", *options, "-o", expected], check=True)
+    if extension in ("txt", "csv", "npy", "ply", "png"):  # the others tell how the set was made
+        assert written.read_bytes() == expected.read_bytes()
+    if extension == "json":
+        assert json.loads(written.read_text())["points"] == made.points.tolist()
+    if extension == "svg":
+        dots = [file.read_text().split("</metadata>")[-1].count("M") for file in (written, expected)]
+        assert dots[0] == dots[1] >= len(made)
+
+
+def test_a_stippling_is_saved_with_its_radii(tmp_path: Path) -> None:
+    dots = lacuna.stipple(np.linspace(0, 1, 60) * np.ones((40, 1)), 100, seed=1)
+    dots.save(tmp_path / "dots.svg")
+    widths = set(re.findall(r'stroke-width="([0-9.]+)"', (tmp_path / "dots.svg").read_text()))
+    assert len(widths) > 5
+
+
+def test_what_cannot_be_saved_is_an_error_and_leaves_no_file(tmp_path: Path) -> None:
+    made = lacuna.sample(0.2, seed=1)
+    for name in ("made.tiff", "made", "-"):
+        with pytest.raises(lacuna.BadRequest, match="^path ") as caught:
+            made.save(tmp_path / name)
+        assert caught.value.argument == "path"
+    with pytest.raises(OSError, match="none"):
+        made.save(tmp_path / "none" / "made.csv")
+    assert not list(tmp_path.iterdir())
+
+
+def test_results_are_drawn_where_one_says_or_in_a_new_figure(tmp_path: Path) -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    from matplotlib import pyplot as plt
+
+    made = lacuna.sample(0.1, seed=1)
+    gap = np.delete(made.points, 17, axis=0)
+    twice = np.vstack([made.points, made.points[3]])
+    results: list[Any] = [made, lacuna.relax(made), lacuna.stipple(np.eye(8), 9, seed=1)]
+    results += [lacuna.sample(field=np.eye(8), scale=0.1, seed=1), lacuna.analyze(made)]
+    results += [lacuna.verify(made), lacuna.verify(gap, 0.1), lacuna.verify(twice, 0.1)]
+    results += [lacuna.verify([(0.1, 2.0)], 0.1), lacuna.verify(np.empty((0, 2)), 0.1)]
+    figure, (axes, _) = plt.subplots(1, 2)
+    for result in results:
+        assert result.plot(axes) is axes
+        own = result.plot()
+        assert own.figure is not figure
+        own.figure.savefig(tmp_path / "own.png")
+        plt.close(own.figure)
+    figure.savefig(tmp_path / "all.png")
+    plt.close(figure)
+
+
+def test_without_matplotlib_the_module_works_and_plot_says_so() -> None:
+    program = """
+import sys
+sys.modules["matplotlib"] = None
+import lacuna
+made = lacuna.sample(0.2)
+try:
+    made.plot()
+except ImportError as error:
+    print(error)
+"""
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert run.stdout.startswith("plot needs matplotlib"), run.stderr
 
 
 def test_a_result_can_be_pickled() -> None:

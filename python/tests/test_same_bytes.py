@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import itertools
+import subprocess
+import sys
 from pathlib import Path
-from typing import Any
+from typing import Any, Iterator
 
 import numpy as np
 import numpy.typing as npt
@@ -121,12 +123,23 @@ def test_of_as_many_dots_as_suit_the_picture(command: Command, small: Path) -> N
     assert made.points.tobytes() == expected.tobytes()
 
 
+def test_of_a_field_in_the_default_mode(
+    command: Command, tmp_path: Path, ramp: npt.ArrayLike
+) -> None:
+    np.save(tmp_path / "ramp.npy", ramp)
+    field = ["--field", tmp_path / "ramp.npy", "--invert"]
+    expected = command("sample", *field, "--count", 250, "--seed", 4)
+    made = lacuna.sample(n=250, field=ramp, seed=4)
+    assert (made.mode, made.metric) == ("exact", "min")
+    assert made.points.tobytes() == expected.tobytes()
+
+
 def test_of_a_field(command: Command, backend: str, tmp_path: Path, ramp: npt.ArrayLike) -> None:
     np.save(tmp_path / "ramp.npy", ramp)
     expected = command(
         "stipple", tmp_path / "ramp.npy", "--invert", "--count", 250, "--relax", 0, "--seed", 4
     )
-    made = lacuna.sample(n=250, field=ramp, seed=4, backend=backend)
+    made = lacuna.sample(n=250, field=ramp, seed=4, mode="cells", backend=backend)
     assert made.points.tobytes() == expected.tobytes()
 
 
@@ -162,6 +175,54 @@ def test_many_seeds_give_the_sets_of_each_alone() -> None:
         assert one.report()["request"]["seed"] == one.seed
     assert all(expected == 195 for _, expected in told)
     assert lacuna.sample_many([], n=10) == []
+
+
+def test_seeds_of_an_iterator_are_read_as_sets_are_taken() -> None:
+    read: list[int] = []
+
+    def seeds() -> Iterator[int]:
+        for seed in itertools.count():
+            read.append(seed)
+            yield seed
+
+    for made in lacuna.sample_many(seeds(), n=1000):
+        assert made.sha256 == lacuna.sample(n=1000, seed=made.seed).sha256
+        assert len(read) <= 2 * made.seed + 1
+        if made.seed == 40:
+            break
+    large = lacuna.sample_many(itertools.count(), n=300_000)
+    assert next(large).seed == 0 and next(large).seed == 1
+    with pytest.raises(lacuna.BadRequest, match="seeds"):
+        list(lacuna.sample_many(iter([1, -1]), n=10))
+    with pytest.raises(lacuna.BadRequest, match="torus|radius"):
+        lacuna.sample_many(itertools.count())
+
+
+ENDLESS = """
+import itertools, resource, sys, lacuna
+for made in lacuna.sample_many(itertools.count(), n=5):
+    if made.seed == int(sys.argv[1]):
+        break
+print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024)
+"""
+
+
+def test_endless_seeds_take_no_more_memory_the_longer_one_takes_sets() -> None:
+    def peak(sets: int) -> int:
+        run = subprocess.run(
+            [sys.executable, "-c", ENDLESS, str(sets)], check=True, capture_output=True, text=True
+        )
+        return int(run.stdout)
+
+    # 20,000 sets that were kept would take over 20 MB.
+    assert peak(40_000) - peak(20_000) < 4_000_000
+
+
+def test_more_seeds_than_a_list_of_sets_has_room_for_are_refused() -> None:
+    for many in (10**12, 10**20):
+        with pytest.raises(lacuna.MemoryRefused, match=r"^seeds of \d+ sets.*iter\(seeds\)"):
+            lacuna.sample_many(range(many), n=5)
+        assert next(lacuna.sample_many(iter(range(many)), n=5)).seed == 0
 
 
 def test_seeds_that_make_no_sense_are_refused() -> None:

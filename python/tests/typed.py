@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
+import tempfile
 from pathlib import Path
-from typing import Mapping
+from typing import Iterator, Mapping
 
 import numpy as np
 import numpy.typing as npt
@@ -46,10 +48,21 @@ lines: lacuna.PointSet = lacuna.sample(
     n=50, mode="lines", snap=True, uniform_x=True, seed=np.random.default_rng(1)
 )
 
+tiles: list[lacuna.PointSet] = lacuna.sample_many(range(3), n=20)
+endless: Iterator[lacuna.PointSet] = lacuna.sample_many(itertools.count(), n=20)
+tile: lacuna.PointSet = next(endless)
+row_by_row: list[Floats] = [row for row in tile]
+with tempfile.TemporaryDirectory() as folder:
+    tile.save(Path(folder) / "tile.svg")
+axes = tile.plot()
+axes.set_title("a tile")
+
 field: Floats = np.ones((4, 6))
 lake: lacuna.PointSet = lacuna.sample(0.2, mask=field > 0, border=0.1, keep=[(0.5, 0.5)])
 on_a_field: lacuna.PointSet = lacuna.sample(field=field, scale=0.2, mode="exact")
-dense: lacuna.PointSet = lacuna.sample(field=field, scale=0.2, metric="max", relax=1)
+dense: lacuna.PointSet = lacuna.sample(
+    field=field, scale=0.2, mode="cells", metric="max", relax=1
+)
 relaxed_or_none: lacuna.Relaxed | None = dense.relaxed
 
 dots: lacuna.Stippling = lacuna.stipple(
@@ -79,6 +92,7 @@ if evenness is not None:
 lattice: tuple[int, int] = relaxed.lattice
 iterations: int = relaxed.iterations
 
+judged: Floats = lacuna.verify(made).points
 verdict: lacuna.Verdict = lacuna.verify(made, 0.1, domain=(1, 1), torus=True, tolerance=1e-9)
 only: lacuna.Verdict = lacuna.verify([[0.1, 0.2], [0.3, 0.4]], 0.1, distances_only=True)
 holds: bool = bool(verdict)
@@ -89,6 +103,7 @@ facts: tuple[bool | None, bool | None, bool] = (verdict.kept, verdict.covered, v
 lengths: tuple[float, float | None] = (verdict.least_distance, verdict.largest_gap_distance)
 
 of_a_field: lacuna.Verdict = lacuna.verify(on_a_field, field=field, scale=0.2)
+of_a_field.plot(axes).set_title("a verdict")
 limits: tuple[float | None, float | None] = (of_a_field.least_limit, of_a_field.largest_gap_limit)
 forbidden: tuple[int | None, str | None] = (of_a_field.forbidden, of_a_field.forbidden_by)
 moved: int | None = of_a_field.moved
@@ -109,6 +124,7 @@ curves += [found.distance, found.pair_correlation]
 scalars: list[float | None] = [found.psi_6, found.oscillations, found.effective_nyquist]
 scalars += [found.relative_radius, found.least_distance, found.mean_distance, found.mean_count]
 sets: int = found.sets
+found.plot(ax=axes).set_title("power")
 
 listed: list[lacuna.Device] = lacuna.devices()
 usable: list[str] = [f"{one.backend} {one.number} {one.name}" for one in listed if one.usable]

@@ -1,0 +1,115 @@
+"""What all results with points have in common."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from dataclasses import dataclass, field, fields
+from typing import TYPE_CHECKING, Any, Iterator
+
+import numpy as np
+
+from . import _core, _plots
+from ._arguments import path_bytes
+from ._errors import BadRequest
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+    from matplotlib.axes import Axes
+
+    Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class HasPoints:
+    """Points of a domain. numpy accepts the object as an array of N x 2 float64."""
+
+    points: Floats = field(repr=False)
+    domain: tuple[float, float]
+    torus: bool
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def __iter__(self) -> Iterator[Floats]:
+        return iter(self.points)
+
+    def __getitem__(self, key: Any) -> Any:
+        return self.points[key]
+
+    def __repr__(self) -> str:
+        told = [f"{one.name}={getattr(self, one.name)!r}" for one in fields(self) if one.repr]
+        return f"{type(self).__name__}({', '.join([f'{len(self)} points', *told])})"
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        # Arrays that were copied or pickled are writable again.
+        self.__dict__.update(state)
+        for value in state.values():
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> npt.NDArray[Any]:
+        if copy is None:
+            return np.asarray(self.points, dtype=dtype)
+        if not copy and dtype is not None and np.dtype(dtype) != self.points.dtype:
+            raise ValueError(f"points are float64: an array of {np.dtype(dtype)} is a copy")
+        return np.array(self.points, dtype=dtype, copy=copy)
+
+    def _least_distance(self) -> float:
+        """The radius of all points, whose dots are a third of it; 0 if there is none."""
+        return 0.0
+
+    def _radii(self) -> Floats | None:
+        """The radius of each dot; None if all dots are equal."""
+        return None
+
+    def save(self, path: str | bytes | os.PathLike[Any]) -> None:
+        """Write the points to a file, whose extension names the format, as the command does.
+
+        ``.txt``, ``.csv``, ``.npy``, ``.ply`` and ``.json`` hold every coordinate to the last bit.
+        ``.svg``, ``.pdf`` and ``.png`` are pictures of black dots on white, as large as ``radii``
+        says if there is one. The file appears whole or not at all.
+
+        Parameters
+        ----------
+        path : path
+            An older file of this name is replaced.
+
+        Raises
+        ------
+        FileError
+            An OSError: the file cannot be written.
+        BadRequest
+            The extension is not one of these.
+        TypeError
+            The argument is not a path.
+        """
+        name, least = path_bytes("path", path), self._least_distance()
+        try:
+            _core.write_points(name, self.points, *self.domain, least, self._radii())
+        except BadRequest as error:
+            raise error.called("path") from None
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the points with matplotlib, as ``save`` draws them.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default a new figure.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Raises
+        ------
+        ImportError
+            matplotlib is not installed.
+        """
+        return _plots.dots(ax, self.points, self.domain, self._least_distance(), self._radii())
+
+    @property
+    def sha256(self) -> str:
+        """The SHA-256 of the points as little-endian float64, as in the command's --report."""
+        return hashlib.sha256(np.ascontiguousarray(self.points, "<f8").data).hexdigest()

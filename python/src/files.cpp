@@ -1,0 +1,56 @@
+// Point files and pictures, as the command writes them.
+#include "files/point_files.h"
+
+#include <lacuna/lacuna.h>
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "arrays.h"
+#include "drawing/picture.h"
+#include "files/formats.h"
+#include "parts.h"
+
+namespace nb = nanobind;
+
+namespace lacuna::python {
+namespace {
+
+using RadiusArray =
+    nb::ndarray<const double, nb::numpy, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+
+// Writes points in the format of the path's extension. `radius` is as in files::PointSet. Pictures
+// have dots of the given radii; without them all dots are equal.
+void write_set(const nb::bytes& path_bytes, const PointArray& array, double width, double height,
+               double radius, const std::optional<RadiusArray>& radii) {
+    const std::string path(path_bytes.c_str(), path_bytes.size());
+    const nb::gil_scoped_release no_gil;
+    const files::Format& format = files::format_of(path);
+    const std::vector<Point> points = points_of(array);
+    const files::PointSet set{points, width, height, radius};
+    std::string content;
+    if (format.medium && radii) {
+        std::vector<double> diameters(radii->shape(0));
+        for (std::size_t i = 0; i < diameters.size(); ++i) diameters[i] = 2 * radii->data()[i];
+        drawing::Style style;
+        style.diameters = diameters;
+        content = drawing::draw(set, *format.medium, style);
+    } else {
+        content = files::encode(set, format);
+    }
+    files::write_whole(path, content);
+}
+
+}  // namespace
+
+void add_files(nb::module_& module) {
+    module.def("write_points", write_set, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
+               nb::arg().none());
+}
+
+}  // namespace lacuna::python
