@@ -164,6 +164,7 @@ python_module() {
     python3 -m venv "$environment" ||
         die "python3 -m venv failed: the module needs Python 3.11 or later with venv"
     [[ -z ${CI:-} ]] || options+=(--config-settings=cmake.define.LACUNA_WERROR=ON)
+    echo "bootstrap: pip compiles the module, which takes 1.5 minutes on two cores"
     "$environment/bin/pip" install -q "${options[@]}" "$root[scipy]" </dev/null ||
         die "pip could not install the module: the first error above says why"
     "$environment/bin/python" -c '
