@@ -24,6 +24,11 @@ std::pair<Cell, Cell> parts_of(const Cell& cell, const Cut& cut, const Frame& fr
 
 }  // namespace
 
+bool drops_few(std::size_t samples, std::size_t kept) {
+    constexpr std::size_t kMany = 65536;
+    return samples > kMany && kept > samples / 4 * 3;
+}
+
 Gap GapSearch::run(const Cell& cell, const Under& under, std::vector<Disk> samples) {
     stack_ = std::move(samples);
     visit(cell, under, 0);
@@ -54,12 +59,15 @@ void GapSearch::visit(const Cell& cell, const Under& outer, std::size_t begin) {
         std::swap(stack_[begin], stack_[best_index]);
     }
     push_those_that_matter(cell, bounds, most_over, begin, end);
+    const bool are_few_dropped = drops_few(end - begin, stack_.size() - end);
+    if (are_few_dropped) stack_.resize(end);
+    const std::size_t begin_of_parts = are_few_dropped ? begin : end;
     const std::size_t top = stack_.size();
     const auto [first, second] =
         parts_of(cell, question_.radius_field.cut(cell, under), frame, best);
-    visit(first, under, end);
+    visit(first, under, begin_of_parts);
     stack_.resize(top);
-    visit(second, under, end);
+    visit(second, under, begin_of_parts);
     stack_.resize(end);
 }
 

@@ -27,6 +27,11 @@ struct Question {
     const Patience& patience;
 };
 
+// Whether a list of `kept` samples is not worth its memory beside the list that it was made of. All
+// samples of a circle matter to each cell around the circle's middle, so that each cut would list
+// them once more.
+bool drops_few(std::size_t samples, std::size_t kept);
+
 class GapSearch {
 public:
     GapSearch(const Question& question, const Gap& start) : question_(question), gap_(start) {}

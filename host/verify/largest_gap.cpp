@@ -199,7 +199,9 @@ void search_tiles(const Question& question, const Gap& start, const Tiling& tili
                                             tiling.cuts_for_threads);
         return;
     }
-    const std::vector<Disk> near = samples_near(question, hull, under, samples);
+    std::vector<Disk> listed = samples_near(question, hull, under, samples);
+    if (drops_few(samples.size(), listed.size())) listed = {};
+    const std::span<const Disk> near = listed.empty() ? samples : listed;
     const std::size_t half = tiles.size() / 2;
     oneapi::tbb::parallel_invoke(
         [&] { search_tiles(question, start, tiling, tiles.first(half), near, found.first(half)); },

@@ -8,6 +8,8 @@
 #include <span>
 #include <tuple>
 
+#include "base/insertion_sort.h"
+
 namespace lacuna::relaxing::cpu {
 namespace {
 
@@ -88,8 +90,8 @@ private:
             for (std::uint32_t column = 2 * area.column; column < 2 * area.column + 2; ++column)
                 if (row << level < pixels_.rows() && column << level < numbers_.pixel_columns)
                     parts[count++] = area_of(level, column, row);
-        std::sort(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count),
-                  [](const Area& a, const Area& b) { return a.distance < b.distance; });
+        insertion_sort(std::span(parts).first(count),
+                       [](const Area& a, const Area& b) { return a.distance < b.distance; });
         for (const Area& part : std::span(parts).first(count)) search(part);
     }
 
