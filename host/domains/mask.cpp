@@ -13,7 +13,9 @@
 namespace lacuna {
 
 Mask read_mask(const std::string& path) {
-    return decode_mask(files::read_whole(path), files::name_of(path));
+    const std::string name = files::name_of(path);
+    const auto look = [&](std::string_view first) { pictures::check_format(first, name); };
+    return decode_mask(files::read_whole(path, files::most_bytes(), look), name);
 }
 
 // Over a black backdrop a pixel's luminance is 0 exactly if all channels are 0 or the opacity is 0,

@@ -28,7 +28,8 @@ namespace {
 }
 
 // Reads until the end, because the size of a pipe is not known beforehand.
-std::string read_all(int descriptor, const std::string& name, std::uint64_t most) {
+std::string read_all(int descriptor, const std::string& name, std::uint64_t most,
+                     const LookAtFirst& look) {
     constexpr std::size_t kFirstRoom = std::size_t{1} << 16U;
     struct stat status {};
     const bool has_size = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
@@ -38,11 +39,15 @@ std::string read_all(int descriptor, const std::string& name, std::uint64_t most
     for (;;) {
         if (size > most) refuse_more(name, most);
         if (size == bytes.size()) bytes.resize(std::min(2 * size, std::size_t{most} + 1));
-        const ssize_t got = ::read(descriptor, bytes.data() + size, bytes.size() - size);
+        const std::size_t room =
+            size < kFirstRoom ? std::min(kFirstRoom, bytes.size()) : bytes.size();
+        const ssize_t got = ::read(descriptor, bytes.data() + size, room - size);
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) fail_to_read(name, errno);
         if (got == 0) break;
+        const bool were_few = size < kFirstRoom;
         size += static_cast<std::size_t>(got);
+        if (look && were_few && size >= kFirstRoom) look({bytes.data(), size});
     }
     bytes.resize(size);
     return bytes;
@@ -74,10 +79,10 @@ std::uint64_t most_bytes() {
     return machine_memory_bytes() / 4;
 }
 
-std::string read_whole(const std::string& path, std::uint64_t most) {
-    if (path == "-") return read_all(STDIN_FILENO, name_of(path), most);
+std::string read_whole(const std::string& path, std::uint64_t most, const LookAtFirst& look) {
+    if (path == "-") return read_all(STDIN_FILENO, name_of(path), most, look);
     const OpenFile file(path);
-    return read_all(file.descriptor(), path, most);
+    return read_all(file.descriptor(), path, most, look);
 }
 
 }  // namespace lacuna::files

@@ -46,7 +46,10 @@ struct Image {
 // infinity and negative numbers, with row and column.
 Image read_image(const std::string& path, std::uint64_t max_aspect = kMaxSide);
 
-// The same for the bytes of a file. `name` stands for the file in messages.
+// Refuses what has no such format, by the first bytes of a file.
+void check_format(std::string_view first, const std::string& name);
+
+// read_image for the bytes of a file. `name` stands for the file in messages.
 Image decode_image(std::string_view bytes, const std::string& name,
                    std::uint64_t max_pixels = kMaxPixels, std::uint64_t max_aspect = kMaxSide,
                    Backdrop backdrop = Backdrop::white);

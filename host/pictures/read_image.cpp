@@ -2,6 +2,7 @@
 #include "pictures/image.h"
 
 #include <fmt/core.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,7 @@
 #include "files/parse.h"
 #include "files/read_whole.h"
 #include "pictures/decode.h"
+#include "plan/plan.h"
 
 namespace lacuna::pictures {
 namespace {
@@ -67,6 +69,31 @@ std::string size_text(Size size) {
     return fmt::format("{} x {} pixels", size.columns, size.rows);
 }
 
+// Throws FileError if the file has no known format.
+const Known& format_of(const Encoded& file) {
+    const std::string_view bytes = file.bytes;
+    const auto* known = std::find_if(kFormats.begin(), kFormats.end(), [&](const Known& format) {
+        return bytes.starts_with(format.magic);
+    });
+    if (known != kFormats.end()) return *known;
+    if (bytes.empty()) file.refuse(fmt::format("empty: {}", kAllowed));
+    for (const Unread& unread : kUnread)
+        if (bytes.substr(std::min(unread.at, bytes.size())).starts_with(unread.magic))
+            file.refuse(fmt::format("{} picture: {}; convert it first, for example to PNG",
+                                    unread.name, kAllowed));
+    constexpr std::size_t kShown = 16;
+    file.refuse(
+        fmt::format("begins with {}: {}", files::excerpt(bytes.substr(0, kShown)), kAllowed));
+}
+
+// The memory that a picture may take: what the machine has or, if it is less, `ulimit -v`.
+double memory_for_pixels() {
+    rlimit limit{};
+    const auto machine = static_cast<double>(machine_memory_bytes());
+    if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return machine;
+    return std::min(machine, static_cast<double>(limit.rlim_cur));
+}
+
 }  // namespace
 
 void check_size(const Encoded& file, Size size) {
@@ -79,6 +106,12 @@ void check_size(const Encoded& file, Size size) {
     if (std::max(size.columns, size.rows) > file.max_aspect * std::min(size.columns, size.rows))
         file.refuse(fmt::format("{}: the longer side may be at most {} times the shorter",
                                 size_text(size), file.max_aspect));
+    // Luminance takes 8 bytes a pixel, and what a set needs of a field 12.
+    const double needed = 20 * static_cast<double>(size.pixels());
+    if (needed > memory_for_pixels())
+        file.refuse(fmt::format(
+            "{} need about {:.2g} GB of memory, more than the {:.2g} GB there is: make it smaller",
+            size_text(size), needed / 1e9, memory_for_pixels() / 1e9));
 }
 
 Image make_image(const Encoded& file, Size size) {
@@ -90,25 +123,21 @@ Image make_image(const Encoded& file, Size size) {
     return image;
 }
 
+void check_format(std::string_view first, const std::string& name) {
+    format_of({first, name, kMaxPixels, kMaxSide});
+}
+
 Image decode_image(std::string_view bytes, const std::string& name, std::uint64_t max_pixels,
                    std::uint64_t max_aspect, Backdrop backdrop) {
     const Encoded file{bytes, name, max_pixels, max_aspect, backdrop};
-    const auto* known = std::find_if(kFormats.begin(), kFormats.end(), [&](const Known& format) {
-        return bytes.starts_with(format.magic);
-    });
-    if (known != kFormats.end()) return known->decode(file);
-    if (bytes.empty()) file.refuse(fmt::format("empty: {}", kAllowed));
-    for (const Unread& unread : kUnread)
-        if (bytes.substr(std::min(unread.at, bytes.size())).starts_with(unread.magic))
-            file.refuse(fmt::format("{} picture: {}; convert it first, for example to PNG",
-                                    unread.name, kAllowed));
-    constexpr std::size_t kShown = 16;
-    file.refuse(
-        fmt::format("begins with {}: {}", files::excerpt(bytes.substr(0, kShown)), kAllowed));
+    return format_of(file).decode(file);
 }
 
 Image read_image(const std::string& path, std::uint64_t max_aspect) {
-    return decode_image(files::read_whole(path), files::name_of(path), kMaxPixels, max_aspect);
+    const std::string name = files::name_of(path);
+    const auto look = [&](std::string_view first) { check_format(first, name); };
+    return decode_image(files::read_whole(path, files::most_bytes(), look), name, kMaxPixels,
+                        max_aspect);
 }
 
 }  // namespace lacuna::pictures

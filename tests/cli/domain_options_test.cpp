@@ -102,14 +102,16 @@ TEST(SampleInsidePolygons, AsksForADomainWhereTheyReachBeyondTheDefault) {
     const Folder folder;
     const std::string map = folder.path("map.txt");
     write_file(map, "500000 5400000\n500100 5400000\n500100 5400080\n500000 5400080\n");
-    EXPECT_EQ(refusal_of(folder, {"--inside", map, "--radius", "4"}),
+    const auto refused = [&] {
+        return sample_to(folder.path("points.npy"), {"--inside", map, "--radius", "4"}).err;
+    };
+    EXPECT_EQ(refused(),
               "lacuna: --domain missing: the polygons of " + map +
                   " lie in [500000, 500100] x [5400000, 5400080], which is not within the default, "
                   "1x1: subtract (500000, 5400000) from all points and give --domain 100x80\n");
     write_file(map, "0 0\n100 0\n100 80\n0 80\n");
-    const std::string refusal = refusal_of(folder, {"--inside", map, "--radius", "4"});
-    EXPECT_TRUE(refusal.ends_with("not within the default, 1x1: give --domain 100x80\n"))
-        << refusal;
+    EXPECT_TRUE(refused().ends_with("not within the default, 1x1: give --domain 100x80\n"))
+        << refused();
     EXPECT_GT(points_of(folder, {"--inside", map, "--radius", "4", "--domain", "100x80"}).size(),
               300U);
     EXPECT_FALSE(

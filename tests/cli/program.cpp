@@ -30,16 +30,13 @@ int new_file(const std::string& path) {
 [[noreturn]] void become_program(char* const* arguments, int out, int err, const Setting& setting) {
     for (const int number : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGXFSZ})
         signal(number, SIG_DFL);
-    if (setting.largest_file_bytes >= 0) {
-        rlimit limit{};
-        limit.rlim_cur = limit.rlim_max = static_cast<rlim_t>(setting.largest_file_bytes);
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    if (setting.stack_bytes >= 0) {
-        const rlimit limit{static_cast<rlim_t>(setting.stack_bytes),
-                           static_cast<rlim_t>(setting.stack_bytes)};
-        setrlimit(RLIMIT_STACK, &limit);
-    }
+    const auto limit = [](auto resource, long bytes) {
+        const rlimit both{static_cast<rlim_t>(bytes), static_cast<rlim_t>(bytes)};
+        if (bytes >= 0) setrlimit(resource, &both);
+    };
+    limit(RLIMIT_FSIZE, setting.largest_file_bytes);
+    limit(RLIMIT_STACK, setting.stack_bytes);
+    limit(RLIMIT_AS, setting.memory_bytes);
     if (setting.no_threads) {
         // The limit counts a user's processes, and root has none.
         constexpr uid_t kNobody = 65534;

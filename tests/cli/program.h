@@ -23,6 +23,7 @@ struct Setting {
     int stderr_fd = -1;            // likewise
     long largest_file_bytes = -1;  // the system's limit
     long stack_bytes = -1;         // likewise
+    long memory_bytes = -1;        // likewise, of addresses
     bool no_threads = false;       // the system refuses the program further threads
     std::map<std::string, std::string> environment;  // added to this process's
     std::string program;                             // instead of the one under test

@@ -110,6 +110,24 @@ TEST(ASystem, ThatGrantsATinyStackIsToldOfInOneLine) {
     EXPECT_NE(outcome.err.find("limited to 100 KiB"), std::string::npos) << outcome.err;
 }
 
+TEST(APicture, ThatNeedsMoreMemoryThanThereIsIsNamedWithItsSize) {
+    const Folder folder;
+    const std::string path = folder.path("a.pgm");
+    write_file(path, "P5 16384 16384 255\n");
+    Setting setting;
+    setting.memory_bytes = 3'000'000'000;
+    expect_one_error(run({"stipple", path, "--count", "100"}, setting), 3,
+                     {path, "16384 x 16384 pixels need about 5.4 GB of memory"});
+}
+
+// It used to be read to the limit for files first, a quarter of the machine's memory.
+TEST(APicture, WithoutAnEndIsRefusedByItsFirstBytes) {
+    expect_one_error(run({"sample", "--field", "/dev/zero", "--count", "10"}), 3,
+                     {"/dev/zero", "begins with"});
+    expect_one_error(run({"sample", "--mask", "/dev/zero", "--count", "10"}), 3,
+                     {"/dev/zero", "begins with"});
+}
+
 class AnInterruptedRun : public testing::TestWithParam<int> {};
 
 TEST_P(AnInterruptedRun, ExitsWithTheSignalsCodeAndLeavesNothing) {

@@ -14,6 +14,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace lacuna::tests {
 
@@ -21,6 +22,8 @@ struct HostileRequest {
     std::shared_ptr<const Field> field;  // in cells, and in exact with a radius field
     std::shared_ptr<const Mask> mask;
     Request request;
+    std::shared_ptr<const Field> sparse;  // over which some of the points are relaxed, or null
+    std::uint32_t iterations = 0;
 };
 
 class RandomRequests {
@@ -46,6 +49,7 @@ public:
             choose_radius_field(made);
         else
             choose_radius(request);
+        if (one_in(4)) choose_sparse(made);
         return made;
     }
 
@@ -153,6 +157,20 @@ private:
         made.request.mask = made.mask.get();
     }
 
+    // A picture with so few pixels that most points begin far from importance.
+    void choose_sparse(HostileRequest& made) {
+        Field field;
+        field.columns = static_cast<std::uint32_t>(power(1, 80));
+        field.rows = static_cast<std::uint32_t>(power(1, 80));
+        const std::size_t pixels = std::size_t{field.columns} * field.rows;
+        field.importance.assign(pixels, 0);
+        const double range = power(1, 1e6);
+        for (std::uint32_t many = 1 + below(6); many != 0; --many)
+            field.importance[random_() % pixels] = power(1 / range, 1);
+        made.sparse = std::make_shared<const Field>(std::move(field));
+        made.iterations = 1 + below(3);
+    }
+
     std::mt19937_64 random_;
 };
 
@@ -171,6 +189,9 @@ inline std::string describe(const HostileRequest& made) {
         << ", limit " << request.limit.value_or(0) << ", seed " << request.seed << ", threads "
         << request.threads << (request.snap ? ", snap" : "")
         << (request.uniform_x ? ", uniform-x" : "");
+    if (made.sparse)
+        out << ", relaxed over " << made.sparse->columns << "x" << made.sparse->rows << " pixels, "
+            << made.iterations << " iterations";
     return out.str();
 }
 

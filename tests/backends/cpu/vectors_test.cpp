@@ -106,10 +106,9 @@ SizedList samples_around(Sample middle, std::uint32_t period, std::mt19937_64& r
         const std::uint32_t dx = below(std::uint64_t{radius} + 1);
         const auto dy = static_cast<std::uint32_t>(
             portable::isqrt(std::uint64_t{radius} * radius - std::uint64_t{dx} * dx));
-        const auto at = [&](std::uint32_t middle, std::uint32_t far) {
-            const std::uint64_t moved = below(2) == 0
-                                            ? std::uint64_t{middle} + far + below(3)
-                                            : std::uint64_t{middle} + period - far % period;
+        const auto at = [&](std::uint32_t from, std::uint32_t far) {
+            const std::uint64_t moved = below(2) == 0 ? std::uint64_t{from} + far + below(3)
+                                                      : std::uint64_t{from} + period - far % period;
             return static_cast<std::uint32_t>(moved % period);
         };
         samples.push_back({at(middle.x, dx), at(middle.y, dy), radius});
