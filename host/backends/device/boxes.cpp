@@ -11,9 +11,8 @@
 namespace lacuna::device {
 namespace {
 
-// Pieces that there is room for beyond the expected number, which is seldom reached. So few that
-// small sets do not replace their buffers (round_memory.cpp, kLeastWords).
-constexpr std::uint32_t kSpareRoom = 512;
+// Pieces that there is room for beyond the expected number, which is seldom reached.
+constexpr std::uint32_t kSpareRoom = 1024;
 
 // The work of a box, see Queue::launch.
 constexpr std::uint64_t kCutWork = 16;

@@ -29,6 +29,7 @@ public:
         make_tables();
         put_first_boxes();
         find_disk_areas();
+        lists_.put(round_.plan.field().kept);
     }
 
     std::span<const std::uint32_t> begins() const override { return boxes_.begins(); }

@@ -33,7 +33,6 @@ NeighbourLists::NeighbourLists(RoundMemory& round)
     round_.make_room(m.visitor_count, 1);
     round_.make_room(m.survivors, 1);
     round_.make_room(m.survivor_count, 1);
-    put(round_.plan.field().kept);
 }
 
 void NeighbourLists::make_tree() {

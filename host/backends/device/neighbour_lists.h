@@ -15,6 +15,7 @@ namespace lacuna::device {
 
 class NeighbourLists {
 public:
+    // Makes the room; put() comes before the first round.
     explicit NeighbourLists(RoundMemory& round);
 
     // Replaces the samples in the lists: lists these, as if they were a round's admitted

@@ -42,7 +42,8 @@ function(check)
     endif()
 endfunction()
 
-# Rounds of one size: Oclgrind takes a buffer for uninitialized where one was released before.
+# Rounds of one size: Oclgrind takes a buffer for uninitialized where one was released before, or
+# where the host filled it after the first kernel ran.
 check(sample --mode lines --radius 0.2 --lines-per-radius 2 --torus --round-size 16)
 check(sample --mode lines --radius 0.2 --lines-per-radius 2 --round-size 16)
 check(sample --mode lines --radius 0.06 --lines-per-radius 3 --round-size 64)
