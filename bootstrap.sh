@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Sets up, builds, tests and runs Lacuna on a bare Debian 12 or 13 or Ubuntu 24.04; see "help".
+# Sets up, builds, tests and runs Lacuna on a bare Debian 12 or 13; untried on Ubuntu; see "help".
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -110,12 +110,12 @@ cached() {
 }
 
 # configure TESTS: configures build/, with the tests and benchmarks if TESTS is ON. A build/ that
-# has tests keeps them. Nothing that was compiled is lost, whichever command came first, because a
-# build/ keeps its way of compiling.
+# has tests keeps them. An existing build/ stays a unity build or none. So
+# nothing is compiled again, whichever command came first.
 configure() {
     local options=("-DLACUNA_TESTS=$1" "-DLACUNA_BENCHMARKS=$1") source tests
-    # A unity build compiles in half the time, but a change of one file then takes longer: so only a
-    # build of the command alone is one.
+    # A unity build compiles in half the time, but takes longer after a change of one file. So it is
+    # used only for the command alone.
     [[ $1 == ON ]] || options+=(-DCMAKE_UNITY_BUILD=ON)
     source=$(cached CMAKE_HOME_DIRECTORY)
     [[ -z $source || $source == "$root" ]] ||
@@ -196,8 +196,8 @@ web_page() {
         "http://localhost:8000"
 }
 
-# Installs programs that show our pictures as others see them, in a Python environment of their own.
-# Where it fails, the tests that need them are skipped.
+# Installs vpype and pypdfium2, with which tests read our .svg and .pdf, in a Python environment of
+# their own. If this fails, the tests that need them are skipped.
 install_viewers() {
     local viewers=$build/viewers
     [[ -f $viewers/complete ]] && return 0

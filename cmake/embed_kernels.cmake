@@ -1,6 +1,6 @@
-# Script: writes a C++ file OUTPUT whose function lacuna::opencl::NAME() returns a text for each of
-# GROUPS: OpenCL C files with | between them. Quoted includes are expanded, each file once, from the
-# file's own folder or INCLUDE_DIR. With #line, build logs name the original file and line.
+# Script: writes a C++ file OUTPUT with a function lacuna::opencl::NAME() that returns one text
+# for each of GROUPS, OpenCL C files with | between them. Quoted includes are expanded, each file
+# once, from its folder or INCLUDE_DIR. With #line, build logs name the original file and line.
 cmake_minimum_required(VERSION 3.25)
 cmake_path(GET INCLUDE_DIR PARENT_PATH root)
 

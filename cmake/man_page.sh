@@ -1,8 +1,8 @@
 #!/bin/sh
 # Makes the man page PAGE.1 in FOLDER from what `PROGRAM [COMMAND] --help` prints.
 #   man_page.sh HELP2MAN PROGRAM "[COMMAND]" PAGE ABOUT VERSION FOLDER
-# help2man reformats the text before the usage. So examples and prose are given to it as sections,
-# which come after the options.
+# help2man reformats the text before the usage. So examples and prose are given to it as sections of
+# their own, which come after the options.
 set -eu
 help2man=$1 program=$2 command=$3 page=$4 about=$5 version=$6 folder=$7
 
@@ -43,7 +43,7 @@ END
     fi
 } >"$scratch/include"
 
-# help2man names the page after the program that it runs.
+# help2man names the page after the program that it runs, so it runs a script of the right name.
 printf '#!/bin/sh\ncat "%s"\n' "$scratch/help" >"$scratch/$page"
 chmod +x "$scratch/$page"
 "$help2man" --no-info --version-string="$version" --name="$about" --source=Lacuna \

@@ -9,7 +9,7 @@ function(lacuna_add_mpi)
         return()
     endif()
     set(folder ${PROJECT_SOURCE_DIR}/host/mpi)
-    # The ranks and their file, without the command, because tests use them too.
+    # The code of the ranks and of their file is a library, because tests use it too.
     add_library(lacuna_mpi_ranks STATIC
         ${folder}/mpi_ranks.cpp ${folder}/npy_sink.cpp ${folder}/unfinished_file.cpp)
     target_include_directories(lacuna_mpi_ranks SYSTEM PRIVATE ${RANDOM123_INCLUDE_DIR})

@@ -3,8 +3,8 @@
 option(LACUNA_OPENCL "Build the backend opencl, where OpenCL's headers are" ON)
 include(${CMAKE_CURRENT_LIST_DIR}/leave_out.cmake)
 
-# lacuna_embed_kernels(TARGET NAME GROUP...) expands the includes of OpenCL C files, and gives TARGET
-# a source file that defines lacuna::opencl::NAME(): a text for each group of files, A.cl|B.cl.
+# lacuna_embed_kernels(TARGET NAME GROUP...) expands the includes of OpenCL C files. It gives TARGET
+# a source file with lacuna::opencl::NAME(), which returns one text for each group A.cl|B.cl.
 function(lacuna_embed_kernels target name)
     string(REPLACE "|" ";" files "${ARGN}")
     set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
@@ -31,8 +31,8 @@ function(lacuna_add_opencl)
     # This file uses OpenCL's own names, which are macros in the other files of the folder.
     set_source_files_properties(${PROJECT_SOURCE_DIR}/host/backends/opencl/entry_points.cpp
         PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-    # The groups that are compiled together: for lines and exact, exact with a radius field, cells,
-    # and relax. A driver would take longer for a program for each kernel.
+    # The kernels of a group are compiled together: for lines and exact, exact with a radius field,
+    # cells, and relax. A driver would take longer to compile each kernel as a program of its own.
     set(spans locate locate_in_boxes sort_columns screen screen_on_lines admit collect subtract grow
         insert unfold cut keep scan find_bin_begins)
     set(radius_field locate_with_field screen_with_field reach admit_with_field enlist split

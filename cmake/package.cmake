@@ -21,7 +21,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME lacuna)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
-# Loaded when their backends are used; the drivers are the user's choice.
+# These libraries are loaded when their backends are used; drivers are the user's choice.
 set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "libvulkan1, ocl-icd-libopencl1")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "pocl-opencl-icd, mesa-vulkan-drivers")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME liblacuna-dev)

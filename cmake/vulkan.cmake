@@ -25,8 +25,8 @@ function(lacuna_embed_shader target file entry)
     target_include_directories(${target} PRIVATE ${folder})
 endfunction()
 
-# lacuna_embed_shaders(TARGET FILE...) does so for the shaders NAME.comp, and gives TARGET a header
-# all_shaders.h that includes the headers of all.
+# lacuna_embed_shaders(TARGET FILE...) embeds each of the shaders NAME.comp in this way, and gives
+# TARGET a header all_shaders.h that includes the headers of all.
 function(lacuna_embed_shaders target)
     set(headers)
     foreach(file IN LISTS ARGN)

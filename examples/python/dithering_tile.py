@@ -1,8 +1,8 @@
 """A tile of thresholds for dithering: dithering_tile.py [TILE.png] [DITHERED.png]
 
-Void and cluster (Ulichney 1993): the pixels of a tile are ranked such that those of rank under K
-are spread evenly for every K, edges included. It begins from an even pattern, which a relaxed set
-of points on a torus is, and so needs no pass that makes one.
+Void and cluster (Ulichney 1993): the pixels of a tile are ranked such that for every K those of
+rank under K are spread evenly, also across the tile's edges. The method begins with an even
+pattern: here the pixels under a relaxed set of points on a torus.
 """
 
 import sys
@@ -16,9 +16,9 @@ import numpy as np
 import lacuna
 
 SIDE = 64  # pixels
-FIRST = 400  # pixels that are on in the pattern that it begins from
+FIRST = 400  # points of the first pattern
 
-# How much a pixel crowds each other one, around the edges.
+# How much a pixel at row 0, column 0 crowds each pixel of the tile, whose edges wrap.
 away = np.minimum(np.arange(SIDE), SIDE - np.arange(SIDE))
 crowding = np.exp(-(away[:, None] ** 2 + away**2) / (2 * 1.5**2))
 
@@ -34,14 +34,14 @@ pattern[rows, columns] = True
 crowd = sum(crowd_of(*place) for place in np.argwhere(pattern))
 rank = np.empty((SIDE, SIDE), int)
 
-# From the tightest cluster of the pattern down to the first pixel,
+# Ranks within the first pattern: the pixel in the tightest cluster is removed, again and again.
 left, left_crowd = pattern.copy(), crowd.copy()
 for turn in range(pattern.sum() - 1, -1, -1):
     place = np.unravel_index(np.where(left, left_crowd, -1).argmax(), left.shape)
     left[place] = False
     left_crowd -= crowd_of(*place)
     rank[place] = turn
-# then from its largest void up to the last.
+# Ranks above: the pixel in the largest void is added, again and again.
 for turn in range(pattern.sum(), SIDE * SIDE):
     place = np.unravel_index(np.where(pattern, np.inf, crowd).argmin(), pattern.shape)
     pattern[place] = True

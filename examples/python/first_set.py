@@ -19,7 +19,7 @@ for axes, points, title in (
 ):
     axes.scatter(*points.T, s=4, color="black")
     axes.set(title=title, aspect="equal", xlim=(0, 1), ylim=(0, 1), xticks=[], yticks=[])
-# Of ten sets each: one set's power is as rough as its points are random.
+# Averaged over ten sets, because the spectrum of a single random set is rough.
 for relax, label in ((0, "random"), (30, "relaxed")):
     sets = [lacuna.sample(n=len(made), torus=True, seed=i, relax=relax) for i in range(10)]
     spectrum = lacuna.analyze(sets)

@@ -7,7 +7,7 @@ import lacuna
 
 photo = sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parents[1] / "raccoon.png"
 output = sys.argv[2] if len(sys.argv) > 2 else "stippled.svg"
-count = int(sys.argv[3]) if len(sys.argv) > 3 else None  # as suits the photograph
+count = int(sys.argv[3]) if len(sys.argv) > 3 else None  # None: a number that suits the photo
 
 dots = lacuna.stipple(photo, count, seed=1)
 dots.save(output)

@@ -1,4 +1,4 @@
-// Stipples a picture, writes the dots, and tells what their files and coordinates say.
+// Stipples a picture, writes the dots, reads them back and checks their distances and spectrum.
 //   stippled_picture PICTURE POINTS
 #include <lacuna/analysis.h>
 #include <lacuna/files.h>
