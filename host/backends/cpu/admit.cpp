@@ -19,8 +19,8 @@
 namespace lacuna::cpu {
 namespace {
 
-// A mode says at which point candidate i counts, which columns to search and how far, and the
-// squared distance that it must keep from candidate j.
+// A mode defines the point at which candidate i counts, the columns to search and how far to search
+// in them, and the squared distance that i must keep from candidate j.
 struct InLines {
     const SpanState& state;
     portable::Stretch columns;
@@ -115,7 +115,7 @@ std::uint32_t status_of(State& state, const Mode& mode, std::uint32_t i) {
     return waits ? STATUS_UNDECIDED : STATUS_ADMITTED;
 }
 
-// About how many candidates candidate i is compared with: the number in the buckets that it looks
+// About how many others candidate i is compared with: the candidates in the buckets that it looks
 // into.
 template <typename Mode>
 std::uint64_t rivals_of(const State& state, const Mode& mode, std::uint32_t i) {

@@ -1,11 +1,11 @@
-// Rounds that crowd: most draws conflict with others of the round, so that comparing all pairs
-// would take time that grows with the square of their number.
+// Rounds that crowd: most draws conflict with others of the round, so that the time to compare all
+// pairs would grow with the square of the number of draws.
 //
 // Such a round is admitted in parts, in the order of the draws. The samples of each part are cut
 // from the bins. So one look at the bin decides most draws of the next part, and only the others
 // are compared with each other. Each part has as many draws as all earlier parts together. If the
-// draw after the first n is free with probability p, at least about n p of the n became samples. So
-// of the next n at most about n p are still free: no more than there are samples.
+// draw after the first n is free with probability p, at least n p of these became samples, and at
+// most n p of the next n draws are free: a part compares no more draws than there are samples.
 #pragma once
 
 #include <cstddef>
@@ -33,8 +33,8 @@ public:
     void give_back(ModeState& state) { exchange(state); }
 
     // For each column, in this order: screen rejects the part's draws that samples of earlier parts
-    // cover, move_in moves the others into the state to be admitted, and move_out takes their
-    // statuses.
+    // cover, move_in copies the others into the state to be admitted, and move_out copies their
+    // statuses back.
     void screen(const ModeState& state, std::uint32_t column, Part part) {
         std::uint32_t left = 0;
         for (std::uint32_t i = begins_[column]; i < begins_[column + 1]; ++i) {

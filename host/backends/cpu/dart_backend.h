@@ -37,7 +37,7 @@ protected:
     }
 
 private:
-    // Draws per slab before the run can be cancelled: they take some 0.02 s.
+    // Draws per slab between two chances to cancel the run: they take some 0.02 s.
     static constexpr std::uint32_t kTurnsAtOnce = std::uint32_t{1} << 17;
     // Fewer draws take one thread less time than it takes to divide them among slabs.
     static constexpr std::uint32_t kDrawsWorthSlabs = 4096;

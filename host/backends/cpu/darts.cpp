@@ -13,8 +13,8 @@
 namespace lacuna::cpu {
 namespace {
 
-// How many candidates ahead their cells are prefetched; candidates are prefetched twice as far
-// ahead. Memory needs that long; 4 to 10 were equally fast.
+// Prefetch distance of cells, in candidates; candidates are prefetched twice as far ahead.
+// Distances of 4 to 10 were equally fast.
 constexpr std::size_t kAhead = 8;
 
 constexpr std::size_t kPollEvery = std::size_t{1} << 14;  // in candidates put off: some 2 ms
@@ -29,8 +29,8 @@ Span candidates_of_slab(const State& state, std::uint32_t index, std::size_t sla
             state.column_begins[(index + std::size_t{1}) * state.columns / slabs]};
 }
 
-// The board of one radius is the sample grid. A slab decides the candidates that lie in inner_:
-// these read no cells except the slab's own, own_.
+// What darts are thrown at with one radius: the sample grid. A slab decides the candidates whose x
+// lies in inner_: they read only cells whose x lies in own_, which no other slab changes.
 class GridBoard {
 public:
     explicit GridBoard(SpanState& state)
@@ -73,8 +73,8 @@ private:
     Span inner_;
 };
 
-// With a radius field the board is the neighbour lists. A slab is a region, and decides the
-// candidates that reach no other: no conflict is farther away than a candidate's own radius.
+// The same with a radius field: the neighbour lists. A slab is a region, and decides the candidates
+// whose disk lies in it: no conflict is farther away than a candidate's own radius.
 class ListBoard {
 public:
     explicit ListBoard(FieldState& state) : state_(state), region_(kWhole) {}
@@ -161,7 +161,7 @@ void Darts::begin(std::uint32_t begin, std::uint32_t end, std::uint32_t slabs) {
     for (std::vector<std::uint32_t>& of_slab : put_off_) of_slab.clear();
 }
 
-// Lists the slab's candidates in the order of their turns, and more entries, for prefetching.
+// Lists the slab's candidates in the order of their turns, then entries that are only prefetched.
 void Darts::list_turns(const State& state, Span slab, Scratch& scratch) const {
     auto& [thrown, starts, unsorted, sorted] = scratch;
     if (slabs() == 1) {
@@ -180,7 +180,7 @@ void Darts::list_turns(const State& state, Span slab, Scratch& scratch) const {
     thrown.resize(thrown.size() + 2 * kAhead, slab.begin);
 }
 
-// Into buckets of equally many turns first, then by insertion.
+// Sorts into buckets of equally many turns first, then by insertion.
 void Darts::sort_turns(Scratch& scratch) const {
     auto& [thrown, starts, unsorted, sorted] = scratch;
     const std::uint64_t count = unsorted.size();

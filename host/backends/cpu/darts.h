@@ -15,10 +15,10 @@ namespace lacuna::cpu {
 // candidates are put off: each leaves a mark in its cell, and a later candidate near a mark is put
 // off too. When all slabs are done, one thread decides the candidates that were put off. So a draw
 // is decided after all earlier draws that it could conflict with, as if all were thrown in their
-// order. In slabs of c columns, some 2 draws in c are put off.
+// order. In slabs of c columns, about 2 / c of the draws are put off.
 class Darts {
 public:
-    // Begins turns [begin, end). Then call throw_in for each slab, in parallel, and finish.
+    // Takes draws [begin, end), by order. Call throw_in for each slab, in parallel, then finish.
     void begin(std::uint32_t begin, std::uint32_t end, std::uint32_t slabs);
     std::uint32_t slabs() const { return static_cast<std::uint32_t>(put_off_.size()); }
     template <typename DartState>  // SpanState or FieldState

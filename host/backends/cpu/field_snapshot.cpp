@@ -9,8 +9,8 @@
 
 namespace lacuna::cpu {
 
-// As for one radius, the round's samples are among `samples` after its last verb, not after admit,
-// and screen leaves no trace.
+// As with one radius, a snapshot has the round's samples among `samples` only after the round's
+// last verb, and does not show what screen found.
 Snapshot FieldState::snapshot() const {
     Snapshot snapshot;
     std::vector<Sample> of_round;

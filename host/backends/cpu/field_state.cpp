@@ -19,7 +19,7 @@ namespace {
 // How many boxes ahead their lists are prefetched.
 constexpr std::size_t kFieldBoxesAhead = 8;
 
-// No radius is larger.
+// Larger than every radius: the smaller of a radius and this is the radius.
 constexpr std::uint32_t kAnyRadius = ~std::uint32_t{0};
 
 class FieldCut {
@@ -27,13 +27,13 @@ public:
     FieldCut(const FieldState& state, std::uint32_t region, std::vector<FieldState::BlockBox>& left)
         : state_(state), is_at_edge_(wraps(state.first.regions[region])), left_(left) {}
 
-    // The boxes to come are parts of this block.
+    // Boxes that are appended from here on are parts of this block.
     void begin(std::uint32_t block) {
         block_ = block;
         even_radius_ = state_.first.blocks[block].even_radius;
         wraps_ = is_at_edge_ && wraps(state_.first.blocks[block].node);
     }
-    // The boxes to come are cut by these samples.
+    // Boxes that are appended from here on are cut by these samples.
     void cut_by(const SizedSpan& near) { near_ = near; }
 
     void append_halves(const Rectangle& box) {
@@ -68,7 +68,7 @@ private:
         return even_radius_ != 0 ? even_radius_ : state_.radius_field.under(box).least;
     }
 
-    // Whether a sample may be nearer to a box in the node across an edge of the torus.
+    // Whether the nearest way from a sample to a box in the node may cross an edge of the torus.
     bool wraps(std::uint32_t node) const {
         const Plan& plan = state_.plan;
         if (plan.period_x == 0) return false;
@@ -124,8 +124,9 @@ private:
     }
 
     // find_touching tests eight boxes in less time than the chords of one box take. Most boxes are
-    // left alone by all samples or covered by one; few are touched by several. Where the radius
-    // varies, kAnyRadius finds all samples that may touch; their chords are then shorter.
+    // untouched or covered by one sample; few are touched by several. Where the radius varies,
+    // kAnyRadius finds all samples that may touch; their chords have the least radius under the
+    // box.
     void append_batch() {
         const bool is_even = even_radius_ != 0;
         touching_.resize(std::max(touching_.size(), near_.count));
@@ -191,7 +192,7 @@ private:
     SizedSpan near_{};
     std::uint32_t even_radius_ = 0;  // 0 where the radius varies in the block
     bool wraps_ = false;
-    std::vector<Span> chords_;  // room for all
+    std::vector<Span> chords_;  // has room for the chords of all samples
     std::array<Rectangle, Vectors::kBoxes> batch_{};
     std::size_t batched_ = 0;
     std::vector<std::uint8_t> touching_;  // of each sample, a bit for each box of the batch

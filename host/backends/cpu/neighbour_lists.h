@@ -73,13 +73,13 @@ public:
     // run in parallel for samples that reach no region except their own.
     void insert(const Sized& sample, std::uint32_t block);
     // Marks the blocks of a region that the candidate reaches; may run in parallel for different
-    // regions. A block has one mark: in a round that crowds, thousands of candidates would mark it.
+    // regions. All share one mark of the block, because in a crowded round they are thousands.
     void mark(const Sized& candidate, std::uint32_t region);
     // Takes all marks away.
     void unmark_all();
     bool is_marked(std::uint32_t block) const { return (states_[block] & kMarked) != 0; }
 
-    // All samples, sorted by x, then y; and other samples in their box.
+    // Returns all samples, sorted by x, then y; put() replaces them.
     std::vector<Sample> samples() const;
     void put(std::span<const Sized> samples);
 

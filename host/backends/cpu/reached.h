@@ -24,8 +24,8 @@ public:
                   portable::is_far_reach(metric(), reach_, radius);
     }
 
-    // Calls visit(column, reach) for the columns within reach until it returns true; true if it
-    // did. Skips columns whose radii are all too small for a conflict.
+    // Calls visit(column, reach) for the columns within reach until it returns true; returns
+    // whether it did. Skips columns whose radii are all too small for a conflict.
     template <typename Visit>
     bool any(Visit visit) const {
         for (std::uint32_t k = 0; k < columns_.count; ++k) {

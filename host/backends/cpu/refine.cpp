@@ -27,7 +27,7 @@ public:
     void cut(Box box, std::vector<Box>& left) {
         if (box.x - own_.begin >= own_.end - own_.begin) return left.push_back(box);
         near_count_ = 0;
-        // Every cell is written, but only samples raise the count: no branch.
+        // Every cell is written, but only samples raise the count, so that there is no branch.
         state_.grid->for_each_cell_near(box.x, box.x + state_.bin_width, box.begin, box.end,
                                         [&](Sample cell) {
                                             near_[near_count_] = cell;
@@ -110,8 +110,8 @@ private:
         sort_in_last(chords_.data(), chord_count_);
     }
 
-    // Samples near a box. A box and a radius around it reach over at most 7 x 6 cells, where cells
-    // at the seam of a torus count twice.
+    // Room for the samples near a box. A box and a radius around it reach over at most 7 x 6 cells,
+    // where cells at the edge of a torus may count twice.
     static constexpr std::size_t kMost = 64;
 
     const SpanState& state_;
@@ -126,7 +126,7 @@ private:
     std::size_t chord_count_ = 0;
 };
 
-constexpr std::size_t kBoxesAhead = 4;  // prefetch distance; 4 to 8 are alike
+constexpr std::size_t kBoxesAhead = 4;  // prefetch distance; 4 to 8 are equally fast
 
 void refine_boxes(const SpanState& state, std::span<const Box> boxes, GridCut& cut,
                   std::vector<Box>& left) {

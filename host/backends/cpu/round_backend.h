@@ -99,7 +99,7 @@ protected:
         return std::clamp(state_.columns / kColumnsOfSlab, 1u, kMostSlabs);
     }
 
-    // Asks whether to go on.
+    // Throws Cancelled if the run is to stop.
     void poll() const { workers_.poll(); }
 
     ModeState state_;

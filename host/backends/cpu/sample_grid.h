@@ -59,9 +59,9 @@ public:
     // May run in parallel: no two samples lie in the same cell.
     void insert(Sample sample) { cell_of(sample) = sample; }
 
-    // Whether some sample is closer than the radius. A disk lies within 4 x 4 cells: 2 sqrt(2) < 3.
-    // Away from edges all are compared without a branch, which could not be predicted. Empty cells,
-    // at (-1, -1), and marks, at (-1, -2), are farther away than the radius.
+    // Whether some sample is closer than the radius. A disk is 2 sqrt(2) < 3 cells wide and lies in
+    // 4 x 4 cells. Away from edges all are compared without a branch, which could not be predicted.
+    // Empty cells, at (-1, -1), and marks, at (-1, -2), are farther away than the radius.
     bool is_covered(std::uint32_t x, std::uint32_t y) const {
         if (is_inside(x, x + 1, y, y + 1)) {
             const Sample* const cells =

@@ -1,4 +1,4 @@
-// Sorts a column's candidates by y, and finds candidates by y, both by way of buckets.
+// Sorts a column's candidates by y into buckets, with which it also finds candidates by y.
 #include <algorithm>
 #include <numeric>
 #include <vector>

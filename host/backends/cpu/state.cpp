@@ -151,7 +151,7 @@ Snapshot SpanState::snapshot() const {
 void SpanState::restore(const Snapshot& snapshot) {
     State::restore(snapshot);
     is_inserted = is_screened = false;
-    if (grid) grid->clear(0, 1);  // and the grid's margin, which no snapshot has
+    if (grid) grid->clear(0, 1);  // the margin, too, which is in no snapshot
     for (std::uint32_t i = 0; i < plan.grid().columns && grid; ++i)
         std::copy_n(snapshot.grid.data() + std::size_t{i} * plan.grid().rows, plan.grid().rows,
                     grid->column(i));
@@ -184,7 +184,7 @@ BitState::BitState(const Plan& the_plan)
       widest(plan.lines),
       near_begins(columns + std::size_t{1}) {
     widest_candidates.of_columns.resize(columns);
-    // With min open radii are not tracked: any may be as large as the sample's.
+    // With min the radii of free points are not tracked: a limit that none of them exceeds.
     widest_open.of_columns.resize(columns,
                                   plan.cells().metric == Metric::min ? ~std::uint32_t{0} : 0);
     widest_open.find_blocks();
@@ -237,7 +237,7 @@ void BitState::find_widest_open() {
 }
 
 void BitState::find_near(const std::function<void()>& poll) {
-    // The first pass counts, the second one lists.
+    // Counts the candidates of each column first, then lists them.
     find_widest_open();
     const auto for_each_near = [&](auto visit) {
         for (std::uint32_t i = 0; i < candidates.size(); ++i) {

@@ -1,5 +1,5 @@
-// The cpu backend's memory: in all modes columns of lines and the round's candidates; then the bins
-// of each mode, which are spans and boxes, or bits.
+// The cpu backend's memory. All modes have columns of lines and the round's candidates; the bins of
+// a mode are spans and boxes, or bits.
 #pragma once
 
 #include <cstdint>
@@ -56,7 +56,6 @@ struct State {
         return {candidates.data() + column_begins[column],
                 column_begins[column + 1] - column_begins[column]};
     }
-    // Makes room for `count` candidates.
     void make_room(std::size_t count);
     // Enters the column's candidates into by_order.
     void find_orders(std::uint32_t column);
@@ -136,8 +135,8 @@ struct BitState : State {
     // The radius of each candidate, and the largest ones.
     std::vector<std::uint32_t> candidate_radii;
     WidestRadii widest_candidates;
-    // near holds the admitted candidates that may reach each column, of which column c has
-    // [near_begins[c], near_begins[c + 1]).
+    // Indices of the admitted candidates that may reach column c: near[near_begins[c]] up to
+    // near[near_begins[c + 1]].
     std::vector<std::uint32_t> near_begins;
     std::vector<std::uint32_t> near;
     WidestRadii widest_open;  // radii of points that may still be free
@@ -191,8 +190,8 @@ bool admit(BitState& state, std::uint32_t column);
 bool is_covered(const SpanState& state, const Candidate& candidate);
 bool is_covered(const BitState& state, const Candidate& candidate);
 
-// In lines and cells: how many draws admit decides first: all, unless the round crowds (crowd.h);
-// then few enough that each has few others within its reach.
+// In lines and cells: the number of draws that admit decides first: all, unless the round crowds
+// (crowd.h). Then each of them has few others within its reach.
 std::uint32_t first_part(const SpanState& state);
 std::uint32_t first_part(const BitState& state);
 

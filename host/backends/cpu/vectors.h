@@ -1,8 +1,8 @@
 // The cpu backend's inner loops over samples near a point or box, for the processor's vectors.
 //
 // Each loop exists in plain C++, which says what it does with the arithmetic of kernels/portable/,
-// and for AVX2 (vectors_avx2.cpp). Both give the same numbers; tests run all that the processor
-// has, by name.
+// and for AVX2 (vectors_avx2.cpp). Both give the same numbers; tests run every version that the
+// processor has, by name.
 #pragma once
 
 #include <cstddef>
@@ -53,11 +53,11 @@ struct Vectors {
 // Buffers are padded by this many entries: the loops read and write that far past the end.
 inline constexpr std::size_t kVectorPadding = 8;
 
-// All that the processor has, the fastest first; the last is plain C++. Without a radius field, the
+// What the processor can run, the fastest first; the last is plain C++. Without a radius field, the
 // others serve radii below kLargestVectorRadius only.
 std::span<const Vectors* const> all_vectors();
-inline constexpr std::uint32_t kLargestVectorRadius = std::uint32_t{1} << 30;
-// The fastest that serve the radius.
+inline constexpr std::uint32_t kLargestVectorRadius = std::uint32_t{1} << 30;  // squared: 2^60
+// The fastest version that serves the radius.
 const Vectors& vectors_for(std::uint32_t radius);
 
 }  // namespace lacuna::cpu

@@ -2,7 +2,7 @@
 //
 // Highway includes this file once more, compiled for AVX2, which the rest of the library is not.
 // Highway's own choice at run time is in a shared library, which a wheel would have to carry; the
-// few lines at the end replace it. AVX-512 brings nothing here.
+// few lines at the end replace it. AVX-512 is not faster here.
 #include "backends/cpu/vectors_avx2.h"
 
 #if defined(__x86_64__)
@@ -166,7 +166,7 @@ bool is_any_sized_closer(const SizedSpan& samples, Sample at, std::uint32_t radi
     return !hn::AllFalse(kWords, closer);
 }
 
-// For each set of lanes, as 8 bits: the numbers of its lanes, one a byte.
+// For each set of lanes, which is 8 bits: the numbers of the lanes in it, one a byte.
 constexpr std::array<std::uint64_t, 256> lanes_of_sets() {
     std::array<std::uint64_t, 256> lanes{};
     for (std::uint64_t set = 0; set < 256; ++set)
@@ -174,7 +174,7 @@ constexpr std::array<std::uint64_t, 256> lanes_of_sets() {
             if ((set >> lane & 1) != 0) lanes[set] |= std::uint64_t{lane} << 8 * count++;
     return lanes;
 }
-// Highway's own functions for this copy their table with every use.
+// Highway's own functions would copy their table at every use.
 constexpr std::array<std::uint64_t, 256> kLanesOfSets = lanes_of_sets();
 
 // Samples that touch a box: distance in x to its far edge, y, and the smaller radius.
