@@ -43,7 +43,7 @@ public:
 
     // Queues the download of the round's results and flags.
     virtual void start_download() = 0;
-    // By these flags, queues what the round still needs; false: nothing.
+    // Queues what these flags show that the round still needs; returns false if that is nothing.
     virtual bool queue_rest() = 0;
     // Called once nothing more is needed.
     virtual void end_round() {}

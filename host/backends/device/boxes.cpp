@@ -11,7 +11,7 @@
 namespace lacuna::device {
 namespace {
 
-// Pieces that there is room for beyond the expected number, which is seldom reached.
+// Room for pieces beyond the expected number, which is seldom reached.
 constexpr std::uint32_t kSpareRoom = 1024;
 
 // The work of a box, see Queue::launch.
@@ -103,8 +103,8 @@ void Boxes::launch_over_boxes(std::uint32_t count, std::uint32_t chunk, std::uin
 void Boxes::refine(bool halve, std::uint32_t first_recent) {
     refinement_ = {halve, first_recent, expected_pieces(halve)};
     Memory& m = round_.memory;
-    // Room for the likely number of boxes at its highest: it grows for some rounds, and a driver
-    // clears new memory page by page.
+    // Room for the largest number of boxes that is likely in any round: the number grows for some
+    // rounds, and a driver clears new memory page by page.
     const std::uint64_t boxes = std::max<std::uint64_t>(count_, room_for_boxes(round_.plan));
     round_.make_room(m.strip_pieces, 2 * boxes << strip_bits());
     make_room_to_scan(round_, boxes);

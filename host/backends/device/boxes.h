@@ -43,7 +43,7 @@ public:
     void refine(bool halve, std::uint32_t first_recent = 0);
 
     void start_download();
-    // True where there were more pieces than room: they are written again.
+    // Returns true if there were more pieces than room. Then it queues writing them with more room.
     bool queue_rest();
     // Returns whether there was a refinement.
     bool end_round();

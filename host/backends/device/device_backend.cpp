@@ -99,13 +99,13 @@ public:
         std::vector<Candidate> candidates =
             round_.restored_candidates(snapshot, bins_->part_limits(count));
         bins_->put_candidates(candidates);
-        for_parts([&](std::uint32_t) { bins_->sort(); });  // which makes the buckets
+        for_parts([&](std::uint32_t) { bins_->sort(); });  // also makes the buckets
         round_.restore_statuses(snapshot);
         stage_ = Stage::located;
     }
 
 private:
-    // What is queued of a round, and so which verbs may follow.
+    // The verbs of a round that are queued, which decide the verbs that may follow.
     enum class Stage {
         none,        // nothing: locate and restore begin a round
         located,     // candidates: admit, or the verb that ends the round if restore decided them
@@ -145,15 +145,15 @@ private:
         }
     }
 
-    // Ends the open part, after its draws are decided. On the device `queue_end` does nothing
-    // before.
+    // Ends the open part. On the device, what queue_end queues does nothing until the part's draws
+    // are decided.
     template <typename QueueEnd>
     void end_part(QueueEnd queue_end) {
         queue_end();
         settle(false, queue_end);
     }
 
-    // Leaves the last part open.
+    // Ends all parts but the last, which stays open.
     template <typename QueueEnd>
     void end_earlier_parts(QueueEnd queue_end) {
         if (round_.parts() == 1) return;
@@ -177,8 +177,8 @@ private:
             bins_->refine(stage_ == Stage::halved);
     }
 
-    // Screens the open part, and now and then all later parts too: after the first few, most have
-    // no undecided draw and are done.
+    // Screens the open part and, if its number is a power of 2, all later parts too: after the
+    // first few parts, most later ones have no undecided draw and are done.
     void screen_again(std::uint32_t part, std::vector<bool>& is_done) {
         const bool is_for_all = std::has_single_bit(part);
         bins_->screen({round_.part.begin, is_for_all ? round_.draw_count : round_.part.end},
@@ -198,7 +198,7 @@ private:
         stage_ = Stage::none;
     }
 
-    // Waits for what is queued, and queues what it still needs: passes, room, samples left over.
+    // Waits, and queues what the round still needs: passes, cuts with more room, samples left over.
     void settle(bool with_samples) {
         settle(with_samples, [&] { queue_end_of_round(); });
     }

@@ -12,7 +12,7 @@ class Grid {
 public:
     explicit Grid(RoundMemory& round);
 
-    // Queues the search for candidates that samples in the grid cover, see Bins.
+    // Queues the search for candidates that samples in the grid cover: see Bins::screen.
     void screen(Range draws, std::uint32_t status);
     // Queues putting the part's samples into the grid.
     void insert();

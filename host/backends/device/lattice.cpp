@@ -18,11 +18,11 @@ namespace lacuna::device {
 namespace {
 
 // The most turns of a slice of subtract, as cells_layout.h counts them. A counted turn costs up to
-// 9 real ones: lavapipe runs the loops of square roots even where none is needed, runs end with
-// their words, and where a reach is longer than a torus the chord is seen from three heights.
-// Looking at a line takes up to 64 more.
+// 9 real ones: lavapipe runs the loops of square roots even where none is needed, a run of points
+// ends with its word of bits, and on a torus a sample is seen from three heights. Looking at a line
+// takes up to 64 more.
 constexpr std::uint64_t kMostTurnsOfSlice = kMostTurns / 4;
-// Neighbouring items, which lavapipe runs in lockstep, serve neighbouring lines.
+// The least number of slices: then items in lockstep, as on lavapipe, serve neighbouring lines.
 constexpr std::uint32_t kLeastSlices = 16;
 // Candidates of one item of subtract: few, because a sample is much more work than a draw.
 constexpr std::uint32_t kLongestChunk = 64;
@@ -114,7 +114,7 @@ public:
         round_.get<std::uint32_t>(round_.memory.left_count, left_);
     }
 
-    // Serves the samples of longer reach later, twice as far at a time.
+    // Samples of longer reach are served by further launches, each for twice the reach of the last.
     bool queue_rest() override {
         if (left_.front() == 0) return false;
         std::swap(round_.memory.todo, round_.memory.left);
@@ -171,7 +171,7 @@ private:
         share_ = share_of_lines_ * std::min(side / round_.plan.height, 1.0);
         find_mean_disk_area();
 
-        // The mean reach of a sample: samples are as dense as their reaches are short, squared.
+        // The mean reach of a sample, where samples have a density of 1 / reach^2.
         double density = 0;
         double pixels = 0;
         for (const std::uint32_t reach : map.reaches) {
@@ -221,7 +221,7 @@ private:
     void queue_cuts(std::uint32_t count, bool is_listed, std::uint32_t usual_reach) {
         const std::uint32_t chunk = std::min(round_.queue.chunk_of(count), kLongestChunk);
         const std::uint64_t items = items_of(count, chunk);
-        // The slices are fewer where the items could not be counted in 32 bits: they suffice then.
+        // Fewer slices if the number of items in all slices would not fit into 31 bits.
         const std::uint64_t most = std::numeric_limits<std::uint32_t>::max() / 2;
         const auto slices = static_cast<std::uint32_t>(std::min<std::uint64_t>(
             slices_of(served_reach_),

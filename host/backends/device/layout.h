@@ -43,17 +43,17 @@ portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uin
 // The draws that fall on a slab's lines. The draws are sorted by line.
 Range draws_of(const Slab& slab, std::span<const Draw> draws);
 
-// Column c gets the room [begins[c], begins[c + 1]) for all samples that may cut its lines: as many
-// as the column and its neighbours have draws.
+// Column c gets the room [begins[c], begins[c + 1]) for all samples that may cut its lines. Its
+// size is the number of draws in the column and its neighbours.
 void find_near_begins(const Plan& plan, std::uint32_t columns,
                       std::span<const std::uint32_t> column_begins,
                       std::vector<std::uint32_t>& begins);
 
 // Takes the samples of a round from the table of its draws, by order: a draw not admitted has x ==
-// NO_SAMPLE and its status in y. Returns how many draws no sample of an earlier round covers.
+// NO_SAMPLE and its status in y. Returns the number of draws that no earlier round covers.
 std::uint64_t take_admitted(std::span<const Sample> by_order, std::vector<Sample>& samples);
 
-// The reverse: that table, from a snapshot's candidates and statuses.
+// The table that take_admitted reads, from a snapshot's candidates and statuses.
 std::vector<Sample> samples_by_order(const Snapshot& snapshot);
 
 // Converts a slab's spans between a snapshot and the device's form, `capacity` spans a line.
@@ -72,7 +72,7 @@ std::uint64_t room_for_entries(const Plan& plan);
 void refuse_if_too_large(const std::string& device, const Plan& plan, std::uint64_t memory_bytes,
                          std::uint64_t largest_buffer_bytes);
 
-// The same for any needs: the bytes of all buffers together, and of the largest one.
+// The same for given needs: the bytes of all buffers together, and of the largest one.
 struct Needs {
     std::uint64_t bytes = 0;
     std::uint64_t largest = 0;

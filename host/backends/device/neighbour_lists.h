@@ -15,21 +15,20 @@ namespace lacuna::device {
 
 class NeighbourLists {
 public:
-    // Makes the room; put() comes before the first round.
+    // Makes room for the tables. Call put() before the first round.
     explicit NeighbourLists(RoundMemory& round);
 
-    // Replaces the samples in the lists: lists these, as if they were a round's admitted
-    // candidates. Waits.
+    // Replaces the samples in the lists by these, as if they were a round's admitted candidates.
+    // Waits.
     void put(std::span<const Sized> samples);
     // All samples; some are in several lists. Waits.
     std::vector<Sample> get() const;
 
     void begin_part() { listed_ = Listed::none; }
-    // Queues that screen lists the survivors of the round's only part: reach then serves these.
+    // For rounds of one part: empties the list of survivors, which screen fills and reach serves.
     void begin_survivors();
-    // Lists the part's candidates for the blocks that they reach, which makes them visitors there,
-    // and makes room for them in the lists of samples. Waits in between. The first call does it for
-    // the part.
+    // Lists the part's candidates as visitors of the blocks that they reach, and makes room for
+    // them in the lists of samples. Waits. Further calls for the same part do nothing.
     void list_visitors();
     // Queues adding the admitted visitors to the lists.
     void enlist();

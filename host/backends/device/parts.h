@@ -41,7 +41,7 @@ bool is_one_part(std::span<const std::uint32_t> column_begins, PartLimits limits
 // within a part.
 struct Arrangement {
     std::vector<std::uint32_t> ends;     // of the parts
-    std::vector<std::uint32_t> origins;  // index given, of each entry; empty with one part
+    std::vector<std::uint32_t> origins;  // of each entry: index in `entries`; empty with one part
     std::vector<std::uint32_t> columns;  // of each entry; empty with one part
 };
 

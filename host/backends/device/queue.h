@@ -59,8 +59,8 @@ public:
     // `to` is filled when wait() returns.
     virtual void download(const Buffer& from, std::span<std::byte> to) = 0;
 
-    // The number of consecutive units of work, out of `amount`, that an item serves where each goes
-    // on from the last one: many on a processor, 1 on a graphics card.
+    // The number of consecutive units of work, out of `amount`, that an item serves if each unit
+    // continues from the one before: many on a processor, 1 on a graphics card.
     virtual std::uint32_t run_of(std::uint32_t amount) const = 0;
     // Whether neighbouring items run in lockstep, and so should do similar work.
     virtual bool runs_in_lockstep() const = 0;
@@ -103,7 +103,7 @@ private:
     std::uint64_t queued_ = 0;  // work since the last pause
 };
 
-// The most turns of all its loops that an item is given: lavapipe ends loops after 65,535.
+// Most turns that an item's loops take together: lavapipe ends loops after 65,535.
 inline constexpr std::uint32_t kMostTurns = 1u << 14;
 
 // The number of items that serve `amount` units of work in chunks.

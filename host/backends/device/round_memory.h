@@ -22,32 +22,32 @@ namespace lacuna::device {
 // once; most rounds need five or six.
 inline constexpr std::uint32_t kPasses = 8;
 
-// The queue may use the host's vectors until it has been waited for.
+// These vectors must not change until queue.wait() returns: transfers use them.
 struct RoundMemory {
     RoundMemory(const Plan& plan, Queue& queue);
 
     // Queues the upload of the draws, part by part, and makes room for their candidates.
-    // bin_begins: see columns.h.
+    // bin_begins: see find_column_begins in columns.h.
     void upload(std::span<const Draw> draws, std::span<const std::uint32_t> bin_begins,
                 PartLimits limits);
     std::uint32_t parts() const { return static_cast<std::uint32_t>(arrangement_.ends.size()); }
-    // The commands that follow serve this part, whose table is uploaded. If there are several
-    // parts, the queue must have been waited for.
+    // Queues the upload of column_begins for this part, which all later commands serve. If there
+    // are several parts, call queue.wait() first.
     void open_part(std::uint32_t number);
-    // Blocks until the queue is idle; is_done says which parts, from `first` on, are fully decided.
+    // Waits, then sets is_done for the parts from `first` on: whether all their draws are decided.
     void find_done(std::uint32_t first, std::vector<bool>& is_done);
     std::span<const Draw> draws_of_part() const {
         return draws_.subspan(part.begin, part.end - part.begin);
     }
     // Sorts the part's located candidates by column and y.
     void sort();
-    // Before passes after the first kPasses. Then an item of admit serves one candidate. If draws
-    // crowd, an item with a longer chunk leaves some of them to the next pass
-    // (bodies/common/admit.h), and the others might wait for one that it never comes to.
+    // Call it before more passes than the first kPasses are queued. From then on an item of admit
+    // serves one candidate. If draws crowd, an item of several leaves some to the next pass
+    // (bodies/common/admit.h), and others might wait forever for one that is left in every pass.
     void begin_more_passes();
 
-    // Queues the download of flags which say, after the wait, whether the passes have decided all
-    // draws; and of by_order. throw_if_failed throws DeviceError if a kernel could not finish.
+    // Queues the download of flags and perhaps of by_order. After the wait, is_unsettled: a draw is
+    // undecided; throw_if_failed throws DeviceError if a kernel could not finish.
     void start_download(bool with_samples);
     bool is_unsettled() const { return undecided_.back() != 0; }
     void throw_if_failed() const;
@@ -60,14 +60,14 @@ struct RoundMemory {
                        items_of(arguments.count - arguments.first, arguments.chunk),
                        work_of_draw * arguments.chunk);
     }
-    // A pass of admit; its first one looks at all draws, the others at few.
+    // Queues a pass of admit. Pass 0 looks at all draws, later passes at few.
     template <typename Kernel>
     void admit(portable::DrawArguments arguments, std::uint32_t pass, std::uint32_t chunk) {
         arguments.pass = pass;
         arguments.chunk = has_more_passes_ ? 1 : chunk;
         launch_over_draws<Kernel>(arguments, pass == 0 ? 6 : 1);
     }
-    // Screens these draws, see Bins.
+    // Queues a screen of these draws: see Bins::screen.
     template <typename Kernel>
     void screen(Range draws, std::uint32_t status, std::uint64_t work_of_draw,
                 bool is_listed = false) {
@@ -93,8 +93,8 @@ struct RoundMemory {
     }
     // Makes room for at least `words` words. The old content is lost if there was less room.
     void make_room(Buffer& buffer, std::uint64_t words) const;
-    // Makes room and fills it with `from`, then zeros, for kernels to write to: Oclgrind takes what
-    // kernels write past the last upload for uninitialized. Waits.
+    // Makes room, and uploads `from`, then zeros up to the buffer's end: Oclgrind regards what
+    // kernels write past the last upload as uninitialized. Waits.
     template <typename T>
     void put_in_room(Buffer& buffer, std::span<const T> from) {
         make_room(buffer, from.size_bytes() / kWord);

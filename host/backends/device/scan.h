@@ -1,4 +1,4 @@
-// Prefix sums on a device: they turn counts into the places to write to.
+// Prefix sums on a device: they turn counts into the indices at which kernels write.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ void make_room_to_scan(RoundMemory& round, std::uint64_t count);
 // sums[block] the sum of all earlier blocks, and `total` the sum of all counts.
 void scan(RoundMemory& round, std::uint32_t count);
 // A block has 2^block_bits_of_scan() counts, about as many as there are blocks: two short sums
-// replace a long one. A power of 2, because lavapipe divides one item at a time but shifts eight.
+// replace a long one. A power of 2: lavapipe shifts for eight items at a time but divides for one.
 std::uint32_t block_bits_of_scan(std::uint64_t count);
 
 }  // namespace lacuna::device
