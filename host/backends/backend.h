@@ -28,7 +28,7 @@ struct Box {
 struct Snapshot {
     std::uint32_t capacity = 0;            // spans a line has room for before the backend grows
     std::vector<std::vector<Span>> spans;  // of each line: sorted, disjoint, none empty
-    // Column by column, by y, then order, within a column; with a radius field by order.
+    // Sorted by column, then y, then order; with a radius field by order alone.
     std::vector<Candidate> candidates;
     std::vector<std::uint32_t> statuses;  // of each candidate, see portable/status.h
     // In exact only.
@@ -45,11 +45,11 @@ struct Snapshot {
 };
 
 // Serves one plan. A backend may queue the verbs and do them in finish_round. It may work in any
-// order, but number for number its results are as in docs/design.md, sections 3 and 4:
+// order, but its results are exactly as in docs/design.md, sections 3 and 4:
 //   locate    a draw becomes a candidate, whose y is found by walking along the bin's free length
-//   admit     a candidate becomes a sample unless an earlier sample covers it. In lines that is a
-//             sample of its round whose chord covers it on its own line; in exact it is any sample
-//             closer than the radius, of this round or an earlier one.
+//   admit     a candidate becomes a sample unless an earlier sample covers it: in lines a sample
+//             of its round whose chord covers it on its own line; in exact any sample closer than
+//             the radius; in cells a sample of its round with which it fails the metric
 //   subtract  the chords of the round's samples are cut from the free spans of all lines
 //   refine    exact only, in place of subtract from the first refinement on: spans become boxes,
 //             with `halve` each box is halved in x, and all samples near a box cut it
@@ -74,7 +74,7 @@ public:
     // The host's threads, which the loop also uses to invert the cdf.
     virtual Workers& workers() = 0;
 
-    // Asked now and then during long verbs, in the calling thread; false cancels the run.
+    // Long verbs ask may_go_on now and then, in the calling thread; false cancels the run.
     virtual void watch(std::function<bool()> may_go_on) = 0;
 
     // For tests of single verbs; the loop never calls these. snapshot waits for the queued work.

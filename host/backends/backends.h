@@ -17,8 +17,8 @@ std::string wanted_backend(const std::string& asked);
 // The error for a backend that does not exist. All builds know the same names.
 BadRequest no_such_backend(const std::string& wanted);
 
-// The backend that the request asks for. The plan may be a part of the request's. The reference has
-// a loop of its own instead of verbs: its backend is null. Throws Unavailable, DeviceError.
+// The backend that the request asks for. The plan may be of one strip (ranks/strip.h). The
+// reference has a loop instead of verbs: its backend is null. Throws Unavailable, DeviceError.
 struct ReadyBackend {
     std::unique_ptr<Backend> backend;
     std::string name;

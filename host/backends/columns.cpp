@@ -25,7 +25,7 @@ void find_begins(std::uint32_t columns, std::span<const Entry> entries,
 
 std::uint32_t count_columns(const Plan& plan) {
     // However the lines are divided, a column then has at least radius / strip_width lines. The sum
-    // takes 33 bits where the radius and the only strip are as wide as the domain.
+    // takes 33 bits if both the radius and the only strip are as wide as the domain.
     const std::uint64_t widest = std::uint64_t{plan.radius} + plan.strip_width;
     return std::max(1u, static_cast<std::uint32_t>(plan.width / widest));
 }

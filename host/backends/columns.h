@@ -10,8 +10,8 @@
 
 namespace lacuna {
 
-// Columns are at least as wide as the radius, so that all that touches a line lies in its own
-// column or in the one on either side (portable/column.h).
+// Columns are at least as wide as the radius, so that all samples that touch a line lie in its own
+// column or in a neighbouring one (portable/column.h).
 std::uint32_t count_columns(const Plan& plan);
 
 // The first line of every column, then the number of lines.
@@ -25,8 +25,8 @@ void find_column_begins(std::span<const std::uint32_t> bin_begins, std::span<con
 void find_column_begins(const Plan& plan, std::uint32_t columns,
                         std::span<const Candidate> candidates, std::vector<std::uint32_t>& begins);
 
-// A round crowds where a candidate is compared with more than kMostRivals others: in parts it takes
-// less time. Up to kFewDraws draws, even comparing all pairs takes little.
+// A round crowds if a candidate is compared with more than kMostRivals others on average: then it
+// is admitted in parts (cpu/crowd.h). Comparing all pairs of kFewDraws draws takes little time.
 inline constexpr std::uint32_t kMostRivals = 64;
 inline constexpr std::uint32_t kFewDraws = 1024;
 

@@ -6,6 +6,6 @@
 #define CL_HPP_MINIMUM_OPENCL_VERSION 200
 #define CL_HPP_TARGET_OPENCL_VERSION 200
 
-#include "backends/opencl/entry_points.h"  // first: it names what the bindings call
+#include "backends/opencl/entry_points.h"  // first: it renames what the bindings call
 
 #include <CL/opencl.hpp>

@@ -42,7 +42,7 @@ public:
     const cl::Context& context() const { return context_; }
     Turns& turns() { return turns_; }
 
-    // Compiles the source, or finds it compiled. Throws DeviceError with the build log.
+    // Compiles the source at its first use. Throws DeviceError with the build log.
     cl::Program compiled(std::string_view source);
 
     // Calls work(); OpenCL's errors become Lacuna's.

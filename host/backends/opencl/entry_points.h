@@ -24,7 +24,7 @@
 
 namespace lacuna::opencl {
 
-// Can be called, and its address taken, like the function that was found.
+// Stands for the function that was found: it can be called, and its address can be taken.
 template <typename Function>
 struct EntryPoint {
     Function* found = nullptr;
@@ -42,8 +42,8 @@ LACUNA_OPENCL_ENTRIES(LACUNA_DECLARE)
 namespace lacuna::opencl {
 
 // Looks the functions up, once for the process: first among the libraries already loaded, which
-// Oclgrind relies on, then in libOpenCL.so.1. Returns why they were not found, or nothing. Call it
-// before any of them.
+// Oclgrind relies on, then in libOpenCL.so.1. Returns why they were not found; empty if they were.
+// Call it before any of these functions.
 std::string why_no_loader();
 
 }  // namespace lacuna::opencl

@@ -18,7 +18,7 @@ std::string error_name(int code);
 class Log {
 public:
     void add(const char* message);
-    // Everything since the last call.
+    // Returns and removes all messages.
     std::string take();
 
 private:

@@ -14,7 +14,7 @@ namespace {
 using device::Buffer;
 using device::KernelShape;
 
-constexpr std::uint32_t kProcessorChunks = 32;  // for each core: short, for an even load
+constexpr std::uint32_t kProcessorChunks = 32;  // for each core: many, for an even load
 constexpr std::uint32_t kLongestChunk = 1024;   // so that a slice of a launch has many chunks
 constexpr std::uint32_t kGraphicsGroup = 64;
 constexpr std::size_t kFillWords = std::size_t{1} << 16;
@@ -50,7 +50,7 @@ public:
     }
 
     void fill(const Buffer& buffer, std::uint32_t value, std::uint64_t words) override {
-        // Not clEnqueueFillBuffer: Oclgrind takes what it fills for uninitialized.
+        // Not clEnqueueFillBuffer: Oclgrind regards the memory that it fills as uninitialized.
         const auto& some = filling_.emplace_back(std::min<std::uint64_t>(words, kFillWords), value);
         for (std::uint64_t at = 0; at < words; at += some.size()) {
             const std::uint64_t count = std::min<std::uint64_t>(some.size(), words - at);
@@ -148,7 +148,7 @@ private:
 
     std::shared_ptr<Device> device_;
     std::vector<std::string> tried_;
-    std::vector<std::string_view> sources_;  // of all kernels made; searched first
+    std::vector<std::string_view> sources_;  // of tests, then of kernels made; searched first
     cl::CommandQueue queue_;
     bool has_turn_ = false;
     std::uint32_t group_size_ = 1;

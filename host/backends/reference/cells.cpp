@@ -37,12 +37,12 @@ public:
         return is_free_[index_of(candidate.x, candidate.y)];
     }
 
-    // Loops over all lattice points that may be near enough, and blocks the points that fail the
-    // two-way check. With mean and max they may be farther away than the sample's radius.
+    // Loops over all lattice points that may be near enough, and blocks those that fail the two-way
+    // check. With mean and max these may be farther away than the sample's radius.
     void add(Sample sample) override {
         const std::uint32_t radius =
             plan_.cells().metric == Metric::min ? radius_at(sample) : widest_;
-        const std::uint32_t reach = radius / 256 + 1;
+        const std::uint32_t reach = radius / 256 + 1;  // in lattice steps
         for_each_within(sample.x, reach, plan_.lines, plan_.period_x, [&](std::uint32_t x) {
             for_each_within(sample.y, reach, plan_.height, plan_.period_y, [&](std::uint32_t y) {
                 if (!is_free_[index_of(x, y)] || !conflict(sample, {x, y})) return;

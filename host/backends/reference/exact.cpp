@@ -1,6 +1,6 @@
 // Mode exact: bins that hold all of the free space, candidates that count only where they are truly
-// free, and ever finer boxes until no box is left (docs/design.md, section 4). A radius field
-// differs in data alone: its boxes are given, and lie on radii of their own.
+// free, and ever finer boxes until no box is left (docs/design.md, section 4). With a radius field
+// only the data differ: the plan gives the first boxes, and each box has the least radius under it.
 #include <algorithm>
 #include <bit>
 #include <map>
@@ -17,9 +17,9 @@
 namespace lacuna::reference {
 namespace {
 
-// All samples, with square bins for each class of radii. Radii of one class differ by less than a
-// factor of 2, and its bins are wider than all of them. So everything within a sample's radius of a
-// point lies in the point's own bin or in one beside it.
+// All samples, in a grid of square cells, called bins, for each class of radii. Radii of one class
+// differ by less than a factor of 2, and its bins are wider than all of them. So everything within
+// a sample's radius of a point lies in the point's own bin or in one beside it.
 class Samples {
 public:
     explicit Samples(const Plan& plan) : plan_(&plan), classes_(kClasses) {}
@@ -54,7 +54,7 @@ private:
 
     using Bins = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Sized>>;
 
-    // The parts of [begin, end) on an axis: what sticks out of a torus wraps around.
+    // The parts of [begin, end) on an axis; on a torus the parts beyond its ends wrap around.
     static std::vector<Span> stretches(std::int64_t begin, std::int64_t end, std::uint32_t length,
                                        std::uint32_t period) {
         std::vector<Span> found;

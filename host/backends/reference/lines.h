@@ -32,8 +32,8 @@ private:
     std::vector<std::uint32_t> lengths_;
 };
 
-// Visits the parts of the interval of y that reaches as far to both sides of y: none, one, or one
-// and its part that wraps around a torus.
+// Visits the interval of all y' with |y' - y| < reach, cut to the domain: in one part or, if it
+// wraps around a torus, in up to three.
 template <typename Visit>
 void for_each_window(const Plan& plan, std::uint32_t y, std::uint32_t reach, Visit visit) {
     for (std::uint32_t window = 0; reach != 0 && window < (plan.period_y == 0 ? 1 : 3); ++window) {
@@ -43,8 +43,8 @@ void for_each_window(const Plan& plan, std::uint32_t y, std::uint32_t reach, Vis
     }
 }
 
-// Visits the chords of the sample's disk on a line at x or, with a margin, on the strip that
-// reaches as far to both sides of x.
+// Visits the chords of the sample's disk on a line at x or, with a margin, on the strip from x -
+// margin to x + margin.
 template <typename Visit>
 void for_each_chord(const Plan& plan, Sample sample, std::uint32_t x, std::uint32_t margin,
                     Visit visit) {

@@ -1,8 +1,8 @@
 // The loop of the paper, written to be read beside it: build the cdf, invert it for x, pick y on
 // that line, subtract the disk (sections 3, 4.1 and 4.2).
 //
-// A round (docs/design.md, section 3) does the first three several times from one cdf. In the order
-// of the draws, it keeps a candidate unless a sample kept earlier covers it. Each mode says what is
+// A round (docs/design.md, section 3) inverts one cdf and picks y several times. In the order of
+// the draws, it keeps a candidate unless a sample kept earlier covers it. Each mode says what is
 // free and how a sample is cut from it: lines.cpp, exact.cpp, cells.cpp.
 #include "backends/reference/reference.h"
 

@@ -20,7 +20,7 @@
 
 namespace lacuna::vulkan {
 
-// Items of a group. Lavapipe runs it on one thread; graphics cards want a few subgroups in one.
+// Items of a work group: lavapipe runs a group on one thread, graphics cards want a few subgroups.
 inline constexpr std::uint32_t kGroupSize = 64;
 
 // Shaders that a test puts in place of the embedded ones, as SPIR-V words, by the kernel's name.
@@ -43,7 +43,7 @@ public:
     const vk::PhysicalDeviceMemoryProperties& memory() const { return memory_; }
     std::uint64_t most_groups() const { return most_groups_; }
 
-    // Made at its first use; its address stays valid. May be called from any thread, as may run().
+    // A pipeline is made at its first use; its address stays valid. Like run(), thread-safe.
     const Pipeline& pipeline(const device::KernelShape& kernel);
     // Submits the commands and waits for them.
     void run(const vk::raii::CommandBuffer& commands);

@@ -7,7 +7,7 @@
 namespace lacuna::vulkan {
 namespace {
 
-// A device for one test, with the test's shaders and the layer that checks them.
+// A device for one test, with the test's shaders and validation layer.
 std::shared_ptr<Device> tried_device(const Placement& placement, const Trial& trial) {
     auto instance = std::make_shared<const Instance>(trial.validation);
     const std::size_t number = choose_device(*instance, placement.device);

@@ -21,7 +21,7 @@ std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placeme
 
 std::vector<DeviceEntry> list_devices();
 
-// For tests, which must be able to show that these shaders do the work, and by Vulkan's rules.
+// For tests, which must show that these shaders do the work, and that they obey Vulkan's rules.
 struct Trial {
     // SPIR-V words in place of an embedded shader's, by the name of its kernel.
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> shaders{};

@@ -17,7 +17,7 @@ using device::KernelShape;
 constexpr std::uint32_t kServedTogether = 32;  // units of work on a processor, see run_of
 constexpr std::uint32_t kSetsPerPool = 64;
 constexpr std::uint32_t kMostBuffers = 16;
-// The host's memory for transfers, kept from one wait to the next.
+// The least size of a block of the host's memory for transfers, in bytes.
 constexpr std::uint64_t kStagingBytes = std::uint64_t{1} << 22;
 
 constexpr auto kStages =
@@ -131,7 +131,7 @@ protected:
     }
 
 private:
-    // Memory that is handed out in pieces, and all of it given back at once.
+    // The host's memory for transfers: handed out in pieces, and given back all at once.
     class Staging {
     public:
         explicit Staging(Properties preferred) : preferred_(preferred) {}
@@ -149,7 +149,7 @@ private:
             return staged;
         }
 
-        // Keeps the block that was made last, which is as large as any.
+        // Keeps only the block that was made last.
         void give_back() {
             while (blocks_.size() > 1) blocks_.pop_front();
             if (!blocks_.empty()) blocks_.front().used = 0;
@@ -205,7 +205,7 @@ private:
         return std::nullopt;
     }
 
-    // Ready for the next command, which sees the results of all earlier ones.
+    // Returns the buffer for the next command, which sees the results of all earlier ones.
     vk::raii::CommandBuffer& recording() {
         if (!is_recording_) commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
         is_recording_ = true;

@@ -13,8 +13,8 @@ enum class Checks {
 
 struct Validation {
     Checks checks;
-    // Called with "ID: TEXT", from any thread. Versions of the layer word their texts in different
-    // ways, and agree in their ids.
+    // Called with "ID: TEXT", from any thread. The ids are the same in all versions of the layer,
+    // the texts are not.
     std::function<void(const std::string& message)> report;
 };
 
