@@ -104,7 +104,7 @@ struct Plan {
     double user_radius = 0;
     double user_scale = 0;  // 0 without a field
     std::uint32_t lines_per_radius = 0;
-    std::uint64_t maximal_samples = 0;   // expected number of a maximal set
+    std::uint64_t maximal_samples = 0;   // expected number in a maximal set
     std::uint64_t expected_samples = 0;  // the same, or the limit if it is less
 
     std::variant<LinesPlan, ExactPlan, FieldPlan, CellsPlan> of_mode;
@@ -155,12 +155,12 @@ void finish_plan(Plan& plan, const Request& request, std::uint64_t limit, double
 // Throws BadRequest. request.radius must be set, or request.scale in mode cells.
 Plan make_plan(const Request& request);
 
-// Sums over one field, computed once for all plans of it. They are in fractions of the greatest
-// importance.
+// Sums over the pixels of one field, computed once for all its plans. An importance is taken as a
+// fraction of the greatest one.
 struct FieldSums {
     double greatest;
-    double shares;
-    double shares_and_half;  // sum of fractions to the power of 1.5
+    double shares;           // sum of the fractions
+    double shares_and_half;  // sum of the fractions to the power of 1.5
 };
 FieldSums sums_of(const Field& field, const Poll& poll = nobody_asks);
 // make_plan for mode cells. The request was checked before (plan_cells.cpp).
@@ -199,8 +199,8 @@ std::uint64_t machine_memory_bytes();
 double radius_expecting(const Request& request, double count);
 // Throws BadRequest or MemoryRefused, for request.count, if it needs too small a radius.
 void check_radius_for_count(const Request& request, double radius);
-// The same for mode cells. Expected samples at a least radius of 1: the density times the integral
-// of the importance in units of the greatest, less what the lattice loses where radii are small.
+// In mode cells, the expected samples at a least radius of 1 user unit: the density times the
+// integral of importance / greatest importance, less the lattice's loss (plan_cells.cpp).
 double samples_at_radius_one(const Request& request, const FieldSums& sums);
 // The scale at which a maximal set is expected to have `count` points. Throws like the next.
 double scale_for_count(const Request& request, const FieldSums& sums, std::uint64_t count);

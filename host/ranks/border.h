@@ -92,11 +92,11 @@ private:
     std::vector<std::uint32_t> first_lines_;  // first line of each column
     std::vector<std::uint32_t> bin_begins_;
     bool are_boxes_ = false;
-    // Numbers of columns at either end that are located. If that is all columns, low_depth_ is.
+    // Numbers of columns at either end that are located. If all are, low_depth_ counts all of them.
     std::uint32_t low_depth_, high_depth_;
     std::unique_ptr<BorderGrid> low_grid_, high_grid_;
 
-    std::vector<Draw> near_;  // the located draws; first the marginal's orders, later their own
+    std::vector<Draw> near_;  // the located draws; take() replaces their orders by 0, 1, ...
     std::vector<std::uint32_t> near_numbers_;
     Rivals rivals_;
     std::vector<std::uint32_t> low_sent_, high_sent_;  // indices of rivals, ordered by number

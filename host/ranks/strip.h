@@ -21,7 +21,7 @@ struct Strip {
     Sample in_domain(Sample sample) const;
 };
 
-// Most ranks for a plan: each strip is at least two radii wide. Mode exact without a radius_field.
+// Most ranks for a plan: each strip is at least two radii wide. Mode exact without a radius field.
 std::uint32_t most_ranks(const Plan& plan);
 
 // Each rank gets equally many lines, to within one. `ranks` is at most most_ranks.

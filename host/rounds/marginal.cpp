@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kBlock = 16;
 // About 2^kPartBits draws are sorted at a time, so that they stay in a core's cache.
 constexpr unsigned kPartBits = 12;
-// Draws go to threads in chunks of 2^12 or more, which take 0.1 ms; in few, as each counts all
-// parts.
+// Draws go to threads in chunks of at least 2^12, which take 0.1 ms, and in at most kMostChunks,
+// because each chunk counts its draws of every part.
 constexpr std::uint32_t kLeastChunk = std::uint32_t{1} << 12;
 constexpr std::uint32_t kMostChunks = 64;
 constexpr std::uint64_t kAllBits = ~std::uint64_t{0};
@@ -74,7 +74,7 @@ public:
           bits_(marginal.bits_),
           share_(marginal.share_) {}
 
-    // Finds bin and rank. Like the reference, but the walk along the bin's free spans comes later.
+    // Finds bin and rank as the reference does; locate walks along the bin's free spans later.
     void invert(Draw& draw) {
         const std::uint64_t c = weight_of(draw);
         seek(c);

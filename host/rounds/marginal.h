@@ -44,7 +44,7 @@ public:
     std::span<const Draw> invert(std::uint64_t first_number, std::uint32_t count);
     // The same, but only the draws that fall into the share, if any. Their orders are 0, 1, ...
     std::span<const Draw> invert(std::uint64_t first_number, std::uint32_t count, CdfShare share);
-    // The number, among the `count` draws, of the draw with this order.
+    // The number, from 0 to count - 1, of the draw with this order among the draws in the share.
     std::uint32_t number_of(std::uint32_t order) const;
 
 private:

@@ -20,7 +20,8 @@ struct Draw {
     friend bool operator==(const Draw&, const Draw&) = default;
 };
 
-// A draw turned into a point. With a radius field its line is 0.
+// A draw turned into a point. With a radius field `line` is its block of first boxes
+// (plan/first_boxes.h), and 0 in snapshots.
 struct Candidate {
     std::uint32_t x;
     std::uint32_t y;
@@ -36,13 +37,12 @@ struct Round {
     std::span<const std::uint32_t> free_lengths;     // of every bin, after the round
     std::uint32_t bin_width;                         // of all bins, where bin_widths is empty
     std::span<const std::uint32_t> bin_widths = {};  // of each bin
-    // With plan.tells_orders: the order of each sample's draw. In lines and exact without a radius
-    // field: the first bin of each column, then the number of bins.
-    std::span<const std::uint32_t> orders = {};
+    std::span<const std::uint32_t> orders = {};      // of the samples' draws, with tells_orders
+    // In lines and exact without a radius field: each column's first bin, then the number of bins.
     std::span<const std::uint32_t> bin_begins = {};
 };
 
-// What all rounds of a plan come to.
+// The result of all rounds of a plan.
 struct Outcome {
     std::vector<Sample> samples;  // in order of admission
     std::uint64_t rounds = 0;

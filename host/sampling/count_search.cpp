@@ -81,12 +81,12 @@ public:
 private:
     // A pilot whose points are this factor off the count says little about the right scale: at one
     // scale a single sample may cover the field, and at a slightly smaller one there may be
-    // thousands. A pilot ends early at the square of this factor.
+    // thousands. A pilot ends early at the square of this factor, 16 times the count.
     static constexpr std::uint64_t kFar = 4;
     static constexpr std::uint32_t kCoarse = 4;  // lines per radius; a sixth of the work of 10
-    static constexpr int kCorrections = 3;       // most further pilots where the count is near
-    static constexpr int kFarCorrections = 20;   // and where it is far off
-    static constexpr double kClose = 0.08;       // corrections of the scale under 8 % are none
+    static constexpr int kCorrections = 3;       // most further pilots if the last one was near
+    static constexpr int kFarCorrections = 20;   // most if the last one was far off
+    static constexpr double kClose = 0.08;       // smaller corrections of the scale end the pilots
 
     Request next_pilot() const {
         Request pilot = without_count(request_, kFar * kFar * *request_.count);
@@ -113,8 +113,8 @@ private:
         return scale;
     }
 
-    // Whether another pilot is needed, of scale_. It stays between scales that were found too small
-    // and too large.
+    // Returns whether another pilot is needed, and then corrects scale_ for it. scale_ stays
+    // between the scales that were found too small and too large.
     bool correct_scale() {
         const std::uint64_t count = *request_.count;
         const bool is_far = pilot_points_ < count / kFar || pilot_points_ > kFar * count;
@@ -139,11 +139,11 @@ private:
     int corrections_ = 0;
     Trial pilot_;
     std::uint64_t pilot_points_ = 0;
-    int trials_ = 0;  // that were no pilots
+    int trials_ = 0;  // without pilots
 };
 
-// A radius field: whole maximal sets, each of the size that follows from the one before. One with
-// far too many points is no answer, because its first points would be a thin set.
+// With a radius field each trial is a maximal set, whose points correct the size of the next one. A
+// set with far too many points is no answer: its first points alone are far from maximal.
 class FieldSearch : public CountSearch {
 public:
     FieldSearch(const Request& request, const Poll& poll)

@@ -10,7 +10,7 @@
 
 namespace lacuna {
 
-// Which backend made a set, and what it came to.
+// The result of a run, and the backend and device that made it.
 struct Run {
     Outcome outcome;
     std::string backend;

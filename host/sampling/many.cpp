@@ -43,7 +43,7 @@ Request with_seed(const Request& request, std::uint64_t seed) {
     return one;
 }
 
-// Asks the user's observer whether to go on, on the calling thread, and passes on the answer.
+// Asks the user's observer, on the calling thread, whether to go on; gives all threads the answer.
 class OfAll {
 public:
     OfAll(Observer& observer, std::size_t sets) : observer_(observer), sets_(sets) {}
