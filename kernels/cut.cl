@@ -1,4 +1,4 @@
-// cut: counts what the samples in the grid leave of each box.
+// cut: counts the pieces of each box that the samples in the grid leave.
 #include "bodies/common/prelude.h"
 KERNEL(cut, serve_cut, StripArguments, CUT_BINDINGS)
 #include "bodies/exact/grid.h"

@@ -1,4 +1,4 @@
-// cut with a radius field: counts what the samples in neighbour lists leave of each box.
+// cut with a radius field: counts the pieces of each box that samples in neighbour lists leave.
 #include "bodies/common/prelude.h"
 KERNEL(cut_with_field, serve_cut, StripArguments, CUT_WITH_FIELD_BINDINGS)
 #include "bodies/exact/lists.h"

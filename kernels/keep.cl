@@ -1,4 +1,4 @@
-// keep: writes what cut has counted.
+// keep: writes the pieces that cut has counted.
 #include "bodies/common/prelude.h"
 KERNEL(keep, serve_keep, StripArguments, KEEP_BINDINGS)
 #include "bodies/exact/grid.h"

@@ -1,4 +1,4 @@
-// keep with a radius field: writes what cut has counted.
+// keep with a radius field: writes the pieces that cut has counted.
 #include "bodies/common/prelude.h"
 KERNEL(keep_with_field, serve_keep, StripArguments, KEEP_WITH_FIELD_BINDINGS)
 #include "bodies/exact/lists.h"

@@ -1,4 +1,4 @@
-// locate with a radius field: a candidate gets the radius that its place asks for.
+// locate with a radius field: a draw becomes a candidate with the radius at its position.
 #include "bodies/common/prelude.h"
 KERNEL(locate_with_field, serve_locate_with_field, DrawArguments, LOCATE_WITH_FIELD_BINDINGS)
 #include "bodies/exact/radius_field.h"

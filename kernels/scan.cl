@@ -1,4 +1,4 @@
-// scan: prefix sums of counts, which tell where what was counted goes.
+// scan: turns counts into prefix sums, the indices at which kernels write.
 #include "bodies/common/prelude.h"
 KERNEL(scan, serve_scan, ScanArguments, SCAN_BINDINGS)
 #include "bodies/common/scan.h"

@@ -1,4 +1,4 @@
-// split: where boxes on unlike pixels are halved.
+// split: finds where boxes on unlike pixels are cut into strips.
 #include "bodies/common/prelude.h"
 KERNEL(split, serve_split, StripArguments, SPLIT_BINDINGS)
 #include "bodies/exact/radius_field.h"

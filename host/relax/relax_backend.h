@@ -19,9 +19,9 @@ namespace lacuna::relaxing {
 //   accumulate  for each site the number of its lattice points, their mass and its moments
 //   move        each site moves to its centre of mass, and its weight follows its mass; then the
 //               least weight is subtracted from all. A site without mass stays where it is.
-//   rest        replaces the last move: the same, and then a site without importance under it
-//               goes to the nearest lattice point of its own or, if it has none, of all with
-//               importance; ties go to the lowest row, then column
+//   rest        replaces the last move. After the move, a site without importance under it goes
+//               to the nearest of its lattice points or, if it has none, to the nearest lattice
+//               point with importance; ties go to the lowest row, then column
 // Throws DeviceError, and Cancelled if the watch returns false.
 class RelaxBackend {
 public:

@@ -1,9 +1,9 @@
 // The conflict rule of mode exact: whether two samples are too close, and what a sample takes from
 // a line through an active box. This is the paper's metric min (4.2.1): of two radii the smaller
-// counts. With one radius for all samples both are the same.
+// counts. With one radius for all samples, the two radii are equal.
 //
-// What a rule must keep: every point of a chord conflicts with the sample, whatever point of the
-// box it is. `box_radius` is therefore the least radius under the box.
+// A rule must ensure that every point of the box on a chord conflicts with the sample. `box_radius`
+// is therefore the least radius under the box.
 #ifndef LACUNA_PORTABLE_CONFLICT_H
 #define LACUNA_PORTABLE_CONFLICT_H
 #include "chord.h"

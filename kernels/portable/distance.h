@@ -19,8 +19,8 @@ LACUNA_FN u64 squared_length(u32 dx, u32 dy) {
     return x * x + y * y;
 }
 
-// The distance from y to the nearest of the heights [begin, end), and to the farthest. Below 2^32,
-// also if the heights belong to an image outside the domain.
+// The distances from y to the nearest and to the farthest of the heights [begin, end). They are
+// below 2^32, even if the heights belong to an image outside the domain.
 LACUNA_FN u32 nearest_distance(i64 y, i64 begin, i64 end) {
     i64 below = begin - y;
     i64 above = y - (end - 1);
@@ -39,7 +39,7 @@ LACUNA_FN u32 farthest_distance(i64 y, i64 begin, i64 end) {
 LACUNA_FN u32 distance_to_stretch(u32 at, u32 begin, u32 end, u32 period) {
     u32 last = end - 1u;
     u32 straight = at < begin ? begin - at : at > last ? at - last : 0u;
-    // The other way around, to the other end.
+    // The way around the torus, to the other end of [begin, end).
     u32 around = at < begin ? period - last + at : period - at + begin;
     return period != 0u && around < straight ? around : straight;
 }

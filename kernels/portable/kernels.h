@@ -9,7 +9,7 @@
 
 LACUNA_BEGIN
 
-// What the host does not set is 0.
+// Members that the host does not set are 0.
 #ifdef __cplusplus
 #define OR_ZERO = 0
 #else
@@ -93,9 +93,9 @@ struct StripArguments {
     u32 last_pass;
     u32 block_bits;    // counts are summed in blocks of 2^block_bits boxes
     u32 room;          // most new boxes
-    u32 first_recent;  // with lists: the first entry that is cut out of the boxes
-    u32 own_begin;     // boxes whose x is not in the own_width units from here on are of the halo,
-    u32 own_width;     // and are not cut
+    u32 first_recent;  // with lists: only samples from this entry on cut the boxes
+    u32 own_begin;     // boxes with x in [own_begin, own_begin + own_width) are cut;
+    u32 own_width;     // the others lie in the halo
 };
 LACUNA_TYPEDEF(StripArguments)
 

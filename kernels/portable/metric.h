@@ -17,7 +17,7 @@ LACUNA_FN u32 twice_metric_radius(u32 metric, u32 a, u32 b) {
     return 2u * (is_a ? a : b);
 }
 
-// Radii are sorted into classes, four to an octave: a class ignores this many low bits.
+// Radii are sorted into classes, four for each power of 2: a class ignores this many low bits.
 LACUNA_FN u32 low_bits_of_class(u32 radius) {
     return radius < 8u ? 0u : 29u - leading_zeros(radius);
 }
@@ -33,7 +33,7 @@ LACUNA_FN u32 class_bound(u32 radius) {
     return radius | ((1u << low_bits_of_class(radius)) - 1u);
 }
 
-// Lattice points conflict if their squared distance in steps is below this. `twice` is at least 1.
+// Points conflict if their squared distance in steps is below this. `twice` >= 1 is in 1/512 step.
 LACUNA_FN u64 metric_squared(u32 twice) {
     u64 wide = twice;
     return ((wide * wide - 1u) >> 18u) + 1u;

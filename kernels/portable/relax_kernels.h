@@ -35,8 +35,8 @@ LACUNA_END
 
 // Leaves along a tile's side. At this size each leaf can look at the tile's whole list of rivals.
 #define TILE_SIDE 4u
-// Most rivals of a unit, and most of them that may win in one leaf; each unit has a slot of this
-// size. A leaf that exceeds a limit, or whose unit does, is processed later.
+// Most rivals of a unit, and most of its rivals that may win in one leaf. Each unit has memory for
+// RIVAL_ROOM rivals. A leaf that exceeds a limit, or whose unit does, is processed later.
 #define RIVAL_ROOM 256u
 #define WINNER_ROOM 64u
 #define CROWDED 0xffffffffu

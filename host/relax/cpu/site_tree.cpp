@@ -1,4 +1,4 @@
-// Builds the tree, and searches a first bound of power.
+// Builds the tree, and finds the first bound of power.
 #include "relax/cpu/site_tree.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Assigns the lattice points of one tile, and sums what each site gets of it.
+// Assigns the lattice points of one tile, and sums the mass and moments that each site gets.
 #pragma once
 
 #include <array>
@@ -37,8 +37,8 @@ struct Image {
     std::int16_t shift_y;
 };
 
-// A leaf's result that helps the next search: the site that won in its middle, and a power that no
-// site that can win exceeded.
+// A leaf's result that helps the next search: the site that won in its middle, and an upper bound
+// of the power of the sites that could win.
 struct Hint {
     std::uint32_t site = NO_OWNER;
     std::uint64_t bound = 0;

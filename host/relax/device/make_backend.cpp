@@ -28,8 +28,8 @@ using lacuna::device::Buffer;
 constexpr std::uint32_t kUnitsOfProcessor = 1024;
 constexpr std::uint32_t kUnitsOfGraphics = 4096;
 
-// Work in tenths of a microsecond, for Queue::launch: of a tile or leaf, of a leaf's lattice
-// points, of a row in a crowded leaf, of a site.
+// Work for Queue::launch, in tenths of a microsecond: of finding a unit's rivals, of a leaf's
+// lattice points, of a row in a crowded leaf, of a site.
 constexpr std::uint64_t kFindWork = 100;
 constexpr std::uint64_t kLeafWork = 20;
 constexpr std::uint64_t kCrowdedWork = 20;
@@ -295,7 +295,7 @@ private:
     Memory memory_;
     std::vector<Words4> sites_, shares_, moments_;  // for transfers in both directions
     std::array<std::uint32_t, 1> failure_{};
-    bool has_hints_ = false;  // they are found when the run can be cancelled
+    bool has_hints_ = false;  // found by the first assign, which can be cancelled
 };
 
 }  // namespace

@@ -15,8 +15,8 @@ struct Cut {
 };
 LACUNA_TYPEDEF(Cut)
 
-// The heights of [begin, end), all in one pixel, that the sample blocks, seen at height y. Mostly
-// it is all or nothing, which squared distances show without a root.
+// The heights in [begin, end), all under one pixel, that a sample at height y blocks. Mostly these
+// are all or none, which squared distances show without a root.
 BODY u32x2 blocked_of_run(const u32 metric, const Cut cut, const u32 pixel, const i64 y,
                           const u32 begin, const u32 end) {
     const u64 limit = metric_squared(twice_metric_radius(metric, cut.radius, pixel));
@@ -57,7 +57,7 @@ BODY u32 block_points(MEMORY const DrawArguments a, const Cut cut, const i64 y, 
     return blocked;
 }
 
-// Whether a point of the line in [begin, end) may be free: yes for many words, unsearched.
+// Whether a point of [begin, end) may be free. True without a search of more than MOST_LOOKS words.
 BODY bool any_set(MEMORY const DrawArguments a, const u32 line, const u32 begin, const u32 end) {
     if (end - begin > MOST_LOOKS * 32u) return true;
     for (u32 word = begin / 32u; word * 32u < end; ++word)

@@ -2,12 +2,12 @@
 // with it. Earlier means by draw, whatever the order of the work. It is included after decide.h or
 // decide_with_field.h, which find conflicts.
 
-// Number of others that an item looks at before it leaves its other candidates to the next pass.
-// Without this limit its loops could take more turns than lavapipe allows (failure.h).
+// Number of comparisons after which an item leaves its other candidates to the next pass. Without
+// this limit its loops could take more turns than lavapipe allows (failure.h).
 #define MOST_RIVALS 2048u
 
-// One pass over all candidates. undecided[pass] counts the candidates it leaves; after a pass that
-// left none there is nothing to do. The host finds the result of a draw in samples[order].
+// One pass over all candidates. undecided[pass] is 0 if no candidate stays undecided; later passes
+// then do nothing. The host finds the result of a draw in samples[order].
 BODY void serve_admit(MEMORY const DrawArguments a, const u32 item) {
     if (a.pass > 0u && AT(undecided, a.pass - 1u) == 0u) return;
     const u32 begin = a.first + item * a.chunk;
@@ -15,7 +15,7 @@ BODY void serve_admit(MEMORY const DrawArguments a, const u32 item) {
     u32 left = 0u;
     u32 looks = 0u;
     for (u32 i = begin; i < end; ++i) {
-        // Items that run in lockstep search for work together.
+        // A loop of its own: items in lockstep skip together, then decide together.
         while (i < end && LOOK_AT(statuses, i) != STATUS_UNDECIDED) ++i;
         if (i == end) break;
         if (looks > MOST_RIVALS) {

@@ -40,7 +40,7 @@ BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate
                 if (!are_closer(other.x, other.y, x, candidate.y, a.g.period_x, a.g.period_y,
                                 limit_of(ON a, i, j)))
                     continue;
-                // A sample rejects this candidate for good; an undecided one may yet.
+                // An admitted candidate rejects this one; an undecided one may reject it later.
                 const u32 status = ATOMIC_OR(statuses, j, 0u);
                 if (status == STATUS_ADMITTED) return STATUS_REJECTED + 4u * (looks + j - from);
                 waits = waits || status == STATUS_UNDECIDED;

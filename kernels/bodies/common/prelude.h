@@ -28,8 +28,8 @@ typedef struct Memory {
 #define MEMORY const Memory memory,
 #define ON memory,
 #define AT(name, i) memory.name[i]
-// A word that other items may change at the same time, where an old value is good enough. Oclgrind
-// reports a race unless the read is atomic, which makes a verb up to three times as slow.
+// Reads a word that other items may change at the same time, if an old value is good enough.
+// Oclgrind reports a race unless the read is atomic, which makes a verb up to three times as slow.
 #if defined(LACUNA_ATOMIC_LOOKS)
 #define LOOK_AT(name, i) atomic_or(&memory.name[i], 0u)
 #else

@@ -1,7 +1,7 @@
-// The body of screen: decides the candidates that samples cover, of earlier rounds or, for later
-// parts of a round, of earlier parts. Comes after a file that has is_covered and leave_open.
+// The body of screen: decides the candidates that earlier samples cover: of earlier rounds or, in
+// later parts of a round, of earlier parts. Comes after a file that has is_covered and leave_open.
 
-// samples[order] tells the host the draw's status.
+// The host reads the status of a covered draw from samples[order].
 BODY void serve_screen(MEMORY const DrawArguments a, const u32 item) {
     const u32 begin = a.first + item * a.chunk;
     const u32 end = min(begin + a.chunk, a.count);

@@ -1,7 +1,7 @@
 // The body of sort_columns: sorts candidates by y in each column, for admit and subtract.
 #include "portable/column.h"
 
-// If a bucket has more candidates than this, long steps come first.
+// If a bucket has more candidates than this, sorting begins with long steps.
 #define FEW 16u
 
 BODY bool comes_before(const u32x4 a, const u32x4 b) {

@@ -2,8 +2,8 @@
 #include "portable/distance.h"
 #include "portable/stretch.h"
 
-// 1 if the cell has a sample closer than the radius, else 0. Numbers instead of truth values, for
-// which compilers keep branches.
+// 1 if the cell has a sample closer than the radius, else 0. Returns a number, because compilers
+// keep branches for truth values.
 BODY u32 is_covered_from(MEMORY const Geometry g, const u32 cell, const u32 x, const u32 y,
                          const u32 period_x, const u32 period_y) {
     const u32 sample_x = AT(grid_x, cell);

@@ -16,7 +16,7 @@ BODY bool is_covered(MEMORY const DrawArguments a, const u32 i) {
     return false;
 }
 
-// For reach, if the round has one part.
+// Lists the candidate as a survivor, for reach, if the round has one part.
 BODY void leave_open(MEMORY const DrawArguments a, const u32 i) {
     if (a.is_listed != 0u) AT(survivors, ATOMIC_ADD(survivor_count, 0, 1u)) = i;
 }

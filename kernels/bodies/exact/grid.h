@@ -5,7 +5,7 @@
 #include "portable/conflict.h"
 #include "portable/stretch.h"
 
-// The bits for a column of cells, in a word that has a bit for each cell near a box.
+// Near::cells has this many bits for each column of the cells near a box, one for each cell.
 #define NEAR_SIDE 8u
 
 // The cells near a box, and a bit for each whose sample may cut the box.
@@ -39,9 +39,9 @@ BODY u32 cell_of(const Geometry g, const Near near, const u32 number) {
            nth_of_stretch(near.rows, number % NEAR_SIDE, g.grid_rows);
 }
 
-// A bit if the cell's sample cuts the box or one of its strips. A chord is cut at the far edge of a
-// strip, which is at least as far as the middle of the box, less 1 unit where strips are one unit
-// wide.
+// Bit `number`, if the cell's sample may cut the box or one of its strips; otherwise 0. A chord is
+// cut at the far edge of a strip, which is at least as far as the middle of the box, less 1 unit
+// where strips are one unit wide.
 BODY u64 bit_of_cell(MEMORY const Geometry g, const u32x4 box, const u32 cell, const u32 number) {
     const u32 x = AT(grid_x, cell);
     const u32 distance = axis_distance(x, box.x + box.y / 2u, g.period_x);
@@ -79,7 +79,7 @@ BODY bool has_sample(const StripArguments a, const Near near, const Walk walk) {
     return walk.cells != 0u;
 }
 
-// x, y, radius; the fourth word is for the other index.
+// x, y and radius of the sample; the fourth word is used in lists.h only.
 BODY u32x4 sample_at(MEMORY const StripArguments a, const Near near, const Walk walk) {
     const u32 cell = cell_of(a.g, near, lowest_bit_of_64(walk.cells));
     return U32X4(AT(grid_x, cell), AT(grid_y, cell), a.g.radius, 0u);
@@ -90,7 +90,7 @@ BODY Walk walk_past(const Near near, const Walk walk, const u32x4 neighbour) {
     return next;
 }
 
-// What the host needs of a new box: its length, since all have one radius and one width.
+// The host needs only the length of a new box: all have the same radius and the same width.
 BODY void keep_origin(MEMORY const u32 from, const Strip strip, const u32x4 box, const u32 to) {
     AT(free_lengths, to) = box.w - box.z;
 }

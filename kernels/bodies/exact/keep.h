@@ -34,7 +34,7 @@ BODY void serve_keep(MEMORY const StripArguments a, const u32 item) {
     u32 number = NO_SAMPLE;
     u32 to = 0u;
     for (u32 index = item * a.chunk << a.strip_bits; index < end; ++index) {
-        // Items in lockstep then find work together.
+        // A loop of its own: items in lockstep skip together, then work together.
         while (index < end && AT(strip_pieces, index).y == 0u) ++index;
         if (index == end) break;
         if (index >> a.strip_bits != number) {

@@ -22,7 +22,7 @@ struct Walk {
 };
 LACUNA_TYPEDEF(Walk)
 
-// A box where no sample may lie stays until it is halved if only measure has shown it.
+// If measure finds that no sample may lie in a box, the box stays until it is halved.
 BODY Box box_at(MEMORY const StripArguments a, const u32 number) {
     const u32 radius = AT(origins, number).y;
     const Strip whole = {AT(boxes, number), radius & ~IS_EVEN, (radius & IS_EVEN) != 0u};

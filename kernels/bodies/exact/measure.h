@@ -6,7 +6,7 @@ BODY void serve_measure(MEMORY const StripArguments a, const u32 item) {
     const Grids grids = {grid_of(ON COLUMNS_OF_FIELD), grid_of(ON COLUMNS_OF_MASK)};
     const u32 end = min((item + 1u) * a.chunk, min(a.room, AT(total, 0)));
     for (u32 number = item * a.chunk; number < end; ++number) {
-        // Items in lockstep then find work together.
+        // A loop of its own: items in lockstep skip together, then work together.
         while (number < end && AT(new_origins, number).y != 0u) ++number;
         if (number == end) break;
         const u32 radius = radius_under(under(ON grids, touched_by(grids, AT(new_boxes, number))));

@@ -21,7 +21,7 @@ BODY u32 chord_of(const Geometry g, const Strip strip, const u32x4 neighbour) {
     return chord(sized, cut_distance(g, strip, neighbour.x), strip.radius);
 }
 
-// A chord that sticks out of a torus comes in at the other edge: see window_begin in chord.h.
+// On a torus a chord continues at the other edge: see window_begin in chord.h.
 BODY u32 windows_of(const Geometry g, const Strip strip) {
     const bool is_at_edge = strip.at.z < strip.radius || g.height - strip.at.w < strip.radius;
     return g.period_y != 0u && is_at_edge ? 3u : 1u;
@@ -39,7 +39,7 @@ BODY Pieces without_chord(const Pieces all, const u32 begin, const u32 end) {
     return pieces;
 }
 
-// Whether one sample covers all of the strip, which is so for most halves. Takes no square root.
+// Whether one sample covers all of the strip, as in most halves. Needs no square root.
 BODY bool is_covered_by_one(MEMORY const StripArguments a, const Near near, const Strip strip) {
     bool is_covered = false;
     Walk walk = walk_over(a, near);

@@ -151,14 +151,14 @@ BODY u32 radius_at(MEMORY const Grids grids, const u32 x, const u32 y) {
     return allowed == ALLOWED_NONE ? 0u : radius;
 }
 
-// Where the middle one of the pixels first + 1 to last begins; 0 if there is none.
+// The beginning of the middle one of the pixels first + 1 to last; 0 if first == last.
 BODY u32 middle_border(MEMORY const Axis axis, const u32 first, const u32 last) {
     if (first == last) return 0u;
     return AT(axes, axis.begins + first + (last - first + 1u) / 2u);
 }
 
-// The x at which to halve a box, under which lies `all`: at a border of pixels near its middle if
-// the pixels are unlike, else in its middle. 0: not to be cut.
+// The x at which to halve a box: at a border of pixels near its middle if the pixels are unlike,
+// otherwise in its middle. 0: not to be cut. `all` describes what lies under the box.
 BODY u32 cut_x(MEMORY const Grids grids, const u32x4 place, const Touched touched,
                const Under all) {
     u32 cut = 0u;

@@ -1,9 +1,9 @@
-// The body of split: where to cut the boxes on unlike pixels that are to be halved, into four
-// strips (bodies/exact/strip.h). Comes after radius_field.h. Does nothing while a draw is
-// undecided.
+// The body of split: finds where to cut boxes on unlike pixels into four strips
+// (bodies/exact/strip.h) when they are halved. Comes after radius_field.h. Does nothing while a
+// draw is undecided.
 
-// The y at which a border of pixels cuts a half in two, or its end; then the least radii below and
-// above it, 0 where no sample may lie.
+// The y at which a border of pixels cuts a half, or the half's end if none does; then the least
+// radii below and above that y, 0 where no sample may lie.
 BODY u32x4 borders_in(MEMORY const Grids grids, const u32x4 part) {
     if (part.y == 0u) return U32X4(part.w, 0u, 0u, 0u);
     const Touched touched = touched_by(grids, part);
@@ -22,7 +22,7 @@ BODY void serve_split(MEMORY const StripArguments a, const u32 item) {
     const Grids grids = {grid_of(ON COLUMNS_OF_FIELD), grid_of(ON COLUMNS_OF_MASK)};
     const u32 end = min((item + 1u) * a.chunk, a.boxes);
     for (u32 number = item * a.chunk; number < end; ++number) {
-        // Items in lockstep then find work together.
+        // A loop of its own: items in lockstep skip together, then work together.
         while (number < end && (AT(origins, number).y & IS_EVEN) != 0u) ++number;
         if (number == end) break;
         const u32x4 box = AT(boxes, number);

@@ -28,7 +28,7 @@ BODY u32x2 span_above(MEMORY const Gap gap) {
     return gap.rest < gap.end ? AT(spans, gap.rest) : U32X2(NO_SAMPLE, NO_SAMPLE);
 }
 
-// Moves the spans above the gap to the end of the memory; if they are there, the gap has no room.
+// Moves the spans above the gap to the end of the memory. If they are there already, nothing fits.
 BODY Gap open_gap(MEMORY Gap gap) {
     const u32 shift = gap.room - gap.end;
     for (u32 i = gap.end; i > gap.rest; --i) AT(spans, i - 1u + shift) = AT(spans, i - 1u);

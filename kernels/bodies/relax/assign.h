@@ -12,7 +12,7 @@
 #define FROM_ROW_0(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 #define FROM_ROW_7(DO) DO(7) DO(6) DO(5) DO(4) DO(3) DO(2) DO(1) DO(0)
 
-// A rival with the least value in the leaf's middle; of several, any.
+// A rival with the least value in the leaf's middle; if there are several, any of them.
 BODY u32 first_in_middle(MEMORY const Place place, const Area leaf) {
     const i32 right = to_i32(leaf.width / 2u);
     const i32 up = to_i32(leaf.height / 2u);

@@ -76,7 +76,7 @@ BODY Cursor next_near(MEMORY const LeafArguments a, Cursor at, const u64 bound, 
 }
 
 // Bit i is set if site first + i may win. This loop is separate from the work for such sites: they
-// are few, and lavapipe spends the time of all branches in every turn of a loop.
+// are few, and on lavapipe every turn of a loop takes the time of all its branches.
 BODY u32 near_sites(MEMORY const LeafArguments a, const u32 first, const Search search,
                     const Rect box) {
     const u32 width = to_u32(box.right - box.left);
@@ -103,7 +103,7 @@ BODY u32 near_images(MEMORY const LeafArguments a, const Area unit, const u64 bo
     return near;
 }
 
-// Returns the number of rivals, or CROWDED: also for 0 rivals, which only a fault can cause.
+// Returns the number of rivals; CROWDED if put_rival failed or, by a fault, there is no rival.
 BODY u32 list_rivals(MEMORY const LeafArguments a, const Area unit, const Search search,
                      const u32 slot) {
     u32 count = 0u;

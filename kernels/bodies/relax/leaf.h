@@ -1,10 +1,10 @@
-// Rectangles of the lattice: units and their leaves (portable/relax_kernels.h), and how sites see
-// them. Units with importance are listed by number, row by row; a launch serves a batch of the
-// list.
+// Rectangles of the lattice: units and their leaves (portable/relax_kernels.h), and their positions
+// relative to sites. Units with importance are listed by number, row by row; a launch serves a
+// batch of the list.
 #include "portable/power.h"
 #include "portable/site_tree.h"
 
-// Its lowest lattice point, and the numbers of its columns and rows on the lattice.
+// A rectangle of lattice points: the lowest one, and the numbers of columns and rows.
 struct Area {
     u32 left;
     u32 bottom;
