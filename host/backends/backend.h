@@ -77,7 +77,7 @@ public:
     // Long verbs ask may_go_on now and then, in the calling thread; false cancels the run.
     virtual void watch(std::function<bool()> may_go_on) = 0;
 
-    // For tests of single verbs; the loop never calls these. snapshot waits for the queued work.
+    // For tests of single verbs; ranks, too, take snapshots. snapshot waits for the queued work.
     virtual Snapshot snapshot() = 0;
     virtual void restore(const Snapshot& snapshot) = 0;
 };

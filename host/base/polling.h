@@ -1,5 +1,5 @@
-// How long preparations, which may take seconds before the first round, ask whether to go on. The
-// name poll.h would hide the system's header.
+// Preparations, which may take seconds before the first round, ask now and then whether to go on.
+// The name poll.h would hide the system's header.
 #pragma once
 
 #include <algorithm>

@@ -4,8 +4,9 @@
 // Such a round is admitted in parts, in the order of the draws. The samples of each part are cut
 // from the bins. So one look at the bin decides most draws of the next part, and only the others
 // are compared with each other. Each part has as many draws as all earlier parts together. If the
-// draw after the first n is free with probability p, at least n p of these became samples, and at
-// most n p of the next n draws are free: a part compares no more draws than there are samples.
+// draw after the first n is free with probability p, about n p or more of these became samples, and
+// about n p or fewer of the next n draws are free. So a part compares no more draws than there are
+// samples.
 #pragma once
 
 #include <cstddef>

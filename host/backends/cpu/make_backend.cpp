@@ -52,7 +52,7 @@ private:
             state_.grow();
     }
 
-    bool is_cut_ = false;  // admit has cut the samples: subtract has nothing to do
+    bool is_cut_ = false;  // admit has cut the bins: subtract has nothing to do
 };
 
 class CellsBackend : public RoundBackend<BitState> {
@@ -79,7 +79,7 @@ private:
                     [&](std::uint32_t column) { cpu::subtract(state_, column); });
     }
 
-    bool is_cut_ = false;  // admit has cut the samples: subtract has nothing to do
+    bool is_cut_ = false;  // admit has cut the bins: subtract has nothing to do
 };
 
 }  // namespace

@@ -38,7 +38,7 @@ public:
 
     // Whether of_part may return different samples for different parts of the block.
     bool is_long(std::uint32_t block) const { return few_[block].is_long != 0; }
-    // Whether a sample was listed since note_cuts(), which follows the cuts by all listed samples.
+    // Whether a sample was listed since note_cuts(): call that after all listed samples cut boxes.
     bool has_latest(std::uint32_t block) const { return (states_[block] & kLatest) != 0; }
     void note_cuts(std::uint32_t block);
     // The block has no boxes any more: no more samples are listed for it.
@@ -134,7 +134,7 @@ private:
         return first_.nodes[first_.blocks[block].node].box;
     }
 
-    // For samples that do not stick out: whether the node holds all blocks that the sample reaches.
+    // For disks that cross no edge of a torus: whether the node holds all blocks that they reach.
     bool is_within(const Sized& sample, std::uint32_t node) const;
     bool sticks_out(const Sized& sample) const;
     template <typename Visit>

@@ -117,12 +117,12 @@ private:
     const SpanState& state_;
     const Vectors& vectors_;
     std::uint32_t width_;
-    Span own_;  // x
+    Span own_;  // the interval of x outside the halo
     std::array<Sample, kMost> near_;
     std::size_t near_count_ = 0;
     std::array<Seen, kMost + kVectorPadding> touching_;
     std::array<Span, kMost + kVectorPadding> found_;
-    std::array<Span, kMost + 2> chords_;  // two of them wrap
+    std::array<Span, kMost + 2> chords_;  // two more for a torus
     std::size_t chord_count_ = 0;
 };
 

@@ -152,7 +152,6 @@ struct BitState : State {
     void begin_round(std::span<const Draw> draws);
     // Sets the line's bits from words of 32 bits.
     void set_bits(std::uint32_t line, std::span<const std::uint32_t> of_line);
-    // Looks up the radii of the column's candidates.
     void find_radii(std::uint32_t column);
     void end_locate() { widest_candidates.find_blocks(); }
     // Computes widest_open from `widest`.

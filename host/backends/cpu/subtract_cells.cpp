@@ -119,8 +119,8 @@ bool any_set(std::span<const std::uint64_t> line, std::uint32_t begin, std::uint
 }
 
 // 1 more than the largest distance in y of a free point of line x that the sample may block; 0 if
-// there is none. With min the radius bounds it. With mean and max the widest pixels are blocked
-// from farthest away, and are the first to have no free point.
+// there is none. With min the radius bounds it. With mean and max the pixels of largest radius are
+// blocked from farthest away, and first have no free point.
 std::uint32_t half_chord(BitState& state, std::uint32_t reach, std::uint32_t radius,
                          std::uint32_t dx, std::uint32_t x) {
     const RadiusMap& radii = state.radii;

@@ -1,8 +1,8 @@
 // The cpu backend's inner loops over samples near a point or box, for the processor's vectors.
 //
-// Each loop exists in plain C++, which says what it does with the arithmetic of kernels/portable/,
-// and for AVX2 (vectors_avx2.cpp). Both give the same numbers; tests run every version that the
-// processor has, by name.
+// Each loop exists in plain C++, with the arithmetic of kernels/portable/, and for AVX2
+// (vectors_avx2.cpp). Both give the same numbers; tests run every version that the processor has,
+// by name.
 #pragma once
 
 #include <cstddef>

@@ -221,7 +221,7 @@ HWY_INLINE void write_chords(const Touching& touching, Span* chords) {
     }
 }
 
-// The distance of y from [begin, last] and, below, from its farther end.
+// The distance from y to the interval [begin, last] and, in farthest_distance, to its farther end.
 HWY_INLINE WordVector nearest_distance(WordVector y, WordVector begin, WordVector last) {
     const WordVector outside = hn::Sub(hn::Max(hn::Max(y, begin), last), hn::Min(y, begin));
     return hn::Sub(outside, hn::Sub(last, begin));

@@ -45,7 +45,7 @@ public:
     virtual void start_download() = 0;
     // Queues what these flags show that the round still needs; returns false if that is nothing.
     virtual bool queue_rest() = 0;
-    // Called once nothing more is needed.
+    // Called after queue_rest() has returned false.
     virtual void end_round() {}
 
     virtual std::span<const std::uint32_t> free_lengths() const = 0;

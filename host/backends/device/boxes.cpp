@@ -76,7 +76,7 @@ std::uint32_t Boxes::strip_bits() const {
     return has_field() ? 2 : 1;
 }
 
-// The samples of a round split few boxes. In uniform sets at least every second half is covered.
+// The samples of a round split few boxes. In uniform sets, at least half of all halves are covered.
 // With a radius field the number of boxes stays about the same, or grows if pixels are unlike.
 std::uint32_t Boxes::expected_pieces(bool halve) const {
     const std::uint32_t more = !has_field() ? 0 : halve ? count_ : count_ / 32;

@@ -6,7 +6,7 @@
 namespace lacuna::device {
 
 std::uint64_t turns_of_line(const Plan& plan, std::uint32_t reach) {
-    // One turn for each run and one for each of its words; others for roots and the ends of runs.
+    // Two turns for each run of points under one pixel and one for each word; others for roots.
     constexpr std::uint64_t kOthers = 16;
     const std::uint64_t points = std::min(2 * std::uint64_t{reach} + 1, std::uint64_t{plan.height});
     const std::uint64_t pixels = points * plan.cells().radii->rows / plan.height + 2;

@@ -109,7 +109,7 @@ private:
     enum class Stage {
         none,        // nothing: locate and restore begin a round
         located,     // candidates: admit, or the verb that ends the round if restore decided them
-        admitted,    // passes over all parts, of which all but the last are taken out of the bins
+        admitted,    // passes over all parts; the samples of all but the last are taken out
         subtracted,  // one of three verbs that end the round: finish_round
         refined,
         halved,

@@ -95,7 +95,7 @@ public:
             append_origin(box, block_at(first_, box.x, box.begin), origins);
         boxes_.put(snapshot.rectangles, origins);
         lists_.put(with_radii(round_.plan, snapshot.samples));
-        lists_.end_round();  // the boxes are what the samples left
+        lists_.end_round();  // these samples have cut the boxes
     }
     void put_candidates(std::vector<Candidate>& candidates) override {
         std::vector<std::uint32_t> radii;

@@ -27,7 +27,7 @@ constexpr std::uint32_t kLeastSlices = 16;
 // Candidates of one item of subtract: few, because a sample is much more work than a draw.
 constexpr std::uint32_t kLongestChunk = 64;
 
-// See Queue::launch.
+// Words of bits, and turns of loops, in a unit of work: see Queue::launch.
 constexpr std::uint64_t kWordsPerWork = 32;
 constexpr std::uint64_t kTurnsPerWork = 8;
 

@@ -46,8 +46,8 @@ struct RoundMemory {
     // (bodies/common/admit.h), and others might wait forever for one that is left in every pass.
     void begin_more_passes();
 
-    // Queues the download of flags and perhaps of by_order. After the wait, is_unsettled: a draw is
-    // undecided; throw_if_failed throws DeviceError if a kernel could not finish.
+    // Queues the download of flags and perhaps of by_order. After the wait, is_unsettled says if a
+    // draw is undecided, and throw_if_failed throws DeviceError if a kernel could not finish.
     void start_download(bool with_samples);
     bool is_unsettled() const { return undecided_.back() != 0; }
     void throw_if_failed() const;

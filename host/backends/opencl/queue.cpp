@@ -77,7 +77,7 @@ public:
     void drain() noexcept override {
         try {
             queue_.finish();
-        } catch (const cl::Error&) {  // an error of the run, which throws it
+        } catch (const cl::Error&) {  // not reported here: the run throws its errors
         }
         give_turn_back();
     }

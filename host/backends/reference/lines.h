@@ -43,8 +43,8 @@ void for_each_window(const Plan& plan, std::uint32_t y, std::uint32_t reach, Vis
     }
 }
 
-// Visits the chords of the sample's disk on a line at x or, with a margin, on the strip from x -
-// margin to x + margin.
+// Visits the chords of the sample's disk on a line at x or, with a margin, on the strip that
+// reaches `margin` units to both sides of x.
 template <typename Visit>
 void for_each_chord(const Plan& plan, Sample sample, std::uint32_t x, std::uint32_t margin,
                     Visit visit) {
