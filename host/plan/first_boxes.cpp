@@ -1,4 +1,4 @@
-// Halves boxes along their longer side, or at the border of pixels nearest to its middle.
+// Cuts boxes across their longer side: at a border of pixels near its middle, or in the middle.
 #include "plan/first_boxes.h"
 
 #include <algorithm>

@@ -152,7 +152,7 @@ GridShape grid_of(std::uint32_t width, std::uint32_t height, std::uint32_t radiu
 // width, height and radius. `expected` is the number of samples of a maximal set.
 void finish_plan(Plan& plan, const Request& request, std::uint64_t limit, double expected);
 
-// Throws BadRequest. request.radius must be set, or request.scale in mode cells.
+// Throws BadRequest. request.radius must be set or, with a field, request.scale.
 Plan make_plan(const Request& request);
 
 // Sums over the pixels of one field, computed once for all its plans. An importance is taken as a

@@ -44,7 +44,6 @@ std::unique_ptr<RelaxBackend> make_left_out(const Lattice&, std::span<const Site
 }
 #endif
 
-// In order of preference.
 constexpr Entry kBackends[] = {
     {"cpu", cpu::make_backend},
 #ifdef LACUNA_OPENCL

@@ -170,8 +170,8 @@ void Marginal::for_each_drawn(std::uint64_t first_number, Span numbers, Visit vi
     }
 }
 
-// Groups the draws by part, each part in the order of the draws, not yet inverted. Chunks are
-// counted first; then the bits are made a second time, which is faster than storing them.
+// Groups the draws by part, each part in the order of the draws, not yet inverted. Counts the draws
+// first; then makes the random bits a second time, which is faster than storing them.
 void Marginal::draw_bits(std::uint64_t first_number, std::uint32_t count) {
     const std::uint64_t expected = scaled(bits_.last - bits_.first, count);
     const auto width = static_cast<unsigned>(std::bit_width(expected + 1));

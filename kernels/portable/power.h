@@ -23,7 +23,7 @@ LACUNA_BEGIN
 struct RelaxLattice {
     u64 farthest;     // over any squared distance: with this weight a sample gets no point
     u64 mean_mass;    // mean mass of a sample
-    u64 lonely_step;  // by which the weight of a sample without mass grows
+    u64 lonely_step;  // by which the weight here of a sample without mass sinks
     u32 columns;      // lattice points
     u32 rows;
     u32 step_x;  // units

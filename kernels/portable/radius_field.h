@@ -1,4 +1,4 @@
-// The tables in which kernels find a radius field; plan/radius_field.h fills them.
+// The tables from which kernels read a radius field. backends/device/field_tables.h makes them.
 #ifndef LACUNA_PORTABLE_RADIUS_FIELD_H
 #define LACUNA_PORTABLE_RADIUS_FIELD_H
 #include "prelude.h"

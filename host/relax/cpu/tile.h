@@ -137,8 +137,8 @@ private:
     std::array<Image, 9> images_{};  // images of the domain
     std::size_t image_count_ = 0;
     std::vector<Candidate> candidates_;  // for the tile
-    // The candidates in the order that decides ties, which all lists below use: the rank from bit
-    // 30 on, the candidate's index below. 2^30 candidates would take 100 GB.
+    // The candidates in the order that decides ties, which all lists below use: bits 30 and up hold
+    // the rank, lower bits the candidate's index. 2^30 candidates would take 100 GB.
     static constexpr std::uint64_t kMostCandidates = std::uint64_t{1} << 30;
     std::vector<std::uint64_t> order_;
     bool has_doubles_ = false;

@@ -35,7 +35,7 @@ constexpr std::uint64_t kLeafWork = 20;
 constexpr std::uint64_t kCrowdedWork = 20;
 constexpr std::uint64_t kSiteWork = 1;
 
-// Sites whose way to importance is searched between two questions: at most 0.1 s.
+// Number of sites that rest() searches importance for between two polls: at most 0.1 s.
 constexpr std::uint32_t kSitesBetweenPolls = 1024;
 
 // Vectors as a device stores them.

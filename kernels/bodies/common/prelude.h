@@ -1,4 +1,4 @@
-// Names for what OpenCL C and GLSL spell differently, each defined side by side for both.
+// Names for constructs that OpenCL C and GLSL spell differently, defined for both.
 //
 // A body is the loop of one kernel, written once. It uses the kernel's buffers by name:
 // AT(statuses, i) is a word of the buffer `statuses`. A function that uses buffers has MEMORY
@@ -51,7 +51,7 @@ typedef struct Memory {
         serve(memory, arguments, arguments.first_item + (u32)get_global_id(0)); \
     }
 
-#else  // GLSL; glslang pastes tokens, too
+#else  // GLSL; glslang, too, pastes tokens with ##
 #define u32x2 uvec2
 #define u32x4 uvec4
 #define U32X2(x, y) uvec2(x, y)

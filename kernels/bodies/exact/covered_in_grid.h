@@ -12,8 +12,8 @@ BODY u32 is_covered_from(MEMORY const Geometry g, const u32 cell, const u32 x, c
     return (is_near ? 1u : 0u) & (sample_x != NO_SAMPLE ? 1u : 0u);
 }
 
-// A disk that touches no edge lies within 4 x 4 cells, because 2 sqrt(2) is less than 3. No branch:
-// neighbouring items, which run in lockstep, look at different places.
+// A disk that touches no edge lies within 4 x 4 cells, because it is 2 sqrt(2) < 3 cells wide.
+// There is no branch, because neighbouring items, which run in lockstep, look at different places.
 BODY bool is_covered_inside(MEMORY const Geometry g, const u32 x, const u32 y) {
     const u32 column = min((x - g.radius) / g.grid_side, g.grid_columns - 4u);
     const u32 row = min((y - g.radius) / g.grid_side, g.grid_rows - 4u);

@@ -1,5 +1,5 @@
-// With a radius field: whether an earlier sample of its round conflicts with a candidate. All that
-// could conflict are visitors of the candidate's block (bodies/exact/reach.h).
+// With a radius field: whether an earlier sample of its round conflicts with a candidate. All
+// candidates that could are visitors of the candidate's block (bodies/exact/reach.h).
 #include "portable/conflict.h"
 
 // Returns what decide.h returns.

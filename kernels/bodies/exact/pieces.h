@@ -54,8 +54,8 @@ BODY bool is_covered_by_one(MEMORY const StripArguments a, const Near near, cons
     return is_covered;
 }
 
-// The first sample, from this one on, that touches the strip. It compares squared distances, so
-// that items in lockstep take square roots together, and only for such samples.
+// The first sample of the walk, at `from` or later, that touches the strip. It compares squared
+// distances, so that items in lockstep take square roots together, and only for such samples.
 BODY Walk next_touching(MEMORY const StripArguments a, const Near near, const Strip strip,
                         const Walk from) {
     Walk walk = from;

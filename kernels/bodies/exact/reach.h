@@ -1,5 +1,5 @@
 // The body of reach: lists each candidate for all blocks that it reaches (plan/first_boxes.h). So
-// all that could conflict with a candidate in a block are in the list of that block. Walks down the
+// all candidates that could conflict with a candidate are in the list of its block. Walks down the
 // tree of blocks, as the cpu's neighbour_lists.cpp does.
 #include "portable/distance.h"
 
@@ -12,8 +12,8 @@ BODY bool is_reached(const u32x4 box, const u32 greatest, const u32x4 candidate,
                           distance_to_stretch(candidate.y, box.z, box.w, period_y)) < reach;
 }
 
-// Whether [begin, end) = `part` contains everything nearer than the radius. Beyond an edge that it
-// has in common with `all` there is nothing, unless the axis wraps.
+// Whether the interval `part` contains everything nearer to `at` than the radius. Nothing lies
+// beyond an end that it shares with the interval `all`, unless the axis wraps.
 BODY bool is_within(const u32 at, const u32 radius, const u32x2 part, const u32x2 all,
                     const u32 period) {
     const bool ends_at_begin = period == 0u && part.x == all.x;
@@ -64,7 +64,7 @@ BODY void list_reached(MEMORY const DrawArguments a, const u32 i) {
     }
 }
 
-// Covered and rejected candidates reach nothing. If a round has one part, only the survivors are
+// Does not list covered and rejected candidates. If a round has one part, only the survivors are
 // served, so that no items in lockstep wait for others.
 BODY void serve_reach(MEMORY const DrawArguments a, const u32 item) {
     const bool is_listed = a.is_listed != 0u;

@@ -1,8 +1,8 @@
 // The body of unfold: at the first refinement, turns a line's free spans into boxes as wide as the
 // strips, which end where rows of the sample grid do.
 
-// Launched twice: first it writes only their number to counts[line]; then, after scan.h has turned
-// counts into prefix sums, it writes the boxes.
+// Launched twice: first it writes only the number of boxes to counts[line]; then, after scan.h has
+// turned counts into prefix sums, it writes the boxes.
 BODY void serve_unfold(MEMORY const SlabArguments a, const u32 item) {
     const u32 line = a.first_line + item;
     if (line >= a.end_line) return;

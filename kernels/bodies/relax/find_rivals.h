@@ -17,7 +17,7 @@ BODY Rival rival_in(const u32x4 site, const Rect box) {
 
 // The criteria of a search in a unit.
 struct Search {
-    Rival first;  // the hint of its first leaf, to which all others are compared
+    Rival first;  // the hint of the first leaf: all other sites are compared with it
     u64 bound;    // a site that may win has at most this power somewhere in the unit
 };
 LACUNA_TYPEDEF(Search)
