@@ -13,8 +13,8 @@ namespace lacuna::analysis {
 
 // A frequency is (kx / width, ky / height) in cycles per unit of length, with whole numbers kx and
 // ky: a wave that fits into the domain. DC, k = (0, 0), is left out. |k| is the frequency's length
-// times the square root of the domain's area. In the unit square that is the length of k, and in
-// any domain as many frequencies lie below a |k| as there.
+// times the square root of the domain's area. In the unit square that is the length of (kx, ky). In
+// any domain about pi |k|^2 frequencies lie below a given |k|.
 struct Range {
     int kx_max;
     int ky_max;

@@ -162,7 +162,8 @@ private:
         return surface;
     }
 
-    // In a pdf a dot is a circle, as some viewers draw lines of length 0 as ovals; in a png a line.
+    // A dot is a line of length 0 in a png, and a circle in a pdf, where some viewers would draw
+    // the line as an oval.
     void add_dot(Position centre, double radius) {
         if (is_pdf_) {
             cairo_new_sub_path(context_.get());

@@ -13,7 +13,7 @@
 namespace lacuna::files {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of some spreadsheets
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // which some spreadsheets write first
 
 // Removes the separator between two numbers from `rest`; false if there is none.
 bool take_separator(std::string_view& rest, Between between) {

@@ -31,11 +31,11 @@ void refuse_another_request(int rank) {
 void MpiProgram::end_with(const std::optional<Ending>& own) const {
     const auto [rank, ranks] = place();
     const bool fails = own && own->is_answer == 0;
-    // The lowest rank that fails, the lowest that only says something, the lowest that goes on.
+    // The lowest rank that calls fail, the lowest that calls say, the lowest that calls join.
     std::array<int, 3> all{fails ? rank : ranks, own && !fails ? rank : ranks, own ? ranks : rank};
     MPI_Allreduce(MPI_IN_PLACE, all.data(), all.size(), MPI_INT, MPI_MIN, MPI_COMM_WORLD);
     const auto [failing, saying, going_on] = all;
-    // Thrown by all ranks, which agree on it once they come to fail.
+    // All ranks throw this. They agree on the message when run_program() then calls fail().
     if (failing == ranks && saying < ranks && going_on < ranks)
         refuse_another_request(std::max(saying, going_on));
     if (going_on == 0 && failing == ranks) return;

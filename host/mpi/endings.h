@@ -14,10 +14,10 @@ namespace lacuna::mpi {
 // Throws cli::BadUsage: the request of `rank` differs from that of rank 0.
 [[noreturn]] void refuse_another_request(int rank);
 
-// While `are_together`, as they are at first, an end is agreed upon: all ranks must come to fail,
-// say or join, each in its own way. The lowest rank that fails is heard. Where none fails and all
-// say something, rank 0 is heard; where only some do, they are refused. Once ranks are not
-// together, a rank that fails tells so itself and ends all others.
+// At first the ranks agree on how they end: every rank must call fail, say or join. If ranks fail,
+// the message and exit code of the lowest one count. If all ranks call say, rank 0's text is
+// printed; if only some of them do, all throw cli::BadUsage. Between part() and meet() ranks do not
+// agree: a rank that fails prints its own message and ends all others.
 class MpiProgram : public cli::Program {
 public:
     MpiProgram(std::string name, std::string description,

@@ -19,8 +19,8 @@ Examples:
 }  // namespace
 
 int main(int argc, char** argv) {
-    // MPI_Init makes files in shared memory. Where these are too large for `ulimit -f`, it then
-    // gets an error of write and not a signal that ends the program without a word.
+    // MPI_Init makes files in shared memory. If they exceed `ulimit -f`, a write then fails with an
+    // error; otherwise SIGXFSZ would end the program without a message.
     signal(SIGXFSZ, SIG_IGN);
     int provided = 0;
     // oneTBB's threads compute; only this thread calls MPI.

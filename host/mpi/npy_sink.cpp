@@ -34,8 +34,8 @@ std::uint64_t header_bytes() {
     return files::npy_header(0, 2).size();
 }
 
-// MPI_File_open waits for all ranks, and hangs where one of them fails. A file of the same random
-// name is the same file, over NFS too, where its device and inode may differ between machines.
+// MPI_File_open hangs if it fails on some ranks only, so each rank first checks that it can write
+// into rank 0's file. It is known by its random name: over NFS its inode may differ.
 void check_is_shared(const std::string& name, const std::string& path, std::uint32_t rank) {
     const files::Descriptor descriptor(::open(name.c_str(), O_WRONLY | O_CLOEXEC));
     if (descriptor.number() >= 0 && ::write(descriptor.number(), "", 1) == 1) return;
@@ -161,8 +161,8 @@ void NpySink::write(std::uint64_t first, std::span<const Record> records) {
 }
 
 void NpySink::write_at(std::uint64_t offset, const void* bytes, std::size_t size) const {
-    // Where the disk or `ulimit -f` ends within the bytes, MPI writes fewer and gives no reason. It
-    // gives one for those that are left.
+    // If only some of the bytes fit on the disk or into `ulimit -f`, MPI writes these without an
+    // error. The next attempt, for the other bytes, then fails with the reason.
     for (std::size_t done = 0; done < size;) {
         MPI_Status status{};
         const std::uint64_t next = offset + done;

@@ -18,7 +18,7 @@ namespace lacuna::mpi {
 
 // In each round every rank receives the samples of one range of draw numbers, sorts them, and
 // writes them behind the samples of lower ranks. They are written to a temporary file in the same
-// folder, which finish() renames. Without finish(), also after a signal, it is removed. Errors of
+// folder, which put_in_place() renames. Without that, also after a signal, it is removed. Errors of
 // writing are thrown as FailedTogether.
 class NpySink : public Sink {
 public:
@@ -30,17 +30,18 @@ public:
     void begin(const Plan& plan) override;
     void take(std::span<const Sample> samples, std::span<const std::uint32_t> numbers,
               std::uint32_t draws) override;
-    // Writes the header: the file is whole, and on the disk.
+    // Writes the header, flushes the file to the disk and closes it.
     void finish();
     // Gives the finished file its name.
     void put_in_place();
-    // Every rank: closes the file, which none of them can go on with.
+    // Closes the file if it is open. Every rank must call it.
     void close();
 
-    // SHA-256 of all points; rank 0 alone, once finished and before the file is put in place.
+    // SHA-256 of all points. Call it on rank 0 only, after finish() and before put_in_place().
     std::string sha256() const;
 
-    std::uint64_t bytes_sent() const { return bytes_sent_; }  // by this rank, to be written
+    // The bytes that this rank has sent to other ranks, which write them.
+    std::uint64_t bytes_sent() const { return bytes_sent_; }
     double seconds() const { return seconds_; }
 
 private:

@@ -144,7 +144,7 @@ void write_report(const MpiSample& all, const std::string& report, bool is_its_t
     });
 }
 
-// What all ranks do from here on they do together, but for what FailedTogether does not tell.
+// Makes and writes the set on all ranks. An error that is not FailedTogether ends all other ranks.
 void make(const MpiSample& all, const Request& request, MpiRanks& ranks) {
     const bool speaks = ranks.rank() == 0;
     NpySink sink(all.path, ranks);
@@ -159,7 +159,7 @@ void make(const MpiSample& all, const Request& request, MpiRanks& ranks) {
         if (!all.common.report.empty())
             report = report_of(request, result, watch.stopwatch(), seconds, ranks, sink,
                                speaks ? sink.sha256() : "");
-        // As lacuna does it: files first, the set last of them, then streams.
+        // In lacuna's order: a report that is a file, the set, a report that is a stream.
         const bool is_streamed = cli::is_stream(all.common.report);
         write_report(all, report, speaks && !is_streamed, ranks);
         sink.put_in_place();

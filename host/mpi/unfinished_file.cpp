@@ -65,7 +65,7 @@ void remove_on_signal(const std::string& name, bool speaks) {
     }
 }
 
-// A flag rather than blocked signals: other threads, of MPI or oneTBB, would receive those.
+// Uses a flag. If this thread blocked signals, other threads, of MPI or oneTBB, would receive them.
 SignalsWait::SignalsWait() {
     do_wait = true;
 }

@@ -21,8 +21,8 @@ struct Mean {
     double error;  // 0 for one set
 };
 
-// Samples missing on the dense side within one of its radii of the edge, compared to its density
-// far away, for each radius of edge length. Below 0 there are too many.
+// The number of samples that are missing near the edge: on its dense side, up to one dense radius
+// away, compared to the density far from it, per dense radius of its length. Negative: too many.
 Mean missing_along_edge(const Step& step, Metric metric, std::uint32_t runs, Work& work);
 
 }  // namespace lacuna::reproduce

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Runs by radius; the paper's is 100. A count's deviation is under 0.03 % at the smallest radius.
+// Runs by radius; the paper has 100 at each. At the smallest radius a count varies by under 0.03 %.
 constexpr std::array<std::uint32_t, 4> kTableRuns{100, 100, 20, 2};
 
 struct Measured {

@@ -9,11 +9,11 @@
 namespace lacuna::verify {
 namespace {
 
-// The number of samples from which on they are thinned out. A usual cell has far fewer.
+// Cells with more samples than this have them thinned out. A usual cell has far fewer.
 constexpr std::size_t kCrowd = 64;
 
-// The squared distances from a point to the corners of a cell. Who is nearer to all four corners
-// is nearer to all spots of the cell.
+// The squared distances from a point to the corners of a cell. If one point is nearer to all four
+// corners than another point, then it is nearer to all spots of the cell.
 using ToCorners = std::array<double, 4>;
 
 ToCorners to_corners(const Cell& cell, Point p) {

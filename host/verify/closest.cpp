@@ -111,8 +111,8 @@ private:
     std::vector<Located> buffer_;
 };
 
-// The samples within reach of the domain's edges, and beyond an edge the images of samples at the
-// opposite one. Every pair that is closest across an edge is a pair of these.
+// The samples within reach of the domain's edges, and their images beyond the opposite edges. If
+// the closest pair of a torus lies across an edge, it is a pair of these.
 std::vector<Located> near_edges(const Domain& domain, std::span<const Disk> samples,
                                 const ClosestPair& search) {
     std::vector<Located> located;
@@ -141,14 +141,14 @@ Pair least_ratio(const Domain& domain, std::span<const Disk> samples, const Pati
         located[i] = {samples[i].at, samples[i].radius, i};
     ClosestPair search(domain, samples, patience);
     search.search(std::move(located), 0);
-    // Across an edge no pair can be seen to be closer than rounding.
+    // Across an edge, distances have errors of up to rounding(): no closer pair can be found there.
     if (domain.torus && samples.size() > 1 && search.closest().distance > domain.rounding())
         search.search(near_edges(domain, samples, search), domain.rounding());
     return search.closest();
 }
 
-// The pair that a walk from the largest radius to the smallest meets first: the closest pair of the
-// shortest beginning of that walk which has a hopeless pair.
+// Sorts the samples from the largest radius to the smallest, finds the shortest prefix that has a
+// pair with a ratio below `hopeless`, and returns the closest pair of that prefix.
 Pair first_hopeless(const Domain& domain, std::span<const Disk> samples, const Patience& patience,
                     double hopeless) {
     std::vector<std::size_t> order(samples.size());

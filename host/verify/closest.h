@@ -1,4 +1,4 @@
-// The closest pair: the two samples of a set that are nearest to each other for what they ask.
+// The closest pair: the two samples of a set whose distance is the smallest share of their limit.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -27,8 +27,8 @@ constexpr double kHopeless = 1e-6;
 
 // The pair of the least ratio. If several pairs have it, the pair of lowest indices is returned, or
 // any pair if they coincide.
-// If a ratio is below `hopeless`, this is different: samples are walked through from the largest
-// radius to the smallest, and the pair is the first one found whose ratio is below `hopeless`.
+// If a ratio is below `hopeless`, another pair may be returned: samples are walked through from the
+// largest radius to the smallest, up to the first one that makes a pair with a ratio below it.
 // All samples must lie in the domain, and all radii are positive. Never compares all pairs, however
 // crowded the samples are and whatever their radii.
 Pair closest_pair(const Domain& domain, std::span<const Disk> samples,

@@ -55,7 +55,7 @@ void GapSearch::visit(const Cell& cell, const Under& outer, std::size_t begin) {
     const std::size_t best_index = look_from(frame.centre, under, begin);
     if (begin < end) {
         best = stack_[best_index].at;
-        // It goes first, because it is likely to cover a part.
+        // The best sample goes first, because it is likely to cover one of the parts.
         std::swap(stack_[begin], stack_[best_index]);
     }
     push_those_that_matter(cell, bounds, most_over, begin, end);
@@ -85,14 +85,14 @@ void GapSearch::push_those_that_matter(const Cell& cell, const Bounds& bounds, d
 }
 
 std::size_t GapSearch::look_from(Point centre, const Under& under, std::size_t begin) {
-    // Where all places are alike there is no need to look at mask and polygons for each spot.
+    // In a plain cell all spots have one radius, and mask and polygons need not be looked at.
     std::optional<double> radius =
         under.is_plain() ? under.radii.least : question_.radius_field.radius_at(centre);
     // On the border of two pixels, rounding may give the radius of the other pixel. But the stack
     // has only the samples that matter to the radii of this cell.
     if (radius) radius = std::clamp(*radius, under.radii.least, under.radii.most);
     const double reach = radius.value_or(under.radii.most);
-    // With limits of 0 only distances are compared, and their squares tell them apart best.
+    // With limits of 0 only distances are compared. Their squares are not rounded by a square root.
     const bool by_squares = reach == 0;
     std::size_t best = begin;
     double least = kEndless;

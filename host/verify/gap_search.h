@@ -16,20 +16,20 @@
 
 namespace lacuna::verify {
 
-// What is asked of all spots.
+// What a search for the largest gap is given.
 struct Question {
     const RadiusField& radius_field;
     double tolerance;    // a spot that is over its limit by no more than this is covered
     bool names_any_gap;  // the largest gap is wanted even where every spot is covered
-    double precision;    // a gap that is larger by a smaller share than this is not looked for
-    double finest;       // nor is a gap that is larger by a smaller distance than this
+    double precision;    // larger gaps are not looked for if they are larger by less than this
+    double finest;       // share, or by less than this distance
     double rounding;     // the largest error of a distance
     const Patience& patience;
 };
 
-// Whether a list of `kept` samples is not worth its memory beside the list that it was made of. All
-// samples of a circle matter to each cell around the circle's middle, so that each cut would list
-// them once more.
+// Whether a new list of the `kept` ones of many `samples` is not worth its memory, because it would
+// be nearly as long. For example, all samples on one circle matter to every cell around its centre,
+// so each cut would list them once more.
 bool drops_few(std::size_t samples, std::size_t kept);
 
 class GapSearch {

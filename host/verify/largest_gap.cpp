@@ -63,7 +63,7 @@ std::vector<Cell> tiles_within(const Cell& bounds, const Tiling& tiling) {
     return tiles;
 }
 
-// The images of a sample, beyond a torus' edges, that can be nearest to some place of an interval.
+// The images of a sample on a torus that can be the nearest one to some spot of an interval.
 struct Images {
     double first;
     double second;  // the same as `first` if there is only one
@@ -78,8 +78,8 @@ struct Images {
     }
 };
 
-// The samples that matter to a cell, as seen(sample) places them. Every `step`-th one is asked for
-// a bound of how far spots are over their limits.
+// The samples that matter to a cell; seen(sample) is the sample or its nearest image. The bound of
+// how far spots are over their limits is taken from every `step`-th sample.
 template <typename Seen>
 std::vector<Disk> that_matter(const Bounds& bounds, double rounding, std::span<const Disk> samples,
                               std::size_t step, Seen seen) {
@@ -96,12 +96,12 @@ std::vector<Disk> that_matter(const Bounds& bounds, double rounding, std::span<c
     return near;
 }
 
-// The samples that matter to a cell, or that have an image which does.
+// The samples that matter to a cell themselves or by an image.
 std::vector<Disk> samples_near(const Question& question, const Cell& cell, const Under& under,
                                std::span<const Disk> samples) {
     const Domain& domain = question.radius_field.domain();
     const Frame frame(cell);
-    // Seen from the centre, only the distances along x and y decide.
+    // The bounds use only distances from the centre along x and y, so the sign does not matter.
     const auto nearest_image = [&](const Disk& disk) {
         const double dx = domain.along(disk.at.x, frame.centre.x, domain.width);
         const double dy = domain.along(disk.at.y, frame.centre.y, domain.height);
@@ -154,8 +154,8 @@ const Gap& larger(const Gap& a, const Gap& b) {
     return b.over > a.over ? b : a;
 }
 
-// The parts do not know what the other part finds. Otherwise the gap would depend on which thread
-// comes first.
+// The two halves are searched without what the other one finds. Otherwise the gap would depend on
+// which thread comes first.
 Gap search_with_threads(const Question& question, const Gap& start, const Cell& cell,
                         const Under& under, std::vector<Disk> samples, int cuts) {
     question.patience.look();
@@ -184,7 +184,7 @@ Cell hull_of(std::span<const Cell> tiles) {
     return hull;
 }
 
-// Halves the list of tiles until there is one, so that a tile need not look at all samples.
+// Halves the list of tiles until one tile is left, so that a tile need not look at all samples.
 void search_tiles(const Question& question, const Gap& start, const Tiling& tiling,
                   std::span<const Cell> tiles, std::span<const Disk> samples,
                   std::span<Gap> found) {
@@ -260,8 +260,8 @@ Question question_of(const RadiusField& radius_field, double tolerance, bool nam
             finest,       domain.rounding(), patience};
 }
 
-// The gap is found to kGapPrecision. A search of its surroundings shows its place to the last
-// digits.
+// `gap` is the largest one to kGapPrecision. Searching its surroundings finds its position to the
+// last digits.
 Gap sharpened(Question question, const Gap& gap, std::span<const Disk> samples) {
     const Cell all = question.radius_field.bounds();
     const double reach = 4 * kGapPrecision * gap.over;

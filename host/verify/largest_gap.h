@@ -31,10 +31,10 @@ struct Gap {
 };
 
 // Among the spots where samples may lie, the one that is farthest over its limit. This is sure:
-//   - If it is over its limit by more than `tolerance`, no spot is over by more than it is, except
-//     by kGapPrecision of that and kFinest of the longer side.
-//   - Otherwise no spot is over by more than `tolerance`, except by kFinest of the longer side.
-// All samples must lie in the domain. Where every spot is covered, the spot is any of them.
+//   - If `over` is more than `tolerance`, no spot is farther over its limit than `over`, with a
+//     relative error of kGapPrecision or an error of kFinest of the longer side.
+//   - Otherwise no spot is over by more than `tolerance`, with an error of kFinest of the side.
+// All samples must lie in the domain. Where every spot is covered, any spot is returned.
 Gap largest_gap(const RadiusField& radius_field, std::span<const Disk> samples, double tolerance,
                 const Patience& patience = {});
 

@@ -44,7 +44,7 @@ struct Openness {
     }
 };
 
-// The pixels of a picture, of which `Leaves` says what Pyramid asks for.
+// The pixels of a picture, stretched over the domain. Pyramid says what `Leaves` must have.
 template <typename Leaves>
 class Pixels {
 public:

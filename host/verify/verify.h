@@ -19,7 +19,7 @@ namespace lacuna::verify {
 inline constexpr double kMostTolerance = 0.01;
 
 // The smallest radius, as a share of the longer side. It is far larger than what doubles can tell
-// apart, and far smaller than the radius of any set that fits a disk.
+// apart, and far smaller than the radius of any set that fits into a computer.
 inline constexpr double kSmallestRadius = 0x1p-32;
 
 // A value as messages show it.

@@ -1,8 +1,8 @@
 """How long work goes on without looking for Ctrl-C: unasked.py [WORD...]
 
-Signals are answered at a look. This measures the processor time from the call to the first look,
-between looks, and from the last look to the end, on one thread, so that other work of the machine
-does not count. With words, only runs are made whose name contains one of them.
+Signals are answered at a look, which is a call of progress. This measures the processor time from
+the call to the first look, between looks, and from the last look to the end, on one thread; other
+work of the machine does not count. With words, only runs whose name contains one of them are made.
 """
 
 from __future__ import annotations

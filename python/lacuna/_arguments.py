@@ -20,13 +20,13 @@ if TYPE_CHECKING:
 
     Seed = int | np.integer[Any] | np.random.Generator | None
 
-# Most pixels in all and along a side, as exponents of 2. draw_mask makes large masks.
+# Most pixels in all and along a side, as exponents of 2. Masks of draw_mask may be larger.
 _OF_FIELDS = (28, 20)
 _OF_MASKS = (33, 24)
 _MOST_POINTS = 2**31
 _LONGEST_SHOWN = 60  # characters of a value in a message
 _LONGEST_NAME = 200  # characters
-_PIXELS_OF_PART = 2**22  # copied at a time, in some milliseconds, between which Ctrl-C works
+_PIXELS_OF_PART = 2**22  # copied at a time, in some milliseconds; Ctrl-C works between two parts
 
 
 def shown(value: object) -> str:
@@ -147,7 +147,7 @@ def numbers(name: str, value: object) -> npt.NDArray[Any]:
 
 
 def points_array(name: str, value: object) -> npt.NDArray[np.float64]:
-    """Points as rows of two float64, without a copy if they are that already."""
+    """Points as rows of two float64. Copies the array only if it has another form."""
     array = numbers(name, value)
     if array.size == 0 and array.ndim < 2:
         array = array.reshape(0, 2)
@@ -212,7 +212,7 @@ def path_bytes(name: str, value: str | bytes | os.PathLike[Any]) -> bytes:
         raise TypeError(f"{name} must be a path, not {shown(value)}")
     try:
         path = os.fsencode(value)
-    except UnicodeEncodeError:  # of surrogates, os.fsencode takes what os.fsdecode makes
+    except UnicodeEncodeError:  # a surrogate that os.fsdecode does not make
         raise BadRequest(
             f"{name} {shown(value)}: must have no surrogate that stands for no byte", name
         ) from None

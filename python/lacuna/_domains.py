@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Polygons:
-    """Closed outlines. A point is inside if an odd number of them goes around it.
+    """Closed outlines. A point is inside if an odd number of outlines goes around it.
 
     Attributes
     ----------

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-# Python's names of arguments that the library calls by another name.
+# Arguments for the library's options. Python calls some of them by another name.
 _SPELLED = {"count": "n", "iterations": "iterations", "sets": "points"}
 
 # Options of the command that the library's messages name.

@@ -26,7 +26,7 @@ def domain_of(
     torus: object | None,
     shape: tuple[float, float] = (1.0, 1.0),
 ) -> tuple[float, float, bool]:
-    """The domain and torus as given, or else of the set, or else ``shape`` without torus."""
+    """The domain and torus as given; by default the PointSet's, or else ``shape``, not a torus."""
     known = isinstance(points, (PointSet, Relaxed))
     if domain is not None:
         width, height = pair("domain", domain)
@@ -55,7 +55,7 @@ def analyze(
     points : PointSet or array_like, shape (N, 2), or a list of them
         Each set must have at least one point.
     domain : tuple of float, optional
-        Width and height of all sets. By default those of the first set if it is a PointSet, else
+        Width and height of all sets. By default the first set's domain if that is a PointSet, else
         (1, 1).
     torus : bool, optional
         Whether the edges wrap. By default as in the first set if it is a PointSet, else False.
@@ -65,7 +65,7 @@ def analyze(
     threads : int
         0 is one for each core. The results do not depend on it.
     progress : callable, optional
-        Called with two ints: how many thousandths of the work are done, and 1000.
+        Called with two ints: the finished thousandths of the work, and 1000.
 
     Returns
     -------

@@ -37,12 +37,12 @@ from ._runs import (
 if TYPE_CHECKING:
     from ._runs import Progress
 
-# The most sets that sample_many makes at once, and for an iterator the most points of them: a set
-# is handed out only when all sets of its batch are made.
+# The most sets in a batch, and for an iterator the most points. A batch is made by one call of the
+# library, and its first set is handed out only when all of them are made.
 _MOST_SETS_AHEAD = 4096
 _MOST_POINTS_AHEAD = 2**20
 _BYTES_OF_A_POINT = 16
-_BYTES_OF_A_SET = 1000  # of a PointSet's objects, besides its points; a little less than measured
+_BYTES_OF_A_SET = 1000  # a PointSet without its points; a little less than measured
 
 
 def _made(
@@ -53,9 +53,9 @@ def _made(
 ) -> Iterator[dict[str, Any]]:
     """Samples once for each seed. Yields the attributes of PointSets.
 
-    Seeds are read and sets are made a batch at a time. ``expected`` is the number of seeds if it is
-    known, and all sets are wanted then. Else the first batch is one set, and each further batch has
-    twice as many, up to a limit on their points.
+    Seeds are read and sets are made a batch at a time. If ``expected`` is given, it is the number
+    of seeds, and all sets are wanted. If it is None, the first batch is one set, and each further
+    batch has twice as many, up to _MOST_POINTS_AHEAD points.
     """
     remaining = iter(seeds)
     done, size = 0, 1 if expected is None else _MOST_SETS_AHEAD
@@ -77,7 +77,7 @@ def _made(
 def _progress_of(
     progress: Progress | None, before: int, expected: int | None
 ) -> Progress | None:
-    """Told of the sets of a batch, tells of all sets."""
+    """A progress for one batch, which adds the ``before`` sets of earlier batches."""
     if progress is None:
         return None
     tell = progress
@@ -162,14 +162,14 @@ def sample_many(
 device, threads, memory_limit
         As for ``sample``; memory_limit is for each set.
     progress : callable, optional
-        Called with the number of sets that are done and the number of all sets; with an iterator
-        of those whose seeds are read.
+        Called with the number of sets that are done and the number of all sets; for an iterator
+        the latter is the number of seeds that have been read.
 
     Returns
     -------
     list of PointSet, or for an iterator an iterator of PointSet
-        In the order of the seeds. Their ``seconds`` are those of a batch, divided by its number of
-        sets.
+        In the order of the seeds. The ``seconds`` of a set are the time of its batch, divided by
+        the number of sets in it.
 
     Raises
     ------
@@ -218,7 +218,7 @@ device, threads, memory_limit
 def _number_of(seeds: Sized) -> int:
     try:
         return len(seeds)
-    except OverflowError:  # of a range that is longer than a list can be
+    except OverflowError:  # a range that is longer than a list can be
         return sys.maxsize
 
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     Floats = npt.NDArray[np.float64]
 
-# The points of a maximal set on the torus, times the squared radius, over the area.
+# N r^2 / area of a maximal set on the torus: docs/design.md, section 5.
 _DENSITY = 0.69656
 _WRONG = "tab:red"
 
@@ -38,7 +38,7 @@ def dots(
     radii: Floats | None,
     color: str = "black",
 ) -> Axes:
-    """Draws points in their domain. Radii are those of ``save``."""
+    """Draws points in their domain, as dots with the same radii as in ``save``."""
     ax = _axes(ax)
     from matplotlib.collections import EllipseCollection
 
@@ -62,7 +62,7 @@ def dots(
 
 
 def power(ax: Axes | None, frequency: Floats, power: Floats) -> Axes:
-    """Draws the radial power, and that of independent points, 1."""
+    """Draws the radial power, and a line at 1, the power of independent points."""
     ax = _axes(ax)
     ax.plot(frequency, power)
     ax.axhline(1, color="gray", linewidth=0.5)
@@ -73,7 +73,7 @@ def power(ax: Axes | None, frequency: Floats, power: Floats) -> Axes:
 
 
 def verdict(ax: Axes | None, found: Verdict) -> Axes:
-    """Draws the points, and what was found: a point that lies wrong, the closest pair, and the
+    """Draws the points, and what was found: a point where none may lie, the closest pair, and the
     largest gap."""
     points = found.points
     ax = _axes(ax)

@@ -56,7 +56,7 @@ class HasPoints:
         return np.array(self.points, dtype=dtype, copy=copy)
 
     def _least_distance(self) -> float:
-        """The radius of all points, whose dots are a third of it; 0 if there is none."""
+        """The radius of the set: dots have a third of it. 0 if it is not known."""
         return 0.0
 
     def _radii(self) -> Floats | None:
@@ -67,8 +67,8 @@ class HasPoints:
         """Write the points to a file, whose extension names the format, as the command does.
 
         ``.txt``, ``.csv``, ``.npy``, ``.ply`` and ``.json`` hold every coordinate to the last bit.
-        ``.svg``, ``.pdf`` and ``.png`` are pictures of black dots on white, as large as ``radii``
-        says if there is one. The file appears whole or not at all.
+        ``.svg``, ``.pdf`` and ``.png`` are pictures of black dots on white, with the radii of
+        ``radii`` if the result has it. The file appears whole or not at all.
 
         Parameters
         ----------

@@ -42,7 +42,7 @@ def relax(
     iterations : int
         How often points are moved, at most 10,000. 10 to 30 are enough.
     domain : tuple of float, optional
-        Width and height. By default those of the PointSet, else the field's shape with a longer
+        Width and height. By default the PointSet's domain, else the field's shape with a longer
         side of 1, else (1, 1).
     torus : bool, optional
         Whether the edges wrap. By default as in the PointSet, else False.

@@ -72,7 +72,7 @@ class PointSet(HasPoints):
     ----------
     points : ndarray, shape (N, 2), float64
         Points in the order in which they were admitted: any prefix is a Poisson-disk set of the
-        same radius, with gaps, and not one that is spread evenly at its lower density.
+        same radius. A prefix is not maximal: it has gaps of all sizes.
         The array is read-only and uses the library's memory, without a copy.
     domain : tuple of float
         Width and height; points lie in [0, width) x [0, height).
@@ -188,7 +188,7 @@ class Analysis:
     least_distance, mean_distance : float or None
         Least distance of two points in all sets; mean distance to the nearest other point.
     relative_radius : float or None
-        The least distance over that of a hexagonal lattice (Lagae & Dutre 2008).
+        The least distance over a hexagonal lattice's (Lagae & Dutre 2008).
     effective_nyquist, oscillations : float or None
         As defined by Heck et al. 2013; the first is in units of sqrt(N) / 2.
     psi_6 : float or None

@@ -73,17 +73,17 @@ def sample(
     Parameters
     ----------
     radius : float
-        Least distance between two points, in the unit of ``domain``; this or ``n``. Not with a
-        field.
+        Least distance between two points, in the unit of ``domain``. Give ``radius`` or ``n``; with
+        a field give ``scale`` or ``n``.
     n : int
-        Exactly ``n`` points, at a radius or a scale with room for a few more: the set is not
-        maximal.
+        Exactly ``n`` points. The radius or scale is chosen so that a few more would fit: the set is
+        not maximal.
     field : array_like, shape (rows, columns), optional
         Importance: points are dense where it is high. Finite and at least 0; where it is 0 there is
         no point. Row 0 is the top, where y is largest. Any real dtype, byte order and
         strides. It is read once, before the work begins.
     scale : float
-        With a field, this or ``n``: the radius at a point is ``scale / sqrt(importance there)``.
+        With a field, the radius at a point is ``scale / sqrt(importance there)``.
     metric : {'min', 'mean', 'max'}, optional
         With a field: the least distance of two points is the min, mean or max of their radii. By
         default 'min', but 'mean' in 'cells' with ``relax``. 'exact' knows 'min' only.
@@ -111,8 +111,8 @@ def sample(
     limit : int, optional
         Stop after this many points.
     relax : int
-        Then move the points this many times, as ``lacuna.relax`` does. Not with mask, border or
-        keep.
+        How often the points are moved after sampling, as ``lacuna.relax`` does. Not with mask,
+        border or keep.
     lines_per_radius : int, optional
         1 to 1000. By default 30 in 'lines', 10 in 'cells' and 6 in 'exact' (1 with a field, a mask,
         a border or kept points). In 'exact' it changes only the speed.

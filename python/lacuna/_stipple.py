@@ -85,13 +85,13 @@ def stipple(
         Black is 0. White is 255 or 65535 for 8-bit and 16-bit numbers; for other numbers it is 1,
         or the largest number in the array if that is over 1.
     n : int, optional
-        Exactly ``n`` dots. By default, without ``scale``, a number that suits the picture: one for
-        each 16 black pixels, if its longer side had 512 to 2048 pixels; at most a million.
+        Exactly ``n`` dots. By default, without ``scale``, one dot for 16 black pixels, at most a
+        million. A grey pixel counts by its darkness; the longer side counts as 512 to 2048 pixels.
     scale : float
         The radius where the picture is black, if its longer side is 1.
     relax : int
-        Then move the dots this many times, until their cells hold equal darkness. With 0 they are
-        not moved and stay random, as in Kalantari & Sen 2011.
+        How often the dots are moved after sampling, so that their cells hold equal darkness. With 0
+        they are not moved and stay random, as in Kalantari & Sen 2011.
     metric : {'min', 'mean', 'max'}, optional
         The least distance of two dots is the min, mean or max of their radii. By default 'mean',
         but 'min' with ``relax=0`` and in 'exact', which allows no other.

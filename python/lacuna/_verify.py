@@ -24,38 +24,39 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Verdict:
-    """What ``verify`` has found. True where the claim holds.
+    """What ``verify`` has found. True if the claim holds.
 
-    With a field each place has a radius of its own: two points must be the smaller of theirs apart,
-    and that is how near a spot must have a point.
+    The limit of two points, or of a spot and a point, is the radius. With a field each spot has a
+    radius of its own, and the limit is the smaller of the two radii.
 
     Attributes
     ----------
     holds : bool
-        No two points are closer than the radius and, where that was asked, no spot is farther
-        from every point than radius + tolerance.
+        No two points are closer than their limit and, unless ``distances_only``, every spot has a
+        point within their limit + tolerance.
     maximal : bool
-        Holds, and with a tolerance of at most 1 % of the radius: nothing is missing.
+        The claim holds, gaps were looked for, and the tolerance is at most 1 % of the least radius.
     kept, covered : bool or None
-        The two halves of the claim; covered is None with ``distances_only``, and both are where
-        a point lies outside, where none may, or not where it was kept.
+        Whether distances are kept, and whether all spots are covered. ``covered`` is None with
+        ``distances_only``. Both are None if there is an ``outside``, ``moved`` or ``forbidden``.
     outside : int or None
         The first point outside the domain: nothing else is then looked at.
     moved : int or None
         The first point of ``keep`` that is not in its place: nothing else is then looked at.
     forbidden, forbidden_by : int or None, str or None
-        The first point that lies where none may, and what says so: 'field', 'mask', 'inside' or
-        'border'. Nothing else is then looked at.
+        The first point that lies where no point may, and what forbids it: 'field', 'mask', 'inside'
+        or 'border'. Nothing else is then looked at.
     closest_pair, least_distance : tuple of int or None, float
-        The indices of the closest two points; how far: infinite for fewer than two. With a field
-        the two of the least distance for what they must keep.
+        The indices of the closest two points, and their distance: infinite for fewer than two
+        points. With a field, the two whose distance is the smallest share of their limit.
     least_limit : float or None
-        What these two must keep: the radius, or the smaller of theirs.
+        The limit of these two points.
     largest_gap, largest_gap_distance : tuple of float or None, float or None
-        The spot of the domain that is farthest from every point; how far. With a field the spot
-        that is farthest over its limit, and how far it is from the point that covers it best.
+        The spot that is farthest from every point, and its distance from the nearest. With a field,
+        the spot that is farthest over its limit, and its distance from the point that covers it
+        best.
     largest_gap_limit : float or None
-        How near that spot must have a point.
+        The limit of that spot and that point.
     emptiest_spot, emptiest_distance, emptiest_limit
         Deprecated names of ``largest_gap``, ``largest_gap_distance`` and ``largest_gap_limit``.
     radius, tolerance : float
@@ -95,15 +96,15 @@ class Verdict:
         return self.holds
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the points, the closest pair and the largest gap with matplotlib; in red what
-        refutes the claim. Arguments and errors are as of ``PointSet.plot``."""
+        """Draw the points, the closest pair and the largest gap with matplotlib. Whatever refutes
+        the claim is red. Arguments and errors are as of ``PointSet.plot``."""
         return _plots.verdict(ax, self)
 
 
 def _claimed(
     points: object, radius: SupportsFloat | None, scale: SupportsFloat | None, has_field: bool
 ) -> float:
-    """The radius, with a field the scale: what was given, or else what a set knows of itself."""
+    """The radius, or with a field the scale: as given, or else the PointSet's own."""
     if not has_field:
         if scale is not None:
             raise BadRequest(f"scale {shown(scale)}: is for a field", "scale")
@@ -128,7 +129,7 @@ def _read_only(array: Floats) -> Floats:
 
 
 def _shape(pixels: _core.Field | _core.Mask | None, inside: object) -> tuple[float, float]:
-    """The domain where nobody tells it."""
+    """The domain if neither the caller nor a PointSet gives it."""
     if pixels is not None:
         return shape_of(pixels)
     page = inside.domain if isinstance(inside, Polygons) else None
@@ -156,41 +157,41 @@ def verify(
     Parameters
     ----------
     points : PointSet or array_like, shape (N, 2)
-        Whoever made them.
+        The points, made by any program.
     radius : float, optional
         Least distance between two points. By default a PointSet's own. Not with a field.
     field : array_like, shape (rows, columns), optional
-        Importance, as of ``sample``: each place has its pixel's radius, and two points, or a point
-        and a spot, the smaller of theirs. Within 2^-28 of the longer side of a border of pixels a
-        point may count for either.
+        Importance, as of ``sample``: each spot has its pixel's radius, and the limit of two points,
+        or of a spot and a point, is the smaller of their radii. A point within 2^-28 of the longer
+        side of a border of pixels may have the radius of either pixel.
     scale : float, optional
         With a field the radius where importance is 1. By default a PointSet's own.
     mask : array_like, shape (rows, columns), optional
-        Where points may lie, as of ``sample``: spots where none may need not be covered.
+        Where points may lie, as of ``sample``. Spots where no point may lie need not be covered.
     inside : Polygons or iterable of array_like, each of shape (N, 2), optional
-        Polygons in which points must lie, as of ``draw_mask``, but not drawn.
+        Polygons in which points must lie. They are used as they are, not drawn onto a mask.
     edge : float
-        How far their edges may be off: a point may lie so far outside, and a spot that is no
-        farther inside need not be covered.
+        How far the polygons' edges may be off: a point may lie outside by up to ``edge``, and a
+        spot that is inside by up to ``edge`` need not be covered.
     border : float
         As of ``sample``: no point may be closer to the domain's edges.
     keep : array_like, shape (N, 2), optional
-        What the points begin with, to the bit.
+        The first of the points must be equal to these, to the last bit.
     domain : tuple of float, optional
         Width and height. By default a PointSet's own, else the shape of the field or of the mask,
         its longer side 1, else the page of ``inside``, or (1, 1).
     torus : bool, optional
-        Whether the edges wrap. By default as a PointSet's do; else they do not.
+        Whether the edges wrap. By default as in the PointSet, else False.
     tolerance : float, optional
-        How far over the radius a gap may be; by default 2^-28 of the longer side, with a field,
-        mask, polygons or border twice that.
+        How far over the limit a gap may be. By default 2^-28 of the longer side; twice that with a
+        field, mask, polygons or border.
     distances_only : bool
         Do not look for gaps, which takes most of the time.
 
     Returns
     -------
     Verdict
-        True where the claim holds; with the closest pair and the largest gap.
+        True if the claim holds; with the closest pair and the largest gap.
 
     Raises
     ------
@@ -207,7 +208,7 @@ def verify(
     >>> verdict.kept, verdict.covered
     (True, False)
 
-    Of a set that follows a field, in a part of it:
+    A set that follows a field, in a part of the domain:
 
     >>> import numpy as np
     >>> ramp = np.linspace(0, 1, 64) * np.ones((64, 1))

@@ -40,7 +40,7 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
     """Maximal Poisson-disk sampling of a rectangle, with the methods of scipy's engine.
 
     It differs from scipy.stats.qmc.PoissonDisk in what it promises: no two points are closer than
-    ``radius``, with bounds too, and after ``fill_space`` no room is left for another.
+    ``radius``, with bounds too, and after ``fill_space`` there is no room for another point.
 
     Parameters
     ----------
@@ -108,7 +108,7 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
         self._place = {"backend": backend, "device": device, "threads": threads}
         self._points: npt.NDArray[np.float64] = np.empty((0, 2))
         self._is_full = False
-        # Invalid arguments are thus refused here, and not at the first point.
+        # Makes one point now, so that invalid arguments are refused by the constructor.
         self._fetch(1)
 
     def _fetch(self, count: int | None) -> None:

@@ -43,7 +43,7 @@ std::vector<std::vector<Point>> rings_of(const std::vector<PointArray>& arrays) 
     return rings;
 }
 
-// The name in python/lacuna of what forbids points somewhere.
+// The name that python/lacuna has for the reason why no point may lie at a spot.
 const char* name_of(Proof::Closed closed) {
     switch (closed) {
         case Proof::Closed::importance:

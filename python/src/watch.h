@@ -16,7 +16,7 @@ namespace lacuna::python {
 
 namespace nb = nanobind;
 
-// The run calls it on the thread that called the run, after the GIL was released.
+// The library calls this observer on the thread that called the run. The GIL is not held then.
 class Watch : public Observer {
 public:
     // `progress` is called with the numbers of points done and expected, unless it is None.

@@ -1,5 +1,5 @@
-// Stands in the page's module for what makes sets with a radius field, which the page does not
-// offer: fields in mode exact, masks, borders and kept points.
+// Replaces the code for sets with a radius field (fields in mode exact, masks, borders and kept
+// points), which the page does not offer.
 #include <memory>
 
 #include "backends/cpu/make_backend.h"
@@ -26,10 +26,10 @@ double radius_field_scale_for_count(const Request&, double, const Poll&) {
 void check_kept_place(const Request&, std::size_t) {
     refuse();
 }
-// No points are kept: the one above refuses them.
+// Called for requests without kept points, too. check_kept_place() refuses all others.
 void check_kept_distances(const Request&) {}
 
-// The reference asks these only where there is a radius field.
+// The reference backend calls these only if there is a radius field.
 Under RadiusField::under(const Rectangle&) const {
     refuse();
 }
@@ -44,7 +44,7 @@ std::unique_ptr<Backend> cpu::make_field_backend(const Plan&, const Placement&) 
     refuse();
 }
 
-// Claims of the page name no polygons, so nobody asks these.
+// Claims of the page have no polygons, so these are never called.
 verify::Outline::Outline(std::span<const std::vector<Point>>) {}
 verify::Openness verify::Outline::under(const Cell&, double) const {
     refuse();

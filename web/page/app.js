@@ -178,7 +178,7 @@ async function run() {
     }
 }
 
-// While a slider moves, the preview at work is finished, and the next one uses the newest values.
+// While a slider moves, the current preview is finished, and the next one uses the newest values.
 function schedule() {
     clearTimeout(timer);
     timer = setTimeout(() => {

@@ -61,7 +61,7 @@ export class View {
         this.onZoom = onZoom;
         this.set = null;
         this.page = null;
-        this.picture = null; // is drawn over the left part, whose width `share` gives, 0 to 1
+        this.picture = null; // drawn over the left part; `share` is that part's width, 0 to 1
         this.share = 0;
         this.reset();
         this.pointers = new Map();

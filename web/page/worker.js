@@ -3,7 +3,7 @@
 importScripts("lacuna.js");
 
 let lacuna = null;
-let current = 0; // the id of the request at work
+let current = 0; // the id of the current request
 let told = 0; // when progress was last sent, in ms
 
 const started = new Promise((resolve) => {

@@ -47,7 +47,7 @@ public:
             entry.failure = error.what();
             entry.broke_off = true;
         } catch (const std::bad_alloc&) {
-            // Drivers differ in the memory that they take and keep: the others may have enough.
+            // Each driver takes another amount of memory, so the other contestants may still run.
             entry.failure = "backend " + entry.contestant.backend + ": out of memory";
             entry.broke_off = true;
         }

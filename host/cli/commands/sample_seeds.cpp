@@ -165,7 +165,7 @@ std::vector<Output> checked_outputs(const CLI::App& command, const CommonOptions
         throw BadRequest("report", shown(options.report),
                          "is one report of all sets, without {seed}: an --output of .json tells of "
                          "each set");
-    // The first set's files tell the formats.
+    // All sets have the formats of the first set's files.
     const std::vector<Output> checked = checked_outputs(of_first, read);
     check_writable_files(options.output.paths, seeds);
     check_given_files(read, written_files(options, seeds));

@@ -1,4 +1,4 @@
-// `lacuna sample --seeds A..B`: a set a seed, a file a set.
+// `lacuna sample --seeds A..B`: one set for each seed, one file for each set.
 #pragma once
 
 #include <cstdint>
@@ -16,21 +16,21 @@ namespace lacuna::cli {
 
 struct SeedRange {
     std::uint64_t first;
-    std::uint64_t last;  // which is one of them
+    std::uint64_t last;  // included
 };
 
 // --seeds; `seeds` must outlive the command.
 void add_seeds(CLI::App& command, std::optional<SeedRange>& seeds);
 
-// What the sets are written to, before the work starts: each path must have {seed} in its name, and
-// the report must not, because it is one of all sets. All folders must be there and writable.
-// Throws as checked_outputs of one set does, where a file of any seed is that of another, or the
-// report, or one of those in `read`.
+// Checks the outputs of all seeds before the work starts, and returns them. Each path must have
+// {seed} in its name; the report must not, because one report describes all sets. All folders must
+// exist and be writable. Throws as checked_outputs of one set does, also if the same file is named
+// for two seeds, or for a set and the report, or is in `read`.
 std::vector<Output> checked_outputs(const CLI::App& command, const CommonOptions& options,
                                     SeedRange seeds, const std::vector<GivenFile>& read);
 
 // Makes the sets and writes each to `outputs`, as checked_outputs gives them. Every file has the
-// bytes that --seed alone would give; `more` is told of where it comes from. Throws what
+// bytes that --seed alone would give; `more` is merged into the options of its origin. Throws what
 // lacuna::sample and the files throw.
 void sample_seeds(const CLI::App& command, const CommonOptions& options,
                   const DrawingOptions& drawing, const std::vector<Output>& outputs,

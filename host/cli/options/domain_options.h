@@ -46,9 +46,9 @@ std::vector<GivenFile> files_of(const DomainOptions& options);
 // All that can be checked before the files are read. Throws BadRequest.
 void check_domain(const CLI::App& command, const DomainOptions& options);
 
-// Reads the files and makes `request` point to their contents. Without --domain the domain is that
-// of the first of these that is given: the field's picture (longer side 1), the page of the
-// polygons, the mask (longer side 1). Draws no polygons. Throws BadRequest and files::FileError.
+// Reads the files and makes `request` point to their contents. Without --domain, the first of these
+// that is given decides the domain: the field's picture (longer side 1), the page of the polygons,
+// the mask (longer side 1). Draws no polygons. Throws BadRequest and files::FileError.
 void read_given_files(const CLI::App& command, const DomainOptions& options, Request& request,
                       DomainFiles& files);
 

@@ -17,12 +17,12 @@ namespace {
 
 constexpr double kMostPixels = 32767;  // that cairo can draw along a side of an image
 constexpr double kLeastDot = 0.001;    // mm
-// The dots' ink, over the picture's, beyond which the user is warned. At half of it the picture is
-// as pale as a photograph that is exposed twice as long, and at twice of it as dark as one exposed
-// half as long. Within these limits it may well be what the user wants.
+// Limits of the dots' ink, as a multiple of the picture's ink; beyond them the user is warned. They
+// are one stop of a photograph: 0.5 looks as if it was exposed twice as long, and 2 as if it was
+// exposed half as long. Within these limits it may well be what the user wants.
 constexpr double kLeastInk = 0.5, kMostInk = 2;
 
-// Rounds a number of dots, which is an advice, to three digits.
+// Rounds a number of dots to three digits, because the number is only advice.
 std::uint64_t to_three_digits(double number) {
     const double step = std::pow(10, std::max(0.0, std::floor(std::log10(number)) - 2));
     return static_cast<std::uint64_t>(std::max(1.0, std::round(number / step) * step));

@@ -20,14 +20,14 @@
 namespace lacuna::cli {
 namespace {
 
-// What a path leads to: a file or, where it is not there yet, its folder and its name in it.
+// What a path leads to: a file or, if it does not exist, the folder and the file's name in it.
 struct FilePlace {
     std::optional<int> descriptor;  // that the path names
     struct stat status {};
-    std::string new_name;  // empty where the file is there
+    std::string new_name;  // empty if the file exists
 
     bool is_regular() const { return !new_name.empty() || S_ISREG(status.st_mode); }
-    // What is written there is gone: it may be named twice.
+    // /dev/null drops what is written to it, so it may be named twice.
     bool is_null() const {
         return new_name.empty() && S_ISCHR(status.st_mode) && status.st_rdev == makedev(1, 3);
     }
@@ -43,7 +43,7 @@ std::size_t hash_of(const FilePlace& place) {
         fmt::format("{} {} {}", place.status.st_dev, place.status.st_ino, place.new_name));
 }
 
-// Nothing where it cannot be told: whoever reads or writes it will say why.
+// Unset if the system cannot find it. Reading or writing the file will then fail with the reason.
 std::optional<FilePlace> file_place_of(const std::string& path, int standard) {
     FilePlace place;
     place.descriptor = path == "-" ? standard : files::descriptor_named(path);
@@ -57,7 +57,7 @@ std::optional<FilePlace> file_place_of(const std::string& path, int standard) {
     return stat(folder.c_str(), &place.status) == 0 ? std::optional(place) : std::nullopt;
 }
 
-// Two descriptors of one file add to it in turn; the same one twice mixes up two contents.
+// Writes to two descriptors of one file follow each other. One descriptor twice would mix contents.
 bool overwrite_each_other(const FilePlace& a, const FilePlace& b) {
     if (a.descriptor && b.descriptor) return a.descriptor == b.descriptor;
     const bool renames = !a.descriptor && !b.descriptor;
@@ -86,7 +86,7 @@ void check_given_files(const std::vector<GivenFile>& read, const WrittenFiles& w
     std::vector<std::optional<FilePlace>> inputs;
     inputs.reserve(read.size());
     for (const GivenFile& input : read) inputs.push_back(file_place_of(input.path, STDIN_FILENO));
-    // Hashes are kept, because places are long. Where two hashes are equal, the files are compared.
+    // Hashes take less memory than FilePlace objects. If two are equal, the files are compared.
     std::unordered_multimap<std::size_t, std::size_t> index_of_hash;
     for (std::size_t i = 0; i < written.count; ++i) {
         const GivenFile file = written.at(i);

@@ -1,4 +1,4 @@
-// The files that a command was given: nothing that it reads or writes is overwritten by another.
+// The files that a command was given: no output may overwrite an input or another output.
 #pragma once
 
 #include <cstddef>
@@ -10,24 +10,24 @@
 
 namespace lacuna::cli {
 
-// What the user calls it: an argument such as IMAGE, or an option with its dashes.
+// A file that the user has named.
 struct GivenFile {
-    std::string name;
+    std::string name;       // its argument, such as IMAGE, or its option with the dashes
     std::string path;       // "-" is standard input or output
-    std::string note = {};  // what a message adds to the path, such as the seed that it is for
+    std::string note = {};  // what messages add to the path, such as the seed of the file's set
 };
 
 std::vector<GivenFile> given_files(const std::vector<Output>& outputs);
 
-// The files that a command writes. They are told one at a time, because --seeds can name millions.
+// The files that a command writes. at() gives one at a time, because --seeds can name millions.
 struct WrittenFiles {
     std::size_t count;
     std::function<GivenFile(std::size_t index)> at;
 };
 
-// Throws BadRequest where two of the files written are one, or one that is written is also read,
-// links resolved; files::FileError where standard input would be read twice. The time is linear in
-// the number of files written.
+// Follows links. Throws BadRequest if two outputs are the same file, or if an output is also read,
+// and files::FileError if standard input would be read twice. The time is linear in the number of
+// files written.
 void check_given_files(const std::vector<GivenFile>& read, const WrittenFiles& written);
 void check_given_files(const std::vector<GivenFile>& read, const std::vector<GivenFile>& written);
 

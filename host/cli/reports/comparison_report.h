@@ -16,7 +16,8 @@ std::string text_of(const Comparison& comparison);
 // The same as JSON, with the seconds of every run.
 std::string json_of(const Comparison& comparison, const Request& request);
 
-// A bar for each entry's median, divided into its verbs, and a line from the least to the most.
+// A bar for each entry's median time, divided into its verbs, and a line from its fastest run to
+// its slowest.
 std::string draw_chart(const Comparison& comparison, drawing::Medium medium);
 
 }  // namespace lacuna::cli

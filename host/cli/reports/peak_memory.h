@@ -16,7 +16,7 @@ namespace lacuna::cli {
 // Reads Linux's counts in /proc/self; without them the result is unset.
 class PeakMemory {
 public:
-    // The peak counts from here on.
+    // Starts to measure the peak.
     PeakMemory() {
         malloc_trim(0);  // gives freed memory back, which the work would otherwise use uncounted
         std::ofstream("/proc/self/clear_refs") << "5";

@@ -84,7 +84,7 @@ std::string reason(const SetClaim& claim) {
     return fmt::format("nearer than {} to an edge of the domain", claim.border);
 }
 
-// Why only one thing was looked at. Empty if everything was.
+// Why the proof ended before distances and gaps were looked at. Empty if it did not.
 std::string refusal(const SetClaim& claim) {
     const Proof& proof = claim.proof;
     if (proof.outside) {

@@ -4,7 +4,7 @@
 //   - The same request and seed give the same points, bit for bit, on every backend, every device
 //     and any number of threads.
 //   - Points come in the order in which they were admitted; any prefix of a set is an unbiased
-//     Poisson-disk set of the same radius. It has gaps: it is not spread evenly at its density.
+//     Poisson-disk set of the same radius. A prefix is not maximal: it has gaps of all sizes.
 //   - Every point lies in [0, width) x [0, height).
 //   - Mode::exact: no two points are closer than the radius, computed in double from the points
 //     returned. Every spot of the domain has a point within the radius plus 2^-28 of the longer
@@ -84,8 +84,8 @@ struct Request {
     double height = 1.0;  // of the domain, > 0; neither side over 1000 times the other
     Boundary boundary = Boundary::box;
 
-    // Least distance between two points, in the unit of width and height; not in cells. At least
-    // 2^-20 of the longer side, at most the shorter side of a torus or the diagonal of a box.
+    // Least distance between two points, in the unit of width and height; not with a field. At
+    // least 2^-20 of the longer side, at most the shorter side of a torus or the diagonal of a box.
     std::optional<double> radius;
     // Exactly this many points, at a radius that has room for a few more: the set is not maximal.
     std::optional<std::uint64_t> count;
@@ -135,9 +135,9 @@ struct Request {
 // A point set, and how it was made.
 struct Result {
     std::vector<Point> points;  // in order of admission
-    // The radius asked for, or chosen for Request::count; in cells the least of all radii.
+    // The radius asked for, or chosen for Request::count; with a field the least of all radii.
     double radius = 0;
-    double scale = 0;                    // in cells: the g asked for, or chosen for Request::count
+    double scale = 0;  // with a field: the g asked for, or chosen for Request::count; else 0
     std::uint32_t lines_per_radius = 0;  // the m asked for, or the mode's default
     bool maximal = false;  // false if limit or count ended the run while there was room
     // How many rounds (docs/design.md, section 3) the run took, and how many draws in all, whether
@@ -174,13 +174,13 @@ struct Progress {
 class Observer {
 public:
     virtual ~Observer() = default;
-    // Called after each round, and now and then within long ones. Return false to cancel: sample()
-    // then throws Cancelled and does not call again.
+    // Called before the first round, after each round, and now and then within long ones. Return
+    // false to cancel: sample() then throws Cancelled and does not call again.
     virtual bool keep_going(const Progress&) { return true; }
     virtual void begin(Verb) {}
     virtual void end(Verb) {}
-    // Each may throw: sample() then ends with that exception. But an exception that end() throws
-    // while another one is being handled is lost.
+    // All three functions may throw: sample() then ends with that exception. But an exception that
+    // end() throws while another one is being handled is lost.
 };
 
 // Makes the set that `request` asks for.

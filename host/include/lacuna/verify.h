@@ -5,22 +5,22 @@
 //     share. Distances are what a user would compute, sqrt(dx * dx + dy * dy), around the edges of
 //     a torus.
 //   - Proof::kept is exact. If it is true, no two points are closer than the radius. If it is
-//     false, `first` and `second` are two that are.
+//     false, `first` and `second` are two that are closer.
 //   - Proof::covered: if it is true, no spot of the domain, edges and corners included, is farther
 //     than radius + tolerance from every point, with an error of 1e-12 of the longer side at most.
 //     If it is false, `largest_gap` is a spot that is farther.
-//   - With a field, each place has the radius of its pixel, scale / sqrt(importance). The limit of
-//     two places is the smaller of their radii. Two points must keep their limit apart, and a spot
-//     is covered by a point that is no farther than their limit. Where the importance is 0, no
-//     point may lie, and no spot need be covered.
+//   - With a field, each spot has the radius of its pixel, scale / sqrt(importance). The limit of
+//     two spots is the smaller of their radii. The distance of two points must be at least their
+//     limit. A point covers a spot if their distance is at most their limit. Where the importance
+//     is 0, no point may lie, and no spot need be covered.
 //   - A mask, polygons and a border say where points may lie, as in Request. A spot where no point
 //     may lie need not be covered. The edges of polygons may be off by Claim::edge_tolerance: a
 //     point may lie outside by up to that much. A spot that is inside by less than that, plus 4e-12
 //     of the longer side, need not be covered. A line that two rings share is an edge of both.
-//   - Samplers round the borders of pixels to the lines of a grid. So a point within 2^-28 of the
-//     longer side of a border may be on either pixel: the smaller radius holds for its distances,
-//     the larger one for the spots that it covers, and it may lie there if it may lie on either
-//     pixel. A point may also be beyond a border, or the edges of polygons, by as much.
+//   - Samplers round the borders of pixels to the lines of a grid. So a point that is within 2^-28
+//     of the longer side of such a border counts as lying on both pixels. Its distances are checked
+//     with the smaller radius, and the spots that it covers with the larger one. It is allowed if
+//     either pixel allows points. A point may cross Claim::border or polygons by as much.
 //   - Points to keep are the first of the set, in their order, and equal to the last bit.
 //   - The work grows nearly linearly with the number of points, however crowded they are.
 #pragma once
@@ -80,7 +80,7 @@ struct Proof {
     Closed forbidden_by = Closed::importance;
 
     // The closest pair, if there are two points: with a field, the two whose distance is the
-    // smallest share of their limit.
+    // smallest share of their limit, or a pair below a millionth of its limit.
     bool kept = false;
     std::size_t first = 0;
     std::size_t second = 0;
