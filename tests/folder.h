@@ -31,7 +31,7 @@ public:
 
     std::string path(const std::string& name) const { return (path_ / name).string(); }
 
-    // Of its content, sorted.
+    // The names of the files and folders in it, sorted.
     std::vector<std::string> names() const {
         std::vector<std::string> names;
         for (const auto& entry : std::filesystem::directory_iterator(path_))

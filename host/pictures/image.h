@@ -46,7 +46,7 @@ struct Image {
 // infinity and negative numbers, with row and column.
 Image read_image(const std::string& path, std::uint64_t max_aspect = kMaxSide);
 
-// Refuses what has no such format, by the first bytes of a file.
+// Throws FileError if the first bytes of a file are not of one of these formats.
 void check_format(std::string_view first, const std::string& name);
 
 // read_image for the bytes of a file. `name` stands for the file in messages.

@@ -33,8 +33,8 @@ struct Levels {
     double white;
 };
 
-// The levels that half a percent of the pixels do not exceed, and half a percent do not fall below.
-// A picture of a single tone is not stretched.
+// The darkest half percent of the pixels becomes black, and the brightest half percent white.
+// A picture in which both levels are equal is not stretched.
 Levels auto_levels_of(const Image& image) {
     constexpr std::size_t kOneIn = 200;
     std::vector<double> values = image.luminance;

@@ -106,7 +106,7 @@ void check_size(const Encoded& file, Size size) {
     if (std::max(size.columns, size.rows) > file.max_aspect * std::min(size.columns, size.rows))
         file.refuse(fmt::format("{}: the longer side may be at most {} times the shorter",
                                 size_text(size), file.max_aspect));
-    // Luminance takes 8 bytes a pixel, and what a set needs of a field 12.
+    // Luminance takes 8 bytes a pixel, and sampling from the field takes 12 more.
     const double needed = 20 * static_cast<double>(size.pixels());
     if (needed > memory_for_pixels())
         file.refuse(fmt::format(

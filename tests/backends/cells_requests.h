@@ -38,7 +38,7 @@ inline CellsRequest cells_request(std::string name, Field field, double count, s
     return made;
 }
 
-// Each is there for a reason.
+// Requests by hand, each for one special case.
 inline std::vector<CellsRequest> special_cells_requests() {
     const Boundary box = Boundary::box;
     const Boundary torus = Boundary::torus;

@@ -65,7 +65,7 @@ inline Scene random_cells_scene(std::string name, const Plan& plan, std::uint32_
     return scene;
 }
 
-// Each is there for a reason; all of them go through each verb.
+// Each scene has one special case. All scenes go through each verb.
 inline std::vector<Scene> random_cells_scenes() {
     const Boundary box = Boundary::box;
     const Boundary torus = Boundary::torus;

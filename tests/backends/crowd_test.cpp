@@ -1,4 +1,4 @@
-// Rounds of more draws than samples have room: most draws conflict with others of their round, and
+// Rounds with more draws than samples fit: most draws conflict with others of their round, and
 // comparing all pairs would take for ever.
 #include <gtest/gtest.h>
 

@@ -52,8 +52,8 @@ Outcome run(Request request, const Plan& plan, const std::string& backend) {
     return run_on_backend(request, plan, nobody).outcome;
 }
 
-// The reference's outcome for a mode's request of that number. It is made once for a process, in
-// which ctest runs a test's backends one after another.
+// The reference's outcome for request `number` of a mode. It is made once in a process, because
+// ctest runs a test for all backends in one process.
 const Outcome& reference_outcome(std::size_t number, const Request& request, const Plan& plan) {
     static std::map<std::pair<Mode, std::size_t>, Outcome> known;
     const auto [found, is_new] = known.try_emplace({request.mode, number});

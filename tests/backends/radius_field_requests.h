@@ -92,7 +92,7 @@ inline Mask islands_mask(std::uint32_t side) {
     return mask;
 }
 
-// Each is there for a reason.
+// Requests by hand, each for one special case.
 inline std::vector<FieldRequest> special_radius_field_requests() {
     const Boundary box = Boundary::box;
     const Boundary torus = Boundary::torus;

@@ -27,7 +27,7 @@ inline std::string describe(const Request& request) {
     return out.str();
 }
 
-// Each is there for a reason.
+// Requests by hand, each for one special case.
 inline std::vector<Request> special_requests(Mode mode) {
     const auto request = [mode](double width, double height, double radius, std::uint32_t m,
                                 Boundary boundary) {
@@ -75,7 +75,7 @@ inline std::vector<Request> equality_requests(Mode mode) {
         request.uniform_x = random() % 5 == 0 && *request.radius > 0.015 && mode == Mode::lines;
         request.round_size = static_cast<std::uint64_t>(pick({0, 0, 1, 2, 7}));
         if (request.uniform_x) request.round_size = 1;
-        // Rounds of a few draws are launches of a few draws: keep those sets small.
+        // Small rounds need many launches, so these sets have few points.
         if (request.round_size != 0)
             request.radius = std::max(*request.radius, request.round_size < 7 ? 0.1 : 0.05);
         request.threads = static_cast<std::uint32_t>(pick({1, 2, 5}));

@@ -161,7 +161,7 @@ inline std::vector<Draw> random_draws(const Plan& plan, const Snapshot& memory, 
                                                             : plan.strip_width;
         draws.push_back({bin, rank, chance.below(width), orders[draws.size()]});
     }
-    // Where no bin has room there may be fewer draws: orders must have no gaps.
+    // If no bin has room, there are fewer draws. Orders must not have gaps.
     if (draws.size() < count)
         for (std::uint32_t i = 0; i < draws.size(); ++i) draws[i].order = i;
     std::stable_sort(draws.begin(), draws.end(), [](const Draw& a, const Draw& b) {
@@ -188,7 +188,7 @@ inline std::vector<Candidate> random_candidates(const Plan& plan, Chance& chance
     return candidates;
 }
 
-// Samples anywhere, at most one a cell; nothing keeps them a radius apart.
+// Samples anywhere, at most one in a cell of the grid. They may be closer than the radius.
 inline void set_random_samples(const Plan& plan, Chance& chance, Snapshot& memory) {
     for (std::uint32_t column = 0; column < plan.grid().columns; ++column) {
         for (std::uint32_t row = 0; row < plan.grid().rows; ++row) {
@@ -201,8 +201,8 @@ inline void set_random_samples(const Plan& plan, Chance& chance, Snapshot& memor
     }
 }
 
-// Boxes as wide as the strips or a part of that, some as thin as can be; line by line, none across
-// the border of a row of cells.
+// Boxes as wide as a strip, or narrower by a power of two; some are one unit high. They are sorted
+// by line, and none crosses the border of a row of cells.
 inline void set_hostile_boxes(const Plan& plan, Chance& chance, Snapshot& memory) {
     memory.box_width = std::max(1u, plan.strip_width >> chance.below(12));
     for (std::uint32_t line = 0; line < plan.lines; ++line) {
@@ -234,7 +234,7 @@ inline Scene random_scene(std::string name, const Plan& plan, std::uint32_t coun
     return scene;
 }
 
-// Each is there for a reason; all of them go through each verb.
+// Each scene has one special case. All scenes go through each verb.
 inline std::vector<Scene> random_scenes(Mode mode) {
     const Boundary box = Boundary::box;
     const Boundary torus = Boundary::torus;

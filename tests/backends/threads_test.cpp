@@ -44,7 +44,7 @@ void in_threads(Work work) {
 class Threads : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Backend, Threads, tests::kParallelBackends, tests::name_of_parameter);
 
-// Tests for the backend only afterwards, so that no thread finds it warmed up.
+// Looks for the backend only at the end, so that no thread finds it already initialised.
 TEST_P(Threads, ThatSampleFirstAllGetTheirSets) {
     constexpr int kCalls = 12;
     std::vector<std::vector<Point>> got(kThreads * kCalls);
@@ -138,7 +138,7 @@ TEST(AnObserver, ThatThrowsAtAVerbsEndEndsTheCallWithItsException) {
     EXPECT_THROW(sample(small_request("cpu", 1), observer), Thrown);
 }
 
-// Threads of the driver do not live on in a child.
+// A forked process does not have the driver's threads.
 class Forks : public tests::OnBackend {};
 INSTANTIATE_TEST_SUITE_P(Backend, Forks, tests::kDeviceBackends, tests::name_of_parameter);
 

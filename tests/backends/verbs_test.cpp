@@ -165,7 +165,8 @@ TEST_P(Verbs, AdmitEqualsTheCpuInEveryScene) {
 TEST_P(Verbs, AdmitKeepsStatusesThatAreDecided) {
     tests::Chance chance(5);
     for (Scene& scene : all_scenes()) {
-        // Some are rejected at random; half of the candidates admitted then are admitted before.
+        // At random a third are rejected before; of the others, half of the cpu's choice are
+        // admitted.
         std::vector<std::uint32_t>& statuses = scene.memory.statuses;
         for (std::uint32_t& status : statuses)
             if (chance.one_in(3)) status = STATUS_REJECTED;
@@ -215,7 +216,7 @@ TEST_P(Verbs, RefineGoesOnUntilPlacesAreOneUnitWide) {
     tests::Chance chance(61);
     for (Scene& scene : random_scenes(Mode::exact)) {
         admit_one_a_cell(scene, chance);
-        // Where samples leave much room, boxes double with every refinement: begin with thin ones.
+        // In scenes with few samples every refinement doubles the boxes, so they begin thin.
         if (has_boxes(scene)) scene.memory.box_width = std::min(scene.memory.box_width, 8u);
         expect_equal(scene, [](Backend& backend, const Scene& start) {
             constexpr std::size_t kMostPlaces = 20'000;

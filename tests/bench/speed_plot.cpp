@@ -1,5 +1,5 @@
 // Reads the output of sample_bench --benchmark_out=FILE, draws time against the count of points on
-// log axes, a curve a case, and prints the exponent fitted to each between 10^4 and 10^7 points.
+// log axes with a curve for each case, and prints each curve's exponent from 10^4 to 10^7 points.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -138,7 +138,7 @@ private:
 
     void draw_curve(Canvas& canvas, const std::string& name, const std::vector<Measurement>& curve,
                     std::size_t number) const {
-        // Curves are dashed the second time round the colours, thick the third time.
+        // When colours are used for the second time, curves are dashed; for the third time, thick.
         constexpr std::array kColours{
             drawing::Colour{0, 0, 0}, drawing::kBlue, drawing::kVermilion, drawing::kGreen,
             drawing::kPurple,         drawing::kSky,  drawing::kOrange};

@@ -159,7 +159,7 @@ testing::AssertionResult CellsCheck::keeps_its_distances(By by) const {
                 if (result = check_pair(i, j); !result) return result;
         return result;
     }
-    // The metric's radius is at most the larger radius, so a pair is found from that end.
+    // The metric's radius is at most the larger radius, so looking around that point finds a pair.
     Buckets buckets(*this, *request_.lines_per_radius);
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const auto is_too_close = [&](std::size_t j) {
@@ -229,7 +229,8 @@ testing::AssertionResult CellsCheck::is_maximal(By by) const {
                 continue;
             }
             if (blocked[static_cast<std::size_t>(x * rows_ + y)]) continue;
-            // Found from the other end of the pair, which has the larger radius.
+            // With mean and max a point of smaller radius may block this lattice point. Such a
+            // point is found by looking around the lattice point, within its larger radius.
             const auto is_near = [&](std::size_t i) { return blocks(places_[i], place); };
             if (!buckets.any_near(place, radius_at(place) / step_ + 1, is_near))
                 return not_blocked(place);

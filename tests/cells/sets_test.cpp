@@ -78,7 +78,7 @@ RC_GTEST_PROP(CellsSets, KeepEveryPromiseByBruteForce, ()) {
         if (!result) RC_FAIL(result.message());
 }
 
-// Without this test the others would prove nothing.
+// The other tests rely on CellsCheck. This test shows that it notices faults.
 TEST(CellsSets, TheChecksSeeOnePointMissingOrMoved) {
     const Field field = tests::noise_field(12, 9, 3);
     for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {

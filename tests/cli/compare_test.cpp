@@ -162,7 +162,7 @@ TEST(Compare, ShowsTheOthersWhereOneRunsOutOfMemory) {
     expect_has(outcome.out, {"failed in run 1: backend reference: out of memory"});
 }
 
-// Otherwise its exit(1) would mean that points differ.
+// A driver's exit(1) must not become exit code 1, which means that points differ.
 TEST(Compare, TellsOfADriverThatEndsTheProgram) {
     const std::string table = run({"devices"}).out;
     for (const std::string backend : {"opencl", "vulkan"}) {

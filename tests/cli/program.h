@@ -17,7 +17,7 @@ struct Outcome {
     std::string err;
 };
 
-// How to start the program, where it matters.
+// How to start the program. The defaults leave everything as it is in this process.
 struct Setting {
     int stdout_fd = -1;            // instead of a file whose content is Outcome::out
     int stderr_fd = -1;            // likewise

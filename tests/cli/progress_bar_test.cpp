@@ -34,7 +34,7 @@ public:
     bool exists() const { return ours_ >= 0; }
     int fd() const { return theirs_; }
 
-    // The text written to it until now.
+    // The text that was written to the terminal since the last call.
     std::string text() const {
         std::string text;
         std::array<char, 4096> bytes{};
@@ -65,7 +65,7 @@ std::string shown_by(const std::vector<std::string>& words, const Terminal& term
     Program program(words, setting);
     std::string text;
     while (program.is_running()) {
-        text += terminal.text();  // or the program would wait for room
+        text += terminal.text();  // if nobody reads, the program waits when the buffer is full
         usleep(1000);
     }
     EXPECT_EQ(program.wait().exit_code, 0);

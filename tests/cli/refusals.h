@@ -31,7 +31,7 @@ inline Files files_in(const std::string& folder) {
     return files;
 }
 
-// In `folder`, each of the commands `lacuna BEGINNING ARGUMENTS` tells one line and writes nothing.
+// In `folder`, each command `lacuna BEGINNING ARGUMENTS` prints one error and writes no file.
 inline void expect_refusals(const Folder& folder, const std::string& beginning,
                             const Refusals& refusals) {
     Setting shell;

@@ -28,7 +28,7 @@ inline Outcome stipple(const std::string& image, Names arguments, const std::str
     return run(arguments);
 }
 
-// The points that this makes.
+// The points that stipple() makes.
 inline std::vector<Point> points_of(const std::string& image, Names arguments) {
     const Folder folder;
     const Outcome outcome = stipple(image, std::move(arguments), folder.path("a.npy"));

@@ -120,7 +120,7 @@ TEST(APicture, ThatNeedsMoreMemoryThanThereIsIsNamedWithItsSize) {
                      {path, "16384 x 16384 pixels need about 5.4 GB of memory"});
 }
 
-// It used to be read to the limit for files first, a quarter of the machine's memory.
+// Reading it up to the limit for files would take a quarter of the machine's memory.
 TEST(APicture, WithoutAnEndIsRefusedByItsFirstBytes) {
     expect_one_error(run({"sample", "--field", "/dev/zero", "--count", "10"}), 3,
                      {"/dev/zero", "begins with"});

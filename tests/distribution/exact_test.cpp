@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(OnTheTorus, ExactCounts, kOnTorus, [](const auto& test)
            (set.round_size == 0 ? "" : "InRoundsOf" + std::to_string(set.round_size));
 });
 
-// The fraction of the expected maximal count that a prefix has; darts are as many.
+// A prefix, as a fraction of the expected maximal count. Dart throwing stops at the same count.
 struct Prefix {
     double share;
     std::uint64_t round_size;

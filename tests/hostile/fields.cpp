@@ -103,8 +103,8 @@ double most_over_near(const FieldCase& seen, const std::vector<Point>& points, P
     return most;
 }
 
-// A point on the border of unlike pixels, such as a kept one, may cover as the larger radius and
-// keeps the distance of the smaller one.
+// A point on the border of pixels of different radii, such as a kept point, covers spots with the
+// larger radius, and its distances are checked with the smaller one.
 bool has_two_radii(const FieldCase& seen, Point at) {
     const double blur = seen.domain.longer_side() * 0x1p-28;
     const auto around = [&](double along, double side, double by) {
@@ -145,7 +145,7 @@ bool is_refuted_without(const FieldCase& seen, const Claim& claim, std::vector<P
     if (points.empty()) return true;
     const double found = bare.largest_gap_distance - bare.largest_gap_limit;
     demand(found > seen.tolerance(), without + " the bare spot is not bare");
-    // It may lie on the border of two pixels: then the radius is of either.
+    // The gap may lie on the border of two pixels. Then its radius is either pixel's.
     std::optional<double> over;
     const double near = seen.domain.longer_side() * 0x1p-40;
     for (const double dx : {0.0, near, -near})

@@ -167,7 +167,8 @@ private:
         open_any(made, mask);
     }
 
-    // A point where the field and the border allow a sample, unless they allow hardly any.
+    // Sets the mask and opens one pixel: one on which the field allows samples, if 99 tries find
+    // it.
     void open_any(HostileField& made, Mask& mask) {
         made.asked.mask = std::move(mask);
         std::vector<std::uint8_t>& allowed = made.asked.mask->allowed;
@@ -226,8 +227,8 @@ private:
         return is_open ? radius : std::nullopt;
     }
 
-    // At corners, on borders of pixels or close enough to count for both, on the border of the
-    // domain, and beside each other at exactly the least distance.
+    // A point to keep: at a corner, on a border of pixels or close enough to count for both pixels,
+    // at Request::border, anywhere, or at exactly the least distance from another kept point.
     Point any_kept(const HostileField& made, const std::vector<Point>& others) {
         const verify::FieldCase& asked = made.asked;
         const verify::Domain& domain = asked.domain;
@@ -276,7 +277,7 @@ private:
     std::mt19937_64 random_;
 };
 
-// Describes it, to be made again, beside the seed and the number of the radius field.
+// A message about the field. The seed and the number, not the message, are needed to make it again.
 inline std::string describe(const HostileField& made) {
     const verify::FieldCase& asked = made.asked;
     const auto size = [](const auto& picture) {

@@ -103,7 +103,7 @@ private:
                          {std::max(a.x, b.x), std::max(a.y, b.y)});
     }
 
-    // On the middle or the border of one of the mask's pixels.
+    // A point at the middle or on the border of one of the mask's pixels.
     Point place_on_lattice() {
         const auto along = [&](double side) {
             const double pixels = std::max(1.0, std::ceil(side / (edge_ * std::sqrt(2.0))));
@@ -119,7 +119,7 @@ private:
         return {a, b, {b.x + width, b.y + width / 3}};
     }
 
-    // Hardly larger than a pixel.
+    // A rectangle hardly larger than a pixel.
     PolygonRing crumb() {
         const Point a = place();
         const double size = edge_ * in(0.5, 6);
@@ -133,7 +133,7 @@ private:
         return made;
     }
 
-    // Points inside an even number of rings are outside; also rings around nothing.
+    // A box that is a hole three times, so it stays a hole, and rings that enclose no area.
     Rings nothings() {
         const PolygonRing box = box_of(place(), place());
         const Point a = place(), b = place();
@@ -142,7 +142,7 @@ private:
                 {all(), box, box, box, {a, b, a}, {a, b, between}, {a, a, a}}};
     }
 
-    // With an edge or a corner in common.
+    // Boxes with an edge or a corner in common.
     Rings neighbours() {
         const Point a = place();
         return {", boxes that touch",

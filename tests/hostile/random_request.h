@@ -67,7 +67,7 @@ private:
         request.round_size = static_cast<std::uint64_t>(power(1, one_in(20) ? 1e6 : 3e4));
     }
 
-    // The reference builds the whole cdf once a round: few points where rounds are small.
+    // The reference builds the whole cdf in each round, so sets with small rounds have few points.
     double most_points(const Request& request) const {
         return request.round_size != 0 && request.round_size < 10 ? 100 : 2000;
     }
@@ -174,7 +174,7 @@ private:
     std::mt19937_64 random_;
 };
 
-// Describes it, to be made again, beside the seed and the number of the request.
+// A message about the request. The seed and the number, not the message, make it again.
 inline std::string describe(const HostileRequest& made) {
     const Request& request = made.request;
     std::ostringstream out;

@@ -100,7 +100,7 @@ TEST(RadiusMap, ListsTheRowsOfEachPixelColumnByTheirRadiiWidestFirst) {
         for (std::uint32_t i = 0; i < radii.rows; ++i) {
             const std::uint32_t row = radii.widest_rows[first + i];
             rows.insert(row);
-            // Rows of one class come in any order: no later row is above an earlier row's bound.
+            // Within a class rows come in any order, so the earlier row's bound is compared.
             EXPECT_LE(radii.radii[first + row], bound);
             bound = portable::class_bound(radii.radii[first + row]);
         }

@@ -34,7 +34,7 @@ tests::MadeOnRanks expect_same(const Request& request, const Outcome& expected, 
     return made;
 }
 
-// The number of whole looks that were needed.
+// The number of rounds, over all ranks, in which a rank had to locate all columns (whole looks).
 std::uint64_t whole_looks(const tests::MadeOnRanks& made) {
     std::uint64_t looks = 0;
     for (const Border::Tally& tally : made.tallies) looks += tally.whole_looks;

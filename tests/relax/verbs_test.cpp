@@ -65,7 +65,7 @@ TEST_P(Verbs, leave_what_the_references_do) {
         const auto backend = make_backend(GetParam(), lattice, start);
         for (int iteration = 0; iteration < 6; ++iteration) {
             ASSERT_EQ(difference_of_looks(*reference, *backend), "") << scene << ", " << iteration;
-            // Rests in every state, although a run rests only once.
+            // Calls rest() in each iteration; a run calls it only once.
             const std::vector<Site> before = reference->sites();
             reference->rest();
             backend->rest();
@@ -117,7 +117,7 @@ TEST_P(Verbs, do_the_same_where_samples_share_their_spot) {
     }
 }
 
-// Searches used to take as long as lattice points times lost points, without a question.
+// A search for many points far from importance takes long, so it must ask within the search, too.
 TEST_P(Verbs, ask_whether_to_go_on_for_every_few_points_far_from_importance) {
     constexpr std::size_t kPoints = 20'000;
     const Scene scene{"", random_points(kPoints, 1, 1, 14), pixel_field(), RelaxOptions{}};

@@ -74,8 +74,8 @@ TEST(Polygons, LeaveAThinDomainBareWhereItIsFarFromTheirEdges) {
 
 // A random search found this set, from which a point is removed. Its largest gap is a corner of the
 // region that the tolerance of the polygons leaves open, on the border of two pixels of different
-// radii. Rounding takes the radius of the right pixel, but only with that of the left one is it a
-// gap.
+// radii. Rounding takes the radius of the right pixel, but the spot is a gap only with the radius
+// of the left one.
 TEST(TheLargestGap, OnTheBorderOfTwoPixelsHasTheRadiusOfItsOwn) {
     const Field field{
         2,

@@ -32,7 +32,7 @@ INSTANTIATE_TEST_SUITE_P(Words, OfVectors,
                          [](const auto& named) { return std::string(named.param->name); });
 
 TEST_P(OfVectors, ASampleIsCloserThanTheRadiusOrNot) {
-    // Room for four columns among others, which must not count.
+    // Four rows of each of four columns. Other rows, whose samples must not count, lie in between.
     constexpr std::size_t kStride = 7;
     int closer = 0;
     for (std::size_t i = 0; i < 200'000; ++i) {
@@ -95,7 +95,7 @@ TEST_P(OfVectors, ChordsAreThoseOfTheirDistances) {
     }
 }
 
-// Samples of all radii around a point; some lie at about the limit, and nonsense follows the end.
+// Samples of all radii around a point, some at about the limit. The padding must not count.
 SizedList samples_around(Sample middle, std::uint32_t period, std::mt19937_64& random) {
     const auto below = [&](std::uint64_t end) {
         return static_cast<std::uint32_t>(random() % end);

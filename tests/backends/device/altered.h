@@ -21,7 +21,7 @@ struct Fault {
 };
 
 // The device backend with the fault in all its kernels that include the file. Throws
-// std::runtime_error where the text is not there or does not compile.
+// std::runtime_error if the text is not in the file or does not compile.
 std::unique_ptr<Backend> make_faulty(const std::string& backend, const Plan& plan,
                                      const Fault& fault);
 

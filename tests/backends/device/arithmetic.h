@@ -69,7 +69,7 @@ LACUNA_FN Answers answer(Numbers q) {
         a.begins[window] = window_begin(window, q.ay, a.reach, q.height);
         a.ends[window] = window_end(window, q.ay, a.reach, q.height);
     }
-    // As the image of the point above or below the domain is seen.
+    // The point's image above or below the domain.
     i64 image = q.line % 2u == 0u ? to_i64(q.height) : -to_i64(q.height);
     i64 y = to_i64(q.ay) + image;
     i64 first = to_i64(q.by);

@@ -85,7 +85,7 @@ Numbers any_numbers(std::mt19937_64& random) {
     q.radius = random() % 8 == 0 ? q.height : 1 + any_size(random, 0xc0000000u);
     const u64 squared = squared_length(axis_distance(q.ax, q.bx, q.period_x),
                                        axis_distance(q.ay, q.by, q.period_y));
-    // Strictly at the distance, or anywhere.
+    // The squared distance or one more, or any number.
     q.radius_squared = random() % 2 == 0 ? std::max<u64>(1, squared + random() % 2)
                                          : std::max<u64>(1, radicand(random));
     q.columns = 1 + any_size(random, 1u << 24);

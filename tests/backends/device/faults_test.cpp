@@ -17,8 +17,8 @@ using tests::Fault;
 
 class Faults : public tests::OnBackend {
 protected:
-    // A fault is noticed when it changes the set, or is an error. None may leave a box unwritten:
-    // what lies there would be read as coordinates.
+    // A fault is noticed if it changes the set or causes an error. No fault may leave a box
+    // unwritten, because the old content of memory would be read as coordinates.
     void expect_noticed(const Plan& plan, const std::vector<Fault>& faults) {
         const Outcome on_cpu = tests::run_on_cpu(plan);
         ASSERT_LE(on_cpu.rounds, tests::kMostRounds);
@@ -77,7 +77,8 @@ TEST_P(Faults, InLinesAreNoticed) {
 }
 
 TEST_P(Faults, InExactAreNoticed) {
-    // The last few take many refinements, of more and more boxes where a kernel leaves room.
+    // Stops early, because the last samples take many refinements. With a fault that leaves too
+    // much room, the number of boxes would grow with each of them.
     Plan nearly_all = exact_;
     nearly_all.limit = nearly_all.expected_samples * 19 / 20;
     expect_noticed(nearly_all,
@@ -149,7 +150,7 @@ Plan radius_field_plan(Boundary boundary, double part) {
     request.mask = &mask;
     request.keep = keep;
     request.round_size = 128;
-    request.lines_per_radius = 2;  // places are long, and many samples reach some of them
+    request.lines_per_radius = 2;  // boxes are long, and many samples reach some of them
     Plan plan = make_plan(request);
     plan.limit = static_cast<std::uint64_t>(static_cast<double>(plan.expected_samples) * part);
     return plan;
@@ -202,7 +203,7 @@ TEST_P(Faults, InHalvedBoxesWithARadiusFieldAreNoticed) {
                     {"portable/radius_field.h", "less_a < less_b", "less_a > less_b"}});
 }
 
-// Boxes on one large pixel are long, and chords cut more of them inside.
+// Boxes on one large pixel are long, so more chords cut a box in the middle, into two pieces.
 TEST_P(Faults, InPiecesOfBoxesWithARadiusFieldAreNoticed) {
     const Field field = tests::noise_field(2, 2, 3);
     Request request;

@@ -65,7 +65,7 @@ protected:
                               tests::random_points(600, 1, 1, 1),
                               {},
                               tests::on(1, 1, Boundary::torus)};
-    // Many sites on few pixels: leaves that are late, and crowded ones.
+    // Many sites on few pixels: leaves with too many rivals, which are processed later.
     const tests::Scene crowd_{"a crowd", tests::random_points(600, 0.02, 0.02, 1),
                               lacuna::tests::ramp_field(30, 30), tests::on(1, 1, Boundary::box)};
 };

@@ -1,4 +1,4 @@
-// What becomes of loops that a driver ends before their time: an error, never a wrong set.
+// If a driver ends a loop too early, the result is an error, never a wrong set.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -21,8 +21,8 @@ using namespace lacuna;
 using device::Buffer;
 using vulkan::Checks;
 
-// Of each device that it makes, version 1.4.309 of the layer warns what the GPU-assisted checks
-// change: which features they turn on, and that they check no rays where the device knows none.
+// For each device, version 1.4.309 of the layer warns which features its GPU-assisted checks turn
+// on, and that ray queries are not checked if the device has none.
 bool is_about_the_checks_themselves(const std::string& message) {
     const std::string begin =
         "WARNING-GPU-Assisted-Validation: vkCreateDevice(): Internal Warning: ";
