@@ -162,8 +162,8 @@ private:
         return surface;
     }
 
-    // A dot is a line of length 0 in a png, and a circle in a pdf, where some viewers would draw
-    // the line as an oval.
+    // A png's dot is a line of length 0. A pdf's is a circle: some viewers draw the line as an
+    // oval.
     void add_dot(Position centre, double radius) {
         if (is_pdf_) {
             cairo_new_sub_path(context_.get());

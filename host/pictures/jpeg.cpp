@@ -121,8 +121,7 @@ private:
         if (space != JCS_GRAYSCALE && space != JCS_RGB && space != JCS_YCbCr && !is_cmyk())
             file_.refuse(fmt::format("a JPEG of {} colour components: must be grey, RGB or CMYK",
                                      jpeg_.num_components));
-        // check_that_pixels_fit() has no lower bound for its size, and hardly any program writes
-        // it.
+        // check_that_pixels_fit() has no bound for its size, and hardly any program writes it.
         if (jpeg_.arith_code != FALSE)
             file_.refuse("a JPEG in arithmetic coding: must be Huffman coded");
     }

@@ -189,10 +189,9 @@ bool Outline::is_inside(Point place) const {
     return inside;
 }
 
-// Around a place that is deeper than the clearance, a circle of that radius has no edge in it. So
-// if the cell has such a place, then the inner cell, which is smaller by half of the clearance on
-// each side, has a place that lies inside the polygons. And if no edge meets the inner cell, all of
-// it lies on the same side of them.
+// Suppose that a spot of the cell is deeper than the clearance, so that no edge is nearer to it.
+// Then the inner cell, which is smaller by half of the clearance on each side, has a spot inside
+// the polygons. If no edge meets the inner cell, all of it lies on the same side as its centre.
 Openness Outline::under(const Cell& cell, double clearance) const {
     if (edges_.empty()) return {false, true};
     const Frame frame(cell);

@@ -72,7 +72,7 @@ class PointSet(HasPoints):
     ----------
     points : ndarray, shape (N, 2), float64
         Points in the order in which they were admitted: any prefix is a Poisson-disk set of the
-        same radius. A prefix is not maximal: it has gaps of all sizes.
+        same radius. But a prefix is not maximal: it leaves gaps.
         The array is read-only and uses the library's memory, without a copy.
     domain : tuple of float
         Width and height; points lie in [0, width) x [0, height).

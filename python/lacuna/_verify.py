@@ -52,9 +52,8 @@ class Verdict:
     least_limit : float or None
         The limit of these two points.
     largest_gap, largest_gap_distance : tuple of float or None, float or None
-        The spot that is farthest from every point, and its distance from the nearest. With a field,
-        the spot that is farthest over its limit, and its distance from the point that covers it
-        best.
+        The spot that is farthest from every point, and its distance from the nearest. With a field
+        the spot farthest over its limit, and its distance from the point that covers it best.
     largest_gap_limit : float or None
         The limit of that spot and that point.
     emptiest_spot, emptiest_distance, emptiest_limit

@@ -229,8 +229,7 @@ testing::AssertionResult CellsCheck::is_maximal(By by) const {
                 continue;
             }
             if (blocked[static_cast<std::size_t>(x * rows_ + y)]) continue;
-            // With mean and max a point of smaller radius may block this lattice point. Such a
-            // point is found by looking around the lattice point, within its larger radius.
+            // A point of smaller radius that blocks it is within this lattice point's own radius.
             const auto is_near = [&](std::size_t i) { return blocks(places_[i], place); };
             if (!buckets.any_near(place, radius_at(place) / step_ + 1, is_near))
                 return not_blocked(place);

@@ -167,8 +167,7 @@ private:
         open_any(made, mask);
     }
 
-    // Sets the mask and opens one pixel: one on which the field allows samples, if 99 tries find
-    // it.
+    // Sets the mask and opens one pixel, on which the field allows samples if 99 tries find such.
     void open_any(HostileField& made, Mask& mask) {
         made.asked.mask = std::move(mask);
         std::vector<std::uint8_t>& allowed = made.asked.mask->allowed;

@@ -16,8 +16,7 @@ std::string text_of(const Comparison& comparison);
 // The same as JSON, with the seconds of every run.
 std::string json_of(const Comparison& comparison, const Request& request);
 
-// A bar for each entry's median time, divided into its verbs, and a line from its fastest run to
-// its slowest.
+// A bar for each entry's median, divided into its verbs, and a line from fastest to slowest run.
 std::string draw_chart(const Comparison& comparison, drawing::Medium medium);
 
 }  // namespace lacuna::cli

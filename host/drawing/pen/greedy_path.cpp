@@ -13,8 +13,7 @@ namespace lacuna::pen {
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
-// The number of nearest ends that each end may be joined to. Some cannot be joined, because they
-// are the other end of the same piece. A larger number would mean fewer rounds.
+// The number of nearest ends that an end may be joined to. More would mean fewer rounds.
 constexpr std::size_t kNearEnds = 8;
 // Expected number of edges for each end, of its 8 nearest: 4.7 were measured on photographs.
 constexpr std::size_t kUsualEdges = 5;

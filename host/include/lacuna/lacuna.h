@@ -4,7 +4,7 @@
 //   - The same request and seed give the same points, bit for bit, on every backend, every device
 //     and any number of threads.
 //   - Points come in the order in which they were admitted; any prefix of a set is an unbiased
-//     Poisson-disk set of the same radius. A prefix is not maximal: it has gaps of all sizes.
+//     Poisson-disk set of the same radius. But a prefix is not maximal: it leaves gaps.
 //   - Every point lies in [0, width) x [0, height).
 //   - Mode::exact: no two points are closer than the radius, computed in double from the points
 //     returned. Every spot of the domain has a point within the radius plus 2^-28 of the longer
@@ -174,8 +174,8 @@ struct Progress {
 class Observer {
 public:
     virtual ~Observer() = default;
-    // Called before the first round, after each round, and now and then within long ones. Return
-    // false to cancel: sample() then throws Cancelled and does not call again.
+    // Called after each round, and now and then within long ones and before the first. Return false
+    // to cancel: sample() then throws Cancelled and does not call again.
     virtual bool keep_going(const Progress&) { return true; }
     virtual void begin(Verb) {}
     virtual void end(Verb) {}

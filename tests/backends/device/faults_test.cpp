@@ -77,8 +77,7 @@ TEST_P(Faults, InLinesAreNoticed) {
 }
 
 TEST_P(Faults, InExactAreNoticed) {
-    // Stops early, because the last samples take many refinements. With a fault that leaves too
-    // much room, the number of boxes would grow with each of them.
+    // The last 5 % are left out: they take many refinements, and some faults add boxes in each.
     Plan nearly_all = exact_;
     nearly_all.limit = nearly_all.expected_samples * 19 / 20;
     expect_noticed(nearly_all,
