@@ -162,8 +162,7 @@ private:
         return surface;
     }
 
-    // A png's dot is a line of length 0. A pdf's is a circle: some viewers draw the line as an
-    // oval.
+    // A dot is a line of length 0, but in a pdf a circle: some viewers draw such lines as ovals.
     void add_dot(Position centre, double radius) {
         if (is_pdf_) {
             cairo_new_sub_path(context_.get());

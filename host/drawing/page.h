@@ -14,7 +14,7 @@ namespace lacuna::drawing {
 // Most dots in one stroke: a low number keeps the working memory of cairo, and of viewers, small.
 inline constexpr std::size_t kDotsPerStroke = 4096;
 
-// The page's sides, and the map from the domain's units to the page's; y points upwards.
+// The page's sides, and the map from the domain (y upwards) to the page (y downwards).
 struct Page {
     double width;
     double height;
@@ -38,8 +38,8 @@ void for_each_stroke(std::span<const Point> points, double diameter, const Strok
         stroke(points.subspan(begin, std::min(kDotsPerStroke, points.size() - begin)), diameter);
 }
 
-// The same for all dots of a set: in their order if all have one size; otherwise size by size, the
-// smallest first, and within a size in their order.
+// The same for all dots of a set, in their order. If they have different sizes and are not for a
+// pen, the smallest size comes first, and within a size the dots keep their order.
 template <class Stroke>
 void for_each_stroke(const files::PointSet& set, const Style& style, const Stroke& stroke) {
     if (style.diameters.empty()) return for_each_stroke(set.points, dot_diameter(set), stroke);
