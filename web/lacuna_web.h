@@ -52,8 +52,8 @@ struct Set {
     bool has_columns = false;  // whether csv and npy have columns for dots (pen or paper given)
 };
 
-// Keeps the dots that were placed last, so that they need not be placed again if only the number of
-// iterations of relax or the drawing changes.
+// Keeps the dots that were placed last. They are used again if only the number of iterations of
+// relax or the drawing changes.
 class Stippler {
 public:
     // To be called before `pixels` change.

@@ -2,9 +2,9 @@
 //
 // The paper's top row is dart throwing that stopped at 6,400 samples, whose spectrum differs from a
 // maximal set's. To separate this from the effect of m, sets of mode lines are compared with mode
-// exact, which equals dart throwing until no room is left. The distance of two spectra is the root
-// mean square of P / P of exact - 1 over all frequencies with |k| r <= 1.6, where P is the mean
-// power of an annulus. From it, the distance of two groups of exact sets is taken off as chance.
+// exact, which equals dart throwing until no room is left. The distance from exact's spectrum is
+// the root mean square of P / P of exact - 1 over all frequencies with |k| r <= 1.6; P is the mean
+// power of an annulus. The distance of two groups of exact sets is chance, and is taken off.
 #include <fmt/core.h>
 
 #include <algorithm>

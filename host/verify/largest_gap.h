@@ -19,9 +19,8 @@ constexpr double kGapPrecision = 1e-6;
 // two.
 struct Gap {
     Point at{0, 0};
-    // What the radius field says of the spot. It is taken from the cell whose centre the spot is,
-    // because in a very narrow cell rounding may put the centre on a side, and so on the next
-    // pixel.
+    // The radius at the spot. It is taken from the cell whose centre the spot is. The spot itself
+    // may be on the next pixel, because rounding may put a very narrow cell's centre on a side.
     double radius = 0;
     // The distance and the limit to the sample that covers the spot best, if there is a sample.
     double distance = std::numeric_limits<double>::infinity();

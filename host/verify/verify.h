@@ -41,9 +41,9 @@ bool is_uniform(const Claim& claim);
 
 // The claim's tolerance, or if it has none, more than samplers on a grid may lose. For a uniform
 // claim that is 2^-28 of the longer side: at least four units of a grid with 2^30 or more units
-// along that side. Rounding the radius up to whole units takes up to two units, and a spot between
-// the lines of the grid is up to sqrt(2) units from one that is on them. Otherwise it is twice as
-// much, because borders of pixels are rounded to the grid too, by up to two units.
+// along that side. Rounding the radius up takes up to two units. A spot between the lines of the
+// grid is up to sqrt(2) units from a point of the grid. Other claims have twice this tolerance,
+// because borders of pixels are rounded to the grid, too, by up to two units.
 double tolerance_of(const Claim& claim);
 
 }  // namespace lacuna::verify

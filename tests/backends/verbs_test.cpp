@@ -165,7 +165,7 @@ TEST_P(Verbs, AdmitEqualsTheCpuInEveryScene) {
 TEST_P(Verbs, AdmitKeepsStatusesThatAreDecided) {
     tests::Chance chance(5);
     for (Scene& scene : all_scenes()) {
-        // Some are rejected at random, and half of those that the cpu then admits are admitted.
+        // A third is rejected at random, and half of what the cpu backend then admits is admitted.
         std::vector<std::uint32_t>& statuses = scene.memory.statuses;
         for (std::uint32_t& status : statuses)
             if (chance.one_in(3)) status = STATUS_REJECTED;

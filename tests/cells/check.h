@@ -18,8 +18,8 @@ public:
     // request.scale and request.lines_per_radius must be set.
     CellsCheck(const Request& request, std::vector<Point> points);
 
-    // Every point lies in the middle of a cell of a lattice of ceil(m W / r_min) columns, the same
-    // step along y as nearly as a whole number of rows allows, where importance is over 0.
+    // Every point lies where importance is over 0, in the middle of a cell of the lattice. That has
+    // ceil(m W / r_min) columns, and the number of rows that makes both steps most alike.
     testing::AssertionResult is_on_the_lattice() const;
     // Every two points keep the metric's distance: in double, in the user's units, no tolerance.
     testing::AssertionResult keeps_its_distances(By by) const;

@@ -19,9 +19,9 @@ struct Comparison {
     double largest_z = 0;  // largest difference of means over its standard error
     double sum_z_squared = 0;
     int entries = 0;  // number of entries that vary
-    // Whether no z is beyond a chance of one in a thousand for all entries together, and the sum of
-    // squares is below five of its own standard deviations (the entries of one set correlate, which
-    // widens it).
+    // Whether both groups may have one distribution. If they have, the largest z exceeds its limit
+    // less than once in a thousand times. The limit of the sum of squares is five standard
+    // deviations above its mean, because the entries of one set correlate.
     bool agree() const;
     std::string text() const;
 };

@@ -24,8 +24,8 @@ void add_seeds(CLI::App& command, std::optional<SeedRange>& seeds);
 
 // Checks the outputs of all seeds before the work starts, and returns them. Each path must have
 // {seed} in its name; the report must not, because one report describes all sets. All folders must
-// exist and be writable. Throws as checked_outputs of one set does, also if the same file is named
-// for two seeds, or for a set and the report, or is in `read`.
+// exist and be writable. Throws as checked_outputs of one set does. No file may be named for two
+// seeds, for a set and the report, or in `read`.
 std::vector<Output> checked_outputs(const CLI::App& command, const CommonOptions& options,
                                     SeedRange seeds, const std::vector<GivenFile>& read);
 

@@ -64,8 +64,7 @@ makes no threads.
 struct VerifyCommand {
     std::vector<std::string> files;
     std::optional<double> tolerance;
-    // The options that a request for such a set would have, too: the radius or scale, the domain
-    // and its border.
+    // The options that `lacuna sample` has, too: the radius or scale, the domain and its border.
     Request request;
     DomainOptions domain;
     bool torus = false;
@@ -74,13 +73,13 @@ struct VerifyCommand {
     bool quiet = false;
 };
 
-// What the options say of every set: the request, and the contents of the files that they name.
+// What the options say about all sets: the request, and the contents of the files that they name.
 struct Given {
     Request request;
     DomainFiles files;
 };
 
-// What the options say goes first. What they leave open is taken from the file of the set.
+// The request for one set. If an option is not given, the set's file gives its value.
 Request request_of(const CLI::App& command, const Given& given, const files::SetsOfFile& file,
                    const std::string& name) {
     if (file.mode == name_of(Mode::cells) && command.count("--distances-only") == 0)

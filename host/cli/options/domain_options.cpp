@@ -73,8 +73,8 @@ double least_radius(const Request& request, const std::vector<PolygonRing>& ring
     return std::sqrt(density * area / static_cast<double>(*request.count) / greatest);
 }
 
-// Polygons without a page lie where their coordinates say. Where no domain is given, a map in
-// metres would be cut off at the default of 1x1: little of it would be left, or nothing.
+// Throws BadRequest unless the polygons lie within the default domain. Without this check, most or
+// all of a map in metres would be cut off at 1x1.
 void check_within_default(const std::string& path, const std::vector<PolygonRing>& rings,
                           const Request& request) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -193,7 +193,7 @@ double edge_of(const DomainOptions& options, const Request& request,
                const std::vector<PolygonRing>& rings, const DomainFiles& files) {
     if (options.edge) return *options.edge;
     const double edge = kEdge * least_radius(request, rings, files);
-    // The radius is invalid, and the check of the request will refuse it.
+    // If the edge is invalid, so is the radius, and the check of the request will refuse that.
     if (edge > 0 && std::isfinite(edge)) return edge;
     return std::max(request.width, request.height) / 1000;
 }

@@ -99,7 +99,7 @@ drawing::Style style_of(const DrawingOptions& options, double width, double heig
         style.sheet = drawing::Sheet{paper.width_mm, paper.height_mm, options.margin_mm};
     }
     style.pixels_per_inch = options.pixels_per_inch;
-    // The domain is invalid, and the check of the request will refuse it.
+    // An invalid domain will be refused by the check of the request.
     if (!(width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height))) return style;
 
     const double longer = std::max(width, height);

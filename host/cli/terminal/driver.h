@@ -11,14 +11,14 @@
 
 namespace lacuna::cli {
 
-// Some drivers call exit(1), which would mean a failed check, or abort() when they lack disk space,
-// threads or memory, some crash, and some let an exception leave a thread of theirs. While an
-// object of this class exists, the program then prints one line on standard error and exits with
-// kExitDevice. What the driver itself has printed, such as a failed assertion, stands above that
-// line. Objects must not be nested.
+// When drivers lack disk space, threads or memory, some call exit(1), which would mean a failed
+// check, or abort(). Some crash, or let an exception leave one of their threads. While an object of
+// this class exists, the program then prints one line on standard error and exits with kExitDevice.
+// What the driver itself has printed, such as a failed assertion, stands above that line. Objects
+// must not be nested.
 //
-// It must observe the run. Drivers that compile with LLVM install LLVM's handlers of these signals,
-// which return from an abort(), so that it kills the program, and which swallow a SIGQUIT.
+// The object must observe the run. Drivers that compile with LLVM install LLVM's handlers of these
+// signals. After them an abort() kills the program without a message, and a SIGQUIT is swallowed.
 // Therefore the handlers of this class and of Interruption are set again at each verb. An abort()
 // while devices are listed for the first time still ends the program with exit code 134.
 class DriverAtWork : public Observer {

@@ -10,10 +10,10 @@
 //     returned. Every spot of the domain has a point within the radius plus 2^-28 of the longer
 //     side. The set is distributed as if darts were thrown until no room is left.
 //     With a field, a mask, a border or kept points each pixel has its own radius. Two points are
-//     no closer than the smaller of their radii. Each point lies where samples may lie, and every
-//     spot where samples may lie has a point within the smaller of its own and that point's radius,
-//     plus 2^-28 of the longer side. A spot within 2^-28 of the longer side of a pixel's border may
-//     have the radius of either pixel.
+//     no closer than the smaller of their radii. Points lie only where samples may lie. Every spot
+//     where samples may lie is covered: some point is no farther than the smaller radius of the
+//     two, plus 2^-28 of the longer side. A spot within 2^-28 of the longer side of a pixel's
+//     border may have the radius of either pixel.
 //   - Mode::lines with Request::snap: no two points are closer than the radius. Without snap
 //     (Kalantari & Sen 2011, section 4.1, x interpolated in its strip) no two points are closer
 //     than radius * (1 - 1 / (2 * lines_per_radius)). Gaps narrower than a strip remain.
