@@ -46,8 +46,8 @@ private:
     double to_;
 };
 
-// The fraction of the progress bar for placing points. An iteration of relax takes about a tenth of
-// the time of placing, so that the bar moves evenly.
+// The fraction of the progress bar for placing points. The bar moves evenly, because an iteration
+// of relax takes about a tenth of the time of placing.
 double share_of_placing(std::uint32_t relax) {
     return 10.0 / (10.0 + relax);
 }

@@ -76,7 +76,7 @@ export class View {
 
     reset() {
         this.zoom = 1;
-        this.middle = [0.5, 0.5]; // the point of the page, in page sizes, in the canvas' middle
+        this.middle = [0.5, 0.5]; // what the canvas' middle shows, as fractions of the page's sides
         this.draw();
     }
 
@@ -125,7 +125,7 @@ export class View {
         context.fillRect(edge - ratio, top, 2 * ratio, set.height * scale);
     }
 
-    // Keeps the point of the page at (px, py), in pixels of the canvas, where it is.
+    // The point of the page at (px, py), in pixels of the canvas, stays where it is.
     zoomBy(factor, px = this.canvas.width / 2, py = this.canvas.height / 2) {
         if (!this.set) return;
         const before = this.place();
