@@ -65,7 +65,7 @@ Outline::Outline(std::span<const std::vector<Point>> rings) {
         for (std::size_t i = 0; i < ring.size(); ++i)
             edges_.push_back({ring[i], ring[(i + 1) % ring.size()]});
     if (edges_.empty()) return;
-    // Each node halves its edges, so the depth of the tree is the logarithm of the leaves.
+    // Each node halves its edges, so the depth of the tree is log2 of the number of leaves.
     const std::size_t leaves = std::bit_ceil((edges_.size() + kFewEdges - 1) / kFewEdges);
     nodes_.resize(4 * leaves);
     build(0, 0, edges_.size());

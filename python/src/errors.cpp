@@ -32,8 +32,8 @@ void raise(const char* type, const char* message, const std::string& argument = 
     PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
 }
 
-// What the system refuses in the middle of the work: a thread that oneTBB or std::async starts, or
-// memory.
+// Translates what is thrown if, during the work, the system refuses memory or a thread of oneTBB or
+// std::async.
 void translate_refusal(const std::exception_ptr& thrown) {
     try {
         std::rethrow_exception(thrown);

@@ -64,7 +64,7 @@ TEST(Refused, OfStippleAreBadPictures) {
         // The most points for lattices of one step to the radius: 320 GB.
         {"black.pgm --count 5000000000 --lines-per-radius 1", 2,
          "--count 5000000000:", "needs about", "GB of memory, more than the"},
-        // Too small for its dots.
+        // All dots must lie on one pixel of 2000 x 2000, so the lattice would be too fine.
         {"dark.pgm --count 1000", 2, "--count 1000:", "steps long", "fewer points"},
     };
     expect_refusals(files, "stipple -o a.svg --report a.json", refusals);

@@ -110,7 +110,7 @@ TEST(Border, LooksAtTheWholeStripWhereItMust) {
     const tests::MadeOnRanks made = expect_same(request, expected, 4, "cpu", 2);
 
     EXPECT_GT(whole_looks(made), 0u);
-    // No whole looks at its usual depth.
+    // At the usual depth of Border, no rank has to locate all columns.
     EXPECT_EQ(whole_looks(expect_same(request, expected, 4, "cpu")), 0u);
 }
 

@@ -158,7 +158,7 @@ TEST(KeptPoints, ComeFirstAndToTheBitAndASetThatWasCutShortBecomesMaximal) {
     expect_that_promises_are_kept(made, whole);
 }
 
-// They count for the pixel beside them (check_keep.cpp), and have its radius.
+// Such points count as lying on the pixel beside them (check_keep.cpp), and have its radius.
 TEST(KeptPoints, ThatLieWithin2ToTheMinus28OfWhereSamplesMayKeepTheirDistance) {
     const Mask left{2, 1, {1, 0}};
     const Field field{2, 1, {1, 0}};

@@ -76,7 +76,7 @@ export class View {
 
     reset() {
         this.zoom = 1;
-        this.middle = [0.5, 0.5]; // what the canvas' middle shows, as fractions of the page's sides
+        this.middle = [0.5, 0.5]; // the page's point in the canvas' middle, in the page's sides
         this.draw();
     }
 

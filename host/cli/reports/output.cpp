@@ -62,7 +62,7 @@ void add_outputs(CLI::App& command, OutputOptions& options, const std::string& s
     command.add_option("-o,--output", options.paths, help)
         ->type_name(symbol)
         ->expected(1)
-        // Otherwise it would take photo.jpg of `-o dots.svg photo.jpg`, and -- of `-o a.svg -- b`.
+        // Otherwise -o would take photo.jpg in `-o dots.svg photo.jpg`, and -- in `-o a.svg -- b`.
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command

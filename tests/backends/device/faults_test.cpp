@@ -282,7 +282,7 @@ TEST_P(Faults, OfBoxesInSeveralPiecesAreNoticed) {
             << fault.file << ": " << fault.from << " became " << fault.to;
 }
 
-// What a driver that ends loops early would leave behind, kernel by kernel.
+// Sets each kernel's flag of failure, as it is set if a driver ends the kernel's loop early.
 TEST_P(Faults, ThatEndLoopsEarlyAreAnErrorAndNeverASet) {
     const struct {
         const Plan& plan;

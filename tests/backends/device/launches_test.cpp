@@ -31,18 +31,18 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Device, Launches, tests::kDeviceBackends, tests::name_of_parameter);
 
 TEST_P(Launches, AreAFewARoundNeverOneASample) {
-    // locate, sort_columns, eight passes, collect, subtract; some launches at the start.
+    // A round has locate, sort_columns, eight passes, collect, subtract. The start has some more.
     Outcome outcome = run(lines_);
     EXPECT_TRUE(outcome.samples == tests::run_on_cpu(lines_).samples);
     EXPECT_GE(launches_, 12 * outcome.rounds);
     EXPECT_LE(launches_, 16 * outcome.rounds + 10);
-    // These and screen and insert; then, in place of collect and subtract: cut, scan twice, keep
-    // and find_bin_begins.
+    // Exact adds screen and insert. A refinement has cut, two scans, keep and find_bin_begins
+    // instead of collect and subtract.
     outcome = run(exact_);
     EXPECT_TRUE(outcome.samples == tests::run_on_cpu(exact_).samples);
     EXPECT_GE(launches_, 14 * outcome.rounds);
     EXPECT_LE(launches_, 18 * outcome.rounds + 10);
-    // locate, sort_columns, look_up_radii, eight passes, subtract; and subtract for long reaches.
+    // locate, sort_columns, look_up_radii, eight passes, subtract, and subtract for long reaches.
     outcome = run(cells_);
     EXPECT_TRUE(outcome.samples == tests::run_on_cpu(cells_).samples);
     EXPECT_GE(launches_, 12 * outcome.rounds);

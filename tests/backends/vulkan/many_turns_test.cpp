@@ -29,7 +29,7 @@ protected:
 
     explicit ManyTurns(Plan plan) : plan_(std::move(plan)) {}
 
-    // What the verb leaves, or what it says of the verb that went wrong.
+    // Expects the memory that the cpu backend leaves, or a DeviceError that names the verb.
     template <typename Verb>
     void expect_right_or_failed(const std::string& name, Verb verb) {
         const auto expected = cpu::make_backend(plan_, {});

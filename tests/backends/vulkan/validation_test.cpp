@@ -107,8 +107,8 @@ TEST_P(ValidatedAnyhow, MakesRoomForBoxesWithoutAMessage) {
 }
 
 TEST_P(ValidatedAnyhow, GrowsAndTakesMorePassesWithoutAMessage) {
-    // Each candidate is covered only by the next one, which is earlier: they are decided one after
-    // the other, in more passes than a round has. And there is room for one span a line.
+    // Each candidate is covered only by the next one, which is earlier. So they are decided one by
+    // one, in more passes than a round has. There is memory for only one span a line.
     Request request;
     request.radius = 0.02;
     request.mode = Mode::lines;
@@ -180,7 +180,7 @@ using ValidatedCalls = Validated;
 INSTANTIATE_TEST_SUITE_P(Vulkan, ValidatedCalls, testing::Values(Checks::core_and_synchronization),
                          name_of_checks);
 
-// Without the GPU-assisted checks, for which lavapipe would compile these shaders for minutes.
+// Leaves out the GPU-assisted checks, for which lavapipe would compile these shaders for minutes.
 TEST_P(ValidatedCalls, MakesSetsWithARadiusFieldWithoutAMessage) {
     const Field field = tests::noise_field(12, 9, 7);
     Mask mask{3, 2, {1, 1, 0, 1, 1, 1}};
