@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-# Arguments for the library's options. Python calls some of them by another name.
+# Python's arguments for options of the library. For all other options, _ replaces -.
 _SPELLED = {"count": "n", "iterations": "iterations", "sets": "points"}
 
 # Options of the command that the library's messages name.

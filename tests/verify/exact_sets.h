@@ -59,9 +59,9 @@ inline Domain domain_of(const Request& request) {
 }
 
 // The largest gap where a point of a maximal set was moved away, computed without the search of
-// verify. It looks at all places that can be locally farthest from all points: the centres of the
-// circles through three points, and on a box also the places of an edge that are as far from one
-// point as from another, and the corners. Only places within a radius of the point can become free.
+// verify. The spot that is farthest from all points is the centre of a circle through three points.
+// On a box it may also be a corner, or a spot of an edge that is as far from one point as from
+// another. Only spots within a radius of the point's old position can become free.
 class Surroundings {
 public:
     // `reach`: the radius plus the tolerance.

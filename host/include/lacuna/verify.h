@@ -68,7 +68,7 @@ struct Claim {
 // What was found. Points are numbered from 0, in the order given.
 struct Proof {
     // The first point outside the domain. The far edges belong to a box, and not to a torus. If
-    // there is such a point, nothing else was looked at.
+    // there is such a point, only `moved` was looked at besides.
     std::optional<std::size_t> outside;
     // The first point of Claim::keep that is not in its place. If there is one, nothing else was
     // looked at.
