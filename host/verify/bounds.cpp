@@ -9,7 +9,7 @@
 namespace lacuna::verify {
 namespace {
 
-// Cells with more samples than this have them thinned out. A usual cell has far fewer.
+// The samples of a cell are thinned out only if they are more than this. Most cells have far fewer.
 constexpr std::size_t kCrowd = 64;
 
 // The squared distances from a point to the corners of a cell. If one point is nearer to all four

@@ -47,7 +47,7 @@ private:
 
 // Removes most of the samples from index `begin` to the end if they are a crowd far from the cell.
 // A sample is of no use if another one has no smaller radius and is no farther from any of the four
-// corners. The latter is then no farther from any spot of the cell.
+// corners. Then that other sample is no farther from any spot of the cell.
 // `before`: how many samples mattered to the larger cell that was cut. Samples are a crowd if
 // there are many of them and cutting the cell has hardly reduced their number.
 void thin_out(const Cell& cell, const Bounds& bounds, std::size_t before,

@@ -27,8 +27,8 @@ constexpr double kHopeless = 1e-6;
 
 // The pair of the least ratio. If several pairs have it, the pair of lowest indices is returned, or
 // any pair if they coincide.
-// If a ratio is below `hopeless`, another pair may be returned: samples are walked through from the
-// largest radius to the smallest, up to the first one that makes a pair with a ratio below it.
+// If a ratio is below `hopeless`, another pair may be returned. Samples are taken from the largest
+// radius down until a pair of them has such a ratio; the closest pair of these is returned.
 // All samples must lie in the domain, and all radii are positive. Never compares all pairs, however
 // crowded the samples are and whatever their radii.
 Pair closest_pair(const Domain& domain, std::span<const Disk> samples,
