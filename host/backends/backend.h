@@ -15,15 +15,6 @@
 
 namespace lacuna {
 
-// An active box where there is one radius: [x, x + width) times [begin, end). All boxes have the
-// same width, and none crosses the border between two rows of the sample grid.
-struct Box {
-    std::uint32_t x;
-    std::uint32_t begin;
-    std::uint32_t end;
-    friend bool operator==(const Box&, const Box&) = default;
-};
-
 // A copy of a backend's memory: what each verb reads and writes.
 struct Snapshot {
     std::uint32_t capacity = 0;            // spans a line has room for before the backend grows
@@ -33,11 +24,12 @@ struct Snapshot {
     std::vector<std::uint32_t> statuses;  // of each candidate, see portable/status.h
     // In exact only.
     std::vector<Sample> grid;     // the sample of each grid cell, NO_SAMPLE where there is none
-    std::uint32_t box_width = 0;  // 0 while the bins are lines
-    std::vector<Box> boxes;       // line by line
-    // In exact with a radius field, instead of boxes: by region, see plan/first_boxes.h.
-    std::vector<Rectangle> rectangles;
-    std::vector<Sample> samples;  // of earlier rounds, by x, then y
+    std::uint32_t box_width = 0;  // of every box; 0 while the bins are lines
+    // Line by line, none across the border between two rows of the grid. With a radius field by
+    // region (plan/first_boxes.h), of any width.
+    std::vector<Box> boxes;
+    // In exact with a radius field, instead of the grid: those of earlier rounds, by x, then y.
+    std::vector<Sample> samples;
     // In cells only: a bit for each lattice point, set while the point is free. Each line takes an
     // even number of words; its lowest y is the lowest bit of its first word.
     std::vector<std::uint32_t> bits;

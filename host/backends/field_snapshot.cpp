@@ -11,7 +11,7 @@ std::uint32_t block_at(const FirstBoxes& first, std::uint32_t x, std::uint32_t y
     std::uint32_t node = 0;
     while (first.nodes[node].next != node + 1) {
         ++node;
-        const auto lies_in = [&](const Rectangle& box) {
+        const auto lies_in = [&](const Box& box) {
             return x - box.x < box.width && y >= box.begin && y < box.end;
         };
         while (!lies_in(first.nodes[node].box)) node = first.nodes[node].next;

@@ -36,7 +36,7 @@ public:
         ask_for_large_pages(first_.nodes.data(), 2 * boxes);
     }
 
-    void cut(const Rectangle& box, std::size_t whole) {
+    void cut(const Box& box, std::size_t whole) {
         const Under under = radius_field_.under(box);
         if (under.least == 0) return;
         const std::size_t node = first_.nodes.size();
@@ -49,7 +49,7 @@ public:
                 first_.blocks.push_back(
                     {first, under.is_even ? under.least : 0, static_cast<std::uint32_t>(node)});
         } else {
-            cut_in_two(box, under, [&](const Rectangle& part) { cut(part, node); });
+            cut_in_two(box, under, [&](const Box& part) { cut(part, node); });
         }
         // If nothing in a large box is allowed, this may show in its parts only: its nodes are
         // removed.
@@ -82,32 +82,32 @@ private:
     std::uint32_t boxes() const { return static_cast<std::uint32_t>(first_.boxes.size()); }
     std::uint32_t blocks() const { return static_cast<std::uint32_t>(first_.blocks.size()); }
 
-    static bool is_short(const Rectangle& box, const Under& under, std::uint64_t radii,
+    static bool is_short(const Box& box, const Under& under, std::uint64_t radii,
                          std::uint64_t pieces = 1) {
         const std::uint64_t longer = std::max(box.width, box.end - box.begin);
         return longer == 1 || longer * pieces <= radii * under.least;
     }
 
-    void cut_block(const Rectangle& box, const Under& under) {
+    void cut_block(const Box& box, const Under& under) {
         if (under.least == 0) return;
         if (is_short(box, under, kRadii, pieces_)) return first_.boxes.push_back(box);
         cut_in_two(box, under,
-                   [&](const Rectangle& part) { cut_block(part, radius_field_.under(part)); });
+                   [&](const Box& part) { cut_block(part, radius_field_.under(part)); });
     }
 
     template <typename Take>
-    void cut_in_two(const Rectangle& box, const Under& under, Take take) {
+    void cut_in_two(const Box& box, const Under& under, Take take) {
         const std::uint32_t height = box.end - box.begin;
         if (box.width >= height) {
             const std::uint32_t x =
                 under.is_even ? box.x + box.width / 2 : radius_field_.cut_x(box);
-            take(Rectangle{box.x, x - box.x, box.begin, box.end});
-            take(Rectangle{x, box.x + box.width - x, box.begin, box.end});
+            take(Box{box.x, x - box.x, box.begin, box.end});
+            take(Box{x, box.x + box.width - x, box.begin, box.end});
         } else {
             std::uint32_t y = under.is_even ? 0 : radius_field_.cut_y(box);
             if (y == 0) y = box.begin + height / 2;
-            take(Rectangle{box.x, box.width, box.begin, y});
-            take(Rectangle{box.x, box.width, y, box.end});
+            take(Box{box.x, box.width, box.begin, y});
+            take(Box{box.x, box.width, y, box.end});
         }
     }
 

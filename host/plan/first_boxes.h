@@ -14,7 +14,7 @@ namespace lacuna {
 struct FirstBoxes {
     // A box of the tree. A node comes before its parts.
     struct Node {
-        Rectangle box;
+        Box box;
         std::uint32_t greatest;  // the largest radius under it
         std::uint32_t next;      // the first node after this one and its parts
         std::uint32_t first;     // the first block in it
@@ -27,7 +27,7 @@ struct FirstBoxes {
         std::uint32_t node;
     };
 
-    std::vector<Rectangle> boxes;
+    std::vector<Box> boxes;
     std::vector<Block> blocks;  // the last entry only marks the end of the boxes
     std::vector<Node> nodes;    // nodes without parts belong to blocks
 

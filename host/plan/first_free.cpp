@@ -54,10 +54,10 @@ FirstFree::FirstFree(const Plan& plan) {
         lengths = first_free_lengths(plan);
         return;
     }
-    const std::vector<Rectangle>& boxes = plan.field().first_boxes->boxes;
+    const std::vector<Box>& boxes = plan.field().first_boxes->boxes;
     lengths.reserve(boxes.size());
     widths.reserve(boxes.size());
-    for (const Rectangle& box : boxes) {
+    for (const Box& box : boxes) {
         lengths.push_back(box.end - box.begin);
         widths.push_back(box.width);
     }

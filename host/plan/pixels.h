@@ -11,13 +11,13 @@
 
 namespace lacuna {
 
-// An axis-parallel rectangle, often a box: [x, x + width) times [begin, end), in grid units.
-struct Rectangle {
+// The positions [x, x + width) times [begin, end), in grid units.
+struct Box {
     std::uint32_t x;
     std::uint32_t width;
     std::uint32_t begin;
     std::uint32_t end;
-    friend bool operator==(const Rectangle&, const Rectangle&) = default;
+    friend bool operator==(const Box&, const Box&) = default;
 };
 
 // An axis that is cut into pixels, equally long to a unit. At most 2^30 units and 2^30 pixels.

@@ -103,7 +103,7 @@ RadiusField::RadiusField(const Field* field, double scale, const Mask* mask, con
     ++least_radius_;
 }
 
-Under RadiusField::under(const Rectangle& box) const {
+Under RadiusField::under(const Box& box) const {
     const std::uint32_t end = box.x + box.width;
     const Radii radii =
         radii_.over(pixels_of(columns_, box.x, end), pixels_of(rows_, box.begin, box.end));
@@ -114,18 +114,18 @@ Under RadiusField::under(const Rectangle& box) const {
     return {radii.least, radii.greatest(), !radii.are_mixed() && allowed == kAll};
 }
 
-bool RadiusField::is_mask_mixed(const Rectangle& box) const {
+bool RadiusField::is_mask_mixed(const Box& box) const {
     return mask_ && mask_->over(pixels_of(*mask_columns_, box.x, box.x + box.width),
                                 pixels_of(*mask_rows_, box.begin, box.end)) == kSome;
 }
 
-bool RadiusField::are_radii_mixed(const Rectangle& box) const {
+bool RadiusField::are_radii_mixed(const Box& box) const {
     return radii_
         .over(pixels_of(columns_, box.x, box.x + box.width), pixels_of(rows_, box.begin, box.end))
         .are_mixed();
 }
 
-std::uint32_t RadiusField::cut_x(const Rectangle& box) const {
+std::uint32_t RadiusField::cut_x(const Box& box) const {
     const std::uint32_t end = box.x + box.width;
     std::uint32_t cut = is_mask_mixed(box) ? middle_border(*mask_columns_, box.x, end) : 0;
     if (cut == 0 && are_radii_mixed(box)) cut = middle_border(columns_, box.x, end);
@@ -133,7 +133,7 @@ std::uint32_t RadiusField::cut_x(const Rectangle& box) const {
     return cut;
 }
 
-std::uint32_t RadiusField::cut_y(const Rectangle& box) const {
+std::uint32_t RadiusField::cut_y(const Box& box) const {
     std::uint32_t cut = is_mask_mixed(box) ? middle_border(*mask_rows_, box.begin, box.end) : 0;
     if (cut == 0 && are_radii_mixed(box)) cut = middle_border(rows_, box.begin, box.end);
     return cut;

@@ -73,12 +73,12 @@ public:
             return 0;
         return radii_.at(columns_.pixel_of(x), rows_.pixel_of(y)).least;
     }
-    Under under(const Rectangle& box) const;
+    Under under(const Box& box) const;
 
     // Where to halve a box: at a border of pixels near its middle if it lies on unlike pixels,
     // otherwise in the middle along x. 0 means that the box is not cut on this axis.
-    std::uint32_t cut_x(const Rectangle& box) const;
-    std::uint32_t cut_y(const Rectangle& box) const;
+    std::uint32_t cut_x(const Box& box) const;
+    std::uint32_t cut_y(const Box& box) const;
 
     // The data that these functions use, for devices. The mask's are null if there is no mask.
     const PixelAxis& columns() const { return columns_; }
@@ -91,8 +91,8 @@ public:
 private:
     static std::vector<Radii> radii_of(const Field* field, double scale, const Shape& shape,
                                        const Poll& poll);
-    bool is_mask_mixed(const Rectangle& box) const;
-    bool are_radii_mixed(const Rectangle& box) const;
+    bool is_mask_mixed(const Box& box) const;
+    bool are_radii_mixed(const Box& box) const;
 
     Shape shape_;
     PixelAxis columns_;

@@ -14,7 +14,7 @@ inline std::ostream& operator<<(std::ostream& out, const Sample& s) {
     return out << "(" << s.x << ", " << s.y << ")";
 }
 inline std::ostream& operator<<(std::ostream& out, const Box& box) {
-    return out << box.x << ": " << box.begin << ".." << box.end;
+    return out << box.x << "+" << box.width << ": " << box.begin << ".." << box.end;
 }
 inline std::ostream& operator<<(std::ostream& out, const Candidate& c) {
     return out << "(" << c.x << ", " << c.y << "), line " << c.line << ", draw " << c.order;

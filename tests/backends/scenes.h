@@ -124,9 +124,12 @@ inline std::uint32_t length_of(const std::vector<Span>& spans) {
     return length;
 }
 
+inline bool has_boxes(const Plan& plan, const Snapshot& memory) {
+    return plan.has_field() || memory.box_width != 0;
+}
+
 inline std::uint32_t count_bins(const Plan& plan, const Snapshot& memory) {
-    if (plan.has_field()) return static_cast<std::uint32_t>(memory.rectangles.size());
-    return memory.box_width != 0 ? static_cast<std::uint32_t>(memory.boxes.size()) : plan.lines;
+    return has_boxes(plan, memory) ? static_cast<std::uint32_t>(memory.boxes.size()) : plan.lines;
 }
 
 inline std::uint32_t free_length_of(const Plan& plan, const Snapshot& memory, std::uint32_t bin) {
@@ -138,8 +141,7 @@ inline std::uint32_t free_length_of(const Plan& plan, const Snapshot& memory, st
                                    return sum + static_cast<std::uint32_t>(std::popcount(word));
                                });
     }
-    if (plan.has_field()) return memory.rectangles[bin].end - memory.rectangles[bin].begin;
-    if (memory.box_width == 0) return length_of(memory.spans[bin]);
+    if (!has_boxes(plan, memory)) return length_of(memory.spans[bin]);
     return memory.boxes[bin].end - memory.boxes[bin].begin;
 }
 
@@ -156,9 +158,8 @@ inline std::vector<Draw> random_draws(const Plan& plan, const Snapshot& memory, 
         if (free == 0) continue;
         std::uint32_t rank = chance.below(free);
         if (chance.one_in(8)) rank = chance.one_in(2) ? 0 : free - 1;
-        const std::uint32_t width = plan.has_field()        ? memory.rectangles[bin].width
-                                    : memory.box_width != 0 ? memory.box_width
-                                                            : plan.strip_width;
+        const std::uint32_t width =
+            has_boxes(plan, memory) ? memory.boxes[bin].width : plan.strip_width;
         draws.push_back({bin, rank, chance.below(width), orders[draws.size()]});
     }
     // If no bin has room, there are fewer draws. Orders must not have gaps.
@@ -211,8 +212,8 @@ inline void set_hostile_boxes(const Plan& plan, Chance& chance, Snapshot& memory
                 span.begin - span.begin % plan.grid().side + plan.grid().side;
             const std::uint32_t offset =
                 chance.below(plan.strip_width / memory.box_width) * memory.box_width;
-            memory.boxes.push_back(
-                {line * plan.strip_width + offset, span.begin, std::min(span.end, row_end)});
+            memory.boxes.push_back({line * plan.strip_width + offset, memory.box_width, span.begin,
+                                    std::min(span.end, row_end)});
         }
     }
     memory.spans.clear();

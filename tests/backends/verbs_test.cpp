@@ -64,7 +64,6 @@ void expect_same(const Left& expected, const Left& got) {
     EXPECT_TRUE(same("line", expected.memory.spans, got.memory.spans));
     EXPECT_TRUE(same("cell", expected.memory.grid, got.memory.grid));
     EXPECT_TRUE(same("box", expected.memory.boxes, got.memory.boxes));
-    EXPECT_TRUE(same("rectangle", expected.memory.rectangles, got.memory.rectangles));
     EXPECT_TRUE(same("earlier sample", expected.memory.samples, got.memory.samples));
     EXPECT_TRUE(same("word of bits", expected.memory.bits, got.memory.bits));
     EXPECT_EQ(expected.memory.box_width, got.memory.box_width);
@@ -91,7 +90,7 @@ void refine_by_halves(Backend& backend, const Scene&) {
     backend.refine(true);
 }
 bool has_boxes(const Scene& scene) {
-    return scene.memory.box_width != 0 || scene.plan.has_field();
+    return tests::has_boxes(scene.plan, scene.memory);
 }
 bool can_halve(const Scene& scene) {
     return scene.memory.box_width > 1 || scene.plan.has_field();
@@ -211,19 +210,21 @@ TEST_P(Verbs, RefineEqualsTheCpuInEveryScene) {
     }
 }
 
-TEST_P(Verbs, RefineGoesOnUntilPlacesAreOneUnitWide) {
+TEST_P(Verbs, RefineGoesOnUntilBoxesAreOneUnitWide) {
     tests::Chance chance(61);
     for (Scene& scene : random_scenes(Mode::exact)) {
         admit_one_a_cell(scene, chance);
         // In scenes with few samples every refinement doubles the boxes, so they begin thin.
-        if (has_boxes(scene)) scene.memory.box_width = std::min(scene.memory.box_width, 8u);
+        if (has_boxes(scene)) {
+            scene.memory.box_width = std::min(scene.memory.box_width, 8u);
+            for (Box& box : scene.memory.boxes) box.width = scene.memory.box_width;
+        }
         expect_equal(scene, [](Backend& backend, const Scene& start) {
-            constexpr std::size_t kMostPlaces = 20'000;
+            constexpr std::size_t kMostBoxes = 20'000;
             std::uint32_t width =
                 has_boxes(start) ? start.memory.box_width : start.plan.strip_width;
             for (backend.refine(false);
-                 width > 1 && backend.finish_round().free_lengths.size() < kMostPlaces;
-                 width /= 2) {
+                 width > 1 && backend.finish_round().free_lengths.size() < kMostBoxes; width /= 2) {
                 backend.locate({});
                 backend.admit();
                 backend.refine(true);
@@ -232,7 +233,7 @@ TEST_P(Verbs, RefineGoesOnUntilPlacesAreOneUnitWide) {
     }
 }
 
-TEST_P(Verbs, NoPlaceIsLeftWhereOneSampleCoversAll) {
+TEST_P(Verbs, NoBoxIsLeftWhereOneSampleCoversAll) {
     Scene scene{"one sample", tests::plan_of(0.9, 4, Boundary::torus, 1, 1, Mode::exact), {}, {}};
     scene.memory = tests::empty_memory(scene.plan);
     tests::set_candidates(scene.plan, {{5, 5, 0, 0}}, scene.memory, STATUS_ADMITTED);
@@ -252,8 +253,9 @@ TEST_P(Verbs, NothingIsTakenByTheFarImageOfASampleAtTheTop) {
     scene.memory.spans[4] = {{7'169'816, 120'866'211}};
     tests::set_candidates(scene.plan, {{1'435'314'147, scene.plan.height - 30'012, 5, 0}},
                           scene.memory, STATUS_ADMITTED);
-    const std::vector<Box> whole = {{4 * scene.plan.strip_width, 7'169'816, 120'866'211}};
-    EXPECT_TRUE(same("box", whole, on_device(scene, refine_by_halves).memory.boxes));
+    const std::uint32_t width = scene.plan.strip_width;
+    const std::vector<Box> left_half = {{4 * width, width / 2, 7'169'816, 120'866'211}};
+    EXPECT_TRUE(same("box", left_half, on_device(scene, refine_by_halves).memory.boxes));
     expect_equal(scene, refine_by_halves);
 }
 

@@ -50,7 +50,7 @@ TEST(AGround, TellsTheLeastAndTheGreatestRadiusUnderARectangle) {
         for (int k = 0; k < 50; ++k) {
             const std::uint32_t x = below(side);
             const std::uint32_t begin = below(side);
-            const Rectangle box{x, 1 + below(std::min(9u, side - x)), begin,
+            const Box box{x, 1 + below(std::min(9u, side - x)), begin,
                                 begin + 1 + below(std::min(9u, side - begin))};
             std::uint32_t least = ~0u;
             std::uint32_t greatest = 0;
@@ -97,13 +97,13 @@ TEST(FirstBoxes, HoldAllThatIsAllowedOnce) {
                                     y < shape.high_y;
             const auto holders = std::count_if(
                 first.boxes.begin(), first.boxes.end(),
-                [&](const Rectangle& p) { return x - p.x < p.width && y >= p.begin && y < p.end; });
+                [&](const Box& p) { return x - p.x < p.width && y >= p.begin && y < p.end; });
             EXPECT_LE(holders, 1);
             if (is_allowed) {
                 EXPECT_EQ(holders, 1);
             }
         }
-        for (const Rectangle& box : first.boxes) {
+        for (const Box& box : first.boxes) {
             const std::uint64_t longer = std::max(box.width, box.end - box.begin);
             EXPECT_TRUE(longer == 1 ||
                         longer * plan.lines_per_radius <=
@@ -126,7 +126,7 @@ TEST(FirstBoxes, LieInBlocksOfAFew) {
         for (std::uint32_t i = 0; i < first.block_count(); ++i) {
             const FirstBoxes::Block& block = first.blocks[i];
             const FirstBoxes::Node& node = first.nodes[block.node];
-            const Rectangle& all = node.box;
+            const Box& all = node.box;
             EXPECT_EQ(node.first, i);
             EXPECT_EQ(node.next, block.node + 1);
             ASSERT_LT(block.first, first.blocks[i + 1].first);
@@ -134,7 +134,7 @@ TEST(FirstBoxes, LieInBlocksOfAFew) {
             EXPECT_EQ(block.even_radius, under.is_even ? under.least : 0u);
             EXPECT_EQ(node.greatest, under.greatest);
             for (std::uint32_t k = block.first; k < first.blocks[i + 1].first; ++k) {
-                const Rectangle& box = first.boxes[k];
+                const Box& box = first.boxes[k];
                 EXPECT_TRUE(box.x >= all.x && box.x + box.width <= all.x + all.width &&
                             box.begin >= all.begin && box.end <= all.end);
             }

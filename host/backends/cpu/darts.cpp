@@ -88,7 +88,7 @@ public:
     void fetch_sooner(const Candidate& later) const { state_.near.fetch_node(later.line); }
     bool may_settle(const Candidate& at) const {
         if (region_ == kWhole) return true;
-        const Rectangle& own = state_.first.nodes[state_.first.regions[region_]].box;
+        const Box& own = state_.first.nodes[state_.first.regions[region_]].box;
         const std::uint32_t radius = radius_of(at);
         return at.x - own.x >= radius && own.x + own.width - at.x > radius &&
                at.y - own.begin >= radius && own.end - at.y > radius;

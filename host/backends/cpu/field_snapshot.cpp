@@ -22,7 +22,7 @@ Snapshot FieldState::snapshot() const {
             of_round.push_back({candidate.x, candidate.y});
     }
     for (const std::vector<BlockBox>& of_region : boxes)
-        for (const BlockBox& box : of_region) snapshot.rectangles.push_back(box.at);
+        for (const BlockBox& box : of_region) snapshot.boxes.push_back(box.at);
     snapshot.samples = near.samples();
     std::erase_if(snapshot.samples, [&](const Sample& sample) {
         return std::find(of_round.begin(), of_round.end(), sample) != of_round.end();
@@ -42,7 +42,7 @@ void FieldState::restore(const Snapshot& snapshot) {
     near.put(with_radii(plan, snapshot.samples));
     for (std::uint32_t block = 0; block < first.block_count(); ++block) near.note_cuts(block);
     boxes.assign(columns, {});
-    for (const Rectangle& box : snapshot.rectangles) {
+    for (const Box& box : snapshot.boxes) {
         const std::uint32_t block = block_at(first, box.x, box.begin);
         boxes[region_of(block)].push_back({box, block});
     }

@@ -36,7 +36,7 @@ public:
     // Boxes that are appended from here on are cut by these samples.
     void cut_by(const SizedSpan& near) { near_ = near; }
 
-    void append_halves(const Rectangle& box) {
+    void append_halves(const Box& box) {
         const std::uint32_t cut =
             even_radius_ != 0 ? middle_of(box) : state_.radius_field.cut_x(box);
         if (cut == 0) return append_parts(box);
@@ -44,7 +44,7 @@ public:
         append_parts({cut, box.x + box.width - cut, box.begin, box.end});
     }
 
-    void append(const Rectangle& box) { append(box, least_under(box)); }
+    void append(const Box& box) { append(box, least_under(box)); }
 
     // Appends the pieces of all boxes of the block, or of their halves.
     void append_all(std::span<const FieldState::BlockBox> boxes, bool halve) {
@@ -64,7 +64,7 @@ public:
     bool can_append_all(bool halve) const { return !wraps_ && (!halve || even_radius_ != 0); }
 
 private:
-    std::uint32_t least_under(const Rectangle& box) const {
+    std::uint32_t least_under(const Box& box) const {
         return even_radius_ != 0 ? even_radius_ : state_.radius_field.under(box).least;
     }
 
@@ -79,7 +79,7 @@ private:
 
     // A chord spans the whole width of the box. Its radius is the smaller of the sample's and the
     // box's, so that the sample conflicts with every point in it.
-    void append(const Rectangle& box, std::uint32_t radius) {
+    void append(const Box& box, std::uint32_t radius) {
         chords_.resize(std::max(chords_.size(), 3 * near_.count + kVectorPadding));
         const std::size_t count =
             wraps_ ? find_chords_around(box, radius)
@@ -88,7 +88,7 @@ private:
     }
 
     // Appends the pieces between the first `count` chords.
-    void append_pieces(const Rectangle& box, std::size_t count) {
+    void append_pieces(const Box& box, std::size_t count) {
         const std::span<Span> chords = std::span(chords_).first(count);
         insertion_sort(chords, [](Span a, Span b) { return a.begin < b.begin; });
         for_each_piece({box.begin, box.end}, chords, [&](std::uint32_t begin, std::uint32_t end) {
@@ -97,7 +97,7 @@ private:
     }
 
     // The chords where samples may be nearer across an edge of the torus.
-    std::size_t find_chords_around(const Rectangle& box, std::uint32_t radius) {
+    std::size_t find_chords_around(const Box& box, std::uint32_t radius) {
         const Plan& plan = state_.plan;
         const std::uint32_t half = box.width / 2;
         std::size_t count = 0;
@@ -118,7 +118,7 @@ private:
         return count;
     }
 
-    void batch(const Rectangle& box) {
+    void batch(const Box& box) {
         batch_[batched_++] = box;
         if (batched_ == batch_.size()) append_batch();
     }
@@ -151,7 +151,7 @@ private:
     }
 
     void append_touched(std::size_t i, std::size_t samples) {
-        const Rectangle& box = batch_[i];
+        const Box& box = batch_[i];
         const std::uint32_t radius = least_under(box);
         const std::uint32_t half = box.width / 2;
         chords_.resize(std::max(chords_.size(), samples));
@@ -167,12 +167,12 @@ private:
         append_pieces(box, count);
     }
 
-    static std::uint32_t middle_of(const Rectangle& box) {
+    static std::uint32_t middle_of(const Box& box) {
         return box.width > 1 ? box.x + box.width / 2 : 0;
     }
 
     // Cuts only along borders of pixels.
-    void append_parts(const Rectangle& box) {
+    void append_parts(const Box& box) {
         const std::uint32_t cut = even_radius_ != 0 ? 0 : state_.radius_field.cut_y(box);
         if (cut == 0) return append_part(box);
         append_part({box.x, box.width, box.begin, cut});
@@ -180,7 +180,7 @@ private:
     }
 
     // Drops the part if no sample may lie there.
-    void append_part(const Rectangle& box) {
+    void append_part(const Box& box) {
         if (const std::uint32_t radius = least_under(box); radius != 0) append(box, radius);
     }
 
@@ -193,7 +193,7 @@ private:
     std::uint32_t even_radius_ = 0;  // 0 where the radius varies in the block
     bool wraps_ = false;
     std::vector<Span> chords_;  // has room for the chords of all samples
-    std::array<Rectangle, Vectors::kBoxes> batch_{};
+    std::array<Box, Vectors::kBoxes> batch_{};
     std::size_t batched_ = 0;
     std::vector<std::uint8_t> touching_;  // of each sample, a bit for each box of the batch
     std::vector<std::array<std::uint32_t, Vectors::kBoxes>> touched_by_;  // [k-th sample][box]

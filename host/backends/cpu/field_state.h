@@ -20,7 +20,7 @@ struct FieldState : State {
 
     // An active box, and the block that it is a part of.
     struct BlockBox {
-        Rectangle at;
+        Box at;
         std::uint32_t block;
     };
 

@@ -13,8 +13,8 @@ namespace lacuna::cpu {
 namespace {
 
 // Whether the sample is closer to the box than both its own radius and the greatest under the box.
-bool is_reached(const Rectangle& box, std::uint32_t greatest, const Sized& sample,
-                std::uint32_t period_x, std::uint32_t period_y) {
+bool is_reached(const Box& box, std::uint32_t greatest, const Sized& sample, std::uint32_t period_x,
+                std::uint32_t period_y) {
     const std::uint64_t reach = std::min(sample.radius, greatest);
     return portable::squared_length(
                portable::distance_to_stretch(sample.x, box.x, box.x + box.width, period_x),
@@ -23,7 +23,7 @@ bool is_reached(const Rectangle& box, std::uint32_t greatest, const Sized& sampl
 }
 
 // The same without wrapping, and without a branch.
-bool is_reached(const Rectangle& box, std::uint32_t greatest, const Sized& sample) {
+bool is_reached(const Box& box, std::uint32_t greatest, const Sized& sample) {
     const auto distance = [](std::uint32_t at, std::uint32_t begin, std::uint32_t last) {
         return std::max(at, last) - last + (begin - std::min(at, begin));
     };
@@ -52,15 +52,15 @@ void NeighbourLists::put(std::span<const Sized> samples) {
 }
 
 bool NeighbourLists::sticks_out(const Sized& sample) const {
-    const Rectangle& all = first_.nodes.front().box;
+    const Box& all = first_.nodes.front().box;
     return plan_.period_x != 0 &&
            (sample.x - all.x < sample.radius || all.x + all.width - sample.x <= sample.radius ||
             sample.y - all.begin < sample.radius || all.end - sample.y <= sample.radius);
 }
 
 bool NeighbourLists::is_within(const Sized& sample, std::uint32_t node) const {
-    const Rectangle& all = first_.nodes.front().box;
-    const Rectangle& box = first_.nodes[node].box;
+    const Box& all = first_.nodes.front().box;
+    const Box& box = first_.nodes[node].box;
     const auto is_along = [&](std::uint32_t at, std::uint32_t begin, std::uint32_t end,
                               std::uint32_t all_begin, std::uint32_t all_end) {
         return (at - begin >= sample.radius || begin == all_begin) &&
@@ -155,12 +155,11 @@ SizedSpan NeighbourLists::long_part(std::uint32_t block, Sample at) const {
     return list->near.span();
 }
 
-bool NeighbourLists::reaches(const Sized& sample, const Rectangle& box,
-                             std::uint32_t greatest) const {
+bool NeighbourLists::reaches(const Sized& sample, const Box& box, std::uint32_t greatest) const {
     return is_reached(box, greatest, sample, plan_.period_x, plan_.period_y);
 }
 
-void NeighbourLists::add(List& list, const Rectangle& box, const Sized& sample) {
+void NeighbourLists::add(List& list, const Box& box, const Sized& sample) {
     if (!list.split) {
         list.near.push_back(sample);
         if (list.near.size() > list.most) split(list, box);
@@ -171,7 +170,7 @@ void NeighbourLists::add(List& list, const Rectangle& box, const Sized& sample) 
 }
 
 // Does nothing if one half would keep more than three quarters of the list.
-void NeighbourLists::split(List& list, const Rectangle& box) {
+void NeighbourLists::split(List& list, const Box& box) {
     const std::uint32_t height = box.end - box.begin;
     const std::uint32_t x = box.x + box.width / 2;
     const std::uint32_t y = box.begin + height / 2;
@@ -201,20 +200,19 @@ void NeighbourLists::split(List& list, const Rectangle& box) {
     list.split = std::move(parts);
 }
 
-void NeighbourLists::gather(const List& list, const Rectangle& part, Which which,
-                            SizedList& found) {
+void NeighbourLists::gather(const List& list, const Box& part, Which which, SizedList& found) {
     if (!list.split) {
         found.append(list.near.span().from(which == Which::latest ? list.cuts : 0));
         return;
     }
-    const Rectangle& high = list.split->high.box;
+    const Box& high = list.split->high.box;
     if (part.x < high.x || part.begin < high.begin)
         gather(list.split->low.list, part, which, found);
     if (part.x + part.width > high.x && part.end > high.begin)
         gather(list.split->high.list, part, which, found);
 }
 
-SizedSpan NeighbourLists::of_long_part(std::uint32_t block, const Rectangle& part, Which which,
+SizedSpan NeighbourLists::of_long_part(std::uint32_t block, const Box& part, Which which,
                                        SizedList& scratch) const {
     scratch.clear();
     gather(*long_[block], part, which, scratch);

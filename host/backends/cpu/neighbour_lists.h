@@ -29,7 +29,7 @@ public:
     // that were listed before the last note_cuts(). Valid until the next call with the same
     // scratch.
     enum class Which { all, latest };
-    SizedSpan of_part(std::uint32_t block, const Rectangle& part, Which which,
+    SizedSpan of_part(std::uint32_t block, const Box& part, Which which,
                       SizedList& scratch) const {
         const Few& few = few_[block];
         if (few.is_long) return of_long_part(block, part, which, scratch);
@@ -109,7 +109,7 @@ private:
         std::size_t most = 64;
     };
     struct Half {
-        Rectangle box;
+        Box box;
         std::uint32_t greatest;  // the greatest radius under it
         List list;
     };
@@ -120,17 +120,17 @@ private:
             return at.x >= high.box.x && at.y >= high.box.begin ? high.list : low.list;
         }
     };
-    SizedSpan of_long_part(std::uint32_t block, const Rectangle& part, Which which,
+    SizedSpan of_long_part(std::uint32_t block, const Box& part, Which which,
                            SizedList& scratch) const;
     SizedSpan long_part(std::uint32_t block, Sample at) const;
-    bool reaches(const Sized& sample, const Rectangle& box, std::uint32_t greatest) const;
+    bool reaches(const Sized& sample, const Box& box, std::uint32_t greatest) const;
     void push(const Sized& sample, std::uint32_t block);
     void push_long(const Sized& sample, std::uint32_t block);
-    void add(List& list, const Rectangle& box, const Sized& sample);
-    void split(List& list, const Rectangle& box);
+    void add(List& list, const Box& box, const Sized& sample);
+    void split(List& list, const Box& box);
     static void note_cuts(List& list);
-    static void gather(const List& list, const Rectangle& part, Which which, SizedList& found);
-    const Rectangle& box_of(std::uint32_t block) const {
+    static void gather(const List& list, const Box& part, Which which, SizedList& found);
+    const Box& box_of(std::uint32_t block) const {
         return first_.nodes[first_.blocks[block].node].box;
     }
 

@@ -34,7 +34,7 @@ public:
                                             near_count_ += cell.x != NO_SAMPLE;
                                         });
         for (std::uint32_t x = box.x; x < box.x + state_.bin_width; x += width_)
-            cut_strip({x, box.begin, box.end}, left);
+            cut_strip({x, width_, box.begin, box.end}, left);
     }
     // The same for a span, which is first cut where rows of cells end.
     void cut(std::uint32_t x, Span span, std::vector<Box>& left) {
@@ -42,7 +42,7 @@ public:
         while (span.begin < span.end) {
             const std::uint32_t row_end =
                 std::min(span.end - span.begin, side - span.begin % side) + span.begin;
-            cut({x, span.begin, row_end}, left);
+            cut({x, state_.bin_width, span.begin, row_end}, left);
             span.begin = row_end;
         }
     }
@@ -73,7 +73,7 @@ private:
         sort_chords(box, count);
         for_each_piece({box.begin, box.end}, std::span(chords_).first(chord_count_),
                        [&](std::uint32_t begin, std::uint32_t end) {
-                           left.push_back({box.x, begin, end});
+                           left.push_back({box.x, width_, begin, end});
                        });
     }
 

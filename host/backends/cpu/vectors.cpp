@@ -42,7 +42,7 @@ bool is_any_sized_closer(const SizedSpan& samples, Sample at, std::uint32_t radi
     return is_closer;
 }
 
-std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& box, std::uint32_t radius,
+std::size_t find_sized_chords(const SizedSpan& samples, const Box& box, std::uint32_t radius,
                               Span* chords) {
     const std::uint32_t half = box.width / 2;
     std::size_t count = 0;
@@ -61,7 +61,7 @@ std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& box, st
     return count;
 }
 
-std::uint32_t find_touching(const SizedSpan& samples, const Rectangle* boxes, std::uint32_t radius,
+std::uint32_t find_touching(const SizedSpan& samples, const Box* boxes, std::uint32_t radius,
                             std::uint8_t* touching) {
     std::uint32_t covered = 0;
     for (std::size_t k = 0; k < samples.count; ++k) {

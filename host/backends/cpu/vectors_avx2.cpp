@@ -230,7 +230,7 @@ HWY_INLINE WordVector farthest_distance(WordVector y, WordVector begin, WordVect
     return hn::Max(distance(y, begin), distance(y, last));
 }
 
-std::size_t find_sized_chords(const SizedSpan& samples, const Rectangle& box, std::uint32_t radius,
+std::size_t find_sized_chords(const SizedSpan& samples, const Box& box, std::uint32_t radius,
                               Span* chords) {
     const std::uint32_t half = box.width / 2;
     const WordVector begin = all(box.begin);
@@ -268,8 +268,8 @@ struct Boxes {
     WordVector begin;
     WordVector end;
 };
-HWY_INLINE Boxes load_boxes(const Rectangle* boxes) {
-    static_assert(sizeof(Rectangle) == 16);
+HWY_INLINE Boxes load_boxes(const Box* boxes) {
+    static_assert(sizeof(Box) == 16);
     const hn::Half<Words> of_one;
     const auto load_two = [&](std::size_t i) {
         const auto load_one = [&](std::size_t box) {
@@ -289,7 +289,7 @@ HWY_INLINE Boxes load_boxes(const Rectangle* boxes) {
             words_of(hn::InterleaveUpper(kPairs, low_y, high_y))};
 }
 
-std::uint32_t find_touching(const SizedSpan& samples, const Rectangle* boxes, std::uint32_t radius,
+std::uint32_t find_touching(const SizedSpan& samples, const Box* boxes, std::uint32_t radius,
                             std::uint8_t* touching) {
     static_assert(Vectors::kBoxes == 8);
     const auto [x, width, begin, end] = load_boxes(boxes);

@@ -20,7 +20,7 @@ constexpr std::uint64_t kKeepWork = 4;
 constexpr std::uint64_t kSplitWork = 8;
 constexpr std::uint64_t kMeasureWork = 2;
 
-static_assert(sizeof(Rectangle) == 4 * kWord);
+static_assert(sizeof(Box) == 4 * kWord);
 
 }  // namespace
 
@@ -29,9 +29,9 @@ Boxes::Boxes(RoundMemory& round, std::uint32_t width) : round_(round), width_(wi
     make_room_to_scan(round_, 0);
 }
 
-void Boxes::put(std::span<const Rectangle> boxes, std::span<const std::uint32_t> origins) {
+void Boxes::put(std::span<const Box> boxes, std::span<const std::uint32_t> origins) {
     count_ = static_cast<std::uint32_t>(boxes.size());
-    round_.put_in_room<Rectangle>(round_.memory.boxes, boxes);
+    round_.put_in_room<Box>(round_.memory.boxes, boxes);
     if (has_field()) round_.put_in_room<std::uint32_t>(round_.memory.origins, origins);
     new_boxes_.assign(boxes.begin(), boxes.end());
     find_sizes();
@@ -48,9 +48,9 @@ void Boxes::put(std::span<const Rectangle> boxes, std::span<const std::uint32_t>
     }
 }
 
-std::vector<Rectangle> Boxes::get() const {
-    std::vector<Rectangle> boxes(count_);
-    round_.get<Rectangle>(round_.memory.boxes, boxes);
+std::vector<Box> Boxes::get() const {
+    std::vector<Box> boxes(count_);
+    round_.get<Box>(round_.memory.boxes, boxes);
     round_.queue.wait();
     return boxes;
 }
@@ -58,7 +58,7 @@ std::vector<Rectangle> Boxes::get() const {
 void Boxes::find_sizes() {
     free_lengths_.clear();
     widths_.clear();
-    for (const Rectangle& box : std::span(new_boxes_).first(count_)) {
+    for (const Box& box : std::span(new_boxes_).first(count_)) {
         free_lengths_.push_back(box.end - box.begin);
         widths_.push_back(box.width);
     }
@@ -154,7 +154,7 @@ void Boxes::start_download() {
     if (!refinement_) return;
     if (has_field()) {
         new_boxes_.resize(refinement_->room);
-        round_.get<Rectangle>(round_.memory.new_boxes, new_boxes_);
+        round_.get<Box>(round_.memory.new_boxes, new_boxes_);
         return;
     }
     bin_begins_.resize(round_.geometry.columns + std::size_t{1});

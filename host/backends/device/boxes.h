@@ -31,8 +31,8 @@ public:
     std::span<const std::uint32_t> widths() const { return std::span(widths_).first(count_); }
 
     // Replaces the boxes. `origins`: see portable/kernels.h; empty without a radius field. Waits.
-    void put(std::span<const Rectangle> boxes, std::span<const std::uint32_t> origins);
-    std::vector<Rectangle> get() const;
+    void put(std::span<const Box> boxes, std::span<const std::uint32_t> origins);
+    std::vector<Box> get() const;
 
     // Makes room for `count` boxes, which a kernel will write.
     void make_room(std::uint32_t count);
@@ -72,7 +72,7 @@ private:
     std::vector<std::uint32_t> bin_begins_;
     std::vector<std::uint32_t> free_lengths_;
     std::vector<std::uint32_t> widths_;  // with a radius field
-    std::vector<Rectangle> new_boxes_;   // with a radius field, as downloaded
+    std::vector<Box> new_boxes_;   // with a radius field, as downloaded
 
     std::optional<Refinement> refinement_;
     std::array<std::uint32_t, 1> total_{};  // pieces of all boxes

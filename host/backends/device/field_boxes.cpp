@@ -85,15 +85,15 @@ public:
     std::span<const std::uint32_t> widths() const override { return boxes_.widths(); }
 
     void snapshot(Snapshot& snapshot) override {
-        snapshot.rectangles = boxes_.get();
+        snapshot.boxes = boxes_.get();
         snapshot.samples = lists_.get();
         sort_for_snapshot(snapshot.samples);
     }
     void restore(const Snapshot& snapshot) override {
         std::vector<std::uint32_t> origins;
-        for (const Rectangle& box : snapshot.rectangles)
+        for (const Box& box : snapshot.boxes)
             append_origin(box, block_at(first_, box.x, box.begin), origins);
-        boxes_.put(snapshot.rectangles, origins);
+        boxes_.put(snapshot.boxes, origins);
         lists_.put(with_radii(round_.plan, snapshot.samples));
         lists_.end_round();  // these samples have cut the boxes
     }
@@ -138,7 +138,7 @@ private:
     }
 
     // The block of a box, and the least radius under it in the form of portable/kernels.h.
-    void append_origin(const Rectangle& box, std::uint32_t block,
+    void append_origin(const Box& box, std::uint32_t block,
                        std::vector<std::uint32_t>& origins) const {
         const std::uint32_t even_radius = first_.blocks[block].even_radius;
         std::uint32_t radius = even_radius | IS_EVEN;

@@ -37,14 +37,14 @@ NeighbourLists::NeighbourLists(RoundMemory& round)
 
 void NeighbourLists::make_tree() {
     Memory& m = round_.memory;
-    std::vector<Rectangle> boxes;
+    std::vector<Box> boxes;
     std::vector<std::uint32_t> links;
     for (const FirstBoxes::Node& node : first_.nodes) {
         boxes.push_back(node.box);
         links.insert(links.end(), {node.greatest, node.next, node.first, node.whole});
     }
     round_.make_room(m.tree_boxes, 4 * boxes.size());
-    round_.put<Rectangle>(m.tree_boxes, boxes);
+    round_.put<Box>(m.tree_boxes, boxes);
     m.tree_links = round_.copy_of(links);
     std::vector<std::uint32_t> node_of;
     for (std::uint32_t i = 0; i < blocks(); ++i) node_of.push_back(first_.blocks[i].node);

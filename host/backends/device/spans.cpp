@@ -131,8 +131,7 @@ public:
         if (grid_) grid_->snapshot(snapshot);
         if (boxes_) {
             snapshot.box_width = boxes_->width();
-            for (const Rectangle& box : boxes_->get())
-                snapshot.boxes.push_back({box.x, box.begin, box.end});
+            snapshot.boxes = boxes_->get();
             return;
         }
         std::vector<std::uint32_t> counts(round_.plan.lines);
@@ -151,11 +150,8 @@ public:
         slabs_.clear();
         spans_.clear();
         if (snapshot.box_width == 0) return put_spans(snapshot);
-        std::vector<Rectangle> boxes;
-        for (const Box box : snapshot.boxes)
-            boxes.push_back({box.x, snapshot.box_width, box.begin, box.end});
         boxes_.emplace(round_, snapshot.box_width);
-        boxes_->put(boxes, {});
+        boxes_->put(snapshot.boxes, {});
     }
 
 private:

@@ -31,7 +31,7 @@ public:
 
     // Visits every sample that could be closer to the box than its own radius, and others.
     template <typename Visit>
-    void for_each_near(const Rectangle& box, Visit visit) const {
+    void for_each_near(const Box& box, Visit visit) const {
         for (unsigned index = 0; index < kClasses; ++index) {
             if (classes_[index].empty()) continue;
             const std::int64_t reach = std::int64_t{1} << index;
@@ -144,39 +144,39 @@ private:
     std::uint32_t radius_at(Sample at) const {
         return field_ == nullptr ? plan_.radius : field_->radius_at(at.x, at.y);
     }
-    std::uint32_t least_under(const Rectangle& box) const {
+    std::uint32_t least_under(const Box& box) const {
         return field_ == nullptr ? plan_.radius : field_->under(box).least;
     }
 
     void refine(bool halve) {
-        std::vector<Rectangle> left;
-        for (const Rectangle& box : are_boxes_ ? std::exchange(boxes_, {}) : boxes_of_lines()) {
+        std::vector<Box> left;
+        for (const Box& box : are_boxes_ ? std::exchange(boxes_, {}) : boxes_of_lines()) {
             if (!halve) {
                 append_pieces(box, recent_, left);
                 continue;
             }
-            for (const Rectangle& half : halves_along_x(box))
-                for (const Rectangle& part : parts_along_y(half))
+            for (const Box& half : halves_along_x(box))
+                for (const Box& part : parts_along_y(half))
                     if (least_under(part) != 0) append_pieces(part, samples_, left);
         }
         if (halve) width_ /= 2;
         set_boxes(std::move(left));
     }
 
-    void set_boxes(std::vector<Rectangle> boxes) {
+    void set_boxes(std::vector<Box> boxes) {
         boxes_ = std::move(boxes);
         are_boxes_ = true;
         lengths_.clear();
         widths_.clear();
-        for (const Rectangle& box : boxes_) {
+        for (const Box& box : boxes_) {
             lengths_.push_back(box.end - box.begin);
             if (field_ != nullptr) widths_.push_back(box.width);
         }
     }
 
     // Free spans as boxes, which end where a row of the sample grid does.
-    std::vector<Rectangle> boxes_of_lines() const {
-        std::vector<Rectangle> all;
+    std::vector<Box> boxes_of_lines() const {
+        std::vector<Box> all;
         const std::uint32_t side = plan_.grid().side;
         for (std::uint32_t line = 0; line < plan_.lines; ++line) {
             for (const Span span : spans_.of_line(line)) {
@@ -191,14 +191,14 @@ private:
     }
 
     // A box that lies on unlike pixels is cut along their borders, others in the middle.
-    std::vector<Rectangle> halves_along_x(const Rectangle& box) const {
+    std::vector<Box> halves_along_x(const Box& box) const {
         const std::uint32_t cut = field_ == nullptr ? box.x + box.width / 2 : field_->cut_x(box);
         if (cut == 0) return {box};
         return {{box.x, cut - box.x, box.begin, box.end},
                 {cut, box.x + box.width - cut, box.begin, box.end}};
     }
     // Cuts only along borders of unlike pixels.
-    std::vector<Rectangle> parts_along_y(const Rectangle& box) const {
+    std::vector<Box> parts_along_y(const Box& box) const {
         const std::uint32_t cut = field_ == nullptr ? 0 : field_->cut_y(box);
         if (cut == 0) return {box};
         return {{box.x, box.width, box.begin, cut}, {box.x, box.width, cut, box.end}};
@@ -207,8 +207,7 @@ private:
     // Appends the pieces of the box after the samples' chords are cut from it. A chord covers the
     // box's whole width: it is cut at the far edge. Its radius is the smaller of the sample's and
     // the least one under the box, so that the sample conflicts with every point in it.
-    void append_pieces(const Rectangle& box, const Samples& samples,
-                       std::vector<Rectangle>& left) const {
+    void append_pieces(const Box& box, const Samples& samples, std::vector<Box>& left) const {
         const std::uint32_t radius = least_under(box);
         const std::uint32_t half = box.width / 2;
         std::vector<Span> chords;
@@ -233,7 +232,7 @@ private:
     Samples samples_;
     Samples recent_;  // samples that have not cut the bins yet
     FreeSpans spans_;
-    std::vector<Rectangle> boxes_;
+    std::vector<Box> boxes_;
     std::vector<std::uint32_t> lengths_;
     std::vector<std::uint32_t> widths_;  // empty where all are width_
     std::uint32_t width_;

@@ -71,14 +71,14 @@ BODY u32 pixel_of(const Axis axis, const u32 at) {
     return pixel_at(at, axis.scale_low, axis.scale_high, axis.shift);
 }
 
-BODY u32x4 pixels_under(const Grid grid, const u32x4 place) {
-    return U32X4(pixel_of(grid.columns, place.x), pixel_of(grid.columns, place.x + place.y - 1u),
-                 pixel_of(grid.rows, place.z), pixel_of(grid.rows, place.w - 1u));
+BODY u32x4 pixels_under(const Grid grid, const u32x4 box) {
+    return U32X4(pixel_of(grid.columns, box.x), pixel_of(grid.columns, box.x + box.y - 1u),
+                 pixel_of(grid.rows, box.z), pixel_of(grid.rows, box.w - 1u));
 }
 
-BODY Touched touched_by(const Grids grids, const u32x4 place) {
-    Touched touched = {pixels_under(grids.field, place), U32X4(0u, 0u, 0u, 0u)};
-    if (has_mask(grids)) touched.mask = pixels_under(grids.mask, place);
+BODY Touched touched_by(const Grids grids, const u32x4 box) {
+    Touched touched = {pixels_under(grids.field, box), U32X4(0u, 0u, 0u, 0u)};
+    if (has_mask(grids)) touched.mask = pixels_under(grids.mask, box);
     return touched;
 }
 
@@ -159,14 +159,14 @@ BODY u32 middle_border(MEMORY const Axis axis, const u32 first, const u32 last) 
 
 // The x at which to halve a box: at a border of pixels near its middle if the pixels are unlike,
 // otherwise in its middle. 0: not to be cut. `all` describes what lies under the box.
-BODY u32 cut_x(MEMORY const Grids grids, const u32x4 place, const Touched touched,
+BODY u32 cut_x(MEMORY const Grids grids, const u32x4 box, const Touched touched,
                const Under all) {
     u32 cut = 0u;
     if (all.allowed == ALLOWED_SOME)
         cut = middle_border(ON grids.mask.columns, touched.mask.x, touched.mask.y);
     if (cut == 0u && all.is_mixed)
         cut = middle_border(ON grids.field.columns, touched.field.x, touched.field.y);
-    return cut == 0u && place.y > 1u ? place.x + place.y / 2u : cut;
+    return cut == 0u && box.y > 1u ? box.x + box.y / 2u : cut;
 }
 
 BODY u32 cut_y(MEMORY const Grids grids, const Touched touched, const Under all) {

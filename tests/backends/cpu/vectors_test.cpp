@@ -148,7 +148,7 @@ TEST_P(OfVectors, SamplesTakeTheirChordsFromABox) {
     constexpr std::uint32_t kLength = 1u << 30;
     for (int i = 0; i < 100'000; ++i) {
         const std::uint32_t most = std::uint32_t{2} << below(29);
-        Rectangle box{below(kLength - most), 1 + below(most), below(kLength - most), 0};
+        Box box{below(kLength - most), 1 + below(most), below(kLength - most), 0};
         box.end = box.begin + 1 + below(most);
         const Sample middle{box.x + box.width / 2, (box.begin + box.end) / 2};
         const SizedList padded = samples_around(middle, kLength, random_);
@@ -192,7 +192,7 @@ TEST_P(OfVectors, SamplesTouchAndCoverBoxes) {
     for (int i = 0; i < 50'000; ++i) {
         const std::uint32_t most = std::uint32_t{2} << below(28);
         const Sample corner{below(kLength - 2 * most), below(kLength - 2 * most)};
-        std::vector<Rectangle> boxes;
+        std::vector<Box> boxes;
         for (std::size_t box = 0; box < Vectors::kBoxes; ++box) {
             const std::uint32_t begin = corner.y + below(most);
             boxes.push_back(

@@ -254,7 +254,8 @@ Snapshot boxes_between_disks(const Plan& plan) {
     put({middle + plan.radius / 100 * 194, row_begin + plan.grid().side / 2});
     for (std::uint32_t percent = 940; percent < 1000; percent += 2) {
         const std::uint32_t x = middle + plan.radius / 1000 * percent;
-        scene.boxes.push_back({x - x % scene.box_width, row_begin, row_begin + plan.grid().side});
+        scene.boxes.push_back(
+            {x - x % scene.box_width, scene.box_width, row_begin, row_begin + plan.grid().side});
     }
     return scene;
 }

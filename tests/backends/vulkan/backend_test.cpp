@@ -71,7 +71,7 @@ TEST_F(VulkanBackend, MakesRoomForMoreBoxesThanThereWere) {
     scene.box_width = plan.strip_width;
     for (std::uint32_t line = 0; line < plan.lines; ++line)
         for (std::uint32_t y = 0; y < 20; ++y)
-            scene.boxes.push_back({line * plan.strip_width, 2 * y, 2 * y + 1});
+            scene.boxes.push_back({line * plan.strip_width, plan.strip_width, 2 * y, 2 * y + 1});
     const auto backend = vulkan::make_backend(plan, {});
     backend->restore(scene);
 
@@ -81,7 +81,8 @@ TEST_F(VulkanBackend, MakesRoomForMoreBoxesThanThereWere) {
     ASSERT_EQ(boxes.size(), 2 * scene.boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         Box half = scene.boxes[i / 2];
-        half.x += i % 2 == 0 ? 0 : plan.strip_width / 2;
+        half.width /= 2;
+        half.x += i % 2 == 0 ? 0 : half.width;
         ASSERT_EQ(boxes[i], half) << "box " << i;
     }
     EXPECT_EQ(backend->finish_round().free_lengths.size(), boxes.size());

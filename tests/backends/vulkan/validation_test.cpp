@@ -96,7 +96,8 @@ TEST_P(ValidatedAnyhow, MakesRoomForBoxesWithoutAMessage) {
     scene.capacity = 1;
     scene.grid.assign(std::size_t{plan.grid().columns} * plan.grid().rows, {NO_SAMPLE, NO_SAMPLE});
     scene.box_width = plan.strip_width;
-    for (std::uint32_t y = 0; y < 2000; ++y) scene.boxes.push_back({0, 2 * y, 2 * y + 1});
+    for (std::uint32_t y = 0; y < 2000; ++y)
+        scene.boxes.push_back({0, plan.strip_width, 2 * y, 2 * y + 1});
     const auto backend = vulkan::make_backend(plan, {}, {}, trial);
 
     backend->restore(scene);
