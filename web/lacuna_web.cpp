@@ -113,10 +113,11 @@ drawing::Style style_of(const StippleOptions& options, double width, double heig
 Set Stippler::stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tell) {
     const Field field = field_of(pixels, options.tone);
     Request request;
-    request.mode = Mode::cells;
+    const bool keeps_distance = options.relax == 0 || options.metric;
+    request.mode = keeps_distance ? Mode::cells : Mode::stratified;
     request.field = &field;
     request.seed = options.seed;
-    request.metric = options.metric.value_or(options.relax != 0 ? Metric::mean : Metric::min);
+    request.metric = options.metric.value_or(Metric::min);
     const double longer = std::max(field.columns, field.rows);
     request.width = field.columns / longer;
     request.height = field.rows / longer;
@@ -130,6 +131,7 @@ Set Stippler::stipple(const Pixels& pixels, const StippleOptions& options, const
                   tone.auto_levels,
                   tone.invert,
                   *request.count,
+                  request.mode,
                   request.metric,
                   request.seed};
     if (placed_.points.empty() || key != key_) {
@@ -154,6 +156,7 @@ Set Stippler::stipple(const Pixels& pixels, const StippleOptions& options, const
 }
 
 Set sample(Request request, std::uint32_t relax, const Tell& tell) {
+    if (relax != 0 && request.count && request.mode == Mode::exact) request.mode = Mode::stratified;
     Set set = placed(request, relax, tell);
     relax_points(set, nullptr, relax, tell);
     return set;

@@ -69,6 +69,7 @@ private:
         bool auto_levels = false;
         bool invert = false;
         std::uint64_t count = 0;
+        Mode mode = Mode::cells;
         Metric metric = Metric::min;
         std::uint64_t seed = 0;
         bool operator==(const Key&) const = default;

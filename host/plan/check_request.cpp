@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kLargestAspect = 1000.0;
 constexpr std::uint32_t kMostLinesPerRadius = 1000;
+constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 31;     // of mode stratified
 constexpr std::uint64_t kMostRoundSize = std::uint64_t{1} << 31;  // draws have 32-bit numbers
 
 // A program may cast any number to an enum.
@@ -22,7 +23,7 @@ void check_enums(const Request& request) {
         throw BadRequest(option, std::to_string(static_cast<long long>(value)), allowed);
     };
     if (name_of(request.mode).empty())
-        refuse("mode", request.mode, "must be Mode::exact, lines or cells");
+        refuse("mode", request.mode, "must be Mode::exact, lines, cells or stratified");
     if (name_of(request.metric).empty())
         refuse("metric", request.metric, "must be Metric::min, mean or max");
     if (request.boundary != Boundary::box && request.boundary != Boundary::torus)
@@ -60,6 +61,27 @@ void check_field(const Request& request) {
         throw BadRequest("metric", std::string(name_of(request.metric)),
                          "is for mode cells; mode exact knows min");
     check_importance(*request.field);
+}
+
+// Points along a curve keep no distance, and a part of them is a part of the domain.
+void check_stratified(const Request& request) {
+    const auto refuse = [](const char* option, const std::string& value) {
+        throw BadRequest(option, value, "is not for mode stratified, which takes a count");
+    };
+    if (request.radius) refuse("radius", shortest(*request.radius));
+    if (request.scale) refuse("scale", shortest(*request.scale));
+    if (request.limit) refuse("limit", std::to_string(*request.limit));
+    if (request.lines_per_radius)
+        refuse("lines-per-radius", std::to_string(*request.lines_per_radius));
+    if (request.metric != Metric::min) refuse("metric", std::string(name_of(request.metric)));
+    if (request.round_size != 0) refuse("round-size", std::to_string(request.round_size));
+    if (!request.count) throw BadRequest("count", "missing", "mode stratified needs one");
+    const std::string count = std::to_string(*request.count);
+    if (*request.count > kMostPoints)
+        throw BadRequest("count", count, "must be at most " + std::to_string(kMostPoints));
+    constexpr double kBytesPerPoint = 200;  // to relax it
+    refuse_more_memory(request, "count", count,
+                       kBytesPerPoint * static_cast<double>(*request.count));
 }
 
 }  // namespace
@@ -109,6 +131,7 @@ void check_request(const Request& request) {
         throw BadRequest(request.snap ? "snap" : "uniform-x",
                          "with mode " + std::string(name_of(request.mode)),
                          "is for mode lines only");
+    if (request.mode == Mode::stratified) check_stratified(request);
     check_field(request);
     check_where(request);
     if (request.limit && *request.limit == 0) throw BadRequest("limit", "0", "must be at least 1");

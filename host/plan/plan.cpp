@@ -157,6 +157,8 @@ bool needs_radius_field(const Request& request) {
 
 Plan make_plan(const Request& request) {
     check_request(request);
+    if (request.mode == Mode::stratified)
+        throw BadRequest("mode", "stratified", "has no rounds: must be exact, lines or cells");
     if (request.mode == Mode::cells) return make_cells_plan(request, sums_of(*request.field));
     if (needs_radius_field(request)) {
         check_kept_distances(request);

@@ -50,23 +50,6 @@ std::uint64_t pixels_of_importance(const Field& field) {
         field.importance.begin(), field.importance.end(), [](double one) { return one > 0; }));
 }
 
-// Importance in 65535ths of the greatest, rounded; at least 1 if it is not 0.
-std::vector<std::uint16_t> masses_of(const Field& field, const Poll& poll) {
-    const double greatest = *std::max_element(field.importance.begin(), field.importance.end());
-    std::vector<std::uint16_t> masses;
-    masses.reserve(field.importance.size());
-    const auto add_row = [&](std::size_t from_above) {
-        const std::size_t row = field.rows - 1 - from_above;
-        for (std::uint32_t column = 0; column < field.columns; ++column) {
-            const double one = field.importance[row * field.columns + column];
-            const double mass = std::max(1.0, std::round(one / greatest * kMostMass));
-            masses.push_back(one > 0 ? static_cast<std::uint16_t>(mass) : std::uint16_t{0});
-        }
-    };
-    for_each_polled(field.rows, poll, add_row, field.columns);
-    return masses;
-}
-
 bool fits(const Field& field, const Cut& cut) {
     const double columns = field.columns * cut.x;
     const double rows = field.rows * cut.y;
@@ -115,6 +98,22 @@ std::uint32_t unit_of(double coordinate, double side, std::uint32_t length, bool
 }
 
 }  // namespace
+
+std::vector<std::uint16_t> masses_of(const Field& field, const Poll& poll) {
+    const double greatest = *std::max_element(field.importance.begin(), field.importance.end());
+    std::vector<std::uint16_t> masses;
+    masses.reserve(field.importance.size());
+    const auto add_row = [&](std::size_t from_above) {
+        const std::size_t row = field.rows - 1 - from_above;
+        for (std::uint32_t column = 0; column < field.columns; ++column) {
+            const double one = field.importance[row * field.columns + column];
+            const double mass = std::max(1.0, std::round(one / greatest * kMostMass));
+            masses.push_back(one > 0 ? static_cast<std::uint16_t>(mass) : std::uint16_t{0});
+        }
+    };
+    for_each_polled(field.rows, poll, add_row, field.columns);
+    return masses;
+}
 
 Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions& options,
                      const Poll& poll) {

@@ -59,6 +59,10 @@ struct Lattice {
     Point to_user(const Site& site) const { return {site.x * unit_x, site.y * unit_y}; }
 };
 
+// Importance in 65535ths of the greatest, rounded, but at least 1 where it is not 0: row by row
+// from the lowest y.
+std::vector<std::uint16_t> masses_of(const Field& field, const Poll& poll);
+
 // A lattice for `points` points, at least one. Throws BadRequest.
 Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions& options,
                      const Poll& poll = nobody_asks);

@@ -11,6 +11,7 @@
 #include "lacuna/lacuna.h"
 #include "plan/kept.h"
 #include "plan/plan.h"
+#include "relax/stratified.h"
 #include "sampling/count_search.h"
 #include "sampling/generate.h"
 
@@ -58,6 +59,16 @@ private:
     Observer& observer_;
 };
 
+Result stratified(const Request& request, Observer& observer, const Poll& poll) {
+    Result result;
+    observer.begin(Verb::invert);
+    result.points = relaxing::stratified_points(request, poll);
+    observer.end(Verb::invert);
+    result.draws = result.points.size();
+    result.backend = "cpu";
+    return result;
+}
+
 }  // namespace
 
 std::string_view name_of(Mode mode) {
@@ -68,6 +79,8 @@ std::string_view name_of(Mode mode) {
             return "lines";
         case Mode::cells:
             return "cells";
+        case Mode::stratified:
+            return "stratified";
     }
     return "";
 }
@@ -113,6 +126,7 @@ std::string_view name_of(Verb verb) {
 Result sample(const Request& request, Observer& observer) {
     check_request(request);
     const Poll poll = [&] { ask(request, observer); };
+    if (request.mode == Mode::stratified) return stratified(request, observer, poll);
     std::optional<FieldSums> sums;
     if (request.mode == Mode::cells) sums = sums_of(*request.field, poll);
     if (!request.count) {

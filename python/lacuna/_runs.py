@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     Progress = Callable[[int, int], object]
 
 METRICS = ("min", "mean", "max")
-MODES = ("exact", "lines", "cells")
+MODES = ("exact", "lines", "cells", "stratified")
 MOST_32 = 2**32 - 1
 MOST_64 = 2**64 - 1
 
@@ -68,6 +68,25 @@ def fill(
     request.round_size = whole("round_size", round_size, 0, MOST_64)
     if memory_limit is not None:
         request.memory_limit = whole("memory_limit", memory_limit, 1, MOST_64)
+
+
+def choose_start(request: _core.Request, mode: object, metric: object, iterations: int) -> None:
+    """Fills in the mode. Points to be relaxed begin stratified where no argument is about distances.
+
+    Comes after ``fill`` and ``set_size``. Without ``mode``, request.mode holds the other default.
+    """
+    keeps_distance = (
+        not iterations
+        or metric is not None
+        or request.count is None
+        or request.lines_per_radius is not None
+        or request.limit is not None
+        or request.round_size != 0
+    )
+    if mode is None and not keeps_distance:
+        request.mode = "stratified"
+    if request.mode == "stratified" and not iterations:
+        raise BadRequest("mode stratified: is a start for relax", "mode")
 
 
 def choose_metric(request: _core.Request, metric: object, iterations: int) -> None:
@@ -152,12 +171,15 @@ def request_of(request: _core.Request, has_field: bool, lines_per_radius: int) -
     """The request, as reports have it."""
     cells = request.mode == "cells"
     size = "scale" if has_field else "radius"
+    place = {"backend": request.backend, "device": request.device, "threads": request.threads}
     asked: dict[str, Any] = {
         "width": request.width,
         "height": request.height,
         "boundary": "torus" if request.torus else "box",
         "mode": request.mode,
     }
+    if request.mode == "stratified":
+        return dict(asked, count=request.count, seed=request.seed, **place)
     if has_field:
         asked["metric"] = request.metric
     asked[size] = getattr(request, size)
@@ -166,8 +188,7 @@ def request_of(request: _core.Request, has_field: bool, lines_per_radius: int) -
     if not cells:
         asked.update(snap=request.snap, uniform_x=request.uniform_x)
     asked.update(limit=request.limit, round_size=request.round_size, seed=request.seed)
-    asked.update(backend=request.backend, device=request.device, threads=request.threads)
-    return asked
+    return dict(asked, **place)
 
 
 def make(
@@ -204,7 +225,7 @@ def set_of(
     relaxed: Relaxed | None,
     asked: dict[str, Any],
 ) -> dict[str, Any]:
-    if not has_field:
+    if not has_field or request.mode == "stratified":
         made["scale"] = None
     return dict(
         made,

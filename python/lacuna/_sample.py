@@ -22,6 +22,7 @@ from ._runs import (
     MODES,
     MOST_32,
     choose_metric,
+    choose_start,
     fill,
     make,
     place,
@@ -101,10 +102,12 @@ def sample(
         of 1; without both (1, 1).
     torus : bool
         Whether the edges wrap.
-    mode : {'exact', 'lines', 'cells'}, optional
+    mode : {'exact', 'lines', 'cells', 'stratified'}, optional
         'exact', the default, leaves no gap; 'lines' is the approximation of Kalantari & Sen 2011;
         'cells', for a field, puts points on a lattice, as they do. Mask, border and keep need
-        'exact'.
+        'exact'. 'stratified' is a start for ``relax``: every part of the domain has its share of
+        the points. It is the default with ``relax`` and ``n``, unless ``metric``, ``limit``,
+        ``lines_per_radius`` or ``round_size`` is given.
     seed : None, int or numpy.random.Generator
         An int from 0 to 2^64 - 1 is the same as --seed of the command. A generator gives 64 random
         bits; for None the system gives them. The result holds the seed.
@@ -197,7 +200,6 @@ def sample(
         if radius is not None:
             raise BadRequest(f"radius {shown(radius)}: with a field give scale or n", "radius")
         set_size(request, {"scale": scale, "n": n})
-        choose_metric(request, metric, iterations)
         sides = shape_of(importance)
     if domain is not None:
         sides = pair("domain", domain)
@@ -210,6 +212,9 @@ def sample(
         round_size=round_size,
         memory_limit=memory_limit,
     )
+    choose_start(request, mode, metric, iterations)
+    if importance is not None:
+        choose_metric(request, metric, iterations)
     request.snap = flag("snap", snap)
     request.uniform_x = flag("uniform_x", uniform_x)
     return PointSet(**make(request, importance, iterations, progress, allowed, kept))

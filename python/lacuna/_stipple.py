@@ -12,13 +12,15 @@ from . import _core
 from ._arguments import choice, flag, numbers, path_bytes, real, whole
 from ._errors import BadRequest, FileError
 from ._results import Stippling
-from ._runs import MOST_32, choose_metric, fill, make, place, set_size, shape_of
+from ._runs import MOST_32, choose_metric, choose_start, fill, make, place, set_size, shape_of
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
     from ._arguments import Seed
     from ._runs import Progress
+
+STARTS = ("stratified", "cells", "exact")
 
 
 def _tone(
@@ -58,7 +60,7 @@ def stipple(
     scale: SupportsFloat | None = None,
     relax: SupportsIndex = 15,
     metric: str | None = None,
-    mode: str = "cells",
+    mode: str | None = None,
     invert: bool = False,
     black: SupportsFloat = 0.0,
     white: SupportsFloat = 1.0,
@@ -93,11 +95,14 @@ def stipple(
         How often the dots are moved after sampling, so that their cells hold equal darkness. With 0
         they are not moved and stay random, as in Kalantari & Sen 2011.
     metric : {'min', 'mean', 'max'}, optional
-        The least distance of two dots is the min, mean or max of their radii. By default 'mean',
-        but 'min' with ``relax=0`` and in 'exact', which allows no other.
-    mode : {'cells', 'exact'}
-        'cells' places dots on a lattice, as in Kalantari & Sen 2011. 'exact' places them in the
-        plane and leaves no gap: the set that ``sample`` makes of the picture's importance.
+        In 'cells' the least distance of two dots is the min, mean or max of their radii. By default
+        'mean', but 'min' with ``relax=0``. 'exact' knows 'min' only.
+    mode : {'stratified', 'cells', 'exact'}, optional
+        How dots are placed before they are moved. 'stratified': every part of the picture has its
+        share of the dots. 'cells' places dots on a lattice, as in Kalantari & Sen 2011. 'exact'
+        places them in the plane and leaves no gap: the set that ``sample`` makes of the picture's
+        importance. By default 'stratified', but 'cells' with ``relax=0`` and with ``scale``,
+        ``metric``, ``limit``, ``lines_per_radius`` or ``round_size``, which are about distances.
     invert : bool
         Bright is dense instead of dark.
     black, white : float
@@ -137,13 +142,12 @@ progress
     """
     field = _picture(image, _tone(invert, black, white, auto_levels, gamma, min_importance))
     request = _core.Request()
-    request.mode = choice("mode", mode, ("cells", "exact"))
+    request.mode = choice("mode", "cells" if mode is None else mode, STARTS)
     sides = shape_of(field)
     if n is None and scale is None:
         n = _core.dot_count(field, *sides)
     set_size(request, {"n": n, "scale": scale})
     iterations = whole("relax", relax, 0, MOST_32)
-    choose_metric(request, metric, iterations)
     place(request, sides, torus, backend, device, threads)
     fill(
         request,
@@ -153,6 +157,8 @@ progress
         round_size=round_size,
         memory_limit=memory_limit,
     )
+    choose_start(request, mode, metric, iterations)
+    choose_metric(request, metric, iterations)
     made = make(request, field, iterations, progress)
     radii = _core.dot_radii(made["points"], field, request.width, request.height, iterations != 0)
     return Stippling(**made, radii=radii)

@@ -66,9 +66,10 @@ TEST(Compare, FindsTheSameRelaxedPointsOnEveryBackend) {
         ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
         EXPECT_NE(outcome.out.find("made these points"), std::string::npos) << outcome.out;
         // The points are the same as stipple's or sample's, not those before relaxing.
-        const std::string command = request.front() == "--count" ? "sample" : "stipple";
-        expect_success(joined(joined({command}, request),
-                              {"--quiet", "-o", folder.path("b.npy"), "--report", alone}));
+        const bool is_uniform = request.front() == "--count";
+        expect_success(joined(joined({is_uniform ? "sample" : "stipple"}, request),
+                              {"--start", is_uniform ? "exact" : "cells", "--quiet", "-o",
+                               folder.path("b.npy"), "--report", alone}));
         EXPECT_EQ(Json::parse(content_of(json)).at("entries")[0].at("points_sha256"),
                   Json::parse(content_of(alone)).at("points_sha256"));
     }

@@ -92,9 +92,12 @@ TEST(Analyze, WritesItsNumbersAsJsonWhereJsonIsAskedFor) {
 TEST(Verify, OfAStippledJsonAsksForDistancesOnly) {
     const Folder folder;
     const std::string path = folder.path("a.json");
-    expect_success({"stipple", kRaccoon, "--count", "300", "--quiet", "-o", path});
-    expect_one_error(run({"verify", path}), 3, {"mode cells", "--distances-only"});
-    expect_success({"verify", path, "--distances-only"});
+    for (const std::string mode : {"cells", "stratified"}) {
+        expect_success(
+            {"stipple", kRaccoon, "--count", "300", "--start", mode, "--quiet", "-o", path});
+        expect_one_error(run({"verify", path}), 3, {"mode " + mode, "--distances-only"});
+        expect_success({"verify", path, "--distances-only"});
+    }
 }
 
 TEST(Dots, HaveTheirSizesAndMillimetresInFilesWhereADotSizeIsGiven) {

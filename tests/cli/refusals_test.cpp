@@ -52,6 +52,10 @@ TEST(Refused, OfSampleIsABadCount) {
         {"--count 10 --radius 0.1", 2, "--radius 0.1:", "either a radius or a count"},
         {"", 2, "--radius missing:", "either a radius or a count"},
         {"--count 5 --relax -1", 2, "--relax -1"},
+        {"--count 5 --radius 0.1 --relax 2", 2, "--radius 0.1:", "either a radius or a count"},
+        {"--count 5 --start stratified", 2, "--mode stratified:", "is a start for --relax"},
+        {"--radius 0.1 --relax 2 --start stratified", 2, "--radius 0.1:", "takes a count"},
+        {"--count 5 --relax 2 --start stratified --limit 3", 2, "--limit 3:", "takes a count"},
     };
     expect_refusals(Files{}, "sample -o a.txt", refusals);
 }
@@ -145,7 +149,11 @@ TEST(Refused, OfStippleAreBadOptions) {
         {"--count 0", 2, "--count 0:", "at least 1"},
         {"--scale 0", 2, "--scale 0:", "greater than 0"},
         {"--scale nan", 2, "--scale nan:", "finite"},
-        {"--count 1000000000", 2, "--count 1000000000:", "steps long, of at most 131072",
+        {"--count 1000000000", 2, "--count 1000000000:", "GB"},
+        {"--start stratified --relax 0", 2, "--mode stratified:", "is a start for --relax"},
+        {"--start stratified --scale 0.01", 2, "--scale 0.01:", "takes a count"},
+        {"--start stratified --metric max --count 9", 2, "--metric max:", "takes a count"},
+        {"--relax 0 --count 1000000000", 2, "--count 1000000000:", "steps long, of at most 131072",
          "fewer points"},
         {"--scale 1e-9", 2, "--scale 1e-09:", "steps long, of at most 131072", "larger scale"},
         {"--count 9 --radius 0.1", 2, "--radius", "no such option"},

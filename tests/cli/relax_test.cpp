@@ -24,7 +24,7 @@ TEST(Relax, GivenASetThenItMakesWhatSampleWithRelaxMakes) {
                       at_once = folder.path("at_once.npy");
     const Names request{"sample", "--count", "500", "--torus", "--quiet", "-o"};
     expect_success(joined(request, {set}));
-    expect_success(joined(request, {at_once, "--relax", "7"}));
+    expect_success(joined(request, {at_once, "--relax", "7", "--start", "exact"}));
     const Outcome outcome =
         run({"relax", set, "--torus", "--iterations", "7", "--quiet", "-o", even});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -34,23 +34,27 @@ TEST(Relax, GivenASetThenItMakesWhatSampleWithRelaxMakes) {
     EXPECT_NE(points_in(even), points_in(set));
 }
 
-TEST(Relax, GivenDotsAndTheirPictureThenItMakesWhatStippleMakesByDefault) {
+TEST(Relax, GivenDotsAndTheirPictureThenItMakesWhatStippleMakesOfThatStart) {
     const Folder folder;
     const std::string dots = folder.path("dots.npy"), even = folder.path("even.npy");
     ASSERT_EQ(
         stipple(kRaccoon, {"--count", "2000", "--relax", "0", "--metric", "mean"}, dots).exit_code,
         0);
     expect_success({"relax", dots, kRaccoon, "--quiet", "-o", even});
-    const std::string by_default = folder.path("default.npy");
-    expect_success({"stipple", kRaccoon, "--count", "2000", "--quiet", "-o", by_default});
-    EXPECT_EQ(points_in(even), points_in(by_default));
+    const std::string at_once = folder.path("at_once.npy");
+    const Names request{"stipple", kRaccoon, "--count", "2000", "--quiet", "-o", at_once};
+    expect_success(joined(request, {"--start", "cells"}));
+    EXPECT_EQ(points_in(even), points_in(at_once));
+    expect_success(request);
+    EXPECT_NE(points_in(even), points_in(at_once));
 }
 
 TEST(Relax, ReportsHowEvenTheSharesAre) {
     const Folder folder;
     const std::string report = folder.path("a.json");
-    const Outcome outcome = run({"sample", "--count", "1000", "--torus", "--seed", "5", "--relax",
-                                 "20", "--quiet", "-o", folder.path("a.npy"), "--report", report});
+    const Outcome outcome =
+        run({"sample", "--count", "1000", "--torus", "--seed", "5", "--relax", "20", "--start",
+             "exact", "--quiet", "-o", folder.path("a.npy"), "--report", report});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const auto json = nlohmann::json::parse(content_of(report));
     const auto& cv = json.at("relax").at("capacity_cv");

@@ -59,10 +59,11 @@ TEST(ExactStipple, IsRelaxedAsTheSetOfSampleIs) {
     const std::string image = gradient(folder);
     const Names request{"--count", "400", "--seed", "2"};
     EXPECT_EQ(points_by(folder, {"stipple", image, "--mode", "exact"}, request),
-              points_by(folder, {"sample", "--field", image, "--relax", "15"}, request));
+              points_by(folder, {"sample", "--field", image, "--relax", "15", "--mode", "exact"},
+                        request));
     const Names three = joined({"--relax", "3"}, request);
     EXPECT_EQ(points_by(folder, {"stipple", image, "--mode", "exact"}, three),
-              points_by(folder, {"sample", "--field", image}, three));
+              points_by(folder, {"sample", "--field", image, "--mode", "exact"}, three));
 }
 
 TEST(ExactStipple, LeavesNoGapWhereCellsLeaveSome) {

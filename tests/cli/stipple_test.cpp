@@ -233,7 +233,7 @@ TEST(Stipple, WithoutACountMakesAsManyDotsAsSuitThePictureAndSaysSo) {
     const Outcome outcome = run({"stipple", image, "-o", folder.path("a.svg")});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_TRUE(outcome.err.starts_with(
-        "4096 dots (chosen for the picture: --count gives another number), scale "))
+        "4096 dots (chosen for the picture: --count gives another number), "))
         << outcome.err;
     // 80 mm x 40 mm, half of it covered by dots of pi / 4 square mm.
     const Outcome sized = run({"stipple", image, "--paper-size", "80x40mm", "--dot-size", "1mm",

@@ -159,7 +159,7 @@ TEST(Plan, RefusesRoundsThatNoMemoryHolds) {
 TEST(Plan, RefusesEnumsOutOfRange) {
     Request request = with_radius(0.1);
     request.mode = static_cast<Mode>(7);
-    EXPECT_EQ(refusal(request), "mode 7: must be Mode::exact, lines or cells");
+    EXPECT_EQ(refusal(request), "mode 7: must be Mode::exact, lines, cells or stratified");
     request = with_radius(0.1);
     request.boundary = static_cast<Boundary>(2);
     EXPECT_EQ(refusal(request), "boundary 2: must be Boundary::box or torus");

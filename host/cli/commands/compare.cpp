@@ -158,6 +158,8 @@ void check_kind(const CLI::App& command, const CompareCommand& options) {
          {"metric", "invert", "black", "white", "auto-levels", "gamma", "min-importance"})
         if (!is_picture && command.count("--" + option) != 0)
             throw BadRequest(option, "without a picture", "is for pictures only");
+    if (options.request.mode == Mode::stratified)
+        throw BadRequest("mode", "stratified", "is made by the host: must be exact or lines");
     for (const std::string option : {"mode", "domain"})
         if (is_picture && command.count("--" + option) != 0)
             throw BadRequest(option, "with a picture", "is for requests without one");

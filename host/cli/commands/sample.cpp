@@ -57,16 +57,18 @@ struct SampleCommand {
 void read_mode(const std::string& text, Mode& mode) {
     if (text == name_of(Mode::cells))
         throw BadRequest("mode", text, "is a mode of lacuna stipple: must be exact or lines");
-    for (const Mode known : {Mode::exact, Mode::lines}) {
+    for (const Mode known : {Mode::exact, Mode::lines, Mode::stratified}) {
         if (text != name_of(known)) continue;
         mode = known;
         return;
     }
-    throw BadRequest("mode", shown(text), "must be exact or lines");
+    throw BadRequest("mode", shown(text), "must be exact or lines or, with --relax, stratified");
 }
 
 // Relaxing would move points to where none may lie, and would move kept points.
 void check_relax(const SampleCommand& all) {
+    if (all.relax == 0 && all.common.request.mode == Mode::stratified)
+        throw BadRequest("mode", "stratified", "is a start for --relax");
     if (all.relax == 0) return;
     const auto refuse = [&](const char* allowed) {
         throw BadRequest("relax", std::to_string(all.relax), allowed);
@@ -77,11 +79,18 @@ void check_relax(const SampleCommand& all) {
         refuse("cannot be used with --mask, --inside, --border or --keep");
 }
 
+// Whether a set to be relaxed keeps a least distance first, because an option is about it.
+bool keeps_distance(const CLI::App& command, const Request& request) {
+    return command.count("--mode") != 0 || !request.count || request.radius || request.scale ||
+           request.lines_per_radius || request.limit || request.round_size != 0;
+}
+
 void run(const CLI::App& command, const SampleCommand& all) {
     check_relax(all);
     check_domain(command, all.domain);
     CommonOptions options = all.common;
     Request& request = options.request;
+    if (all.relax != 0 && !keeps_distance(command, request)) request.mode = Mode::stratified;
     const std::vector<GivenFile> read = files_of(all.domain);
     const std::vector<Output> outputs = all.seeds
                                             ? checked_outputs(command, options, *all.seeds, read)
@@ -139,12 +148,14 @@ void add_size(CLI::App& command, Request& request) {
         ->type_name("WxH");
 }
 
-void add_mode(CLI::App& command, Request& request) {
+void add_mode(CLI::App& command, Request& request, const std::string& more_modes) {
     command
         .add_option_function<std::string>(
-            "--mode", [&request](const std::string& mode) { read_mode(mode, request.mode); },
+            "--mode,--start",
+            [&request](const std::string& mode) { read_mode(mode, request.mode); },
             "exact (default): no gap is left, every distance is at least the radius; lines: the "
-            "paper's algorithm, which is approximate")
+            "paper's algorithm, which is approximate" +
+                more_modes)
         ->type_name("MODE");
     add_number(command, "lines-per-radius", "M", request.lines_per_radius,
                "Number of lines per radius (default 6 in exact, 30 in lines)");
@@ -169,7 +180,9 @@ void add_sample(CLI::App& app) {
     add_what_to_make(command, request);
     add_seeds(command, options->seeds);
     add_relax(command, options->relax);
-    add_mode(command, request);
+    add_mode(command, request,
+             "; stratified (default with --relax and --count): every part of the domain has its "
+             "share of the points");
     add_how_to_draw(command, options->drawing, "two thirds of --radius");
     add_effort(command, request);
     add_place(command, request);

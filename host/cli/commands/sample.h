@@ -3,6 +3,8 @@
 
 #include <lacuna/lacuna.h>
 
+#include <string>
+
 #include "cli/app_fwd.h"
 
 namespace lacuna::cli {
@@ -15,6 +17,6 @@ void add_sample(CLI::App& app);
 // --radius, --count, --domain
 void add_size(CLI::App& command, Request& request);
 // --mode, --lines-per-radius, --uniform-x, --snap
-void add_mode(CLI::App& command, Request& request);
+void add_mode(CLI::App& command, Request& request, const std::string& more_modes = "");
 
 }  // namespace lacuna::cli

@@ -53,19 +53,20 @@ Examples:
   lacuna stipple density.npy --invert --count 5000 > points.txt       high numbers are dense
 
 The domain is the picture, with a longer side of 1 and y upwards. Importance is 1 where the picture
-is black and 0, which means no dots, where it is white. Dots are placed at random, at least a radius
-apart; the radius is G / sqrt(importance). Then --relax moves them K times, until their cells hold
-equal darkness and each dot is in the middle of its cell. With --relax 0 they are not moved: radii
-are then least distances, and points come in the order in which they were admitted: any prefix keeps
-these distances, but has gaps.
+is black and 0, which means no dots, where it is white. Dots are placed at random, so
+that every part of the picture has its share of them. Then --relax moves them K times, until their
+cells hold equal darkness and each dot is in the middle of its cell.
 
-Where radii differ, --metric min keeps two dots at least the smaller radius apart, so that dots in
-light areas take no room from dark areas. With mean and max they do, and gaps remain along edges of
-the picture. The default is mean, with which relaxing gives the best result, and min with --relax 0
-and in --mode exact.
+With --relax 0 dots are not moved, and are at least a radius apart; the radius is
+G / sqrt(importance). Points come in the order in which they were admitted: any prefix keeps these
+distances, but has gaps. Where radii differ, --metric min (default) keeps two dots at least the
+smaller radius apart, so that dots in light areas take no room from dark areas. With mean and max
+they do, and gaps remain along edges of the picture.
 
 With --mode cells dots are placed on a lattice, and about 4 % fewer fit than in the plane. With
 --mode exact they are placed in the plane and no gap is left: the set of lacuna sample --field.
+Either may be relaxed, too; cells then has --metric mean by default. Shapes that are smaller than a
+dot's cell get more dots than their share that way.
 
 With --dot-size 0.5mm all dots are equally large, as a pen draws them. Without --count there are as
 many as give the picture's ink. A line warns of less than half of that ink or more than twice.
@@ -82,16 +83,17 @@ struct StippleCommand {
     Picture picture;
     DrawingOptions drawing;
     bool pen_path = false;
+    std::optional<Mode> mode;
     std::uint32_t relax = RelaxOptions{}.iterations;
 };
 
-void read_dot_mode(const std::string& text, Mode& mode) {
-    for (const Mode known : {Mode::cells, Mode::exact}) {
+void read_dot_mode(const std::string& text, std::optional<Mode>& mode) {
+    for (const Mode known : {Mode::stratified, Mode::cells, Mode::exact}) {
         if (text != name_of(known)) continue;
         mode = known;
         return;
     }
-    throw BadRequest("mode", shown(text), "must be cells or exact");
+    throw BadRequest("mode", shown(text), "must be stratified, cells or exact");
 }
 
 void add_what_to_stipple(CLI::App& command, StippleCommand& options) {
@@ -101,12 +103,14 @@ void add_what_to_stipple(CLI::App& command, StippleCommand& options) {
         command, "count", "N", request.count,
         "Exactly N dots, at a scale that fits; this or --scale (default: a number that suits the "
         "picture's size and darkness, or --dot-size)");
-    request.mode = Mode::cells;
     command
         .add_option_function<std::string>(
-            "--mode", [&request](const std::string& mode) { read_dot_mode(mode, request.mode); },
-            "cells (default): dots are placed on a lattice, as in the paper; exact: in the plane, "
-            "with no gap left, and with --metric min")
+            "--mode,--start",
+            [&options](const std::string& mode) { read_dot_mode(mode, options.mode); },
+            "How dots are placed before they are moved. stratified (default with --relax): every "
+            "part of the picture has its share of the dots; cells (default with --relax 0): on a "
+            "lattice, as in the paper; exact: in the plane, with no gap left, and with --metric "
+            "min. What keeps a least distance, --scale for example, makes cells the default")
         ->type_name("MODE");
     add_number(command, "lines-per-radius", "M", request.lines_per_radius,
                "Lattice steps per least radius (default 10); in exact it changes only the speed "
@@ -122,6 +126,8 @@ void add_pen_path(CLI::App& command, StippleCommand& options) {
 
 // Checks everything that can be checked before the picture is read; returns the outputs.
 std::vector<Output> check_options(const StippleCommand& options) {
+    if (options.mode == Mode::stratified && options.relax == 0)
+        throw BadRequest("mode", "stratified", "is a start for --relax");
     const std::vector<Output> outputs =
         checked_outputs(options.common, {{"IMAGE", options.picture.path}});
     pictures::check(options.picture.importance);
@@ -192,12 +198,22 @@ std::string path_text(const StippleCommand& options, const std::vector<Output>& 
                        work.path_length * drawing::millimetres_per_unit(set, style) / 1000);
 }
 
+// Sets that keep a least distance are needed where an option is about it.
+Mode default_start(const StippleCommand& options) {
+    const Request& request = options.common.request;
+    const bool keeps_distance = options.relax == 0 || options.picture.has_metric || request.scale ||
+                                request.lines_per_radius || request.limit ||
+                                request.round_size != 0;
+    return keeps_distance ? Mode::cells : Mode::stratified;
+}
+
 void run(const CLI::App& command, const StippleCommand& options) {
     const std::vector<Output> outputs = check_options(options);
     Work work;
     const Stopwatch stopwatch;
     CommonOptions common = options.common;
     Request& request = common.request;
+    request.mode = options.mode.value_or(default_start(options));
     if (request.mode == Mode::cells && options.relax != 0 && !options.picture.has_metric)
         request.metric = Metric::mean;
     const Field field = read_field(options.picture, request);

@@ -86,6 +86,10 @@ Request request_of(const CLI::App& command, const Given& given, const files::Set
         throw files::FileError(name +
                                ": made in mode cells, where radii follow a picture: give "
                                "--distances-only, for the least of them");
+    if (file.mode == name_of(Mode::stratified) && command.count("--distances-only") == 0)
+        throw files::FileError(name +
+                               ": made in mode stratified and relaxed, which promises no radius: "
+                               "give --distances-only, for the least distance");
     Request request = given.request;
     if (command.count("--domain") == 0 && file.width) {
         request.width = *file.width;

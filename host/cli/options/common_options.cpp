@@ -92,7 +92,7 @@ void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, co
     // After relaxing the radius may be 0, which means not known.
     std::string size;
     if (!options.request.radius && !options.request.scale) {
-        if (options.request.field != nullptr)
+        if (result.scale > 0)
             size = fmt::format(", scale {:.4g}", result.scale);
         else if (result.radius > 0)
             size = fmt::format(", radius {:.4g}", result.radius);
@@ -101,10 +101,12 @@ void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, co
     std::string paths;
     for (const Output& output : outputs) paths += (paths.empty() ? "" : ", ") + output.path;
     const std::size_t count = result.points.size();
+    std::string rounds;
+    if (result.rounds > 0)
+        rounds = fmt::format(", {} round{}", result.rounds, result.rounds == 1 ? "" : "s");
     const std::string summary =
-        fmt::format("{} {}{}{}{}, {} round{}, {:.3f} s, {}{} -> {}", count, what,
-                    count == 1 ? "" : "s", note, size, result.rounds, result.rounds == 1 ? "" : "s",
-                    made.seconds, result.backend, more, paths);
+        fmt::format("{} {}{}{}{}{}, {:.3f} s, {}{} -> {}", count, what, count == 1 ? "" : "s", note,
+                    size, rounds, made.seconds, result.backend, more, paths);
     std::fputs((printable(summary) + "\n").c_str(), stderr);
 }
 

@@ -48,6 +48,10 @@ Json what_decides(const Request& request, const Result& result) {
               {"mode", name_of(request.mode)}};
     const bool cells = request.mode == Mode::cells;
     const bool has_field = request.field != nullptr;
+    if (request.mode == Mode::stratified) {
+        json.update({{"count", or_null(request.count)}, {"seed", request.seed}});
+        return json;
+    }
     if (has_field) json["metric"] = name_of(request.metric);
     json[has_field ? "scale" : "radius"] = or_null(has_field ? request.scale : request.radius);
     json["count"] = or_null(request.count);
@@ -70,7 +74,7 @@ std::string report_of(const Request& request, const Made& made, const Json& more
                 {"request", json_of(request, result)},
                 {"count", result.points.size()},
                 {"radius", result.radius}};
-    if (request.field != nullptr) report["scale"] = result.scale;
+    if (result.scale > 0) report["scale"] = result.scale;
     report.update({{"maximal", result.maximal},
                    {"rounds", result.rounds},
                    {"draws", result.draws},

@@ -70,7 +70,12 @@ struct Mask {
 //   exact  strips, then boxes, refined until none has room: sets that are truly maximal
 //   lines  the paper's section 4.1: one line stands for its whole strip
 //   cells  the paper's section 4.2, for Request::field: a lattice, fine enough for the least radius
-enum class Mode { exact, lines, cells };
+// Or, for relax() to begin with, points without a least distance:
+//   stratified  the cdf of importance along a Hilbert curve of the domain, inverted at one random
+//               number in each of Request::count equal intervals. So every part of a picture has
+//               its share of the points. It takes a count, a field or none, and no other option of
+//               the set; the points come in the order of the curve.
+enum class Mode { exact, lines, cells, stratified };
 std::string_view name_of(Mode mode);
 
 // Which distance two points of different radii must keep (section 4.2.1): the smaller radius (the

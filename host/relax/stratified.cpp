@@ -1,0 +1,145 @@
+// The stratified start: inverts the cdf of importance along a Hilbert curve.
+#include "relax/stratified.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "relax/curve.h"
+#include "relax/lattice.h"
+#include "rounds/random.h"
+
+namespace lacuna::relaxing {
+namespace {
+
+__extension__ using Wide = unsigned __int128;
+
+constexpr std::uint32_t kStream = 0x57a7;  // a stream of random numbers that no other sampler uses
+
+// The cells of the curve: pixels, of which those that are far from square are cut into several.
+struct Cells {
+    const Field& field;
+    std::vector<std::uint16_t> masses;  // of pixels, from the lowest row up
+    std::uint32_t cut_x = 1;            // cells of a pixel
+    std::uint32_t cut_y = 1;
+
+    Cells(const Request& request, const Field& the_field, const Poll& poll)
+        : field(the_field), masses(masses_of(field, poll)) {
+        constexpr double kMostCells = 1 << 28;
+        const double aspect = request.width / field.columns / (request.height / field.rows);
+        const double most = kMostCells / static_cast<double>(masses.size());
+        const auto cut = [&](double wanted) {
+            return static_cast<std::uint32_t>(std::max(1.0, std::round(std::min(wanted, most))));
+        };
+        cut_x = cut(aspect);
+        cut_y = cut(1 / aspect);
+        const std::uint32_t more = further_cut(static_cast<double>(*request.count) /
+                                               (static_cast<double>(columns()) * rows()));
+        cut_x *= more;
+        cut_y *= more;
+    }
+    std::uint32_t columns() const { return field.columns * cut_x; }
+    std::uint32_t rows() const { return field.rows * cut_y; }
+    std::uint64_t mass_of(Cell cell) const {
+        const auto column = static_cast<std::size_t>(cell.x) / cut_x;
+        const auto row = static_cast<std::size_t>(cell.y) / cut_y;
+        return masses[row * field.columns + column];
+    }
+    // Cuts that many points a cell, on both axes. Where intervals of the cdf are squares, 4^k of them
+    // a cell, relaxed points keep traces of a square lattice. So cells are cut to bring the number
+    // near 2 * 4^k, where intervals are twice as long as wide.
+    static std::uint32_t further_cut(double points_a_cell) {
+        if (points_a_cell < 25) return 1;
+        const auto distance = [&](std::uint32_t cut) {  // a factor from 1 to 2
+            double left = points_a_cell / (cut * cut);
+            while (left >= 4) left /= 4;
+            return std::max(left / 2, 2 / left);
+        };
+        return std::min({1u, 3u, 5u},
+                        [&](std::uint32_t a, std::uint32_t b) { return distance(a) < distance(b); });
+    }
+    std::uint64_t mass() const {
+        std::uint64_t sum = 0;
+        for (const std::uint16_t mass : masses) sum += mass;
+        return sum * cut_x * cut_y;
+    }
+};
+
+// Follows the cdf along the curve, cell by cell, and puts points where it reaches their ranks.
+class Walk {
+public:
+    Walk(const Request& request, const Cells& cells)
+        : request_(request), cells_(cells), mass_(cells.mass()) {
+        points_.reserve(*request.count);
+        find_rank();
+    }
+
+    // Which way the curve leaves a cell is known at its next one.
+    void enter(Cell cell) {
+        if (has_cell_) leave(cell.x - cell_.x, cell.y - cell_.y);
+        cell_ = cell;
+        has_cell_ = true;
+    }
+    std::vector<Point> finish() {
+        leave(1, 0);
+        return std::move(points_);
+    }
+
+private:
+    static constexpr unsigned kShift = 32;  // ranks are in 2^-32 of the unit of mass
+
+    void leave(std::int64_t dx, std::int64_t dy) {
+        const Way way = way_to(at_right_, at_top_, dx, dy);
+        const std::uint64_t mass = cells_.mass_of(cell_);
+        const Wide end = Wide{before_ + mass} << kShift;
+        for (; points_.size() < *request_.count && rank_ < end; find_rank())
+            put(way.at(static_cast<std::uint32_t>((rank_ - (Wide{before_} << kShift)) / mass)));
+        before_ += mass;
+    }
+    void put(InCell at) {
+        const auto scaled = [](std::int64_t cell, std::uint32_t in_cell, std::uint32_t cells) {
+            return (static_cast<double>(cell) + (in_cell + 0.5) * 0x1p-16) / cells;
+        };
+        points_.push_back({request_.width * scaled(cell_.x, at.x, cells_.columns()),
+                           request_.height * scaled(cell_.y, at.y, cells_.rows())});
+    }
+    // The rank of the next point: at random in the middle half of its interval of the cdf. In the
+    // middle itself the points of a uniform domain would be a square lattice, and anywhere in the
+    // interval they are less even after relaxing.
+    void find_rank() {
+        const std::uint64_t i = points_.size();
+        const std::uint64_t random = random_bits(request_.seed, i, kStream).first >> (kShift + 1);
+        constexpr std::uint64_t kQuarter = std::uint64_t{1} << (kShift - 2);
+        rank_ = Wide{(i << kShift) + kQuarter + random} * mass_ / *request_.count;
+    }
+
+    const Request& request_;
+    const Cells& cells_;
+    std::uint64_t mass_;  // of all cells
+    Cell cell_{0, 0};
+    bool has_cell_ = false;
+    bool at_right_ = false;  // the corner at which the curve enters the cell
+    bool at_top_ = false;
+    std::uint64_t before_ = 0;  // the mass of all earlier cells
+    Wide rank_ = 0;
+    std::vector<Point> points_;
+};
+
+}  // namespace
+
+std::vector<Point> stratified_points(const Request& request, const Poll& poll) {
+    static const Field nothing{1, 1, {1.0}};
+    const Cells cells(request, request.field != nullptr ? *request.field : nothing, poll);
+    Walk walk(request, cells);
+    std::size_t visited = 0;
+    for_each_on_curve(cells.columns(), cells.rows(), [&](Cell cell) {
+        if (visited++ % kBetweenPolls == 0) poll();
+        walk.enter(cell);
+    });
+    return walk.finish();
+}
+
+}  // namespace lacuna::relaxing
