@@ -161,7 +161,7 @@ EMSCRIPTEN_KEEPALIVE bool lacuna_prove(double radius) {
     return is_done([&] {
         const Proof proof = web::prove(state().set, radius);
         const auto number = [](double value) {
-            return std::isfinite(value) ? std::to_string(value) : std::string("null");
+            return std::isfinite(value) ? shortest(value) : std::string("null");
         };
         const auto truth = [](bool value) { return value ? "true" : "false"; };
         state().text =

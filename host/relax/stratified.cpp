@@ -48,9 +48,9 @@ struct Cells {
         const auto row = static_cast<std::size_t>(cell.y) / cut_y;
         return masses[row * field.columns + column];
     }
-    // Cuts that many points a cell, on both axes. Where intervals of the cdf are squares, 4^k of them
-    // a cell, relaxed points keep traces of a square lattice. So cells are cut to bring the number
-    // near 2 * 4^k, where intervals are twice as long as wide.
+    // Cuts that many points a cell, on both axes. Where intervals of the cdf are squares, 4^k of
+    // them a cell, relaxed points keep traces of a square lattice. So cells are cut to bring the
+    // number near 2 * 4^k, where intervals are twice as long as wide.
     static std::uint32_t further_cut(double points_a_cell) {
         if (points_a_cell < 25) return 1;
         const auto distance = [&](std::uint32_t cut) {  // a factor from 1 to 2
@@ -58,8 +58,9 @@ struct Cells {
             while (left >= 4) left /= 4;
             return std::max(left / 2, 2 / left);
         };
-        return std::min({1u, 3u, 5u},
-                        [&](std::uint32_t a, std::uint32_t b) { return distance(a) < distance(b); });
+        return std::min({1u, 3u, 5u}, [&](std::uint32_t a, std::uint32_t b) {
+            return distance(a) < distance(b);
+        });
     }
     std::uint64_t mass() const {
         std::uint64_t sum = 0;

@@ -17,7 +17,7 @@
 namespace lacuna::reproduce {
 namespace {
 
-constexpr double kRadiusField = 0.02;
+constexpr double kBackground = 0.02;
 constexpr std::uint64_t kMoreDots = 22'000;
 constexpr std::uint32_t kAcross = 32;
 
@@ -56,7 +56,7 @@ std::string draw(std::span<const Version> versions, drawing::Medium medium) {
 }  // namespace
 
 Reproduction fig8(const Setting& setting) {
-    const Field field = shapes(kRadiusField);
+    const Field field = shapes(kBackground);
     Work work(setting, 3);
     const std::array versions{make(field, "(a) min", kDots, Metric::min, work),
                               make(field, "(b) max", kDots, Metric::max, work),

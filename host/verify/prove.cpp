@@ -119,11 +119,11 @@ Proof prove(std::span<const Point> points, const Claim& claim,
             const std::function<bool()>& keep_going) {
     using namespace verify;
     const Patience patience(keep_going);
+    const double tolerance = tolerance_of(claim);
+    check_claim(claim, tolerance);
     Proof proof;
     proof.moved = first_moved(points, claim.keep);
     if (proof.moved) return proof;
-    const double tolerance = tolerance_of(claim);
-    check_claim(claim, tolerance);
     const Domain domain{claim.width, claim.height, claim.boundary == Boundary::torus};
     const Field one_pixel{1, 1, {1}};
     const verify::RadiusField radius_field(

@@ -110,7 +110,8 @@ bool is_uniform(const Claim& claim) {
 
 double tolerance_of(const Claim& claim) {
     const double units = std::max(claim.width, claim.height) * 0x1p-28;
-    return claim.tolerance.value_or(is_uniform(claim) ? units : 2 * units);
+    const bool is_plain = is_uniform(claim) && claim.keep.empty();
+    return claim.tolerance.value_or(is_plain ? units : 2 * units);
 }
 
 }  // namespace lacuna::verify

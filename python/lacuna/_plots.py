@@ -81,7 +81,7 @@ def verdict(ax: Axes | None, found: Verdict) -> Axes:
 
     dots(ax, points, found.domain, 0, None, "gray")
     for wrong in (found.outside, found.moved, found.forbidden):
-        if wrong is not None and np.isfinite(points[wrong]).all():
+        if wrong is not None and wrong < len(points) and np.isfinite(points[wrong]).all():
             ax.plot(*points[wrong], "x", color=_WRONG, label=f"point {wrong}")
     if found.closest_pair is not None:
         color = "black" if found.kept else _WRONG

@@ -126,6 +126,7 @@ def test_results_are_drawn_where_one_says_or_in_a_new_figure(tmp_path: Path) -> 
     results += [lacuna.sample(field=np.eye(8), scale=0.1, seed=1), lacuna.analyze(made)]
     results += [lacuna.verify(made), lacuna.verify(gap, 0.1), lacuna.verify(twice, 0.1)]
     results += [lacuna.verify([(0.1, 2.0)], 0.1), lacuna.verify(np.empty((0, 2)), 0.1)]
+    results += [lacuna.verify(made.points[:2], 0.1, keep=made.points)]
     figure, (axes, _) = plt.subplots(1, 2)
     for result in results:
         assert result.plot(axes) is axes

@@ -176,7 +176,7 @@ void check(const HostileField& made, const std::vector<Point>& points, Counts& c
     for (const FieldCase& seen : all) {
         const bool by_polygons = !seen.rings.empty();
         const Claim claim = made.claim(seen);
-        demand_proof(prove(points, claim), by_polygons ? "its polygons" : "its radius_field");
+        demand_proof(prove(points, claim), by_polygons ? "its polygons" : "its radius field");
         if (!points.empty())
             demand(seen.most_over_of_raster(points, 30) <= seen.tolerance(),
                    "a place of a raster is bare, and not found");

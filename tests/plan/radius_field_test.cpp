@@ -36,7 +36,7 @@ TEST(PixelAxis, CutsItsLengthIntoPixelsToAUnit) {
 }
 
 // Looks at the radii of [x, x + width) times [begin, end) unit by unit, in fields of few units.
-TEST(AGround, TellsTheLeastAndTheGreatestRadiusUnderARectangle) {
+TEST(ARadiusField, TellsTheLeastAndTheGreatestRadiusUnderARectangle) {
     std::mt19937 random(5);
     const auto below = [&](std::uint32_t end) {
         return static_cast<std::uint32_t>(random() % end);
@@ -51,7 +51,7 @@ TEST(AGround, TellsTheLeastAndTheGreatestRadiusUnderARectangle) {
             const std::uint32_t x = below(side);
             const std::uint32_t begin = below(side);
             const Box box{x, 1 + below(std::min(9u, side - x)), begin,
-                                begin + 1 + below(std::min(9u, side - begin))};
+                          begin + 1 + below(std::min(9u, side - begin))};
             std::uint32_t least = ~0u;
             std::uint32_t greatest = 0;
             bool is_even = true;

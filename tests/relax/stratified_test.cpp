@@ -102,8 +102,8 @@ TEST(ACurve, EntersEachCellWhereItLeftTheLast) {
     });
 }
 
-// A square is a stretch of the curve: it has its share to within one, and the half interval in which
-// a point may lie.
+// A square is a stretch of the curve: it has its share to within one, and the half interval in
+// which a point may lie.
 TEST(AStratifiedStart, GivesEverySquareOfAnEmptyDomainItsShare) {
     for (const std::uint64_t count : {1000u, 4096u, 5000u}) {
         std::vector<int> squares(9 * 64);

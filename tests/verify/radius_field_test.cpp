@@ -186,6 +186,8 @@ TEST(PointsToKeep, MustComeFirstUnmoved) {
     const Proof proof = prove(std::vector<Point>{{0.1, 0.1}, {0.9, std::nextafter(0.9, 1)}}, claim);
     EXPECT_EQ(proof.moved, 1U);
     EXPECT_FALSE(proof.kept || proof.covered || proof.maximal);
+    claim.tolerance = -1;
+    EXPECT_THROW(prove(std::vector<Point>{}, claim), BadRequest);
 }
 
 TEST(AClaim, OfPlacesThatMakeNoSenseIsABadRequestThatNamesTheOption) {

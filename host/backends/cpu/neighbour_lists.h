@@ -29,8 +29,7 @@ public:
     // that were listed before the last note_cuts(). Valid until the next call with the same
     // scratch.
     enum class Which { all, latest };
-    SizedSpan of_part(std::uint32_t block, const Box& part, Which which,
-                      SizedList& scratch) const {
+    SizedSpan of_part(std::uint32_t block, const Box& part, Which which, SizedList& scratch) const {
         const Few& few = few_[block];
         if (few.is_long) return of_long_part(block, part, which, scratch);
         return few.span().from(which == Which::latest ? few.cuts : 0);

@@ -40,13 +40,13 @@ struct Vectors {
     // edge. The chord's radius is the smaller of the sample's and `radius`. Samples that do not
     // touch the box are left out. Returns the number of chords, or kAll if one sample covers the
     // box. No wrapping.
-    std::size_t (*find_sized_chords)(const SizedSpan& samples, const Box& box,
-                                     std::uint32_t radius, Span* chords);
+    std::size_t (*find_sized_chords)(const SizedSpan& samples, const Box& box, std::uint32_t radius,
+                                     Span* chords);
     static constexpr std::size_t kAll = ~std::size_t{0};
     // The same test for eight boxes: bit i of touching[k] says whether sample k touches box i, and
     // bit i of the result whether some sample covers box i.
-    std::uint32_t (*find_touching)(const SizedSpan& samples, const Box* boxes,
-                                   std::uint32_t radius, std::uint8_t* touching);
+    std::uint32_t (*find_touching)(const SizedSpan& samples, const Box* boxes, std::uint32_t radius,
+                                   std::uint8_t* touching);
     static constexpr std::size_t kBoxes = 8;
 };
 

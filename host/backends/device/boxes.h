@@ -72,7 +72,7 @@ private:
     std::vector<std::uint32_t> bin_begins_;
     std::vector<std::uint32_t> free_lengths_;
     std::vector<std::uint32_t> widths_;  // with a radius field
-    std::vector<Box> new_boxes_;   // with a radius field, as downloaded
+    std::vector<Box> new_boxes_;         // with a radius field, as downloaded
 
     std::optional<Refinement> refinement_;
     std::array<std::uint32_t, 1> total_{};  // pieces of all boxes

@@ -43,8 +43,8 @@ struct Claim {
     Boundary boundary = Boundary::box;
 
     // How far over the radius a gap may be. If unset, it is 2^-28 of the longer side, which is more
-    // than sample() may lose by rounding the radius up. With a field, mask, polygons or border it
-    // is twice as much, because their edges are rounded too.
+    // than sample() may lose by rounding the radius up. With a field, mask, polygons, border or
+    // kept points it is twice as much, because these are rounded too.
     std::optional<double> tolerance;
     bool distances_only = false;  // gaps are not looked for, which takes most of the time
 

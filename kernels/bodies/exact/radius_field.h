@@ -159,8 +159,7 @@ BODY u32 middle_border(MEMORY const Axis axis, const u32 first, const u32 last) 
 
 // The x at which to halve a box: at a border of pixels near its middle if the pixels are unlike,
 // otherwise in its middle. 0: not to be cut. `all` describes what lies under the box.
-BODY u32 cut_x(MEMORY const Grids grids, const u32x4 box, const Touched touched,
-               const Under all) {
+BODY u32 cut_x(MEMORY const Grids grids, const u32x4 box, const Touched touched, const Under all) {
     u32 cut = 0u;
     if (all.allowed == ALLOWED_SOME)
         cut = middle_border(ON grids.mask.columns, touched.mask.x, touched.mask.y);
