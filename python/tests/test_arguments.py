@@ -172,8 +172,10 @@ def test_relax_refuses(error: type[Exception], argument: str, arguments: dict[st
         (ValueError, "auto_levels", {"image": np.eye(3), "n": 5, "auto_levels": 1, "black": 0.1}),
         (ValueError, "relax", {"image": np.eye(3), "n": 5, "relax": 10_001}),
         (ValueError, "mode", {"image": np.eye(3), "n": 5, "mode": "lines"}),
-        (TypeError, "mode", {"image": np.eye(3), "n": 5, "mode": None}),
+        (TypeError, "mode", {"image": np.eye(3), "n": 5, "mode": 1}),
         (ValueError, "metric", {"image": np.eye(3), "n": 5, "mode": "exact", "metric": "mean"}),
+        (ValueError, "mode", {"image": np.eye(3), "n": 5, "mode": "stratified", "relax": 0}),
+        (ValueError, "scale", {"image": np.eye(3), "scale": 0.1, "mode": "stratified"}),
     ],
     ids=lambda value: f"{value!r:.60}",
 )

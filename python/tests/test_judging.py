@@ -79,7 +79,11 @@ def test_relaxing_makes_shares_more_equal() -> None:
     relaxed = lacuna.relax(made, measure=True)
     assert relaxed.torus and relaxed.domain == (1, 1) and relaxed.evenness is not None
     assert relaxed.evenness.after < relaxed.evenness.before / 2
-    assert lacuna.sample(n=500, torus=True, seed=1, relax=15).sha256 == relaxed.sha256
+    at_once = lacuna.sample(n=500, torus=True, seed=1, relax=15, mode="exact")
+    assert at_once.sha256 == relaxed.sha256
+    stratified = lacuna.sample(n=500, torus=True, seed=1, relax=15)
+    assert stratified.mode == "stratified" and stratified.sha256 != relaxed.sha256
+    assert stratified.scale is None and stratified.rounds == 0
 
 
 def test_devices_lists_every_backend() -> None:

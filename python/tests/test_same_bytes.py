@@ -58,6 +58,7 @@ def picture_cases() -> list[Case]:
     random: list[object] = ["--count", 300, "--relax", 0]
     for more, options in (
         ({"n": 400}, ["--count", 400]),
+        ({"n": 300, "mode": "cells"}, ["--count", 300, "--start", "cells"]),
         ({"n": 400, "relax": 0}, ["--count", 400, "--relax", 0]),
         ({"scale": 0.03, "relax": 0}, ["--scale", 0.03, "--relax", 0]),
         ({"scale": 0.03, "relax": 4}, ["--scale", 0.03, "--relax", 4]),

@@ -158,7 +158,7 @@ TEST(Refused, OfStippleAreBadOptions) {
         {"--scale 1e-9", 2, "--scale 1e-09:", "steps long, of at most 131072", "larger scale"},
         {"--count 9 --radius 0.1", 2, "--radius", "no such option"},
         {"--count 9 --metric most", 2, "--metric most:", "min, mean"},
-        {"--mode lines", 2, "--mode lines:", "must be cells or exact"},
+        {"--mode lines", 2, "--mode lines:", "must be stratified, cells or exact"},
         {"--count 9 --mode exact --metric mean", 2, "--metric mean:", "is for mode cells"},
         {"--count 9 --black 1", 2, "--black 1:", "under 1"},
         {"--count 9 --black 0.5 --white 0.4", 2, "--white 0.4:", "over --black, 0.5"},
