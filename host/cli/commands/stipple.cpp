@@ -53,9 +53,9 @@ Examples:
   lacuna stipple density.npy --invert --count 5000 > points.txt       high numbers are dense
 
 The domain is the picture, with a longer side of 1 and y upwards. Importance is 1 where the picture
-is black and 0, which means no dots, where it is white. Dots are placed at random, so
-that every part of the picture has its share of them. Then --relax moves them K times, until their
-cells hold equal darkness and each dot is in the middle of its cell.
+is black and 0, which means no dots, where it is white. Dots are placed at random, so that every
+part of the picture has its share of them. Then --relax moves them K times, until their cells hold
+equal darkness and each dot is in the middle of its cell.
 
 With --relax 0 dots are not moved, and are at least a radius apart; the radius is
 G / sqrt(importance). Points come in the order in which they were admitted: any prefix keeps these
@@ -110,7 +110,8 @@ void add_what_to_stipple(CLI::App& command, StippleCommand& options) {
             "How dots are placed before they are moved. stratified (default with --relax): every "
             "part of the picture has its share of the dots; cells (default with --relax 0): on a "
             "lattice, as in the paper; exact: in the plane, with no gap left, and with --metric "
-            "min. What keeps a least distance, --scale for example, makes cells the default")
+            "min. With --scale, --metric, --limit, --lines-per-radius or --round-size, which are "
+            "about distances, the default is cells, too")
         ->type_name("MODE");
     add_number(command, "lines-per-radius", "M", request.lines_per_radius,
                "Lattice steps per least radius (default 10); in exact it changes only the speed "
@@ -198,7 +199,7 @@ std::string path_text(const StippleCommand& options, const std::vector<Output>& 
                        work.path_length * drawing::millimetres_per_unit(set, style) / 1000);
 }
 
-// Sets that keep a least distance are needed where an option is about it.
+// A set that keeps a least distance where an option is about distances, else the stratified one.
 Mode default_start(const StippleCommand& options) {
     const Request& request = options.common.request;
     const bool keeps_distance = options.relax == 0 || options.picture.has_metric || request.scale ||
