@@ -215,6 +215,7 @@ def make(
         for step, spent in relaxed.seconds.items():
             seconds[step] = seconds.get(step, 0.0) + spent
         made.update(points=relaxed.points, radius=least, maximal=False, seconds=seconds)
+        made.update(backend=relaxed.backend, device=relaxed.device)  # a stratified start has none
     return set_of(made, request, field is not None, relaxed, asked)
 
 

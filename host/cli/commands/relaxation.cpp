@@ -81,6 +81,8 @@ Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& 
     made.seconds = made.stopwatch.seconds_so_far();
     made.result.points = std::move(relaxation.relaxed.points);
     made.result.maximal = false;
+    made.result.backend = relaxation.relaxed.backend;  // a stratified start has none
+    made.result.device = relaxation.relaxed.device;
     made.result.radius = 0;
     if (needs_least_distance(common, outputs) && made.result.points.size() > 1) {
         const verify::Domain domain{options.width, options.height,
