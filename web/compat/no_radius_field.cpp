@@ -30,13 +30,13 @@ void check_kept_place(const Request&, std::size_t) {
 void check_kept_distances(const Request&) {}
 
 // The reference backend calls these only if there is a radius field.
-Under RadiusField::under(const Rectangle&) const {
+Under RadiusField::under(const Box&) const {
     refuse();
 }
-std::uint32_t RadiusField::cut_x(const Rectangle&) const {
+std::uint32_t RadiusField::cut_x(const Box&) const {
     refuse();
 }
-std::uint32_t RadiusField::cut_y(const Rectangle&) const {
+std::uint32_t RadiusField::cut_y(const Box&) const {
     refuse();
 }
 
