@@ -114,7 +114,14 @@ rings: tuple[Floats, ...] = page.rings
 size: tuple[float, float] | None = page.domain
 mask: npt.NDArray[np.bool_] = lacuna.draw_mask(page, 1.0, domain=size, memory_limit=10**8)
 of_a_domain: lacuna.Verdict = lacuna.verify(
-    made, 0.1, mask=field > 0, inside=page, edge=0.1, border=0.01, keep=[(0.5, 0.5)]
+    made,
+    0.1,
+    torus=False,
+    mask=field > 0,
+    inside=page,
+    edge=0.1,
+    border=0.01,
+    keep=[(0.5, 0.5)],
 )
 triangle: npt.NDArray[np.bool_] = lacuna.draw_mask([[(0, 0), (1, 0), (0, 1)]], 0.1)
 
