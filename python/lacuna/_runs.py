@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     Progress = Callable[[int, int], object]
 
 METRICS = ("min", "mean", "max")
-MODES = ("exact", "lines", "cells", "stratified")
+MODES = ("exact", "lines", "cells")
 MOST_32 = 2**32 - 1
 MOST_64 = 2**64 - 1
 

@@ -183,7 +183,7 @@ def sample(
     request.border = real("border", border)
     is_bounded = mask is not None or keep is not None or request.border != 0
     if mode is not None:
-        request.mode = choice("mode", mode, MODES)
+        request.mode = choice("mode", mode, (*MODES, "stratified"))
     allowed = None if mask is None else mask_of("mask", mask)
     kept = None if keep is None else points_array("keep", keep)
     iterations = whole("relax", relax, 0, MOST_32)

@@ -197,6 +197,8 @@ def test_seeds_of_an_iterator_are_read_as_sets_are_taken() -> None:
         list(lacuna.sample_many(iter([1, -1]), n=10))
     with pytest.raises(lacuna.BadRequest, match="torus|radius"):
         lacuna.sample_many(itertools.count())
+    with pytest.raises(lacuna.BadRequest, match="mode 'stratified'"):
+        lacuna.sample_many([1], n=10, mode="stratified")
 
 
 ENDLESS = """
