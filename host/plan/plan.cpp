@@ -9,7 +9,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <sstream>
 
 #include "plan/kept.h"
 #include "plan/radius_field.h"
@@ -28,10 +27,7 @@ constexpr double kBoxDensity = 0.69655;
 constexpr double kBoxEdge = 0.666;
 
 std::string gigabytes(double bytes) {
-    std::ostringstream out;
-    out.precision(4);
-    out << bytes / 1e9 << " GB";
-    return out.str();
+    return rounded(bytes / 1e9, 4) + " GB";
 }
 
 double memory_limit(const Request& request) {
@@ -105,6 +101,14 @@ std::string shortest(double value) {
     char digits[32];
     const auto end = std::to_chars(std::begin(digits), std::end(digits), value).ptr;
     return {digits, end};
+}
+
+std::string rounded(double value, int digits) {
+    char text[32];
+    const auto end =
+        std::to_chars(std::begin(text), std::end(text), value, std::chars_format::general, digits)
+            .ptr;
+    return {text, end};
 }
 
 void refuse_more_memory(const Request& request, const std::string& option, const std::string& value,

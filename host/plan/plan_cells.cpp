@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -17,11 +16,7 @@ constexpr double kMostLatticeSteps = 1 << 17;  // along a side: squares of radii
 // fields, m from 3 to 40 (docs/cells.md).
 constexpr double kLatticeLoss = 0.47;
 
-std::string short_text(double value) {
-    std::ostringstream out;
-    out << value;  // six digits
-    return out.str();
-}
+constexpr int kDigits = 6;  // of numbers in messages
 
 // Memory that a run needs at its peak: a bit for each lattice point, the map, and points.
 double memory_of_lattice(const Request& request, double lattice_points, double points) {
@@ -55,9 +50,10 @@ void check_lattice(const Request& request, const std::string& option, const std:
     const double longer = std::max(lattice.lines, lattice.height);
     if (!(longer <= kMostLatticeSteps))
         throw BadRequest(option, value,
-                         "makes the least radius " + short_text(lattice.least_radius) +
-                             " and the lattice " + short_text(longer) + " steps long, of at most " +
-                             shortest(kMostLatticeSteps) + ": ask for " +
+                         "makes the least radius " + rounded(lattice.least_radius, kDigits) +
+                             " and the lattice " + rounded(longer, kDigits) +
+                             " steps long, of at most " + shortest(kMostLatticeSteps) +
+                             ": ask for " +
                              (option == "count" ? "fewer points" : "a larger scale") +
                              " or fewer lines per radius");
     refuse_more_memory(request, option, value,

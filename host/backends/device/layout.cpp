@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
 
 #include "backends/columns.h"
 #include "plan/first_boxes.h"
@@ -111,10 +110,7 @@ void unpack(const Slab& slab, std::span<const Span> slots,
 namespace {
 
 std::string gigabytes(std::uint64_t bytes) {
-    std::ostringstream out;
-    out.precision(3);
-    out << static_cast<double>(bytes) / 1e9 << " GB";
-    return out.str();
+    return rounded(static_cast<double>(bytes) / 1e9, 3) + " GB";
 }
 
 // Bytes of a draw: draws, located, candidates; buckets, statuses; samples; three entries of near.
