@@ -99,6 +99,11 @@ std::uint32_t unit_of(double coordinate, double side, std::uint32_t length, bool
 
 }  // namespace
 
+const Field& field_or_even(const Field* field) {
+    static const Field even{1, 1, {1.0}};
+    return field != nullptr ? *field : even;
+}
+
 std::vector<std::uint16_t> masses_of(const Field& field, const Poll& poll) {
     const double greatest = *std::max_element(field.importance.begin(), field.importance.end());
     std::vector<std::uint16_t> masses;
@@ -117,8 +122,7 @@ std::vector<std::uint16_t> masses_of(const Field& field, const Poll& poll) {
 
 Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions& options,
                      const Poll& poll) {
-    static const Field nothing{1, 1, {1.0}};
-    const Field& importance = field != nullptr ? *field : nothing;
+    const Field& importance = field_or_even(field);
     const double pixels = static_cast<double>(pixels_of_importance(importance));
     const double aspect = options.width / importance.columns / (options.height / importance.rows);
     const double wanted = field != nullptr ? kPointsOfField : kPointsWithoutField;

@@ -59,6 +59,9 @@ struct Lattice {
     Point to_user(const Site& site) const { return {site.x * unit_x, site.y * unit_y}; }
 };
 
+// The field, or a field of one pixel where there is none.
+const Field& field_or_even(const Field* field);
+
 // Importance in 65535ths of the greatest, rounded, but at least 1 where it is not 0: row by row
 // from the lowest y.
 std::vector<std::uint16_t> masses_of(const Field& field, const Poll& poll);

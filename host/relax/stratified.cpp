@@ -132,8 +132,7 @@ private:
 }  // namespace
 
 std::vector<Point> stratified_points(const Request& request, const Poll& poll) {
-    static const Field nothing{1, 1, {1.0}};
-    const Cells cells(request, request.field != nullptr ? *request.field : nothing, poll);
+    const Cells cells(request, field_or_even(request.field), poll);
     Walk walk(request, cells);
     std::size_t visited = 0;
     for_each_on_curve(cells.columns(), cells.rows(), [&](Cell cell) {

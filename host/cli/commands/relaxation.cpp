@@ -54,6 +54,16 @@ void add_relax(CLI::App& command, std::uint32_t& iterations) {
                            iterations));
 }
 
+bool asks_for_distances(const Request& request) {
+    return request.radius || request.scale || request.lines_per_radius || request.limit ||
+           request.round_size != 0;
+}
+
+void check_start(Mode mode, std::uint32_t iterations) {
+    if (mode == Mode::stratified && iterations == 0)
+        throw BadRequest("mode", std::string(name_of(mode)), "is a start for --relax");
+}
+
 RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations) {
     RelaxOptions options;
     options.width = request.width;

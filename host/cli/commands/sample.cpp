@@ -67,8 +67,7 @@ void read_mode(const std::string& text, Mode& mode) {
 
 // Relaxing would move points to where none may lie, and would move kept points.
 void check_relax(const SampleCommand& all) {
-    if (all.relax == 0 && all.common.request.mode == Mode::stratified)
-        throw BadRequest("mode", "stratified", "is a start for --relax");
+    check_start(all.common.request.mode, all.relax);
     if (all.relax == 0) return;
     const auto refuse = [&](const char* allowed) {
         throw BadRequest("relax", std::to_string(all.relax), allowed);
@@ -79,18 +78,14 @@ void check_relax(const SampleCommand& all) {
         refuse("cannot be used with --mask, --inside, --border or --keep");
 }
 
-// Whether a set to be relaxed keeps a least distance first, because an option is about it.
-bool keeps_distance(const CLI::App& command, const Request& request) {
-    return command.count("--mode") != 0 || !request.count || request.radius || request.scale ||
-           request.lines_per_radius || request.limit || request.round_size != 0;
-}
-
 void run(const CLI::App& command, const SampleCommand& all) {
     check_relax(all);
     check_domain(command, all.domain);
     CommonOptions options = all.common;
     Request& request = options.request;
-    if (all.relax != 0 && !keeps_distance(command, request)) request.mode = Mode::stratified;
+    if (all.relax != 0 && command.count("--mode") == 0 && request.count &&
+        !asks_for_distances(request))
+        request.mode = Mode::stratified;
     const std::vector<GivenFile> read = files_of(all.domain);
     const std::vector<Output> outputs = all.seeds
                                             ? checked_outputs(command, options, *all.seeds, read)

@@ -125,10 +125,18 @@ void add_pen_path(CLI::App& command, StippleCommand& options) {
         ->disable_flag_override();
 }
 
+// Unless --mode is given: a set that keeps a least distance where an option is about distances,
+// else the stratified one.
+Mode mode_of(const StippleCommand& options) {
+    if (options.mode) return *options.mode;
+    const bool keeps_distance = options.relax == 0 || options.picture.has_metric ||
+                                asks_for_distances(options.common.request);
+    return keeps_distance ? Mode::cells : Mode::stratified;
+}
+
 // Checks everything that can be checked before the picture is read; returns the outputs.
 std::vector<Output> check_options(const StippleCommand& options) {
-    if (options.mode == Mode::stratified && options.relax == 0)
-        throw BadRequest("mode", "stratified", "is a start for --relax");
+    check_start(mode_of(options), options.relax);
     const std::vector<Output> outputs =
         checked_outputs(options.common, {{"IMAGE", options.picture.path}});
     pictures::check(options.picture.importance);
@@ -199,22 +207,13 @@ std::string path_text(const StippleCommand& options, const std::vector<Output>& 
                        work.path_length * drawing::millimetres_per_unit(set, style) / 1000);
 }
 
-// A set that keeps a least distance where an option is about distances, else the stratified one.
-Mode default_start(const StippleCommand& options) {
-    const Request& request = options.common.request;
-    const bool keeps_distance = options.relax == 0 || options.picture.has_metric || request.scale ||
-                                request.lines_per_radius || request.limit ||
-                                request.round_size != 0;
-    return keeps_distance ? Mode::cells : Mode::stratified;
-}
-
 void run(const CLI::App& command, const StippleCommand& options) {
     const std::vector<Output> outputs = check_options(options);
     Work work;
     const Stopwatch stopwatch;
     CommonOptions common = options.common;
     Request& request = common.request;
-    request.mode = options.mode.value_or(default_start(options));
+    request.mode = mode_of(options);
     if (request.mode == Mode::cells && options.relax != 0 && !options.picture.has_metric)
         request.metric = Metric::mean;
     const Field field = read_field(options.picture, request);
