@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "plan/plan.h"
 #include "relax/take_apart.h"
+#include "verify/verify.h"
 
 namespace lacuna::relaxing {
 namespace {
@@ -99,6 +101,14 @@ std::uint32_t unit_of(double coordinate, double side, std::uint32_t length, bool
 
 }  // namespace
 
+void check_options(const RelaxOptions& options) {
+    constexpr std::uint32_t kMostIterations = 10000;
+    verify::check_domain(options.width, options.height);
+    if (options.iterations > kMostIterations)
+        throw BadRequest("iterations", std::to_string(options.iterations),
+                         "must be at most " + std::to_string(kMostIterations));
+}
+
 const Field& field_or_even(const Field* field) {
     static const Field even{1, 1, {1.0}};
     return field != nullptr ? *field : even;
@@ -128,19 +138,24 @@ Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions&
     const double wanted = field != nullptr ? kPointsOfField : kPointsWithoutField;
     const Cut cut = possible_cut(importance, aspect, wanted * static_cast<double>(points) / pixels);
 
-    Lattice lattice{numbers_of(importance, cut, options), 0, masses_of(importance, poll), 0, 0};
+    Lattice lattice{numbers_of(importance, cut, options), 0, {}, 0, 0};
+    lattice.unit_x = options.width / (lattice.numbers.columns * lattice.numbers.step_x);
+    lattice.unit_y = options.height / (lattice.numbers.rows * lattice.numbers.step_y);
+    return with_field(std::move(lattice), points, importance, poll);
+}
+
+Lattice with_field(Lattice lattice, std::size_t points, const Field& field, const Poll& poll) {
     portable::RelaxLattice& numbers = lattice.numbers;
+    lattice.mass = masses_of(field, poll);
     const std::uint64_t points_per_pixel = std::uint64_t{numbers.cut_x} * numbers.cut_y;
     std::uint64_t mass = 0;
     for (const std::uint16_t one : lattice.mass) mass += one * points_per_pixel;
-    lattice.points = pixels_of_importance(importance) * points_per_pixel;
+    lattice.points = pixels_of_importance(field) * points_per_pixel;
     numbers.samples = static_cast<std::uint32_t>(points);
     numbers.mean_mass = mass / points;
     // A quarter of a site's mean area, the step of a site with much too little mass (eta / 2).
     numbers.lonely_step =
         lattice.points * numbers.step_x * numbers.step_y / (4 * std::uint64_t{points}) + 1;
-    lattice.unit_x = options.width / (numbers.columns * numbers.step_x);
-    lattice.unit_y = options.height / (numbers.rows * numbers.step_y);
     return lattice;
 }
 
@@ -158,7 +173,8 @@ std::vector<Site> sites_of(std::span<const Point> points, const Lattice& lattice
                              "must lie in the domain, [0, " + shortest(options.width) + "] x [0, " +
                                  shortest(options.height) + "]");
         sites[i] = {unit_of(point.x, options.width, numbers.columns * numbers.step_x, wraps),
-                    unit_of(point.y, options.height, numbers.rows * numbers.step_y, wraps), 0};
+                    unit_of(point.y, options.height, numbers.rows * numbers.step_y, wraps),
+                    portable::even_weight(numbers.farthest)};
     });
     take_apart(sites, numbers, poll);
     return sites;

@@ -28,8 +28,11 @@ struct Share {
     friend bool operator==(const Share&, const Share&) = default;
 };
 
-// The site at its centre of mass, or where it was if it has no mass.
-inline Site moved_to_centre(const portable::RelaxLattice& numbers, Site site, const Share& share) {
+// The site after a move: at its centre of mass, or where it was if it has no mass, and with its new
+// weight.
+inline Site moved(const portable::RelaxLattice& numbers, Site site, const Share& share) {
+    site.weight = portable::moved_weight(numbers, site.weight, share.mass,
+                                         static_cast<std::uint32_t>(share.points));
     if (share.mass == 0) return site;
     site.x = portable::centre_of_mass(share.moment_x, share.mass, site.x, numbers.step_x,
                                       numbers.columns, numbers.period_x);
@@ -59,6 +62,9 @@ struct Lattice {
     Point to_user(const Site& site) const { return {site.x * unit_x, site.y * unit_y}; }
 };
 
+// Throws BadRequest.
+void check_options(const RelaxOptions& options);
+
 // The field, or a field of one pixel where there is none.
 const Field& field_or_even(const Field* field);
 
@@ -69,6 +75,9 @@ std::vector<std::uint16_t> masses_of(const Field& field, const Poll& poll);
 // A lattice for `points` points, at least one. Throws BadRequest.
 Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions& options,
                      const Poll& poll = nobody_asks);
+
+// The same lattice for other points and for a field with as many pixels.
+Lattice with_field(Lattice lattice, std::size_t points, const Field& field, const Poll& poll);
 
 // The starting positions. No two are equal as long as there are free positions. Throws BadRequest
 // if a point lies outside the domain.

@@ -39,16 +39,8 @@ public:
     }
 
     void move() override {
-        std::uint64_t least = kFarther;
-        for (std::size_t i = 0; i < sites_.size(); ++i) {
-            const Share& share = shares_[i];
-            sites_[i].weight = portable::moved_weight(numbers_, sites_[i].weight, share.mass,
-                                                      static_cast<std::uint32_t>(share.points));
-            least = std::min(least, sites_[i].weight);
-            sites_[i] = moved_to_centre(numbers_, sites_[i], share);
-        }
-        for (Site& site : sites_)
-            site.weight = portable::weight_above_least(site.weight, least, numbers_.farthest);
+        for (std::size_t i = 0; i < sites_.size(); ++i)
+            sites_[i] = moved(numbers_, sites_[i], shares_[i]);
     }
 
     void rest() override {

@@ -11,7 +11,6 @@
 #include "plan/plan.h"
 #include "relax/lattice.h"
 #include "relax/relax_backends.h"
-#include "verify/verify.h"
 
 namespace lacuna {
 namespace {
@@ -20,16 +19,6 @@ using relaxing::Lattice;
 using relaxing::RelaxBackend;
 using relaxing::Share;
 using relaxing::Site;
-
-constexpr std::uint32_t kMostIterations = 10000;
-
-void check_options(const RelaxOptions& options, const Field* field) {
-    verify::check_domain(options.width, options.height);
-    if (options.iterations > kMostIterations)
-        throw BadRequest("iterations", std::to_string(options.iterations),
-                         "must be at most " + std::to_string(kMostIterations));
-    if (field != nullptr) check_importance(*field);
-}
 
 // Coefficient of variation of the masses.
 double variation(const std::vector<Share>& shares) {
@@ -119,7 +108,8 @@ std::vector<Site> iterate(Iterations& run, RelaxBackend& backend, const RelaxOpt
 
 Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOptions& options,
               Observer& observer) {
-    check_options(options, field);
+    relaxing::check_options(options);
+    if (field != nullptr) check_importance(*field);
     Relaxed relaxed;
     relaxed.points.assign(points.begin(), points.end());
     if (points.empty()) return relaxed;

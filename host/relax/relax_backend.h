@@ -17,8 +17,8 @@ namespace lacuna::relaxing {
 //   assign      each lattice point with importance belongs to the site of least power; ties go to
 //               the lowest index. Lattice points without importance have no owner.
 //   accumulate  for each site the number of its lattice points, their mass and its moments
-//   move        each site moves to its centre of mass, and its weight follows its mass; then the
-//               least weight is subtracted from all. A site without mass stays where it is.
+//   move        each site moves to its centre of mass, and its weight follows its mass. A site
+//               without mass stays where it is.
 //   rest        replaces the last move. After the move, a site without importance under it goes
 //               to the nearest of its lattice points or, if it has none, to the nearest lattice
 //               point with importance; ties go to the lowest row, then column

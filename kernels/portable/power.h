@@ -2,9 +2,9 @@
 // weights.
 //
 // A unit is 1/256 of the lattice's shorter step. A sample has a position in units. Its weight here
-// is the greatest of all weights minus its own, in squared units. So weights are whole numbers of
-// at least 0, and the sample with the least |p - s|^2 - w is the one with the least |p - s|^2 +
-// weight.
+// is even_weight(), half the squared diagonal, minus its own, in squared units. So weights are
+// whole numbers of at least 0, and the sample with the least |p - s|^2 - w is the one with the
+// least |p - s|^2 + weight.
 //
 // Nothing here overflows, because host/relax/lattice.cpp keeps these limits:
 //   lattice points                at most 2^31
@@ -21,9 +21,9 @@ LACUNA_BEGIN
 #define NO_OWNER 0xffffffffu
 
 struct RelaxLattice {
-    u64 farthest;     // over any squared distance: with this weight a sample gets no point
+    u64 farthest;     // over any squared distance; no weight is over it
     u64 mean_mass;    // mean mass of a sample
-    u64 lonely_step;  // by which the weight here of a sample without mass sinks
+    u64 lonely_step;  // a quarter of a sample's mean area, and 1 more
     u32 columns;      // lattice points
     u32 rows;
     u32 step_x;  // units
@@ -93,23 +93,32 @@ LACUNA_FN u64 weight_step(u64 growth, u32 points, u32 step_x, u32 step_y) {
     return growth * area * (step_x * step_y / 256u) / 256u;
 }
 
-// The new weight of a sample with this mass and number of lattice points, before the least weight
-// is subtracted from all. It is `farthest` too high, so that it is not negative. It is at most 3
-// farthest, which is below 2^63.
-LACUNA_FN u64 moved_weight(RelaxLattice lattice, u64 weight, u64 mass, u32 points) {
-    u64 step = lattice.lonely_step;
-    if (mass != 0u)
-        step = weight_step(weight_growth(mass, lattice.mean_mass), points, lattice.step_x,
-                           lattice.step_y);
-    u64 bounded = step < lattice.farthest ? step : lattice.farthest;
-    u64 middle = weight + lattice.farthest;
-    return mass < lattice.mean_mass ? middle - bounded : middle + bounded;
+// The weight here of a sample whose own weight is 0, as all have at first.
+LACUNA_FN u64 even_weight(u64 farthest) {
+    return farthest / 2u;
 }
 
-// The weight after the least moved weight is subtracted.
-LACUNA_FN u64 weight_above_least(u64 moved, u64 least, u64 farthest) {
-    u64 weight = moved - least;
-    return weight < farthest ? weight : farthest;
+// The new weight of a sample with this mass and number of lattice points. A sample's own weight is
+// at most a quarter of its cell's area, or of the mean area if that is larger, either way. The
+// circle of a larger weight would be wider than the cell, and reach across places without
+// importance for mass that other samples need. A sample without mass has no cell: its weight here
+// sinks until it has one. No sum here is over 2^62.
+LACUNA_FN u64 moved_weight(RelaxLattice lattice, u64 weight, u64 mass, u32 points) {
+    u64 even = even_weight(lattice.farthest);
+    u64 step = lattice.lonely_step;
+    u64 most = even;
+    if (mass != 0u) {
+        u64 area = points;
+        area = area * (lattice.step_x * lattice.step_y);
+        step = weight_step(weight_growth(mass, lattice.mean_mass), points, lattice.step_x,
+                           lattice.step_y);
+        most = area / 4u > lattice.lonely_step ? area / 4u : lattice.lonely_step;
+        most = most < even ? most : even;
+    }
+    u64 moved = weight + step;
+    if (mass < lattice.mean_mass) moved = weight > step ? weight - step : 0u;
+    if (moved < even - most) return even - most;
+    return moved < even + most ? moved : even + most;
 }
 
 LACUNA_END

@@ -47,7 +47,7 @@ LACUNA_END
 // clang-format off
 #define LEVEL_SITES_BINDINGS(B)                                                    \
     B(0, BOTH, u32x4, sites) B(1, BOTH, u32x4, node_boxes)                          \
-    B(2, BOTH, u32x2, node_weights) B(3, READ, u32, least)
+    B(2, BOTH, u32x2, node_weights)
 #define FIND_HINTS_BINDINGS(B)                                                      \
     B(0, READ, u32x4, sites) B(1, READ, u32x4, node_boxes)                          \
     B(2, READ, u32x2, node_weights) B(3, READ, u32, units) B(4, READ, u32, tile_leaves) \
@@ -74,12 +74,10 @@ LACUNA_END
     B(5, READ, u32, hints) B(6, READ, u32, masses) B(7, SHARED, u32, shares)        \
     B(8, SHARED, u32, moments) B(9, WRITE, u32, owners) B(10, SHARED, u32, failure)
 #define MOVE_BINDINGS(B)                                                          \
-    B(0, BOTH, u32x4, sites) B(1, READ, u32, shares) B(2, READ, u32, moments)       \
-    B(3, SHARED, u32, least)
-#define FIND_LEAST_BINDINGS(B) B(0, READ, u32x4, sites) B(1, SHARED, u32, least)
+    B(0, BOTH, u32x4, sites) B(1, READ, u32, shares) B(2, READ, u32, moments)
 
 #define LACUNA_RELAX_BUFFERS(B)                                                                 \
-    B(u32x4, sites) B(u32x4, node_boxes) B(u32x2, node_weights) B(u32, least) B(u32, units)       \
+    B(u32x4, sites) B(u32x4, node_boxes) B(u32x2, node_weights) B(u32, units)       \
     B(u32, tile_leaves) B(u32, indices) B(u32, hints) B(u32x4, rivals) B(u32, rival_ids)        \
     B(u32, rival_counts) B(u32, winners) B(u32, masses) B(u32, owners) B(u32, shares)           \
     B(u32, moments) B(u32, late) B(u32, late_count)
@@ -91,8 +89,7 @@ LACUNA_END
     K(assign, LeafArguments, ASSIGN_BINDINGS)                     \
     K(tell_owners, LeafArguments, TELL_OWNERS_BINDINGS)     \
     K(assign_crowded, LeafArguments, ASSIGN_CROWDED_BINDINGS)     \
-    K(move, SiteArguments, MOVE_BINDINGS)               \
-    K(find_least, SiteArguments, FIND_LEAST_BINDINGS)
+    K(move, SiteArguments, MOVE_BINDINGS)
 // clang-format on
 
 #endif

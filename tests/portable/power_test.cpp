@@ -67,20 +67,35 @@ RelaxLattice largest_lattice() {
     return lattice;
 }
 
-TEST(Power, weights_stay_below_two_to_the_63_and_above_zero) {
+TEST(Power, weights_stay_between_zero_and_the_farthest_distance) {
     const RelaxLattice lattice = largest_lattice();
     EXPECT_LT(lattice.farthest, u64{1} << 61);
-    for (const u64 weight : {u64{0}, lattice.farthest / 2, lattice.farthest}) {
-        for (const u64 mass : {u64{0}, u64{1}, lattice.mean_mass, kMostMass}) {
-            for (const u32 points : {0u, 1u, 0x80000000u}) {
-                const u64 moved = moved_weight(lattice, weight, mass, points);
-                EXPECT_LE(moved, 3 * lattice.farthest);
-                EXPECT_LT(moved, u64{1} << 63);
-                EXPECT_LE(weight_above_least(moved, 0, lattice.farthest), lattice.farthest);
-            }
+    for (const u64 weight : {u64{0}, lattice.farthest / 2, lattice.farthest})
+        for (const u64 mass : {u64{0}, u64{1}, lattice.mean_mass, kMostMass})
+            for (const u32 points : {0u, 1u, 0x80000000u})
+                EXPECT_LE(moved_weight(lattice, weight, mass, points), lattice.farthest);
+}
+
+TEST(Power, a_weight_is_at_most_a_quarter_of_its_cells_area_or_of_the_mean_area) {
+    RelaxLattice lattice = largest_lattice();
+    lattice.mean_mass = 1000;
+    for (const u64 mean : {u64{1000}, u64{1} << 16}) {
+        lattice.lonely_step = mean / 4 + 1;
+        const u64 even = even_weight(lattice.farthest);
+        constexpr u32 kPoints = 12;
+        const u64 most =
+            std::max(u64{kPoints} * lattice.step_x * lattice.step_y / 4, lattice.lonely_step);
+        u64 hungry = even;
+        u64 full = even;
+        for (int i = 0; i < 5000; ++i) {
+            hungry = moved_weight(lattice, hungry, 10, kPoints);
+            full = moved_weight(lattice, full, 90000, kPoints);
+            ASSERT_GE(hungry, even - most);
+            ASSERT_LE(full, even + most);
         }
+        EXPECT_EQ(hungry, even - most);
+        EXPECT_EQ(full, even + most);
     }
-    EXPECT_EQ(weight_above_least(17, 17, lattice.farthest), 0u);
 }
 
 TEST(Power, powers_stay_below_two_to_the_62) {

@@ -152,6 +152,27 @@ TEST_P(Relax, is_asked_before_the_first_iteration_too) {
     }
 }
 
+// Each of 15 faint islands on white has less than half of a point's importance. If weights had no
+// bound, points on islands would take cells in the dark half: 0.35 instead of 0.07.
+TEST(FaintIslands, do_not_take_importance_from_other_shapes) {
+    Field field = lacuna::tests::constant_field(100, 100, 0);
+    for (std::size_t row = 0; row < 100; ++row)
+        for (std::size_t column = 0; column < 100; ++column) {
+            const bool is_island = column >= 70 && column % 10 < 6 && row % 20 < 12;
+            field.importance[100 * row + column] = column < 50 ? 1 : is_island ? 0.01 : 0;
+        }
+    Request request;
+    request.mode = Mode::stratified;
+    request.field = &field;
+    request.count = 300;
+    RelaxOptions options;
+    options.iterations = 60;
+    options.measure = true;
+    const Relaxed relaxed = relax(sample(request).points, &field, options);
+    EXPECT_LT(relaxed.evenness->after_voronoi, 0.1);
+    EXPECT_LT(relaxed.evenness->after, 0.1);
+}
+
 TEST(RelaxOptionsGiven, zero_iterations_change_no_bit) {
     RelaxOptions options;
     options.iterations = 0;

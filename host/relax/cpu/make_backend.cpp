@@ -67,12 +67,14 @@ public:
         if (std::any_of(moved_.begin(), moved_.end(), is_lost)) {
             const PixelTree pixels(lattice_, [&] { workers_.poll(); });
             const Scene scene = this->scene();
-            for_chunks([&](std::size_t begin, std::size_t end) {
+            const auto find = [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i)
                     if (is_lost(moved_[i]))
                         moved_[i] = nearest_point(scene, pixels, static_cast<std::uint32_t>(i),
                                                   shares_[i].mass != 0, moved_[i]);
-            });
+            };
+            constexpr std::size_t kLostPerChunk = 256;  // a search takes up to 0.1 ms
+            for_chunks(find, kLostPerChunk);
         }
         sites_.swap(moved_);
     }
@@ -191,37 +193,20 @@ private:
 
     // Computes the new sites in moved_.
     void find_moved() {
-        std::atomic<std::uint64_t> least{std::numeric_limits<std::uint64_t>::max()};
-        for_chunks([&](std::size_t begin, std::size_t end) {
-            std::uint64_t own_least = std::numeric_limits<std::uint64_t>::max();
-            for (std::size_t i = begin; i < end; ++i) {
-                moved_[i] = moved_to_centre(numbers_, sites_[i], shares_[i]);
-                moved_[i].weight =
-                    portable::moved_weight(numbers_, sites_[i].weight, shares_[i].mass,
-                                           static_cast<std::uint32_t>(shares_[i].points));
-                own_least = std::min(own_least, moved_[i].weight);
-            }
-            std::uint64_t seen = least.load(std::memory_order_relaxed);
-            while (own_least < seen &&
-                   !least.compare_exchange_weak(seen, own_least, std::memory_order_relaxed)) {
-            }
-        });
         for_chunks([&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                moved_[i].weight =
-                    portable::weight_above_least(moved_[i].weight, least, numbers_.farthest);
+                moved_[i] = moved(numbers_, sites_[i], shares_[i]);
         });
     }
 
     // Calls work(begin, end) for runs of sites, in parallel.
     template <typename Work>
-    void for_chunks(Work work) {
-        constexpr std::size_t kSitesPerChunk = 1024;
-        const std::size_t chunks = (sites_.size() + kSitesPerChunk - 1) / kSitesPerChunk;
+    void for_chunks(Work work, std::size_t sites_per_chunk = 1024) {
+        const std::size_t chunks = (sites_.size() + sites_per_chunk - 1) / sites_per_chunk;
         workers_.for_columns(static_cast<std::uint32_t>(chunks), sites_.size(),
                              [&](std::uint32_t chunk) {
-                                 const std::size_t begin = chunk * kSitesPerChunk;
-                                 work(begin, std::min(begin + kSitesPerChunk, sites_.size()));
+                                 const std::size_t begin = chunk * sites_per_chunk;
+                                 work(begin, std::min(begin + sites_per_chunk, sites_.size()));
                              });
     }
 

@@ -89,9 +89,7 @@ public:
     void accumulate() override {}
 
     void move() override {
-        queue_->fill(memory_.least, 0, 2);
         launch_over_sites<kernels::move>(kSiteWork);
-        launch_over_sites<kernels::find_least>(kSiteWork);
         level_sites();
         queue_->wait();
     }
@@ -240,7 +238,7 @@ private:
                                        lacuna::device::items_of(units, chunk), work * chunk);
     }
 
-    // Subtracts the least weight from all weights, and builds the tree again.
+    // Builds the tree again.
     void level_sites() {
         for (std::uint32_t level = 1; level <= depth_; ++level)
             launch_over_sites<kernels::level_sites>(8 * kSiteWork, level);
@@ -256,11 +254,9 @@ private:
         return sites;
     }
 
-    // Keeps the weights: the least weight is set to 0, so that nothing is subtracted.
     void put_along_curve(const std::vector<Site>& sites) {
         for (std::size_t i = 0; i < sites.size(); ++i) sites_[i] = packed(sites[i]);
         put<Words4>(memory_.sites, sites_);
-        queue_->fill(memory_.least, ~0u, 2);
         level_sites();
         queue_->wait();
     }

@@ -35,7 +35,6 @@ std::vector<Need> needs_of(const Lattice& lattice, std::uint64_t sites, std::uin
     return {{&Memory::sites, 4 * sites},
             {&Memory::node_boxes, 4 * nodes},
             {&Memory::node_weights, 2 * nodes},
-            {&Memory::least, 2},
             {&Memory::units, tiles},
             {&Memory::tile_leaves, tiles},
             {&Memory::indices, sites},

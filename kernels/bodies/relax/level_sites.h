@@ -1,5 +1,4 @@
-// The body of level_sites: builds a level of the tree over the sites. On the first level it also
-// subtracts the least weight from all sites.
+// The body of level_sites: builds a level of the tree over the sites.
 #include "portable/power.h"
 #include "portable/site_tree.h"
 
@@ -9,24 +8,17 @@ struct Node {
 };
 LACUNA_TYPEDEF(Node)
 
-BODY Node levelled_site(MEMORY const SiteArguments a, const u32 i) {
-    u32x4 site = AT(sites, i);
-    const u64 lowest = join_words(0xffffffffu - AT(least, 1u), 0xffffffffu - AT(least, 0u));
-    Node node;
-    node.weight = weight_above_least(join_words(site.z, site.w), lowest, a.lattice.farthest);
-    node.box = U32X4(site.x, site.y, site.x, site.y);
-    site.z = to_u32(node.weight);
-    site.w = to_u32(node.weight >> 32);
-    AT(sites, i) = site;
-    return node;
-}
-
-// A node of the level below.
+// A node of the level below, or a site.
 BODY Node child_of(MEMORY const SiteArguments a, const u32 i) {
-    if (a.level == 1u) return levelled_site(ON a, i);
+    Node node;
+    if (a.level == 1u) {
+        const u32x4 site = AT(sites, i);
+        node.box = U32X4(site.x, site.y, site.x, site.y);
+        node.weight = join_words(site.z, site.w);
+        return node;
+    }
     const u32 at = a.level_begin * 8u + 1u + i;
     const u32x2 weight = AT(node_weights, at);
-    Node node;
     node.box = AT(node_boxes, at);
     node.weight = join_words(weight.x, weight.y);
     return node;

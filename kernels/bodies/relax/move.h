@@ -1,9 +1,7 @@
-// The body of move: a site moves to its centre of mass, and its weight follows its mass. find_least
-// and level_sites subtract the least weight from all afterwards.
+// The body of move: a site moves to its centre of mass, and its weight follows its mass.
 #include "portable/power.h"
 #include "portable/site_tree.h"
 
-// least[0] becomes 0xffffffff minus the least upper word of a weight, for ATOMIC_MAX.
 BODY void move_site(MEMORY const SiteArguments a, const u32 i) {
     u32x4 site = AT(sites, i);
     const u64 mass = join_words(AT(shares, 4u * i + 2u), AT(shares, 4u * i + 3u));
@@ -18,8 +16,6 @@ BODY void move_site(MEMORY const SiteArguments a, const u32 i) {
     site.z = to_u32(weight);
     site.w = to_u32(weight >> 32);
     AT(sites, i) = site;
-    const u32 short_by = 0xffffffffu - site.w;
-    if (LOOK_AT(least, 0u) < short_by) ATOMIC_MAX(least, 0u, short_by);
 }
 
 BODY void serve_move(MEMORY const SiteArguments a, const u32 item) {

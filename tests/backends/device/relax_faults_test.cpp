@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Device, RelaxFaults, lacuna::tests::kDeviceBackends,
 TEST_P(RelaxFaults, InOwnAreNoticed) {
     expect_noticed(torus_,
                    {{"bodies/relax/find_rivals.h", "image < 9u", "image < 5u"},
-                    {"bodies/relax/find_rivals.h", "<= search.bound &&", "< search.bound / 2u &&"},
+                    {"bodies/relax/find_rivals.h", "<= search.bound &&", "< search.bound - 4000000u &&"},
                     {"bodies/relax/assign.h", "to_i32(u) * near.along_x", "0"},
                     {"bodies/relax/assign.h", "+ min(up, 0) > 0", "> 0"},
                     {"bodies/relax/assign.h", "v < leaf.height) mass", "v < 7u) mass"},
@@ -114,13 +114,10 @@ TEST_P(RelaxFaults, InTheCarryOfSumsAreNoticed) {
 
 TEST_P(RelaxFaults, InMoveAreNoticed) {
     expect_noticed(torus_,
-                   {{"bodies/relax/move.h", "ATOMIC_MAX(least, 0u, short_by)", ""},
-                    {"bodies/relax/move.h", "site.z = to_u32(weight)", "site.z = 0u"},
-                    {"bodies/relax/find_least.h", "site.w != upper", "site.w == upper"},
+                   {{"bodies/relax/move.h", "site.z = to_u32(weight)", "site.z = 0u"},
                     {"bodies/relax/level_sites.h", "max(all.box.z, node.box.z)", "all.box.z"},
                     {"bodies/relax/level_sites.h",
-                     "node.weight < all.weight ? node.weight :", "node.weight +"},
-                    {"bodies/relax/level_sites.h", "AT(sites, i) = site;", ""}});
+                     "node.weight < all.weight ? node.weight :", "node.weight +"}});
 }
 
 TEST_P(RelaxFaults, InCrowdedLeavesAreNoticed) {
