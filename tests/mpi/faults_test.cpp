@@ -122,8 +122,8 @@ TEST(MpiFaults, ARankThatDoesNotSeeTheFolderIsTold) {
     Folder other;
     const auto rank_in = [](const Folder& folder) {
         return std::vector<std::string>{
-            "-n",       "1",    "-wdir", folder.path(""), LACUNA_MPI_PROGRAM, "sample",
-            "--radius", "0.01", "-o",    "x.npy"};
+            "-n",     "1",        "/usr/bin/env", "--chdir", folder.path(""), LACUNA_MPI_PROGRAM,
+            "sample", "--radius", "0.01",         "-o",      "x.npy"};
     };
     const std::string others = std::filesystem::path(other.path("x")).parent_path().string();
     const Outcome outcome = mpirun(joined(rank_in(seen), rank_in(other)));
