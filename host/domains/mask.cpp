@@ -22,7 +22,7 @@ Mask read_mask(const std::string& path) {
 // because no channel is negative and each has a positive weight.
 Mask decode_mask(std::string_view bytes, const std::string& name) {
     const pictures::Image image = pictures::decode_image(
-        bytes, name, pictures::kMaxPixels, pictures::kMaxSide, pictures::Backdrop::black);
+        bytes, name, pictures::kMaxPixels, pictures::kMaxSide, {pictures::Backdrop::black});
     Mask mask;
     mask.columns = image.columns;
     mask.rows = image.rows;

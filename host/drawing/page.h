@@ -59,4 +59,21 @@ void for_each_stroke(const files::PointSet& set, const Style& style, const Strok
     }
 }
 
+// Calls `draw(layer, dots, style)` for each layer: its index, its dots as a set of their own, and
+// the style with their diameters. A set without layers is drawn as one, with index 0.
+template <class Draw>
+void for_each_layer(const files::PointSet& set, const Style& style, const Draw& draw) {
+    if (set.layers.empty()) return draw(std::size_t{0}, set, style);
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < set.layers.size(); ++k) {
+        files::PointSet part = set;
+        Style its_style = style;
+        part.points = set.points.subspan(first, set.layers[k].dots);
+        if (!style.diameters.empty())
+            its_style.diameters = style.diameters.subspan(first, set.layers[k].dots);
+        draw(k, part, its_style);
+        first += set.layers[k].dots;
+    }
+}
+
 }  // namespace lacuna::drawing

@@ -29,6 +29,25 @@ Context make_context(cairo_surface_t* surface) {
     return context;
 }
 
+// Calls draw(dots, style) for each layer. Inks are transparent: each layer is drawn on its own, in
+// its colour, and what is there already is multiplied by it.
+template <class Draw>
+void multiply_layers(cairo_t* context, const files::PointSet& set, const Style& style,
+                     const Draw& draw) {
+    if (set.layers.empty()) return draw(set, style);
+    for_each_layer(set, style, [&](std::size_t layer, const auto& part, const Style& its_style) {
+        const auto& [red, green, blue] = set.layers[layer].ink.colour;
+        cairo_push_group(context);
+        cairo_set_source_rgb(context, red / 255.0, green / 255.0, blue / 255.0);
+        draw(part, its_style);
+        cairo_pop_group_to_source(context);
+        cairo_set_operator(context, CAIRO_OPERATOR_MULTIPLY);
+        cairo_paint(context);
+        cairo_set_operator(context, CAIRO_OPERATOR_OVER);
+        check(cairo_status(context));
+    });
+}
+
 // Dots are circles here, because some viewers draw lines of length 0 as ovals.
 void fill_circles(cairo_t* context, const files::PointSet& set, const Style& style,
                   const Page& page) {
@@ -62,7 +81,12 @@ std::string draw_pdf(const files::PointSet& set, const Style& style) {
         tell(CAIRO_PDF_METADATA_SUBJECT, set.origin->command);
         tell(CAIRO_PDF_METADATA_KEYWORDS, seed_text(*set.origin));
     }
-    fill_circles(make_context(surface.get()).get(), set, style, page);
+    {
+        const Context context = make_context(surface.get());
+        multiply_layers(context.get(), set, style, [&](const auto& part, const Style& its_style) {
+            fill_circles(context.get(), part, its_style, page);
+        });
+    }
     // Checked after this call, because cairo writes most of the document only now.
     cairo_surface_finish(surface.get());
     check(cairo_surface_status(surface.get()));
@@ -91,11 +115,14 @@ std::string draw_png(const files::PointSet& set, const Style& style) {
     };
     // Cairo turns a surface that has only alpha into a grey PNG, which is a third as long. In it
     // opaque is white, and clearing draws black.
-    const Surface surface = checked(
-        cairo_image_surface_create(CAIRO_FORMAT_A8, pixels(page.width), pixels(page.height)));
+    const bool is_grey = set.layers.empty();
+    const Surface surface = checked(cairo_image_surface_create(
+        is_grey ? CAIRO_FORMAT_A8 : CAIRO_FORMAT_RGB24, pixels(page.width), pixels(page.height)));
     const Context context = make_context(surface.get());
-    cairo_set_operator(context.get(), CAIRO_OPERATOR_CLEAR);
-    stroke_dots(context.get(), set, style, page);
+    if (is_grey) cairo_set_operator(context.get(), CAIRO_OPERATOR_CLEAR);
+    multiply_layers(context.get(), set, style, [&](const auto& part, const Style& its_style) {
+        stroke_dots(context.get(), part, its_style, page);
+    });
     return png_of(surface.get(), style.pixels_per_inch);
 }
 

@@ -29,14 +29,27 @@ std::string svg_head(const files::PointSet& set, const Page& page, bool is_sheet
                      bool has_background) {
     std::string head = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.9g}{2}\" height=\"{1:.9g}{2}\" "
+        "<svg xmlns=\"http://www.w3.org/2000/svg\"{3} width=\"{0:.9g}{2}\" height=\"{1:.9g}{2}\" "
         "viewBox=\"0 0 {0:.9g} {1:.9g}\">\n",
-        page.width, page.height, is_sheet ? "mm" : "pt");
+        page.width, page.height, is_sheet ? "mm" : "pt",
+        set.layers.empty() ? ""
+                           : " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"");
     if (set.origin != nullptr) head += svg_metadata(*set.origin);
     if (has_background)
         head += fmt::format("<rect width=\"{:.9g}\" height=\"{:.9g}\" fill=\"white\"/>\n",
                             page.width, page.height);
-    return head + "<g fill=\"none\" stroke=\"black\" stroke-linecap=\"round\">\n";
+    return head;
+}
+
+// The group of a layer's dots. Programs for plotters take the number that begins a label for the
+// layer's number. Inks are transparent, so layers are multiplied.
+std::string group_head(std::span<const files::Layer> layers, std::size_t index) {
+    if (layers.empty()) return "<g fill=\"none\" stroke=\"black\" stroke-linecap=\"round\">\n";
+    const files::Layer& layer = layers[index];
+    return fmt::format(
+        "<g inkscape:groupmode=\"layer\" inkscape:label=\"{} {}\" style=\"mix-blend-mode:"
+        "multiply\" fill=\"none\" stroke=\"{}\" stroke-linecap=\"round\">\n",
+        index + 1, layer.ink.name, files::hex_of(layer.ink.colour));
 }
 
 }  // namespace
@@ -59,7 +72,7 @@ std::string draw_svg(const files::PointSet& set, const Style& style) {
     const bool is_sheet = style.sheet.has_value();
     const Page page = page_of(set, style, is_sheet ? kMillimetresPerInch / kPointsPerInch : 1);
     std::string bytes = svg_head(set, page, is_sheet, !is_sheet && !style.for_a_pen);
-    for_each_stroke(set, style, [&](std::span<const Point> dots, double diameter) {
+    const auto draw_dots = [&](std::span<const Point> dots, double diameter) {
         const double width = diameter * page.scale;
         const std::string line =
             fmt::format("h{:.3g}", std::min(kLongestLine, kLargestShare * width));
@@ -69,8 +82,13 @@ std::string draw_svg(const files::PointSet& set, const Style& style) {
             fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("M{:.4f} {:.4f}{}\n"),
                            page.x_of(point), page.y_of(point), line);
         bytes += "\"/>\n";
+    };
+    for_each_layer(set, style, [&](std::size_t layer, const auto& part, const Style& its_style) {
+        bytes += group_head(set.layers, layer);
+        for_each_stroke(part, its_style, draw_dots);
+        bytes += "</g>\n";
     });
-    return bytes + "</g>\n</svg>\n";
+    return bytes + "</svg>\n";
 }
 
 }  // namespace lacuna::drawing

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -30,18 +31,6 @@ bool is_header(std::string_view line) {
     return is_word(line.substr(0, comma)) && is_word(line.substr(comma + 1));
 }
 
-std::string encode_dots(const PointSet& set) {
-    const Dots& dots = *set.dots;
-    std::string bytes = with_room_for("x,y,radius,x_mm,y_mm,radius_mm\n", 2 * set.points.size());
-    for (std::size_t i = 0; i < set.points.size(); ++i) {
-        const Point& point = set.points[i];
-        fmt::format_to(
-            std::back_inserter(bytes), FMT_COMPILE("{:.17g},{:.17g},{:.9g},{:.9g},{:.9g},{:.9g}\n"),
-            point.x, point.y, dots.radii[i], dots.x_mm(point), dots.y_mm(point), dots.radius_mm(i));
-    }
-    return bytes;
-}
-
 // The line up to its second comma: the columns after x and y are dropped.
 std::string_view without_other_columns(std::string_view line) {
     const std::size_t first = line.find(',');
@@ -52,11 +41,22 @@ std::string_view without_other_columns(std::string_view line) {
 }  // namespace
 
 std::string encode_csv(const PointSet& set) {
-    if (set.dots != nullptr) return encode_dots(set);
-    std::string bytes = with_room_for("x,y\n", set.points.size());
-    for (const Point& point : set.points)
-        fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{:.17g},{:.17g}\n"), point.x,
-                       point.y);
+    const Dots* const dots = set.dots;
+    const std::vector<std::uint8_t> layers = layers_of_points(set);
+    std::string bytes =
+        with_room_for(fmt::format("x,y{}{}\n", dots == nullptr ? "" : ",radius,x_mm,y_mm,radius_mm",
+                                  layers.empty() ? "" : ",ink"),
+                      (dots == nullptr ? 1 : 2) * set.points.size());
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        const Point& point = set.points[i];
+        fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{:.17g},{:.17g}"), point.x, point.y);
+        if (dots != nullptr)
+            fmt::format_to(std::back_inserter(bytes), FMT_COMPILE(",{:.9g},{:.9g},{:.9g},{:.9g}"),
+                           dots->radii[i], dots->x_mm(point), dots->y_mm(point),
+                           dots->radius_mm(i));
+        if (!layers.empty()) (bytes += ',') += set.layers[layers[i]].ink.name;
+        bytes += '\n';
+    }
     return bytes;
 }
 

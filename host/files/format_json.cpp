@@ -216,6 +216,23 @@ void append_dots(std::string& bytes, const Dots& dots) {
     bytes += "]},\n";
 }
 
+void append_layers(std::string& bytes, const PointSet& set) {
+    bytes += "\"inks\":[";
+    const char* separator = "";
+    for (const Layer& layer : set.layers) {
+        bytes += fmt::format("{}{{\"name\":\"{}\",\"colour\":\"{}\",\"count\":{}}}", separator,
+                             layer.ink.name, hex_of(layer.ink.colour), layer.dots);
+        separator = ",";
+    }
+    bytes += "],\"ink\":[";
+    separator = "";
+    for (const std::uint8_t layer : layers_of_points(set)) {
+        fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{}{}"), separator, layer);
+        separator = ",";
+    }
+    bytes += "],\n";
+}
+
 }  // namespace
 
 std::string encode_json(const PointSet& set) {
@@ -228,6 +245,7 @@ std::string encode_json(const PointSet& set) {
     if (set.origin != nullptr) append_origin(bytes, *set.origin);
     bytes += fmt::format(",\"count\":{},", set.points.size());
     if (set.dots != nullptr) append_dots(bytes, *set.dots);
+    if (!set.layers.empty()) append_layers(bytes, set);
     bytes += "\"points\":[";
     const char* separator = "\n[";
     for (const Point& point : set.points) {

@@ -64,7 +64,8 @@ std::string npy_header(std::size_t count, int columns) {
 
 std::string encode_npy(const PointSet& set) {
     const Dots* const dots = set.dots;
-    const int columns = dots == nullptr ? kColumns : kColumnsOfDots;
+    const std::vector<std::uint8_t> layers = layers_of_points(set);
+    const int columns = (dots == nullptr ? kColumns : kColumnsOfDots) + (layers.empty() ? 0 : 1);
     std::string bytes = npy_header(set.points.size(), columns);
     bytes.reserve(bytes.size() +
                   set.points.size() * static_cast<std::size_t>(columns) * sizeof(double));
@@ -72,10 +73,11 @@ std::string encode_npy(const PointSet& set) {
         const Point& point = set.points[i];
         append_little_endian(bytes, point.x);
         append_little_endian(bytes, point.y);
-        if (dots == nullptr) continue;
-        for (const double value :
-             {dots->radii[i], dots->x_mm(point), dots->y_mm(point), dots->radius_mm(i)})
-            append_little_endian(bytes, value);
+        if (dots != nullptr)
+            for (const double value :
+                 {dots->radii[i], dots->x_mm(point), dots->y_mm(point), dots->radius_mm(i)})
+                append_little_endian(bytes, value);
+        if (!layers.empty()) append_little_endian(bytes, static_cast<double>(layers[i]));
     }
     return bytes;
 }

@@ -143,6 +143,7 @@ constexpr std::string_view kDotProperties =
 }  // namespace
 
 std::string encode_ply(const PointSet& set) {
+    const std::vector<std::uint8_t> layers = layers_of_points(set);
     std::string bytes =
         with_room_for(fmt::format("ply\n"
                                   "format ascii 1.0\n"
@@ -150,8 +151,9 @@ std::string encode_ply(const PointSet& set) {
                                   "property double x\n"
                                   "property double y\n"
                                   "property double z\n"
-                                  "{}end_header\n",
-                                  set.points.size(), set.dots == nullptr ? "" : kDotProperties),
+                                  "{}{}end_header\n",
+                                  set.points.size(), set.dots == nullptr ? "" : kDotProperties,
+                                  layers.empty() ? "" : "property uchar ink\n"),
                       set.points.size());
     for (std::size_t i = 0; i < set.points.size(); ++i) {
         const Point& point = set.points[i];
@@ -161,6 +163,8 @@ std::string encode_ply(const PointSet& set) {
             fmt::format_to(std::back_inserter(bytes), FMT_COMPILE(" {:.9g} {:.9g} {:.9g} {:.9g}"),
                            set.dots->radii[i], set.dots->x_mm(point), set.dots->y_mm(point),
                            set.dots->radius_mm(i));
+        if (!layers.empty())
+            fmt::format_to(std::back_inserter(bytes), FMT_COMPILE(" {}"), layers[i]);
         bytes += '\n';
     }
     return bytes;

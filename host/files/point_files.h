@@ -2,8 +2,10 @@
 #pragma once
 
 #include <lacuna/files.h>
+#include <lacuna/inks.h>
 #include <lacuna/lacuna.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -42,6 +44,15 @@ struct Dots {
     double radius_mm(std::size_t index) const { return radii[index] * millimetres_per_unit; }
 };
 
+// The dots of one ink, which come together in a set.
+struct Layer {
+    Ink ink;
+    std::size_t dots;
+};
+
+// Such as #009ee3.
+std::string hex_of(const std::array<std::uint8_t, 3>& colour);
+
 // A set of points, and what is needed to draw it.
 struct PointSet {
     std::span<const Point> points;
@@ -52,7 +63,12 @@ struct PointSet {
     double radius = 0;
     const Origin* origin = nullptr;  // null: unknown
     const Dots* dots = nullptr;      // null: not wanted
+    // In the order of the points; empty: all dots are black.
+    std::span<const Layer> layers{};
 };
+
+// The index of each point's layer, for a set that has layers.
+std::vector<std::uint8_t> layers_of_points(const PointSet& set);
 
 using lacuna::ClosedPipe;
 using lacuna::FileError;
@@ -69,7 +85,9 @@ char lower_case(char c);
 //         "points":[[x,y],...]}
 //   svg, pdf, png   black dots on white, y upwards; longer side 1024 pixels (png) or 512 points
 // With dots, csv, npy and ply have the columns x, y, (z,) radius, x_mm, y_mm and radius_mm, and
-// json has "dots" before the points.
+// json has "dots" before the points. With layers, csv and ply have a last column ink (its name or
+// its index), npy too (its index); json has "inks" and, for each point, its index in "ink". Such an
+// npy is not read again, because a third column may be a third coordinate.
 // The same set gives the same bytes on every call. Throws FileError if a picture cannot be drawn.
 inline std::string encode(const PointSet& set, const Format& format) {
     return format.encode(set);

@@ -19,7 +19,7 @@ struct Encoded {
     const std::string& name;
     std::uint64_t max_pixels;
     std::uint64_t max_aspect;  // most that the longer side may be, in lengths of the shorter
-    Backdrop backdrop = Backdrop::white;
+    Reading reading{};
 
     [[noreturn]] void refuse(const std::string& why) const { files::refuse(name, why); }
 };

@@ -35,7 +35,7 @@ public:
     Image finish() && {
         std::vector<double>& all = image_.luminance;
         image_.white = std::max(1.0, *std::max_element(all.begin(), all.end()));
-        const double behind = file_.backdrop == Backdrop::white ? image_.white : 0;
+        const double behind = file_.reading.backdrop == Backdrop::white ? image_.white : 0;
         for (std::size_t i = 0; i < alpha_.size(); ++i)
             all[i] = std::min(all[i] * alpha_[i] + behind * (1 - alpha_[i]), image_.white);
         return std::move(image_);
@@ -43,9 +43,12 @@ public:
 
 private:
     // Written like this, a grey pixel keeps its value to the last bit, and nothing overflows.
-    static double luminance(std::span<const double> channels) {
+    double luminance(std::span<const double> channels) const {
+        constexpr double kAll = 10000;
+        const Weights& weights = file_.reading.weights;
         const double green = channels[1];
-        return green + 0.2126 * (channels[0] - green) + 0.0722 * (channels[2] - green);
+        return green + weights.red / kAll * (channels[0] - green) +
+               weights.blue / kAll * (channels[2] - green);
     }
 
     [[noreturn]] void refuse(std::size_t row, std::size_t column, double value,

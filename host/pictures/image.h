@@ -15,6 +15,23 @@ inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 28U;
 // The colour behind pixels that are not opaque.
 enum class Backdrop { white, black };
 
+// How much red, green and blue count, in 1/10000; together 10000.
+struct Weights {
+    std::int32_t red;
+    std::int32_t green;
+    std::int32_t blue;
+};
+inline constexpr Weights kLuminance{2126, 7152, 722};  // ITU-R BT.709-6, item 3.2
+
+// How a pixel's channels become one number.
+struct Reading {
+    Backdrop backdrop = Backdrop::white;
+    Weights weights = kLuminance;
+    // Memory for the picture and what is made of it; a picture for which there is not enough is
+    // refused. Luminance takes 8 bytes, and sampling from the field takes 12 more.
+    std::uint32_t bytes_a_pixel = 20;
+};
+
 struct Image {
     std::uint32_t columns = 0;      // pixels, at least 1
     std::uint32_t rows = 0;         // pixels, at least 1
@@ -52,6 +69,18 @@ void check_format(std::string_view first, const std::string& name);
 // read_image for the bytes of a file. `name` stands for the file in messages.
 Image decode_image(std::string_view bytes, const std::string& name,
                    std::uint64_t max_pixels = kMaxPixels, std::uint64_t max_aspect = kMaxSide,
-                   Backdrop backdrop = Backdrop::white);
+                   const Reading& reading = {});
+
+// A picture's channels, each as an image. They are equal in a grey picture.
+struct Colours {
+    Image red;
+    Image green;
+    Image blue;
+};
+
+// read_image and decode_image for each channel. Radiance's XYZE pictures come as grey ones.
+Colours read_colours(const std::string& path, std::uint64_t max_aspect = kMaxSide);
+Colours decode_colours(std::string_view bytes, const std::string& name,
+                       std::uint64_t max_aspect = kMaxSide);
 
 }  // namespace lacuna::pictures

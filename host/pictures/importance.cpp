@@ -15,24 +15,6 @@
 namespace lacuna::pictures {
 namespace {
 
-bool is_zero_all_over(const std::vector<double>& values) {
-    return std::all_of(values.begin(), values.end(), [](double value) { return value == 0; });
-}
-
-[[noreturn]] void refuse_blank(const Image& image, bool invert) {
-    files::refuse(image.name,
-                  invert
-                      ? "black all over, so that with --invert no sample is wanted anywhere: must "
-                        "be brighter somewhere, or give a --min-importance over 0"
-                      : "white all over, so that no sample is wanted anywhere: must be darker "
-                        "somewhere, or give --invert or a --min-importance over 0");
-}
-
-struct Levels {
-    double black;
-    double white;
-};
-
 // The darkest half percent of the pixels becomes black, and the brightest half percent white.
 // A picture in which both levels are equal is not stretched.
 Levels auto_levels_of(const Image& image) {
@@ -72,26 +54,49 @@ void check(const Importance& options) {
                          "must be 0 to 1");
 }
 
-Field importance_of(Image image, const Importance& options) {
-    check(options);
-    std::vector<double>& values = image.luminance;
-    const Levels levels =
-        options.auto_levels ? auto_levels_of(image) : Levels{options.black, options.white};
+Levels levels_of(const Image& image, const Importance& options) {
+    return options.auto_levels ? auto_levels_of(image) : Levels{options.black, options.white};
+}
+
+void to_darkness(Image& image, const Levels& levels, bool invert) {
     const bool stretches = levels.black != 0 || levels.white != 1;
-    for (double& value : values) {
+    for (double& value : image.luminance) {
         double brightness = value / image.white;
         if (stretches) brightness = stretched(brightness, levels);
-        value = options.invert ? brightness : 1 - brightness;
+        value = invert ? brightness : 1 - brightness;
     }
-    if (options.min_importance == 0 && is_zero_all_over(values))
-        refuse_blank(image, options.invert);
+}
+
+bool is_zero_all_over(const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(), [](double value) { return value == 0; });
+}
+
+void refuse_blank(const std::string& name, bool invert) {
+    files::refuse(
+        name, invert ? "black all over, so that with --invert no sample is wanted anywhere: must "
+                       "be brighter somewhere, or give a --min-importance over 0"
+                     : "white all over, so that no sample is wanted anywhere: must be darker "
+                       "somewhere, or give --invert or a --min-importance over 0");
+}
+
+void apply_gamma_and_least(std::vector<double>& values, const std::string& name,
+                           const Importance& options) {
+    if (is_zero_all_over(values) && options.min_importance == 0) return;
     if (options.gamma != 1)
         for (double& value : values) value = std::pow(value, options.gamma);
     for (double& value : values) value = std::max(options.min_importance, value);
     if (is_zero_all_over(values))
-        throw BadRequest(
-            "gamma", fmt::format("{}", options.gamma),
-            fmt::format("must be smaller: it rounds all importance in {} to 0", image.name));
+        throw BadRequest("gamma", fmt::format("{}", options.gamma),
+                         fmt::format("must be smaller: it rounds all importance in {} to 0", name));
+}
+
+Field importance_of(Image image, const Importance& options) {
+    check(options);
+    to_darkness(image, levels_of(image, options), options.invert);
+    std::vector<double>& values = image.luminance;
+    if (options.min_importance == 0 && is_zero_all_over(values))
+        refuse_blank(image.name, options.invert);
+    apply_gamma_and_least(values, image.name, options);
     return {image.columns, image.rows, std::move(values)};
 }
 

@@ -4,6 +4,9 @@
 #include <lacuna/lacuna.h>
 #include <lacuna/pictures.h>
 
+#include <span>
+#include <vector>
+
 #include "pictures/image.h"
 
 namespace lacuna::pictures {
@@ -20,5 +23,21 @@ void check(const Importance& options);
 // C library. Reuses the picture's memory. Throws BadRequest as check() does, or if gamma rounds all
 // importance to 0, and FileError with the picture's name if no pixel has any importance.
 Field importance_of(Image image, const Importance& options);
+
+// The steps of importance_of().
+struct Levels {
+    double black;
+    double white;
+};
+Levels levels_of(const Image& image, const Importance& options);
+void to_darkness(Image& image, const Levels& levels, bool invert);  // d, in luminance's place
+bool is_zero_all_over(const std::vector<double>& values);
+[[noreturn]] void refuse_blank(const std::string& name, bool invert);
+void apply_gamma_and_least(std::vector<double>& values, const std::string& name,
+                           const Importance& options);
+
+// The importance of each ink (lacuna/pictures.h). Throws as importance_of() does.
+std::vector<Field> separated(Colours colours, std::span<const Ink> inks, const Importance& options,
+                             double black_ink);
 
 }  // namespace lacuna::pictures

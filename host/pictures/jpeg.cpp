@@ -164,7 +164,7 @@ private:
                 jpeg_read_scanlines(&jpeg_, &row, 1);
                 if (is_cmyk()) without_ink(bytes);
                 fill_row_from(row, channels, false, all.subspan(y * image.columns, image.columns),
-                              MAXJSAMPLE);
+                              MAXJSAMPLE, file_.reading);
             }
         });
     }

@@ -80,7 +80,7 @@ Image read_text(const Encoded& file, Words words, const Layout& layout) {
         with_channels(layout.channels, [&](auto constant) {
             constexpr unsigned kChannels = constant;
             fill_row<kChannels>(
-                layout.row(image, y), layout.max, file.backdrop,
+                layout.row(image, y), layout.max, file.reading,
                 [&](std::size_t x, std::size_t c) { return row[x * kChannels + c]; });
         });
     }
@@ -109,7 +109,8 @@ Image read_bytes(const Encoded& file, std::string_view bytes, const Layout& layo
     const auto* pixels = reinterpret_cast<const unsigned char*>(bytes.data());
     for (std::size_t y = 0; y < image.rows; ++y, pixels += row_size) {
         check_samples(file, pixels, y, layout, is_wide);
-        fill_row_from(pixels, layout.channels, is_wide, layout.row(image, y), layout.max);
+        fill_row_from(pixels, layout.channels, is_wide, layout.row(image, y), layout.max,
+                      file.reading);
     }
     return image;
 }

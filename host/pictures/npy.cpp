@@ -109,7 +109,7 @@ Image read_whole_numbers(const Encoded& file, const Array<Number>& array, const 
     with_channels(static_cast<unsigned>(layout.channels), [&](auto channels) {
         for (std::size_t y = 0; y < image.rows; ++y)
             fill_row<channels>(
-                all.subspan(y * image.columns, image.columns), kMax, file.backdrop,
+                all.subspan(y * image.columns, image.columns), kMax, file.reading,
                 [&](std::size_t x, std::size_t c) { return std::int32_t{array.at(y, x, c)}; });
     });
     return image;

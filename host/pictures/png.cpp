@@ -127,7 +127,7 @@ private:
     void convert(const png_byte* bytes, std::span<double> row) const {
         const bool is_wide = png_get_bit_depth(png_, info_) == 16;
         fill_row_from(bytes, png_get_channels(png_, info_), is_wide, row, is_wide ? 65535 : 255,
-                      file_.backdrop);
+                      file_.reading);
     }
 
     void read_row_by_row(Image& image) {

@@ -94,6 +94,14 @@ double memory_for_pixels() {
     return std::min(machine, static_cast<double>(limit.rlim_cur));
 }
 
+// Three channels take 24 bytes a pixel; separating and relaxing four inks takes some 80 more.
+constexpr std::uint32_t kBytesOfInks = 104;
+
+std::string bytes_of_picture(const std::string& path, const std::string& name) {
+    const auto look = [&](std::string_view first) { check_format(first, name); };
+    return files::read_whole(path, files::most_bytes(), look);
+}
+
 }  // namespace
 
 void check_size(const Encoded& file, Size size) {
@@ -106,8 +114,7 @@ void check_size(const Encoded& file, Size size) {
     if (std::max(size.columns, size.rows) > file.max_aspect * std::min(size.columns, size.rows))
         file.refuse(fmt::format("{}: the longer side may be at most {} times the shorter",
                                 size_text(size), file.max_aspect));
-    // Luminance takes 8 bytes a pixel, and sampling from the field takes 12 more.
-    const double needed = 20 * static_cast<double>(size.pixels());
+    const double needed = file.reading.bytes_a_pixel * static_cast<double>(size.pixels());
     if (needed > memory_for_pixels())
         file.refuse(fmt::format(
             "{} need about {:.2g} GB of memory, more than the {:.2g} GB there is: make it smaller",
@@ -128,16 +135,27 @@ void check_format(std::string_view first, const std::string& name) {
 }
 
 Image decode_image(std::string_view bytes, const std::string& name, std::uint64_t max_pixels,
-                   std::uint64_t max_aspect, Backdrop backdrop) {
-    const Encoded file{bytes, name, max_pixels, max_aspect, backdrop};
+                   std::uint64_t max_aspect, const Reading& reading) {
+    const Encoded file{bytes, name, max_pixels, max_aspect, reading};
     return format_of(file).decode(file);
 }
 
 Image read_image(const std::string& path, std::uint64_t max_aspect) {
     const std::string name = files::name_of(path);
-    const auto look = [&](std::string_view first) { check_format(first, name); };
-    return decode_image(files::read_whole(path, files::most_bytes(), look), name, kMaxPixels,
-                        max_aspect);
+    return decode_image(bytes_of_picture(path, name), name, kMaxPixels, max_aspect);
+}
+
+Colours decode_colours(std::string_view bytes, const std::string& name, std::uint64_t max_aspect) {
+    const auto channel = [&](const Weights& weights) {
+        return decode_image(bytes, name, kMaxPixels, max_aspect,
+                            {Backdrop::white, weights, kBytesOfInks});
+    };
+    return {channel({10000, 0, 0}), channel({0, 10000, 0}), channel({0, 0, 10000})};
+}
+
+Colours read_colours(const std::string& path, std::uint64_t max_aspect) {
+    const std::string name = files::name_of(path);
+    return decode_colours(bytes_of_picture(path, name), name, max_aspect);
 }
 
 }  // namespace lacuna::pictures

@@ -10,15 +10,12 @@
 
 namespace lacuna::pictures {
 
-// The weights of ITU-R BT.709-6, item 3.2, times 10000.
-inline constexpr std::int32_t kRed = 2126;
-inline constexpr std::int32_t kGreen = 7152;
-inline constexpr std::int32_t kBlue = 722;
-inline constexpr std::int32_t kAll = kRed + kGreen + kBlue;
+inline constexpr std::int32_t kAll = 10000;  // the sum of all weights
 
 // The sum is at most 10000 * 65535, which fits into 32 bits.
-inline std::int32_t weighted(std::int32_t red, std::int32_t green, std::int32_t blue) {
-    return kRed * red + kGreen * green + kBlue * blue;
+inline std::int32_t weighted(const Weights& weights, std::int32_t red, std::int32_t green,
+                             std::int32_t blue) {
+    return weights.red * red + weights.green * green + weights.blue * blue;
 }
 
 // Composites `weighted`, out of kAll * max, over the backdrop, at opacity alpha / max.
@@ -31,7 +28,9 @@ inline double over(Backdrop backdrop, std::int64_t weighted, std::int64_t alpha,
 // Fills a row of luminance. `at(column, channel)` returns a sample, 0 to max. 1 channel is grey, 2
 // are grey and alpha, 3 are red, green and blue, 4 also alpha.
 template <unsigned kChannels, class At>
-void fill_row(std::span<double> row, std::int32_t max, Backdrop backdrop, const At& at) {
+void fill_row(std::span<double> row, std::int32_t max, const Reading& reading, const At& at) {
+    const Weights weights = reading.weights;
+    const Backdrop backdrop = reading.backdrop;
     const double whole = max;
     for (std::size_t x = 0; x < row.size(); ++x) {
         if constexpr (kChannels == 1) {
@@ -39,7 +38,7 @@ void fill_row(std::span<double> row, std::int32_t max, Backdrop backdrop, const 
         } else if constexpr (kChannels == 2) {
             row[x] = over(backdrop, kAll * at(x, 0), at(x, 1), max);
         } else {
-            const std::int32_t colour = weighted(at(x, 0), at(x, 1), at(x, 2));
+            const std::int32_t colour = weighted(weights, at(x, 0), at(x, 1), at(x, 2));
             if constexpr (kChannels == 3)
                 row[x] = colour / (kAll * whole);
             else
@@ -67,17 +66,16 @@ void with_channels(unsigned channels, const Use& use) {
 // Fills a row from samples that lie side by side, as in most formats: each is one byte or, if
 // is_wide, two bytes with the higher one first.
 inline void fill_row_from(const unsigned char* bytes, unsigned channels, bool is_wide,
-                          std::span<double> row, std::int32_t max,
-                          Backdrop backdrop = Backdrop::white) {
+                          std::span<double> row, std::int32_t max, const Reading& reading = {}) {
     with_channels(channels, [&](auto constant) {
         constexpr unsigned kChannels = constant;
         if (is_wide)
-            fill_row<kChannels>(row, max, backdrop, [bytes](std::size_t x, std::size_t channel) {
+            fill_row<kChannels>(row, max, reading, [bytes](std::size_t x, std::size_t channel) {
                 const unsigned char* pair = bytes + 2 * (x * kChannels + channel);
                 return std::int32_t{pair[0]} * 256 + pair[1];
             });
         else
-            fill_row<kChannels>(row, max, backdrop, [bytes](std::size_t x, std::size_t channel) {
+            fill_row<kChannels>(row, max, reading, [bytes](std::size_t x, std::size_t channel) {
                 return std::int32_t{bytes[x * kChannels + channel]};
             });
     });

@@ -43,10 +43,10 @@ struct Cells {
     }
     std::uint32_t columns() const { return field.columns * cut_x; }
     std::uint32_t rows() const { return field.rows * cut_y; }
-    std::uint64_t mass_of(Cell cell) const {
+    std::size_t pixel_of(Cell cell) const {
         const auto column = static_cast<std::size_t>(cell.x) / cut_x;
         const auto row = static_cast<std::size_t>(cell.y) / cut_y;
-        return masses[row * field.columns + column];
+        return row * field.columns + column;
     }
     // Cuts that many points a cell, on both axes. Where intervals of the cdf are squares, 4^k of
     // them a cell, relaxed points keep traces of a square lattice. So cells are cut to bring the
@@ -72,8 +72,8 @@ struct Cells {
 // Follows the cdf along the curve, cell by cell, and puts points where it reaches their ranks.
 class Walk {
 public:
-    Walk(const Request& request, const Cells& cells)
-        : request_(request), cells_(cells), mass_(cells.mass()) {
+    Walk(const Request& request, const Cells& cells, OnCurve* listener)
+        : request_(request), cells_(cells), listener_(listener), mass_(cells.mass()) {
         points_.reserve(*request.count);
         find_rank();
     }
@@ -94,11 +94,17 @@ private:
 
     void leave(std::int64_t dx, std::int64_t dy) {
         const Way way = way_to(at_right_, at_top_, dx, dy);
-        const std::uint64_t mass = cells_.mass_of(cell_);
+        const std::size_t pixel = cells_.pixel_of(cell_);
+        const std::uint64_t mass = cells_.masses[pixel];
         const Wide end = Wide{before_ + mass} << kShift;
-        for (; points_.size() < *request_.count && rank_ < end; find_rank())
-            put(way.at(static_cast<std::uint32_t>((rank_ - (Wide{before_} << kShift)) / mass)));
+        for (; points_.size() < *request_.count && rank_ < end; find_rank()) {
+            const auto part =
+                static_cast<std::uint32_t>((rank_ - (Wide{before_} << kShift)) / mass);
+            put(way.at(part));
+            if (listener_ != nullptr) listener_->put(pixel, part * 0x1p-32);
+        }
         before_ += mass;
+        if (listener_ != nullptr) listener_->leave(pixel);
     }
     void put(InCell at) {
         const auto scaled = [](std::int64_t cell, std::uint32_t in_cell, std::uint32_t cells) {
@@ -119,6 +125,7 @@ private:
 
     const Request& request_;
     const Cells& cells_;
+    OnCurve* listener_;
     std::uint64_t mass_;  // of all cells
     Cell cell_{0, 0};
     bool has_cell_ = false;
@@ -131,9 +138,10 @@ private:
 
 }  // namespace
 
-std::vector<Point> stratified_points(const Request& request, const Poll& poll) {
+std::vector<Point> stratified_points(const Request& request, const Poll& poll, OnCurve* listener) {
     const Cells cells(request, field_or_even(request.field), poll);
-    Walk walk(request, cells);
+    if (listener != nullptr) listener->begin(std::uint64_t{cells.cut_x} * cells.cut_y);
+    Walk walk(request, cells, listener);
     std::size_t visited = 0;
     for_each_on_curve(cells.columns(), cells.rows(), [&](Cell cell) {
         if (visited++ % kBetweenPolls == 0) poll();

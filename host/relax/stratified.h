@@ -3,14 +3,30 @@
 
 #include <lacuna/lacuna.h>
 
+#include <cstddef>
+#include <cstdint>
+
 #include "base/polling.h"
 
 namespace lacuna::relaxing {
+
+// Is told what the curve passes: pixels count row by row from the lowest.
+class OnCurve {
+public:
+    virtual ~OnCurve() = default;
+    // Before the first cell. Cells are pixels, or the equal parts that all pixels are cut into.
+    virtual void begin(std::uint64_t cells_a_pixel) = 0;
+    // A point in a cell, after the fraction `part` of the cell's mass.
+    virtual void put(std::size_t pixel, double part) = 0;
+    // The end of a cell.
+    virtual void leave(std::size_t pixel) = 0;
+};
 
 // Request::count points: the cdf of the importance along a Hilbert curve of the domain, inverted at
 // one random number in the middle half of each of `count` equal intervals. So each stretch of the
 // curve has its share of the points, to within one. They come in the order of the curve. The
 // request must have been checked.
-std::vector<Point> stratified_points(const Request& request, const Poll& poll);
+std::vector<Point> stratified_points(const Request& request, const Poll& poll,
+                                     OnCurve* listener = nullptr);
 
 }  // namespace lacuna::relaxing

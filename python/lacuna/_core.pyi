@@ -96,6 +96,26 @@ def relax(
     options: RelaxOptions,
     progress: Callable[[int, int], object] | None,
 ) -> dict[str, Any]: ...
+class Ink:
+    name: str
+    colour: list[int]
+    def __init__(self, name: str, colour: list[int]) -> None: ...
+
+black_ink: float
+
+def inks_of(text: str) -> list[Ink]: ...
+def read_inks(path: bytes, inks: list[Ink], tone: Tone, black_ink: float) -> list[Field]: ...
+def decode_inks(
+    content: bytes, name: str, inks: list[Ink], tone: Tone, black_ink: float
+) -> list[Field]: ...
+def dots_by_ink(dots: int, inks: list[Field]) -> list[int]: ...
+def place_inks(
+    fields: list[Field],
+    dots: list[int],
+    seed: int,
+    options: RelaxOptions,
+    progress: Callable[[int, int], object] | None,
+) -> dict[str, Any]: ...
 def dot_count(field: Field, width: float, height: float) -> int: ...
 def dot_radii(
     points: npt.NDArray[np.float64], field: Field, width: float, height: float, relaxed: bool
@@ -107,6 +127,7 @@ def write_points(
     height: float,
     radius: float,
     radii: npt.NDArray[np.float64] | None,
+    layers: list[tuple[Ink, int]],
 ) -> None: ...
 def read_polygons(path: bytes) -> dict[str, Any]: ...
 def draw_mask(

@@ -36,7 +36,7 @@ def dots(
     domain: tuple[float, float],
     least_distance: float,
     radii: Floats | None,
-    color: str = "black",
+    color: str | npt.NDArray[np.str_] = "black",
 ) -> Axes:
     """Draws points in their domain, as dots with the same radii as in ``save``."""
     ax = _axes(ax)

@@ -63,12 +63,16 @@ class HasPoints:
         """The radius of each dot; None if all dots are equal."""
         return None
 
+    def _layers(self) -> list[tuple[_core.Ink, int]]:
+        """The inks of the dots and how many dots each has, in order; empty if all are black."""
+        return []
+
     def save(self, path: str | bytes | os.PathLike[Any]) -> None:
         """Write the points to a file, whose extension names the format, as the command does.
 
         ``.txt``, ``.csv``, ``.npy``, ``.ply`` and ``.json`` hold every coordinate to the last bit.
-        ``.svg``, ``.pdf`` and ``.png`` are pictures of black dots on white, with the radii of
-        ``radii`` if the result has it. The file appears whole or not at all.
+        ``.svg``, ``.pdf`` and ``.png`` are pictures of dots on white, with the radii of ``radii``
+        if the result has it, and black unless it has inks. The file appears whole or not at all.
 
         Parameters
         ----------
@@ -86,7 +90,9 @@ class HasPoints:
         """
         name, least = path_bytes("path", path), self._least_distance()
         try:
-            _core.write_points(name, self.points, *self.domain, least, self._radii())
+            _core.write_points(
+                name, self.points, *self.domain, least, self._radii(), self._layers()
+            )
         except BadRequest as error:
             raise error.called("path") from None
 
@@ -107,7 +113,11 @@ class HasPoints:
         ImportError
             matplotlib is not installed.
         """
-        return _plots.dots(ax, self.points, self.domain, self._least_distance(), self._radii())
+        colours = ["#%02x%02x%02x" % tuple(ink.colour) for ink, _ in self._layers()]
+        dots = [count for _, count in self._layers()]
+        color = np.repeat(colours, dots) if colours else "black"
+        least, radii = self._least_distance(), self._radii()
+        return _plots.dots(ax, self.points, self.domain, least, radii, color)
 
     @property
     def sha256(self) -> str:

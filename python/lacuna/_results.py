@@ -6,11 +6,12 @@ import resource
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Mapping
 
+import numpy as np
+
 from . import _core, _plots
 from ._points import HasPoints
 
 if TYPE_CHECKING:
-    import numpy as np
     import numpy.typing as npt
     from matplotlib.axes import Axes
 
@@ -159,12 +160,25 @@ class Stippling(PointSet):
     ----------
     radii : ndarray, shape (N,), float64
         Radii of the dots to draw, in the domain's unit. Dots have as much ink as the picture.
+    ink : ndarray, shape (N,), uint8, or None
+        With ``inks``: the index of each dot's ink, in ascending order.
+    inks : dict of str to str, or None
+        With ``inks``: the colour of each ink, such as '#009ee3', by its name, in their order.
     """
 
     radii: Floats = field(repr=False)
+    ink: npt.NDArray[np.uint8] | None = field(repr=False, default=None)
+    inks: Mapping[str, str] | None = None
 
     def _radii(self) -> Floats:
         return self.radii
+
+    def _layers(self) -> list[tuple[_core.Ink, int]]:
+        if self.ink is None or self.inks is None:
+            return []
+        dots = np.bincount(self.ink, minlength=len(self.inks))
+        inks = _core.inks_of(",".join(f"{name}={colour}" for name, colour in self.inks.items()))
+        return list(zip(inks, dots.tolist()))
 
 
 @dataclass(frozen=True, eq=False)

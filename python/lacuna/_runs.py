@@ -112,6 +112,20 @@ def set_size(request: _core.Request, sizes: dict[str, Any]) -> None:
         setattr(request, name, real(name, value))
 
 
+def refuse_what_is_not_for_inks(request: _core.Request, mode: object, metric: object) -> None:
+    """Inks begin stratified, and keep no distance. Comes after ``fill`` and ``set_size``."""
+    for name in ("scale", "limit", "lines_per_radius"):
+        if getattr(request, name) is not None:
+            raise BadRequest(f"{name} {getattr(request, name)}: is not for inks", name)
+    if request.round_size:
+        raise BadRequest(f"round_size {request.round_size}: is not for inks", "round_size")
+    if metric is not None:
+        raise BadRequest(f"metric {shown(metric)}: is not for inks", "metric")
+    if mode is not None and mode != "stratified":
+        raise BadRequest(f"mode {shown(mode)}: is not for inks, which begin stratified", "mode")
+    request.mode = "stratified"
+
+
 def refuse_what_is_for_fields(request: _core.Request, scale: object, metric: object) -> None:
     for name, value in (("scale", scale), ("metric", metric)):
         if value is not None:
@@ -141,6 +155,26 @@ def relaxed_points(
     )
 
 
+def relax_options(request: _core.Request, iterations: int) -> _core.RelaxOptions:
+    options = _core.RelaxOptions()
+    options.width, options.height, options.torus = request.width, request.height, request.torus
+    options.backend, options.device = request.backend, request.device
+    options.threads = request.threads
+    options.iterations = iterations
+    return options
+
+
+def least_distance(points: npt.NDArray[np.float64], options: _core.RelaxOptions) -> float:
+    """The least distance of two points; 0 if there are fewer."""
+    if len(points) < 2:
+        return 0.0
+    claim = _core.Claim()
+    claim.radius = max(options.width, options.height)
+    claim.width, claim.height, claim.torus = options.width, options.height, options.torus
+    claim.distances_only = True
+    return float(_core.verify(points, claim, None, None, [], None)["least_distance"])
+
+
 def _relax_set(
     points: npt.NDArray[np.float64],
     field: _core.Field | None,
@@ -149,22 +183,12 @@ def _relax_set(
     progress: Progress | None,
 ) -> tuple[Relaxed, float]:
     """Relaxes a set on the backend that made it. Returns also the least distance after it."""
-    options = _core.RelaxOptions()
-    options.width, options.height, options.torus = request.width, request.height, request.torus
-    options.backend, options.device = request.backend, request.device
-    options.threads = request.threads
-    options.iterations = iterations
+    options = relax_options(request, iterations)
     try:
         relaxed = relaxed_points(points, field, options, progress)
     except BadRequest as error:
         raise error.called("relax") if error.argument == "iterations" else error from None
-    if len(points) < 2:
-        return relaxed, 0.0
-    claim = _core.Claim()
-    claim.radius = max(options.width, options.height)
-    claim.width, claim.height, claim.torus = options.width, options.height, options.torus
-    claim.distances_only = True
-    return relaxed, _core.verify(relaxed.points, claim, None, None, [], None)["least_distance"]
+    return relaxed, least_distance(relaxed.points, options)
 
 
 def request_of(request: _core.Request, has_field: bool, lines_per_radius: int) -> dict[str, Any]:

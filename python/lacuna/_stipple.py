@@ -4,15 +4,31 @@ from __future__ import annotations
 
 import io
 import os
-from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
+from typing import TYPE_CHECKING, Any, Callable, Sequence, SupportsFloat, SupportsIndex
 
 import numpy as np
 
 from . import _core
-from ._arguments import choice, flag, numbers, path_bytes, real, whole
+from ._arguments import choice, flag, numbers, path_bytes, real, shown, text, whole
 from ._errors import BadRequest, FileError
-from ._results import Stippling
-from ._runs import MOST_32, choose_metric, choose_start, fill, make, place, set_size, shape_of
+from ._results import Relaxed, Stippling
+from ._runs import (
+    MOST_32,
+    MOST_64,
+    checked_progress,
+    choose_metric,
+    choose_start,
+    fill,
+    least_distance,
+    make,
+    place,
+    refuse_what_is_not_for_inks,
+    relax_options,
+    request_of,
+    set_of,
+    set_size,
+    shape_of,
+)
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -41,16 +57,126 @@ def _tone(
     return tone
 
 
-def _picture(image: object, tone: _core.Tone) -> _core.Field:
-    """The importance of a picture in a file or in an array. An array is read like an .npy file."""
+def _decoded(
+    image: object, read: Callable[[bytes], Any], decode: Callable[[bytes, str], Any]
+) -> Any:
+    """What read or decode makes of a picture in a file or an array, which is like an .npy file."""
     if isinstance(image, (str, bytes, os.PathLike)):
-        return _core.read_field(path_bytes("image", image), tone)
+        return read(path_bytes("image", image))
     encoded = io.BytesIO()
     np.lib.format.write_array(encoded, numbers("image", image), allow_pickle=False)
     try:
-        return _core.decode_field(encoded.getvalue(), "image", tone)
+        return decode(encoded.getvalue(), "image")
     except FileError as error:
         raise BadRequest(str(error), "image") from None
+
+
+def _picture(image: object, tone: _core.Tone) -> _core.Field:
+    """The importance of a picture."""
+    return _decoded(
+        image,
+        lambda path: _core.read_field(path, tone),
+        lambda content, name: _core.decode_field(content, name, tone),
+    )
+
+
+def _separation(
+    image: object, inks: list[_core.Ink], tone: _core.Tone, black_ink: SupportsFloat | None
+) -> list[_core.Field]:
+    """The importance of each ink of a picture."""
+    black = _core.black_ink if black_ink is None else real("black_ink", black_ink)
+    return _decoded(
+        image,
+        lambda path: _core.read_inks(path, inks, tone, black),
+        lambda content, name: _core.decode_inks(content, name, inks, tone, black),
+    )
+
+
+def _sum_of(fields: list[_core.Field]) -> _core.Field:
+    total = _core.make_field(fields[0].rows, fields[0].columns)
+    total.values[...] = sum(one.values for one in fields)
+    return total
+
+
+def _dots_of(
+    counts: Sequence[SupportsIndex] | None,
+    n: int | None,
+    inks: list[_core.Ink],
+    fields: list[_core.Field],
+) -> list[int]:
+    """The number of dots of each ink."""
+    if counts is None:
+        assert n is not None
+        return _core.dots_by_ink(n, fields)
+    dots = [whole("ink_counts", count, 0, MOST_32) for count in counts]
+    if len(dots) != len(inks):
+        raise BadRequest(f"ink_counts {len(dots)} numbers: must be one for each ink", "ink_counts")
+    if n is not None:
+        raise BadRequest("ink_counts with n: give one of both", "ink_counts")
+    for ink, count, field in zip(inks, dots, fields):
+        if count and not field.values.any():
+            raise BadRequest(
+                f"ink_counts {count}: must be 0 for {ink.name}: the picture needs none of this ink",
+                "ink_counts",
+            )
+    if not sum(dots):
+        raise BadRequest("ink_counts 0: must not be 0 for all inks", "ink_counts")
+    return dots
+
+
+def _stipple_inks(
+    request: _core.Request,
+    fields: list[_core.Field],
+    inks: list[_core.Ink],
+    dots: list[int],
+    iterations: int,
+    progress: Progress | None,
+) -> Stippling:
+    checked_progress(progress)
+    options = relax_options(request, iterations)
+    parts = [(field, count) for field, count in zip(fields, dots) if count]
+    placed = _core.place_inks(*map(list, zip(*parts)), request.seed, options, progress)
+    points = placed["points"]
+    radii, first = [], 0
+    for field, count in parts:
+        its = np.ascontiguousarray(points[first : first + count])
+        radii.append(_core.dot_radii(its, field, request.width, request.height, True))
+        first += count
+    relaxed = Relaxed(
+        points=points,
+        domain=(request.width, request.height),
+        torus=request.torus,
+        iterations=iterations,
+        lattice=placed["lattice"],
+        evenness=None,
+        seconds=placed["seconds"],
+        backend=placed["backend"],
+        device=placed["device"],
+    )
+    request.count = len(points)
+    asked = dict(request_of(request, True, 0), relax=iterations, inks=[ink.name for ink in inks])
+    made = dict(
+        points=points,
+        radius=least_distance(points, options),
+        scale=None,
+        lines_per_radius=0,
+        maximal=False,
+        rounds=0,
+        draws=len(points),
+        seconds=placed["seconds"],
+        backend=placed["backend"],
+        device=placed["device"],
+    )
+    ink = np.repeat(np.arange(len(inks), dtype=np.uint8), dots)
+    ink.flags.writeable = False
+    all_radii = np.concatenate(radii)
+    all_radii.flags.writeable = False
+    return Stippling(
+        **set_of(made, request, True, relaxed, asked),
+        radii=all_radii,
+        ink=ink,
+        inks={ink.name: "#%02x%02x%02x" % tuple(ink.colour) for ink in inks},
+    )
 
 
 def stipple(
@@ -61,6 +187,9 @@ def stipple(
     relax: SupportsIndex = 15,
     metric: str | None = None,
     mode: str | None = None,
+    inks: str | None = None,
+    black_ink: SupportsFloat | None = None,
+    ink_counts: Sequence[SupportsIndex] | None = None,
     invert: bool = False,
     black: SupportsFloat = 0.0,
     white: SupportsFloat = 1.0,
@@ -103,6 +232,14 @@ def stipple(
         places them in the plane and leaves no gap: the set that ``sample`` makes of the picture's
         importance. By default 'stratified', but 'cells' with ``relax=0`` and with ``scale``,
         ``metric``, ``limit``, ``lines_per_radius`` or ``round_size``, which are about distances.
+    inks : str, optional
+        Dots in colour: 'cmyk', or inks separated by commas: names such as 'black,red', '#rrggbb' or
+        'NAME=#rrggbb'. Each ink's dots are even, and all dots together are. Colours are separated
+        in linear light. Dots come ink by ink, begin stratified, and are relaxed at least once.
+    black_ink : float, optional
+        How much black replaces other inks that would look grey together, 0 to 1; 0.8 by default.
+    ink_counts : sequence of int, optional
+        The dots of each ink, in place of ``n``. By default as the picture needs of each.
     invert : bool
         Bright is dense instead of dark.
     black, white : float
@@ -139,15 +276,29 @@ progress
     ((200, 2), (200,), [1.0, 0.667])
     >>> len(lacuna.stipple(disk, seed=1))  # a third of 512 x 341 pixels, over 16
     3650
+    >>> red_disk = np.stack([np.ones_like(disk), disk, disk], axis=-1)
+    >>> dots = lacuna.stipple(red_disk, 200, seed=1, inks="cmyk")
+    >>> np.bincount(dots.ink)  # cyan, magenta, yellow; the disk needs no black
+    array([  0, 115,  85])
     """
-    field = _picture(image, _tone(invert, black, white, auto_levels, gamma, min_importance))
+    tone = _tone(invert, black, white, auto_levels, gamma, min_importance)
+    palette = [] if inks is None else _core.inks_of(text("inks", inks))
+    for name, value in (("black_ink", black_ink), ("ink_counts", ink_counts)):
+        if value is not None and not palette:
+            raise BadRequest(f"{name} {shown(value)}: needs inks", name)
+    fields = _separation(image, palette, tone, black_ink) if palette else [_picture(image, tone)]
+    field = _sum_of(fields) if palette else fields[0]
     request = _core.Request()
     request.mode = choice("mode", "cells" if mode is None else mode, STARTS)
     sides = shape_of(field)
-    if n is None and scale is None:
+    if n is None and scale is None and ink_counts is None:
         n = _core.dot_count(field, *sides)
-    set_size(request, {"n": n, "scale": scale})
     iterations = whole("relax", relax, 0, MOST_32)
+    dots = []
+    if palette and scale is None:
+        dots = _dots_of(ink_counts, None if n is None else whole("n", n, 1, MOST_64), palette, fields)
+        n = sum(dots)
+    set_size(request, {"n": n, "scale": scale})
     place(request, sides, torus, backend, device, threads)
     fill(
         request,
@@ -157,6 +308,9 @@ progress
         round_size=round_size,
         memory_limit=memory_limit,
     )
+    if palette:
+        refuse_what_is_not_for_inks(request, mode, metric)
+        return _stipple_inks(request, fields, palette, dots, iterations, progress)
     choose_start(request, mode, metric, iterations)
     choose_metric(request, metric, iterations)
     made = make(request, field, iterations, progress)

@@ -5,10 +5,13 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/vector.h>
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "arrays.h"
@@ -25,14 +28,19 @@ using RadiusArray =
     nb::ndarray<const double, nb::numpy, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
 // Writes points in the format of the path's extension. `radius` is as in files::PointSet. Pictures
-// have dots of the given radii; without them all dots are equal.
+// have dots of the given radii; without them all dots are equal. `layers` are inks, each with its
+// number of dots; without them the dots are black.
 void write_set(const nb::bytes& path_bytes, const PointArray& array, double width, double height,
-               double radius, const std::optional<RadiusArray>& radii) {
+               double radius, const std::optional<RadiusArray>& radii,
+               const std::vector<std::pair<Ink, std::size_t>>& layers) {
     const std::string path(path_bytes.c_str(), path_bytes.size());
     const nb::gil_scoped_release no_gil;
     const files::Format& format = files::format_of(path);
     const std::vector<Point> points = points_of(array);
-    const files::PointSet set{points, width, height, radius};
+    std::vector<files::Layer> its_layers;
+    for (const auto& [ink, dots] : layers) its_layers.push_back({ink, dots});
+    files::PointSet set{points, width, height, radius};
+    set.layers = its_layers;
     std::string content;
     if (format.medium && radii) {
         std::vector<double> diameters(radii->shape(0));
@@ -50,7 +58,7 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, double widt
 
 void add_files(nb::module_& module) {
     module.def("write_points", write_set, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
-               nb::arg().none());
+               nb::arg().none(), nb::arg());
 }
 
 }  // namespace lacuna::python

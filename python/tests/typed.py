@@ -82,6 +82,11 @@ dots: lacuna.Stippling = lacuna.stipple(
 radii: Floats = dots.radii
 photograph = Path(__file__).resolve().parents[2] / "examples" / "raccoon.png"
 of_a_path: lacuna.Stippling = lacuna.stipple(photograph, scale=0.05, relax=0)
+in_inks: lacuna.Stippling = lacuna.stipple(
+    photograph, inks="black,red", ink_counts=[20, 0], black_ink=1
+)
+ink: npt.NDArray[np.uint8] | None = in_inks.ink
+inks: Mapping[str, str] | None = in_inks.inks
 
 relaxed: lacuna.Relaxed = lacuna.relax(
     made, field, iterations=2, domain=(1, 1), torus=True, measure=True, progress=told

@@ -95,7 +95,9 @@ TEST(Readme, HasCommandsThatAllEndWellAndMakeTheirFiles) {
                                                                    << outcome.err;
         for (const std::string& output : outputs_of(command))
             EXPECT_GT(std::filesystem::file_size(folder.path(output)), 1000U) << command;
-        if (words_of(command)[1] != "stipple") continue;
+        // Inks match the picture's light, not how dark its numbers are.
+        if (words_of(command)[1] != "stipple" || command.find("--inks") != std::string::npos)
+            continue;
         ++stippled;
         ASSERT_EQ(run_in(folder, command + " -o ink.png").exit_code, 0) << command;
         const double ink = ink_of(lacuna::pictures::read_image(folder.path("ink.png")));

@@ -36,12 +36,17 @@ public:
     int height() const { return cairo_image_surface_get_height(surface_.get()); }
     // 0 is black, 255 is white; row 0 is the top one.
     int grey(int column, int row) const {
+        const std::uint32_t pixel = colour(column, row);
+        EXPECT_EQ((pixel >> 16U) & 0xffU, pixel & 0xffU) << "not grey";
+        return static_cast<int>(pixel & 0xffU);
+    }
+    // Red, green and blue, 0xrrggbb.
+    std::uint32_t colour(int column, int row) const {
         const std::ptrdiff_t stride = cairo_image_surface_get_stride(surface_.get());
         const unsigned char* line = cairo_image_surface_get_data(surface_.get()) + row * stride;
         std::uint32_t pixel = 0;
         std::memcpy(&pixel, line + std::ptrdiff_t{4} * column, sizeof pixel);
-        EXPECT_EQ((pixel >> 16U) & 0xffU, pixel & 0xffU) << "not grey";
-        return static_cast<int>(pixel & 0xffU);
+        return pixel & 0xffffffU;
     }
 
 private:
@@ -270,6 +275,52 @@ TEST(Diameters, GivenSvgThenDotsOfASizeAreOnePathUnlessTheirOrderIsKept) {
     EXPECT_LT(ordered.find("M0.0000 10.0000"), ordered.find("M10.0000 10.0000"));
     EXPECT_LT(ordered.find("M10.0000 10.0000"), ordered.find("M20.0000 10.0000"));
     EXPECT_LT(ordered.find("M20.0000 10.0000"), ordered.find("M0.0000 0.0000"));
+}
+
+// A yellow dot, a cyan one that overlaps it to the right, and a second cyan one on the first.
+struct TwoInks {
+    std::vector<Point> points{{0.4, 0.5}, {0.6, 0.5}, {0.6, 0.5}};
+    std::vector<Layer> layers{{{"yellow", {255, 255, 0}}, 1}, {{"sea", {0, 255, 255}}, 2}};
+    std::vector<double> diameters{0.3, 0.3, 0.2};
+
+    std::string draw(Medium medium) const {
+        PointSet set{points};
+        set.layers = layers;
+        drawing::Style style;
+        style.diameters = diameters;
+        return drawing::draw(set, medium, style);
+    }
+};
+
+TEST(Layers, GivenPngThenInksAreMultipliedAndDotsOfOneInkAreNot) {
+    const Image image(TwoInks().draw(Medium::png));
+    const int middle = image.width() / 2;
+    const auto at = [&](double x) {
+        return image.colour(static_cast<int>(x * image.width()), middle);
+    };
+    EXPECT_EQ(at(0.1), 0xffffffU);
+    EXPECT_EQ(at(0.3), 0xffff00U);
+    EXPECT_EQ(at(0.5), 0x00ff00U);
+    EXPECT_EQ(at(0.6), 0x00ffffU) << "two dots of one ink are no darker than one";
+}
+
+TEST(Layers, GivenSvgThenEachInkIsALayerOfInkscapesWithItsNumberAndName) {
+    const std::string svg = TwoInks().draw(Medium::svg);
+    EXPECT_EQ(occurrences(svg, "inkscape:groupmode=\"layer\""), 2U);
+    const std::size_t first = svg.find("inkscape:label=\"1 yellow\"");
+    const std::size_t second = svg.find("inkscape:label=\"2 sea\"");
+    ASSERT_LT(first, second);
+    ASSERT_LT(second, svg.size());
+    EXPECT_EQ(occurrences(svg.substr(first, second - first), "M"), 1U);
+    EXPECT_EQ(occurrences(svg.substr(second), "M"), 2U);
+    EXPECT_TRUE(contains(svg, "stroke=\"#00ffff\""));
+    EXPECT_EQ(occurrences(svg, "mix-blend-mode:multiply"), 2U);
+}
+
+TEST(Layers, GivenPdfThenBothInksAreThere) {
+    const std::string pdf = TwoInks().draw(Medium::pdf);
+    EXPECT_EQ(pdf, TwoInks().draw(Medium::pdf));
+    EXPECT_TRUE(contains(pdf, "/BM /Multiply") || contains(pdf, "/BM/Multiply"));
 }
 
 class Picture : public testing::TestWithParam<Medium> {};

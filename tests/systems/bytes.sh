@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bytes.sh PROGRAM BACKEND...: makes a dozen sets with each backend, and prints SHA-256 and request
+# bytes.sh PROGRAM BACKEND...: makes 14 sets with each backend, and prints SHA-256 and request
 # for each. Two systems that keep Lacuna's promise print the same lines.
 set -euo pipefail
 program=$1
@@ -8,7 +8,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 export POCL_CACHE_DIR=$scratch/pocl
 mkdir -p "$POCL_CACHE_DIR"
-picture=$(cd "$(dirname "$0")/../.." && pwd)/examples/raccoon.png
+examples=$(cd "$(dirname "$0")/../.." && pwd)/examples
+picture=$examples/raccoon.png
 printf '0.1 0.1\n0.9 0.2\n0.4 0.95\n' >"$scratch/triangle.txt"
 
 requests=(
@@ -25,12 +26,13 @@ requests=(
     "stipple $picture --count 4000 --relax 0 --metric max --seed 2"
     "stipple $picture --count 2000 --relax 5"
     "stipple $picture --count 2000 --mode exact --relax 3 --seed 4"
+    "stipple $examples/hopper.jpg --inks cmyk --count 2000 --relax 4"
 )
 for backend in "$@"; do
     for request in "${requests[@]}"; do
         # shellcheck disable=SC2086
         "$program" $request --backend "$backend" --quiet -o "$scratch/set.npy"
-        shown=${request//"$picture"/raccoon.png}
+        shown=${request//"$examples/"/}
         shown=${shown//"$scratch/"/}
         echo "$(sha256sum <"$scratch/set.npy" | cut -d ' ' -f 1) $shown --backend $backend"
     done

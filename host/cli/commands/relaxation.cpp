@@ -45,6 +45,33 @@ bool needs_least_distance(const CommonOptions& common, const std::vector<Output>
                        [](const Output& output) { return output.format.name() == "json"; });
 }
 
+// Runs `work` under a progress bar, and takes its points over as those of `made`.
+template <class Work>
+Relaxation watched(const CommonOptions& common, const std::vector<Output>& outputs,
+                   const RelaxOptions& options, Made& made, const Work& work) {
+    Relaxation relaxation;
+    relaxation.iterations = options.iterations;
+    {
+        Iterations bar(common.quiet, options.iterations);
+        DriverAtWork driver(options.backend);
+        Observers observers({driver, made.stopwatch, bar});
+        relaxation.relaxed = work(observers);
+    }
+    made.seconds = made.stopwatch.seconds_so_far();
+    made.result.points = std::move(relaxation.relaxed.points);
+    made.result.maximal = false;
+    made.result.backend = relaxation.relaxed.backend;  // a stratified start has none
+    made.result.device = relaxation.relaxed.device;
+    made.result.radius = 0;
+    if (needs_least_distance(common, outputs) && made.result.points.size() > 1) {
+        const verify::Domain domain{options.width, options.height,
+                                    options.boundary == Boundary::torus};
+        made.result.radius = verify::closest_pair(domain, made.result.points).distance;
+        relaxation.least_distance = made.result.radius;
+    }
+    return relaxation;
+}
+
 }  // namespace
 
 void add_relax(CLI::App& command, std::uint32_t& iterations) {
@@ -80,27 +107,18 @@ Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& 
                         const RelaxOptions& options, const Field* field, Made& made) {
     RelaxOptions measured = options;
     measured.measure = !common.report.empty();
-    Relaxation relaxation;
-    relaxation.iterations = options.iterations;
-    {
-        Iterations bar(common.quiet, options.iterations);
-        DriverAtWork driver(options.backend);
-        Observers observers({driver, made.stopwatch, bar});
-        relaxation.relaxed = relax(made.result.points, field, measured, observers);
-    }
-    made.seconds = made.stopwatch.seconds_so_far();
-    made.result.points = std::move(relaxation.relaxed.points);
-    made.result.maximal = false;
-    made.result.backend = relaxation.relaxed.backend;  // a stratified start has none
-    made.result.device = relaxation.relaxed.device;
-    made.result.radius = 0;
-    if (needs_least_distance(common, outputs) && made.result.points.size() > 1) {
-        const verify::Domain domain{options.width, options.height,
-                                    options.boundary == Boundary::torus};
-        made.result.radius = verify::closest_pair(domain, made.result.points).distance;
-        relaxation.least_distance = made.result.radius;
-    }
-    return relaxation;
+    return watched(common, outputs, options, made, [&](Observer& observer) {
+        return relax(made.result.points, field, measured, observer);
+    });
+}
+
+Relaxation place_inks(const CommonOptions& common, const std::vector<Output>& outputs,
+                      std::span<const InkPart> inks, const RelaxOptions& options, Made& made) {
+    return watched(common, outputs, options, made, [&](Observer& observer) {
+        InkDots dots = lacuna::place_inks(inks, common.request.seed, options, observer);
+        return Relaxed{std::move(dots.points), dots.lattice_columns, dots.lattice_rows,
+                       std::nullopt,           dots.backend,         dots.device};
+    });
 }
 
 nlohmann::ordered_json json_of(const Relaxation& relaxation) {

@@ -1,11 +1,13 @@
 // Relaxes points under a progress bar, for `lacuna relax` and for --relax of sample and stipple.
 #pragma once
 
+#include <lacuna/inks.h>
 #include <lacuna/lacuna.h>
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,10 @@ RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations);
 // .json needs it, and otherwise 0, which means not known. Throws what lacuna::relax throws.
 Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& outputs,
                         const RelaxOptions& options, const Field* field, Made& made);
+
+// Places the dots of several inks and relaxes them, as relax_points() does.
+Relaxation place_inks(const CommonOptions& common, const std::vector<Output>& outputs,
+                      std::span<const InkPart> inks, const RelaxOptions& options, Made& made);
 
 // For a report: {"relax": {...}}, and the number of iterations in "request".
 nlohmann::ordered_json json_of(const Relaxation& relaxation);

@@ -11,6 +11,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "cli/commands/relaxation.h"
 #include "cli/options/common_options.h"
 #include "cli/options/drawing.h"
+#include "cli/options/ink_options.h"
 #include "cli/options/options.h"
 #include "cli/options/origin.h"
 #include "cli/options/picture_field.h"
@@ -82,6 +84,7 @@ struct StippleCommand {
     CommonOptions common;
     Picture picture;
     DrawingOptions drawing;
+    InkOptions inks;
     bool pen_path = false;
     std::optional<Mode> mode;
     std::uint32_t relax = RelaxOptions{}.iterations;
@@ -129,6 +132,7 @@ void add_pen_path(CLI::App& command, StippleCommand& options) {
 // else the stratified one.
 Mode mode_of(const StippleCommand& options) {
     if (options.mode) return *options.mode;
+    if (!options.inks.inks.empty()) return Mode::stratified;
     const bool keeps_distance = options.relax == 0 || options.picture.has_metric ||
                                 asks_for_distances(options.common.request);
     return keeps_distance ? Mode::cells : Mode::stratified;
@@ -136,6 +140,7 @@ Mode mode_of(const StippleCommand& options) {
 
 // Checks everything that can be checked before the picture is read; returns the outputs.
 std::vector<Output> check_options(const StippleCommand& options) {
+    check_inks(options.inks, options.common.request, options.mode);
     check_start(mode_of(options), options.relax);
     const std::vector<Output> outputs =
         checked_outputs(options.common, {{"IMAGE", options.picture.path}});
@@ -153,19 +158,27 @@ struct Work {
     std::optional<Relaxation> relaxation;
 };
 
-void order_for_a_pen(const StippleCommand& options, Made& made, Work& work) {
+// Orders the dots of each ink along a path of its own.
+void order_for_a_pen(const StippleCommand& options, std::span<const files::Layer> layers,
+                     Made& made, Work& work) {
     std::vector<Point>& points = made.result.points;
     ProgressBar bar(options.common.quiet);
     bar.note(fmt::format("a pen path through {} dots", points.size()));
     const Stopwatch stopwatch;
-    const std::vector<std::uint32_t> order = pen::pen_path(points, [] { return true; });
-    work.path_seconds = stopwatch.seconds_so_far();
-    work.admitted_length = pen::path_length(points);
     std::vector<Point> ordered;
     ordered.reserve(points.size());
-    for (const std::uint32_t index : order) ordered.push_back(points[index]);
+    const auto order = [&](std::span<const Point> dots) {
+        const std::size_t first = ordered.size();
+        for (const std::uint32_t index : pen::pen_path(dots, [] { return true; }))
+            ordered.push_back(dots[index]);
+        work.admitted_length += pen::path_length(dots);
+        work.path_length += pen::path_length(std::span(ordered).subspan(first));
+    };
+    if (layers.empty()) order(points);
+    for (const files::Layer& layer : layers)
+        order(std::span(points).subspan(ordered.size(), layer.dots));
+    work.path_seconds = stopwatch.seconds_so_far();
     points = std::move(ordered);
-    work.path_length = pen::path_length(points);
 }
 
 Json json_of(const DrawingOptions& options, const drawing::Style& style) {
@@ -180,6 +193,7 @@ Json json_of(const StippleCommand& options) {
     Json json{{"image", options.picture.path}};
     json.update(json_of_importance(options.picture.importance));
     json["relax"] = options.relax;
+    if (!options.inks.inks.empty()) json.update(json_of(options.inks));
     json["pen_path"] = options.pen_path;
     return json;
 }
@@ -207,6 +221,15 @@ std::string path_text(const StippleCommand& options, const std::vector<Output>& 
                        work.path_length * drawing::millimetres_per_unit(set, style) / 1000);
 }
 
+// The dots of all inks, ink by ink.
+Made make_inks(const CommonOptions& common, const std::vector<Output>& outputs,
+               std::uint32_t iterations, const Separation& separation, Work& work) {
+    Made made;
+    work.relaxation = place_inks(common, outputs, parts_of(separation),
+                                 relax_options_of(common.request, iterations), made);
+    return made;
+}
+
 void run(const CLI::App& command, const StippleCommand& options) {
     const std::vector<Output> outputs = check_options(options);
     Work work;
@@ -216,29 +239,38 @@ void run(const CLI::App& command, const StippleCommand& options) {
     request.mode = mode_of(options);
     if (request.mode == Mode::cells && options.relax != 0 && !options.picture.has_metric)
         request.metric = Metric::mean;
-    const Field field = read_field(options.picture, request);
+    const bool has_inks = !options.inks.inks.empty();
+    Separation separation;
+    if (has_inks) separation = read_separation(options.picture, options.inks, request);
+    const Field field = has_inks ? std::move(separation.sum) : read_field(options.picture, request);
     request.field = &field;
     drawing::Style style = style_of(options.drawing, request.width, request.height);
     style.for_a_pen = options.pen_path;
     std::string note;
-    if (!request.count && !request.scale) {
+    if (!request.count && !request.scale && options.inks.counts.empty()) {
         request.count = drawing::default_count(field, request.width, request.height,
                                                options.drawing.dot_size_mm, style);
         note = " (chosen for the picture: --count gives another number)";
     }
+    if (has_inks) {
+        share_dots(separation, options.inks, request);
+        note = fmt::format(" ({})", counts_text(separation));
+    }
     work.read_seconds = stopwatch.seconds_so_far();
 
     Interruption interruption;
-    Made made = make(common);
-    if (options.relax != 0)
+    Made made =
+        has_inks ? make_inks(common, outputs, options.relax, separation, work) : make(common);
+    if (options.relax != 0 && !has_inks)
         work.relaxation =
             relax_points(common, outputs, relax_options_of(request, options.relax), &field, made);
-    if (options.pen_path) order_for_a_pen(options, made, work);
+    if (options.pen_path) order_for_a_pen(options, separation.layers, made, work);
     if (!common.quiet) warn_of_ink(options.drawing, request, made.result.points.size(), style);
 
     const files::Origin origin = origin_of(command, request, made.result, json_of(options));
-    const files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
-                              &origin};
+    files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
+                        &origin};
+    set.layers = separation.layers;
     Writing writing(interruption);
     if (!common.report.empty())
         writing.add(common.report, [&] {
@@ -246,6 +278,7 @@ void run(const CLI::App& command, const StippleCommand& options) {
                              report_of_the_rest(options, outputs, field, style, work));
         });
     write_set(writing, options.drawing, outputs, set, style, [&] {
+        if (has_inks) return dot_diameters(separation, set);
         return drawing::dot_diameters(
             set.points, field, set.width, set.height,
             options.relax != 0 ? drawing::Spread::even : drawing::Spread::random);
@@ -259,6 +292,7 @@ void add_stipple(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("stipple", kStippleDescription);
     const auto options = std::make_shared<StippleCommand>();
     add_what_to_stipple(command, *options);
+    add_inks(command, options->inks);
     add_what_to_make(command, options->common.request);
     add_relax(command, options->relax);
     add_how_to_draw(command, options->drawing, "dots have as much ink as the picture is dark");

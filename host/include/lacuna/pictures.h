@@ -19,10 +19,13 @@
 #pragma once
 
 #include <lacuna/files.h>
+#include <lacuna/inks.h>
 #include <lacuna/lacuna.h>
 
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace lacuna {
 
@@ -44,5 +47,23 @@ Field read_field(const std::string& path, const Tone& tone = {});
 
 // The same for bytes that have been read. `name` stands for the file in messages.
 Field decode_field(std::string_view bytes, const std::string& name, const Tone& tone = {});
+
+// The inks that a text names: "cmyk", or up to 16 of #rrggbb, NAME=#rrggbb or one of the names
+// black, grey, red, orange, yellow, green, cyan, blue, purple, magenta, pink and brown, separated
+// by commas. Throws BadRequest.
+std::vector<Ink> inks_of(const std::string& text);
+
+// How much black ink replaces the other inks where these together would look grey, from 0 to 1.
+inline constexpr double kBlackInk = 0.8;
+
+// The importance of each ink, 0 to 1: the part of the paper that its dots are to cover. It is the
+// least-squares solution in linear light for dots that place_inks() places. Channels are decoded as
+// sRGB after the tone's levels; gamma and min_importance change the inks' importance. An ink that
+// is nowhere needed has a field of zeros. Throws as read_field and decode_field do, and BadRequest.
+std::vector<Field> read_inks(const std::string& path, std::span<const Ink> inks,
+                             const Tone& tone = {}, double black_ink = kBlackInk);
+std::vector<Field> decode_inks(std::string_view bytes, const std::string& name,
+                               std::span<const Ink> inks, const Tone& tone = {},
+                               double black_ink = kBlackInk);
 
 }  // namespace lacuna

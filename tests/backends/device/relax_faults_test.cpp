@@ -74,14 +74,15 @@ INSTANTIATE_TEST_SUITE_P(Device, RelaxFaults, lacuna::tests::kDeviceBackends,
                          lacuna::tests::name_of_parameter);
 
 TEST_P(RelaxFaults, InOwnAreNoticed) {
-    expect_noticed(torus_,
-                   {{"bodies/relax/find_rivals.h", "image < 9u", "image < 5u"},
-                    {"bodies/relax/find_rivals.h", "<= search.bound &&", "< search.bound - 4000000u &&"},
-                    {"bodies/relax/assign.h", "to_i32(u) * near.along_x", "0"},
-                    {"bodies/relax/assign.h", "+ min(up, 0) > 0", "> 0"},
-                    {"bodies/relax/assign.h", "v < leaf.height) mass", "v < 7u) mass"},
-                    {"bodies/relax/masses.h", "% 2u * 16u) & 0xffffu", "% 2u * 16u) & 0xfffu"},
-                    {"portable/site_tree.h", "<= to_i64(wins * 2u)", "<= to_i64(wins)"}});
+    expect_noticed(
+        torus_,
+        {{"bodies/relax/find_rivals.h", "image < 9u", "image < 5u"},
+         {"bodies/relax/find_rivals.h", "<= search.bound &&", "< search.bound - 4000000u &&"},
+         {"bodies/relax/assign.h", "to_i32(u) * near.along_x", "0"},
+         {"bodies/relax/assign.h", "+ min(up, 0) > 0", "> 0"},
+         {"bodies/relax/assign.h", "v < leaf.height) mass", "v < 7u) mass"},
+         {"bodies/relax/masses.h", "% 2u * 16u) & 0xffffu", "% 2u * 16u) & 0xfffu"},
+         {"portable/site_tree.h", "<= to_i64(wins * 2u)", "<= to_i64(wins)"}});
 }
 
 TEST_P(RelaxFaults, InTheOrderOfTiesAreNoticed) {

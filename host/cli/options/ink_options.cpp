@@ -1,0 +1,143 @@
+// Reads and checks the options of inks, and separates the picture.
+#include "cli/options/ink_options.h"
+
+#include <fmt/core.h>
+#include <lacuna/pictures.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "cli/options/options.h"
+#include "pictures/image.h"
+#include "pictures/importance.h"
+#include "plan/plan.h"
+
+namespace lacuna::cli {
+namespace {
+
+std::vector<std::uint64_t> read_counts(const std::string& text) {
+    std::vector<std::uint64_t> counts;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        read("ink-counts", text.substr(begin, comma - begin), counts.emplace_back());
+        begin = comma + 1;
+    }
+    return counts;
+}
+
+std::uint64_t sum_of(const std::vector<std::uint64_t>& counts) {
+    return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+}  // namespace
+
+void add_inks(CLI::App& command, InkOptions& options) {
+    add_text(
+        command, "inks", "LIST",
+        [&options](const std::string& text) { options.inks = inks_of(text); },
+        "Draws in colour: cmyk, or inks separated by commas: names such as black,red, or #rrggbb, "
+        "or NAME=#rrggbb. Dots of all inks are even together, too; .svg has a layer an ink");
+    add_number(command, "black-ink", "X", options.black_ink,
+               fmt::format("With --inks: how much black replaces other inks that would look grey "
+                           "together, 0 to 1 (default {})",
+                           kBlackInk));
+    add_text(
+        command, "ink-counts", "N,N...",
+        [&options](const std::string& text) { options.counts = read_counts(text); },
+        "With --inks: the dots of each ink, in place of --count (default: as much as the picture "
+        "needs of each)");
+}
+
+void check_inks(const InkOptions& options, const Request& request, std::optional<Mode> mode) {
+    if (options.inks.empty()) {
+        if (options.black_ink)
+            throw BadRequest("black-ink", fmt::format("{}", *options.black_ink), "needs --inks");
+        if (!options.counts.empty())
+            throw BadRequest("ink-counts", fmt::format("{}", options.counts.front()),
+                             "needs --inks");
+        return;
+    }
+    if (mode && *mode != Mode::stratified)
+        throw BadRequest("mode", std::string(name_of(*mode)),
+                         "is not for --inks, whose dots begin stratified");
+    if (options.counts.empty()) return;
+    if (request.count)
+        throw BadRequest("ink-counts", fmt::format("with --count {}", *request.count),
+                         "gives the number of dots, too: must be one of both");
+    if (options.counts.size() != options.inks.size())
+        throw BadRequest("ink-counts", fmt::format("{} numbers", options.counts.size()),
+                         fmt::format("must be one for each ink, {}", options.inks.size()));
+    if (sum_of(options.counts) == 0)
+        throw BadRequest("ink-counts", "0", "must not be 0 for all inks");
+}
+
+Separation read_separation(const Picture& picture, const InkOptions& options, Request& request) {
+    pictures::Colours colours = pictures::read_colours(picture.path, kLargestAspect);
+    set_domain(request, colours.red.columns, colours.red.rows);
+    Separation separation;
+    separation.fields = pictures::separated(std::move(colours), options.inks, picture.importance,
+                                            options.black_ink.value_or(kBlackInk));
+    separation.sum = separation.fields.front();
+    std::vector<double>& sum = separation.sum.importance;
+    for (const Field& field : std::span(separation.fields).subspan(1))
+        std::transform(sum.begin(), sum.end(), field.importance.begin(), sum.begin(), std::plus());
+    return separation;
+}
+
+void share_dots(Separation& separation, const InkOptions& options, Request& request) {
+    if (!options.counts.empty()) request.count = sum_of(options.counts);
+    check_request(request);  // a scale, for example, is not for mode stratified
+    const std::vector<std::uint64_t> dots =
+        options.counts.empty() ? dots_by_ink(*request.count, separation.fields) : options.counts;
+    for (std::size_t k = 0; k < dots.size(); ++k) {
+        separation.layers.push_back({options.inks[k], dots[k]});
+        if (dots[k] != 0 && pictures::is_zero_all_over(separation.fields[k].importance))
+            throw BadRequest("ink-counts", fmt::format("{}", dots[k]),
+                             fmt::format("must be 0 for {}: the picture needs none of this ink",
+                                         options.inks[k].name));
+    }
+}
+
+std::vector<InkPart> parts_of(const Separation& separation) {
+    std::vector<InkPart> parts;
+    for (std::size_t k = 0; k < separation.layers.size(); ++k)
+        if (separation.layers[k].dots != 0)
+            parts.push_back({&separation.fields[k], separation.layers[k].dots});
+    return parts;
+}
+
+std::vector<double> dot_diameters(const Separation& separation, const files::PointSet& set) {
+    std::vector<double> all;
+    for (std::size_t k = 0; k < separation.layers.size(); ++k) {
+        const std::span<const Point> dots =
+            set.points.subspan(all.size(), separation.layers[k].dots);
+        const std::vector<double> diameters = drawing::dot_diameters(
+            dots, separation.fields[k], set.width, set.height, drawing::Spread::even);
+        all.insert(all.end(), diameters.begin(), diameters.end());
+    }
+    return all;
+}
+
+Json json_of(const InkOptions& options) {
+    Json inks = Json::array();
+    for (const Ink& ink : options.inks)
+        inks.push_back({{"name", ink.name}, {"colour", files::hex_of(ink.colour)}});
+    Json json{{"inks", inks}, {"black_ink", options.black_ink.value_or(kBlackInk)}};
+    if (!options.counts.empty()) json["ink_counts"] = options.counts;
+    return json;
+}
+
+std::string counts_text(const Separation& separation) {
+    std::string text;
+    for (const files::Layer& layer : separation.layers)
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", layer.ink.name, layer.dots);
+    return text;
+}
+
+}  // namespace lacuna::cli

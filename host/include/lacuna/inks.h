@@ -1,0 +1,56 @@
+// Pictures in several inks: dots that are even within each ink and all together.
+//
+// What is promised
+//   - The same fields, numbers and seed give the same dots, bit for bit, on every backend and any
+//     number of threads.
+//   - Each ink has exactly its number of dots; each lies in the domain, on a pixel where the ink's
+//     importance is not 0.
+//   - A dot moves to a place between two centroids: that of its cell among the dots of its ink,
+//   and,
+//     two thirds of the way, that of its cell among all dots. Cells hold equal importance, as in
+//     relax().
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+// An ink, or a pen.
+struct Ink {
+    std::string name;
+    std::array<std::uint8_t, 3> colour;  // of the ink on white paper, in sRGB
+    friend bool operator==(const Ink&, const Ink&) = default;
+};
+
+// What an ink prints, and how many dots it has.
+struct InkPart {
+    const Field* field = nullptr;  // of all inks equally many columns and rows
+    std::uint64_t dots = 0;        // at least 1
+};
+
+struct InkDots {
+    std::vector<Point> points;  // all of the first ink, then all of the second, and so on
+    std::uint64_t lattice_columns = 0;
+    std::uint64_t lattice_rows = 0;
+    std::string backend;
+    std::string device;
+};
+
+// Places the dots of up to 64 inks, and moves them options.iterations times, at least once. They
+// begin stratified: places follow the cdf of all inks' density along a Hilbert curve, and each
+// place takes the ink that is most behind its own cdf up to there.
+// Progress counts points times iterations. Throws what relax throws.
+InkDots place_inks(std::span<const InkPart> inks, std::uint64_t seed, const RelaxOptions& options);
+InkDots place_inks(std::span<const InkPart> inks, std::uint64_t seed, const RelaxOptions& options,
+                   Observer& observer);
+
+// Shares `dots` among inks in proportion to the sums of their importance, by largest remainders.
+std::vector<std::uint64_t> dots_by_ink(std::uint64_t dots, std::span<const Field> inks);
+
+}  // namespace lacuna

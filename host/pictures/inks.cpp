@@ -1,0 +1,109 @@
+// The inks that a text names.
+#include <fmt/core.h>
+#include <lacuna/pictures.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace lacuna {
+namespace {
+
+using Colour = std::array<std::uint8_t, 3>;
+
+struct Named {
+    std::string_view name;
+    Colour colour;
+};
+
+// The inks of offset printing (ISO 12647-2) on coated paper, as sRGB shows them.
+constexpr std::array<Named, 4> kCmyk{{{"cyan", {0x00, 0x9e, 0xe3}},
+                                      {"magenta", {0xe6, 0x00, 0x7e}},
+                                      {"yellow", {0xff, 0xed, 0x00}},
+                                      {"black", {0x1d, 0x1d, 0x1b}}}};
+constexpr std::array<Named, 12> kPens{{{"black", {0x00, 0x00, 0x00}},
+                                       {"grey", {0x80, 0x80, 0x80}},
+                                       {"red", {0xe0, 0x10, 0x20}},
+                                       {"orange", {0xff, 0x80, 0x00}},
+                                       {"yellow", {0xff, 0xed, 0x00}},
+                                       {"green", {0x00, 0x96, 0x40}},
+                                       {"cyan", {0x00, 0x9e, 0xe3}},
+                                       {"blue", {0x00, 0x40, 0xc0}},
+                                       {"purple", {0x80, 0x20, 0xa0}},
+                                       {"magenta", {0xe6, 0x00, 0x7e}},
+                                       {"pink", {0xff, 0x80, 0xb0}},
+                                       {"brown", {0x80, 0x48, 0x20}}}};
+constexpr std::size_t kMostInks = 16;
+constexpr Colour kWhite{0xff, 0xff, 0xff};
+
+[[noreturn]] void refuse(std::string_view text) {
+    std::string names;
+    for (const Named& pen : kPens) names += fmt::format("{}, ", pen.name);
+    throw BadRequest("inks", fmt::format("{:?}", text),
+                     fmt::format("must be cmyk, or up to {} different inks separated by commas: "
+                                 "{}#rrggbb or NAME=#rrggbb, and no white one",
+                                 kMostInks, names));
+}
+
+std::optional<Colour> colour_of(std::string_view text) {
+    constexpr std::size_t kLength = 7;
+    if (text.size() != kLength || text[0] != '#') return std::nullopt;
+    Colour colour{};
+    for (std::size_t i = 0; i < colour.size(); ++i) {
+        const char* const digits = text.data() + 1 + 2 * i;
+        const auto [end, error] = std::from_chars(digits, digits + 2, colour[i], 16);
+        if (error != std::errc{} || end != digits + 2) return std::nullopt;
+    }
+    return colour;
+}
+
+// Names become labels of layers and words in .csv, so they hold no character with a meaning there.
+bool is_name(std::string_view name) {
+    constexpr std::size_t kLongest = 40;
+    return !name.empty() && name.size() <= kLongest &&
+           std::all_of(name.begin(), name.end(), [](char c) {
+               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                      c == '-' || c == '_' || c == '#';
+           });
+}
+
+std::optional<Ink> ink_of(std::string_view word) {
+    for (const Named& pen : kPens)
+        if (pen.name == word) return Ink{std::string(word), pen.colour};
+    const std::size_t equals = word.find('=');
+    const std::string_view name = word.substr(0, equals);
+    const std::optional<Colour> colour =
+        colour_of(equals == std::string_view::npos ? word : word.substr(equals + 1));
+    if (!colour || *colour == kWhite || !is_name(name)) return std::nullopt;
+    return Ink{std::string(name), *colour};
+}
+
+}  // namespace
+
+std::vector<Ink> inks_of(const std::string& text) {
+    std::vector<Ink> inks;
+    if (text == "cmyk") {
+        for (const Named& ink : kCmyk) inks.push_back({std::string(ink.name), ink.colour});
+        return inks;
+    }
+    for (std::string_view rest = text;;) {
+        const std::size_t comma = rest.find(',');
+        std::optional<Ink> ink = ink_of(rest.substr(0, comma));
+        const auto has_its_name = [&](const Ink& other) { return other.name == ink->name; };
+        if (!ink || std::any_of(inks.begin(), inks.end(), has_its_name) || inks.size() == kMostInks)
+            refuse(text);
+        inks.push_back(std::move(*ink));
+        if (comma == std::string_view::npos) return inks;
+        rest.remove_prefix(comma + 1);
+    }
+}
+
+}  // namespace lacuna

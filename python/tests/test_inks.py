@@ -1,0 +1,89 @@
+"""Pictures in several inks: the command's bytes, their files, and refusals."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import REPOSITORY, Command, refused
+
+import lacuna
+
+HOPPER = REPOSITORY / "examples" / "hopper.jpg"
+# Red at the left, blue at the right, and white between.
+COLOURS = np.ones((30, 40, 3))
+COLOURS[:, :10] = (0.9, 0.1, 0.1)
+COLOURS[:, 30:] = (0.1, 0.2, 0.9)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "options"),
+    [
+        ({"n": 400, "inks": "cmyk"}, ["--count", 400, "--inks", "cmyk"]),
+        (
+            {"n": 300, "inks": "red,black,sea=#0083b8", "black_ink": 0, "relax": 2},
+            ["--count", 300, "--inks", "red,black,sea=#0083b8", "--black-ink", 0, "--relax", 2],
+        ),
+        (
+            {"inks": "black,red", "ink_counts": [200, 30], "gamma": 2.0},
+            ["--inks", "black,red", "--ink-counts", "200,30", "--gamma", 2],
+        ),
+        (
+            {"n": 200, "inks": "cmyk", "torus": True, "auto_levels": True},
+            ["--count", 200, "--inks", "cmyk", "--torus", "--auto-levels"],
+        ),
+    ],
+)
+def test_dots_are_the_commands(
+    command: Command, backend: str, arguments: dict[str, Any], options: list[object]
+) -> None:
+    expected = command("stipple", HOPPER, "--seed", 3, *options)
+    made = lacuna.stipple(HOPPER, **arguments, seed=3, backend=backend)
+    assert made.points.tobytes() == np.ascontiguousarray(expected[:, :2]).tobytes()
+    assert made.ink is not None and (made.ink == expected[:, 2]).all()
+    assert made.mode == "stratified" and made.radius > 0 and len(made.radii) == len(made)
+
+
+def test_dots_lie_where_their_ink_is_needed() -> None:
+    made = lacuna.stipple(COLOURS, 300, inks="red,blue", seed=1)
+    assert made.inks == {"red": "#e01020", "blue": "#0040c0"}
+    x = made.points[:, 0]
+    assert ((x < 0.25) | (x >= 0.75)).all()
+    assert made.ink is not None
+    assert set(made.ink[x < 0.25]) == {0}
+    assert made.report()["request"]["inks"] == ["red", "blue"]
+    assert made.report()["relax"]["least_distance"] == made.radius
+
+
+def test_files_have_layers_and_plots_have_colours(tmp_path: Path) -> None:
+    made = lacuna.stipple(COLOURS, 100, inks="red,blue", seed=1)
+    made.save(tmp_path / "a.svg")
+    svg = (tmp_path / "a.svg").read_text()
+    assert 'inkscape:label="1 red"' in svg and 'inkscape:label="2 blue"' in svg
+    made.save(tmp_path / "a.csv")
+    lines = (tmp_path / "a.csv").read_text().splitlines()
+    assert lines[0] == "x,y,ink" and lines[1].endswith(",red") and lines[-1].endswith(",blue")
+    faces = made.plot().collections[0].get_facecolor()
+    assert len(faces) == 100 and tuple(faces[0]) != tuple(faces[-1])
+
+
+@pytest.mark.parametrize(
+    ("argument", "arguments"),
+    [
+        ("inks", {"inks": "mauve"}),
+        ("black_ink", {"black_ink": 0.5}),
+        ("ink_counts", {"ink_counts": [1]}),
+        ("ink_counts", {"inks": "red", "ink_counts": [1, 2]}),
+        ("ink_counts", {"inks": "red", "ink_counts": [1], "n": 5}),
+        ("ink_counts", {"inks": "red,green", "ink_counts": [0, 0]}),
+        ("scale", {"inks": "red", "scale": 0.1}),
+        ("limit", {"inks": "red", "limit": 5}),
+        ("metric", {"inks": "red", "metric": "max"}),
+        ("mode", {"inks": "red", "mode": "cells"}),
+        ("relax", {"inks": "red", "relax": 0}),
+    ],
+)
+def test_what_cannot_be_is_refused(argument: str, arguments: dict[str, Any]) -> None:
+    refused(lacuna.BadRequest, argument, lacuna.stipple, COLOURS, **arguments)

@@ -1,0 +1,144 @@
+// lacuna stipple --inks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/refusals.h"
+#include "cli/stippling.h"
+#include "program.h"
+#include "text.h"
+
+namespace {
+
+using namespace lacuna::test;
+
+// Red at the left, blue at the right, grey above, and white between.
+const std::string kDrawing =
+    "P3 4 3 255 90 90 90 90 90 90 90 90 90 90 90 90 "
+    "230 20 20 255 255 255 255 255 255 20 40 230 "
+    "230 20 20 255 255 255 255 255 255 20 40 230";
+
+struct Drawing {
+    Folder folder;
+    std::string path(const std::string& name) const { return folder.path(name); }
+
+    Outcome stipple(Names arguments) const {
+        write_file(path("drawing.ppm"), kDrawing);
+        arguments.insert(arguments.begin(), {"stipple", path("drawing.ppm")});
+        return run(arguments);
+    }
+    nlohmann::json json(Names arguments) const {
+        arguments.insert(arguments.end(), {"--quiet", "-o", path("a.json")});
+        const Outcome outcome = stipple(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return nlohmann::json::parse(content_of(path("a.json")));
+    }
+};
+
+std::vector<std::size_t> counts_of(const nlohmann::json& set) {
+    std::vector<std::size_t> counts;
+    for (const auto& ink : set.at("inks")) counts.push_back(ink.at("count"));
+    return counts;
+}
+
+TEST(StippleInks, GiveEachInkItsDotsWhereThePictureNeedsIt) {
+    const Drawing drawing;
+    const auto set = drawing.json({"--inks", "cmyk", "--count", "400"});
+    const auto& points = set.at("points");
+    ASSERT_EQ(points.size(), 400U);
+    const std::vector<int> inks = set.at("ink");
+    EXPECT_TRUE(std::is_sorted(inks.begin(), inks.end()));
+    // Magenta is needed below at both sides, and yellow at the left only.
+    for (std::size_t i = 0; i < inks.size(); ++i) {
+        const double x = points[i][0];
+        const double y = points[i][1];
+        if (y > 0.5) continue;
+        EXPECT_TRUE(x < 0.25 || x >= 0.75) << x << " " << y << ": on white";
+        EXPECT_FALSE(inks[i] == 2 && x >= 0.25) << "yellow at " << x;
+        EXPECT_FALSE(inks[i] == 0 && x < 0.75) << "cyan at " << x;
+    }
+    EXPECT_EQ(set.at("mode"), "stratified");
+    EXPECT_EQ(set.at("options").at("black_ink"), 0.8);
+    EXPECT_EQ(set.at("options").at("inks").at(3).at("colour"), "#1d1d1b");
+}
+
+TEST(StippleInks, MakeTheSameDotsOnEveryBackend) {
+    const Drawing drawing;
+    const auto digest = [&](const std::string& backend) {
+        return drawing
+            .json({"--inks", "red,black,blue", "--count", "200", "--relax", "3", "--backend",
+                   backend})
+            .at("points");
+    };
+    const auto points = digest("cpu");
+    EXPECT_EQ(digest("reference"), points);
+    EXPECT_EQ(
+        drawing
+            .json({"--inks", "red,black,blue", "--count", "200", "--relax", "3", "--threads", "1"})
+            .at("points"),
+        points);
+}
+
+TEST(StippleInks, HaveAsManyDotsAsInkCountsSays) {
+    const Drawing drawing;
+    EXPECT_EQ(counts_of(drawing.json({"--inks", "red,blue", "--ink-counts", "70,1e2"})),
+              (std::vector<std::size_t>{70, 100}));
+    EXPECT_EQ(counts_of(drawing.json({"--inks", "red,blue", "--ink-counts", "0,9"})),
+              (std::vector<std::size_t>{0, 9}));
+}
+
+TEST(StippleInks, AreLayersAndColumns) {
+    const Drawing drawing;
+    const Outcome outcome = drawing.stipple(
+        {"--inks", "red,sea=#0083b8", "--count", "90", "-o", drawing.path("a.svg"), "-o",
+         drawing.path("a.csv"), "-o", drawing.path("a.png"), "-o", drawing.path("a.pdf")});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "90 dots (red ")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, ", sea ")) << outcome.err;
+    const std::string svg = content_of(drawing.path("a.svg"));
+    EXPECT_TRUE(contains(svg, "inkscape:label=\"1 red\""));
+    EXPECT_TRUE(contains(svg, "inkscape:label=\"2 sea\""));
+    EXPECT_EQ(content_of(drawing.path("a.csv")).substr(0, 8), "x,y,ink\n");
+}
+
+TEST(StippleInks, ArePathsOfTheirOwnForAPen) {
+    const Drawing drawing;
+    const Names request{"--inks", "red,black,blue", "--count", "300"};
+    const auto placed = drawing.json(request);
+    const auto path = drawing.json(joined(request, {"--pen-path"}));
+    EXPECT_EQ(path.at("ink"), placed.at("ink"));
+    const auto sorted = [](const nlohmann::json& set) {
+        std::vector<nlohmann::json> dots;
+        for (std::size_t i = 0; i < set.at("points").size(); ++i)
+            dots.push_back({set.at("ink")[i], set.at("points")[i]});
+        std::sort(dots.begin(), dots.end());
+        return dots;
+    };
+    EXPECT_EQ(sorted(path), sorted(placed));
+    EXPECT_NE(path.at("points"), placed.at("points"));
+}
+
+TEST(StippleInks, ThatCannotBeAreRefused) {
+    expect_refusals(
+        {{"blank.pgm", "P2 1 1 1 1"}, {"red.ppm", "P3 1 1 255 230 0 0"}}, "stipple",
+        {{"raccoon.png --inks mauve", 2, {"inks \"mauve\"", "cmyk", "#rrggbb"}},
+         {"raccoon.png --inks cmyk --black-ink 2", 2, {"black-ink 2", "0 to 1"}},
+         {"raccoon.png --black-ink 1", 2, {"black-ink 1", "needs --inks"}},
+         {"raccoon.png --ink-counts 5", 2, {"ink-counts 5", "needs --inks"}},
+         {"raccoon.png --inks red --mode cells", 2, {"mode cells", "not for --inks"}},
+         {"raccoon.png --inks red --scale 0.1", 2, {"scale 0.1", "mode stratified"}},
+         {"raccoon.png --inks red --metric max", 2, {"metric max", "mode stratified"}},
+         {"raccoon.png --inks red --relax 0", 2, {"mode stratified", "start for --relax"}},
+         {"raccoon.png --inks red,blue --ink-counts 5", 2, {"ink-counts 1 numbers", "2"}},
+         {"raccoon.png --inks red --ink-counts x", 2, {"ink-counts x", "whole number"}},
+         {"raccoon.png --inks red --ink-counts 0", 2, {"ink-counts 0"}},
+         {"raccoon.png --inks red --ink-counts 5 --count 5", 2, {"ink-counts", "--count 5"}},
+         {"red.ppm --inks red,blue --ink-counts 5,5", 2, {"ink-counts 5", "0 for blue"}},
+         {"blank.pgm --inks red", 3, {"blank.pgm", "white all over"}}});
+}
+
+}  // namespace

@@ -1,0 +1,192 @@
+// Colours are separated into inks that give them back, and texts name inks.
+#include <gtest/gtest.h>
+#include <lacuna/pictures.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "drawing/dot_size.h"
+#include "pictures/image.h"
+#include "refusal.h"
+
+namespace lacuna::pictures {
+namespace {
+
+using lacuna::tests::refusal_of;
+using Light = std::array<double, 3>;
+
+double linear(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+double encoded(double light) {
+    return light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+}
+
+// The mean light of a sheet on which these amounts of inks are printed as dots.
+Light printed(const std::vector<Ink>& inks, const std::vector<double>& amounts) {
+    constexpr std::uint64_t kDots = 1200;
+    constexpr int kSide = 300;  // pixels of the sheet, which wraps
+    std::vector<Field> fields;
+    for (const double amount : amounts) fields.push_back({1, 1, {amount}});
+    const std::vector<std::uint64_t> counts = dots_by_ink(kDots, fields);
+    std::vector<InkPart> parts;
+    for (std::size_t k = 0; k < inks.size(); ++k)
+        if (counts[k] != 0) parts.push_back({&fields[k], counts[k]});
+    RelaxOptions options;
+    options.boundary = Boundary::torus;
+    const std::vector<Point> dots = place_inks(parts, 0, options).points;
+
+    std::vector<Light> sheet(std::size_t{kSide} * kSide, {1, 1, 1});
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < inks.size(); ++k) {
+        if (counts[k] == 0) continue;
+        const auto its = std::span(dots).subspan(first, counts[k]);
+        first += counts[k];
+        const double radius =
+            drawing::dot_diameters(its, fields[k], 1, 1, drawing::Spread::even)[0] / 2 * kSide;
+        std::vector<bool> covered(sheet.size());
+        for (const Point& dot : its) {
+            const double x = dot.x * kSide;
+            const double y = dot.y * kSide;
+            for (int row = static_cast<int>(y - radius) - 1; row <= y + radius; ++row)
+                for (int column = static_cast<int>(x - radius) - 1; column <= x + radius; ++column)
+                    if (std::hypot(column + 0.5 - x, row + 0.5 - y) <= radius)
+                        covered[static_cast<std::size_t>((row + kSide) % kSide * kSide +
+                                                         (column + kSide) % kSide)] = true;
+        }
+        for (std::size_t i = 0; i < sheet.size(); ++i)
+            for (std::size_t c = 0; covered[i] && c < 3; ++c)
+                sheet[i][c] *= linear(inks[k].colour[c] / 255.0);
+    }
+    Light mean{};
+    for (const Light& spot : sheet)
+        for (std::size_t c = 0; c < 3; ++c) mean[c] += spot[c] / static_cast<double>(sheet.size());
+    return mean;
+}
+
+// A picture of one pixel, with 16 bits a channel.
+std::string ppm_of(const Light& light) {
+    std::string text = "P3 1 1 65535";
+    for (const double one : light) {
+        text += ' ';
+        text += std::to_string(std::lround(std::clamp(encoded(one), 0.0, 1.0) * 65535));
+    }
+    return text;
+}
+
+std::vector<double> amounts_of(const std::string& bytes, const std::vector<Ink>& inks,
+                               double black_ink = kBlackInk, const Tone& tone = {}) {
+    std::vector<double> amounts;
+    for (const Field& field : decode_inks(bytes, "file", inks, tone, black_ink))
+        amounts.push_back(field.importance.at(0));
+    return amounts;
+}
+
+void expect_near(const std::vector<double>& amounts, const std::vector<double>& expected,
+                 double tolerance) {
+    ASSERT_EQ(amounts.size(), expected.size());
+    for (std::size_t k = 0; k < amounts.size(); ++k)
+        EXPECT_NEAR(amounts[k], expected[k], tolerance) << "ink " << k;
+}
+
+TEST(Inks, PrintTheColourOfThePicture) {
+    for (const char* text : {"cmyk", "#0083b8,#d6006d,#ffd500,#1b1b1b"})
+        for (const Light& light :
+             {Light{0.5, 0.5, 0.5}, Light{0.25, 0.35, 0.5}, Light{0.6, 0.4, 0.25},
+              Light{0.8, 0.7, 0.6}, Light{0.1, 0.1, 0.12}, Light{0.35, 0.15, 0.1}})
+            for (const double black_ink : {0.5, 0.8, 1.0}) {
+                const std::vector<Ink> inks = inks_of(text);
+                const Light got = printed(inks, amounts_of(ppm_of(light), inks, black_ink));
+                for (std::size_t c = 0; c < light.size(); ++c)
+                    EXPECT_NEAR(got[c], light[c], 0.04)
+                        << text << ", " << light[0] << " " << light[1] << " " << light[2]
+                        << ", black ink " << black_ink << ", channel " << c;
+            }
+}
+
+TEST(Inks, OfTheirOwnColoursAreAlone) {
+    for (const char* text : {"cmyk", "red,green,blue"}) {
+        const std::vector<Ink> inks = inks_of(text);
+        for (std::size_t k = 0; k < inks.size(); ++k) {
+            std::vector<double> alone(inks.size(), 0);
+            alone[k] = 1;
+            Light light{};
+            for (std::size_t c = 0; c < light.size(); ++c)
+                light[c] = linear(inks[k].colour[c] / 255.0);
+            expect_near(amounts_of(ppm_of(light), inks, 1), alone, 0.02);
+        }
+    }
+}
+
+TEST(Inks, OfGreyAreBlackOrOthersAsBlackInkSays) {
+    const std::vector<Ink> inks = inks_of("#00ffff,#ff00ff,#ffff00,#000000");
+    const std::string grey = ppm_of({0.3, 0.3, 0.3});
+    expect_near(amounts_of(grey, inks, 1), {0, 0, 0, 0.7}, 0.001);
+    expect_near(amounts_of(grey, inks, 0), {0.7, 0.7, 0.7, 0}, 0.001);
+    const std::vector<double> half = amounts_of(grey, inks, 0.5);
+    EXPECT_NEAR(half[3], 0.35, 0.001);
+    EXPECT_NEAR(half[0], half[2], 0.001);
+    EXPECT_GT(half[0], 0.35);  // more than what is missing, because dots overlap
+}
+
+TEST(Inks, AreNotNeededOnWhite) {
+    const std::vector<Ink> inks = inks_of("cmyk");
+    const std::string white_and_black = "P3 2 1 1 1 1 1 0 0 0";
+    for (const Field& field : decode_inks(white_and_black, "file", inks))
+        EXPECT_EQ(field.importance.at(0), 0);
+    EXPECT_THROW(decode_inks("P3 1 1 1 1 1 1", "file", inks), FileError);
+    EXPECT_EQ(amounts_of("P3 1 1 1 1 1 1", inks, 1, {.min_importance = 0.25}),
+              (std::vector<double>(4, 0.25)));
+}
+
+TEST(Inks, FollowTheTone) {
+    const std::vector<Ink> inks = inks_of("#00ffff,#ff00ff,#ffff00");
+    const auto amounts = [&](const Tone& tone) {
+        return amounts_of("P3 1 1 100 100 50 20", inks, 0, tone);
+    };
+    expect_near(amounts({}), {0, 1 - linear(0.5), 1 - linear(0.2)}, 0.001);
+    expect_near(amounts({.invert = true}), {1, 1 - linear(0.5), 1 - linear(0.8)}, 0.001);
+    expect_near(amounts({.black = 0.2, .white = 0.5}), {0, 0, 1}, 0.001);
+    expect_near(amounts({.gamma = 2}),
+                {0, std::pow(1 - linear(0.5), 2), std::pow(1 - linear(0.2), 2)}, 0.001);
+}
+
+TEST(Channels, AreReadAsTheyAreStored) {
+    const Colours colours = decode_colours("P3 2 1 255 255 0 51 0 102 255", "file");
+    EXPECT_EQ(colours.red.luminance, (std::vector<double>{1, 0}));
+    EXPECT_EQ(colours.green.luminance, (std::vector<double>{0, 0.4}));
+    EXPECT_EQ(colours.blue.luminance, (std::vector<double>{0.2, 1}));
+    const Colours grey = decode_colours("P2 1 1 4 3", "file");
+    EXPECT_EQ(grey.red.luminance, grey.blue.luminance);
+}
+
+TEST(InkNames, AreReadFromText) {
+    const std::vector<Ink> cmyk = inks_of("cmyk");
+    ASSERT_EQ(cmyk.size(), 4U);
+    EXPECT_EQ(cmyk[3].name, "black");
+    EXPECT_EQ(inks_of("red,sea=#0083B8,#ffd500"),
+              (std::vector<Ink>{{"red", {0xe0, 0x10, 0x20}},
+                                {"sea", {0x00, 0x83, 0xb8}},
+                                {"#ffd500", {0xff, 0xd5, 0x00}}}));
+    for (const char* text :
+         {"", ",", "red,", "red,red", "mauve", "#12345", "#1234567", "#12345g", "#ffffff",
+          "=#000000", "a b=#000000", "a,b", "red, blue", "a=b=#000000", "cmyk,red",
+          "a=#000000,b=#000000,c=#000000,d=#000000,e=#000000,f=#000000,g=#000000,h=#000000,"
+          "i=#000000,j=#000000,k=#000000,l=#000000,m=#000000,n=#000000,o=#000000,p=#000000,"
+          "q=#000000"}) {
+        const std::string told = refusal_of([&] { inks_of(text); });
+        EXPECT_NE(told.find("must be cmyk, or up to 16 different inks"), std::string::npos)
+            << text << ": " << told;
+    }
+    EXPECT_EQ(refusal_of([] { decode_inks("P2 1 1 1 0", "f", inks_of("red"), {}, 1.5); }),
+              "black-ink 1.5: must be 0 to 1");
+}
+
+}  // namespace
+}  // namespace lacuna::pictures
