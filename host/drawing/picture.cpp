@@ -30,7 +30,7 @@ Context make_context(cairo_surface_t* surface) {
 }
 
 // Calls draw(dots, style) for each layer. Inks are transparent: each layer is drawn on its own, in
-// its colour, and what is there already is multiplied by it.
+// its colour, and multiplies the colours on the page.
 template <class Draw>
 void multiply_layers(cairo_t* context, const files::PointSet& set, const Style& style,
                      const Draw& draw) {

@@ -51,11 +51,11 @@ double overlap_at(double total) {
     return std::max(kLeast, kMeasured[low] + part * (kMeasured[low + 1] - kMeasured[low]));
 }
 
-// Finds amounts a, 0 to 1, for which paper that each ink covers so much has a given colour. In each
-// channel, let s be the part of the light that an ink absorbs where it covers. The light is
-// 1 - (1 - product over inks of (1 - o a s)) / o. For o = 1 this is the product of 1 - a s, as of
-// inks that lie independently of each other; near 0 it is 1 - sum of a s, as of inks that never
-// overlap. o is overlap_at().
+// Finds the amount of each ink, 0 to 1, that gives paper a given colour; an ink of amount a covers
+// the part a of the paper. In each channel, let s be the part of the light that an ink absorbs
+// where it covers. The light is 1 - (1 - product over inks of (1 - o a s)) / o. For o = 1 this is
+// the product of 1 - a s, as of inks that lie independently of each other; near 0 it is 1 - sum of
+// a s, as of inks that never overlap. o is overlap_at().
 class Separator {
 public:
     Separator(std::span<const Ink> inks, double black_ink)

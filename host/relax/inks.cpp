@@ -58,9 +58,9 @@ Field density_of(std::span<const InkPart> inks) {
     return density;
 }
 
-// Gives each place on the curve the ink that is most behind its own cdf up to there, among the
-// inks that are wanted on its pixel and have dots left. If there is none, among those with dots
-// left.
+// Gives each place on the curve an ink: among the inks that are wanted on its pixel and have dots
+// left, the one whose dots up to there are fewest compared with its own cdf. If no ink is wanted
+// there, any ink that has dots left will do.
 class InkOfPlace : public relaxing::OnCurve {
 public:
     InkOfPlace(std::span<const InkPart> inks, std::span<const Lattice> lattices) {
@@ -140,7 +140,7 @@ struct Group {
 
 class Inks {
 public:
-    // `lattices` are those of the inks, then that of all dots.
+    // `lattices` has one lattice for each ink, and then the lattice of all dots.
     Inks(std::span<const InkPart> inks, std::span<const Lattice> lattices,
          std::span<const Site> sites, const RelaxOptions& options, const Poll& poll)
         : lattices_(lattices) {

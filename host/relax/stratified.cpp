@@ -19,7 +19,7 @@ __extension__ using Wide = unsigned __int128;
 
 constexpr std::uint32_t kStream = 0x57a7;  // a stream of random numbers that no other sampler uses
 
-// The cells of the curve: pixels, of which those that are far from square are cut into several.
+// The cells of the curve: pixels, or equal parts of them where pixels are far from square.
 struct Cells {
     const Field& field;
     std::vector<std::uint16_t> masses;  // of pixels, from the lowest row up

@@ -50,8 +50,8 @@ inline std::vector<std::string> limited_ranks(int count, int kibibytes,
             "ulimit -f " + std::to_string(kibibytes) + "; exec " LACUNA_MPI_PROGRAM " " + options};
 }
 
-// The ranks of `first`, then those of `then`. mpirun has the word `:` for this, but that of Open
-// MPI 5.0.7 ends by SIGSEGV on it; so each rank chooses its command in a shell.
+// The ranks of `first`, then the ranks of `then`. Each chooses its command in a shell, because
+// mpirun of Open MPI 5.0.7 crashes on the word `:`, which would separate them.
 inline std::vector<std::string> joined(const std::vector<std::string>& first,
                                        const std::vector<std::string>& then) {
     const auto command = [](const std::vector<std::string>& ranks) {

@@ -132,7 +132,7 @@ TEST(Inks, OfGreyAreBlackOrOthersAsBlackInkSays) {
     const std::vector<double> half = amounts_of(grey, inks, 0.5);
     EXPECT_NEAR(half[3], 0.35, 0.001);
     EXPECT_NEAR(half[0], half[2], 0.001);
-    EXPECT_GT(half[0], 0.35);  // more than what is missing, because dots overlap
+    EXPECT_GT(half[0], 0.35);  // without overlap it would be 0.35
 }
 
 TEST(Inks, AreNotNeededOnWhite) {

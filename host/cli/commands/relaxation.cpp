@@ -45,7 +45,7 @@ bool needs_least_distance(const CommonOptions& common, const std::vector<Output>
                        [](const Output& output) { return output.format.name() == "json"; });
 }
 
-// Runs `work` under a progress bar, and takes its points over as those of `made`.
+// Runs `work` under a progress bar. Its points become the points of `made`.
 template <class Work>
 Relaxation watched(const CommonOptions& common, const std::vector<Output>& outputs,
                    const RelaxOptions& options, Made& made, const Work& work) {

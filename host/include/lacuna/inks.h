@@ -5,10 +5,9 @@
 //     number of threads.
 //   - Each ink has exactly its number of dots; each lies in the domain, on a pixel where the ink's
 //     importance is not 0.
-//   - A dot moves to a place between two centroids: that of its cell among the dots of its ink,
-//   and,
-//     two thirds of the way, that of its cell among all dots. Cells hold equal importance, as in
-//     relax().
+//   - Each dot has a cell among the dots of its ink, and another among all dots. Cells hold equal
+//     importance, as in relax(). A dot moves between the centroids of the two, two thirds of the
+//     way to the second.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -43,9 +42,9 @@ struct InkDots {
 };
 
 // Places the dots of up to 64 inks, and moves them options.iterations times, at least once. They
-// begin stratified: places follow the cdf of all inks' density along a Hilbert curve, and each
-// place takes the ink that is most behind its own cdf up to there.
-// Progress counts points times iterations. Throws what relax throws.
+// begin stratified: places follow the cdf of the density of all dots along a Hilbert curve. Each
+// place takes one of the inks that its pixel needs: the one whose dots up to there are fewest
+// compared with its own cdf. Progress counts points times iterations. Throws what relax throws.
 InkDots place_inks(std::span<const InkPart> inks, std::uint64_t seed, const RelaxOptions& options);
 InkDots place_inks(std::span<const InkPart> inks, std::uint64_t seed, const RelaxOptions& options,
                    Observer& observer);
