@@ -1,6 +1,6 @@
 # lacuna-mpi under mpirun: equality with lacuna on 1, 2, 3, 5 and 7 ranks, and faults. Waiting ranks
 # give their cores to other processes and are slow to get them back, so these tests run alone.
-set(mpi_environment "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_btl=^tcp;POCL_CACHE_DIR=${pocl_cache}")
+set(mpi_environment "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_btl_tcp_if_include=lo;POCL_CACHE_DIR=${pocl_cache}")
 add_executable(mpi_equality ${CMAKE_CURRENT_LIST_DIR}/equality.cpp)
 target_include_directories(mpi_equality PRIVATE
     ${PROJECT_SOURCE_DIR}/kernels ${CMAKE_CURRENT_SOURCE_DIR})
