@@ -122,9 +122,11 @@ Set Stippler::stipple(const Pixels& pixels, const StippleOptions& options, const
     request.width = field.columns / longer;
     request.height = field.rows / longer;
     const drawing::Style style = style_of(options, request.width, request.height);
-    request.count = options.count ? options.count
-                                  : drawing::default_count(field, request.width, request.height,
-                                                           options.dot_size_mm, style);
+    std::optional<drawing::Sizing::Pens> pens;
+    if (options.dot_size_mm) pens = {*options.dot_size_mm, *options.dot_size_mm};
+    request.count = options.count
+                        ? options.count
+                        : drawing::default_count(field, request.width, request.height, pens, style);
 
     const pictures::Importance& tone = options.tone;
     const Key key{{tone.black, tone.white, tone.gamma},

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "files/point_files.h"
@@ -31,16 +30,18 @@ std::uint64_t dot_count(const Field& field, double width, double height) {
 }
 
 std::uint64_t default_count(const Field& field, double width, double height,
-                            std::optional<double> dot_size_mm, const Style& style) {
-    return dot_size_mm ? rounded(dots_for_ink(field, width, height, *dot_size_mm, style))
-                       : dot_count(field, width, height);
+                            const std::optional<Sizing::Pens>& pens, const Style& style) {
+    return pens ? rounded(dots_for_ink(field, width, height, *pens, style))
+                : dot_count(field, width, height);
 }
 
-double dots_for_ink(const Field& field, double width, double height, double dot_size_mm,
+double dots_for_ink(const Field& field, double width, double height, const Sizing::Pens& pens,
                     const Style& style) {
     const double scale = millimetres_per_unit(files::PointSet{{}, width, height}, style);
-    const double dot = std::numbers::pi / 4 * dot_size_mm * dot_size_mm;
-    return darkness_of(field) * width * scale * height * scale / dot;
+    const Sizing sizing{.pens = pens};
+    if (sizing.varies())
+        return darkness_of(density_of(field, sizing)) * width * scale * height * scale;
+    return darkness_of(field) * width * scale * height * scale / sizing.area_at(1);
 }
 
 }  // namespace lacuna::drawing

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "drawing/dot_size.h"
 #include "drawing/picture.h"
 
 namespace lacuna::drawing {
@@ -18,14 +19,13 @@ double darkness_of(const Field& field);
 constexpr double kMostDots = 1e6;
 std::uint64_t dot_count(const Field& field, double width, double height);
 
-// The number of dots of one diameter at which their areas sum to the picture's darkness on the
-// page.
-double dots_for_ink(const Field& field, double width, double height, double dot_size_mm,
+// The number of dots that pens draw at which their areas sum to the picture's darkness on the page.
+double dots_for_ink(const Field& field, double width, double height, const Sizing::Pens& pens,
                     const Style& style);
 
-// The number of dots if the user gives none: with a dot diameter in mm dots_for_ink(), from 1 to
-// kMostDots, and without one dot_count().
+// The number of dots if the user gives none: with pens dots_for_ink(), from 1 to kMostDots, and
+// without them dot_count().
 std::uint64_t default_count(const Field& field, double width, double height,
-                            std::optional<double> dot_size_mm, const Style& style);
+                            const std::optional<Sizing::Pens>& pens, const Style& style);
 
 }  // namespace lacuna::drawing

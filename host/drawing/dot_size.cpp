@@ -20,7 +20,8 @@ constexpr std::array kWider{1.0, 1.002, 1.009, 1.015, 1.025, 1.051, 1.072, 1.110
 // six sets of 6,600 points.
 constexpr std::array kWiderRelaxed{1.0, 1.0, 1.0, 1.001, 1.003, 1.007, 1.015, 1.029, 1.058, 1.120};
 constexpr double kFirst = 0.55, kStep = 0.05;
-// The factors are rounded to multiples of this, because few distinct sizes make short files.
+// Factors and importance are rounded to multiples of this, because few distinct sizes make short
+// files.
 constexpr double kSizeStep = 0.01;
 
 double wider_at(double importance, Spread spread) {
@@ -38,21 +39,66 @@ std::size_t pixel_of(double coordinate, double side, std::uint32_t pixels) {
     return static_cast<std::size_t>(std::clamp<std::int64_t>(place, 0, pixels - std::int64_t{1}));
 }
 
+// The size rounded to 2^(1/64), 1.1 %.
+double in_steps(double size) {
+    constexpr double kSteps = 64;
+    return size == 1 ? 1 : std::exp2(std::round(std::log2(size) * kSteps) / kSteps);
+}
+
+// The importance of the pixel in which a point of width x height lies.
+double importance_at(Point point, const Field& field, double width, double height) {
+    const std::size_t row = field.rows - 1 - pixel_of(point.y, height, field.rows);
+    return field.importance[row * field.columns + pixel_of(point.x, width, field.columns)];
+}
+
+double mean_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
 }  // namespace
 
+bool Sizing::varies() const {
+    return by_tone != 0 || (pens && pens->least_mm != pens->most_mm);
+}
+
+double Sizing::area_at(double importance) const {
+    if (!pens) return by_tone == 0 ? 1 : std::pow(importance, by_tone);
+    const double diameter = std::lerp(pens->least_mm, pens->most_mm, importance);
+    return std::numbers::pi / 4 * diameter * diameter;
+}
+
+Field density_of(const Field& field, const Sizing& sizing) {
+    Field density = field;
+    for (double& one : density.importance)
+        if (one > 0) one /= sizing.area_at(one);
+    return density;
+}
+
 std::vector<double> dot_diameters(std::span<const Point> points, const Field& field, double width,
-                                  double height, Spread spread) {
-    const std::vector<double>& importance = field.importance;
-    const double mean = std::accumulate(importance.begin(), importance.end(), 0.0) /
-                        static_cast<double>(importance.size());
+                                  double height, Spread spread, const Sizing& sizing) {
+    const double mean =
+        sizing.varies() ? mean_of(density_of(field, sizing).importance) : mean_of(field.importance);
     const double area = mean * width * height / static_cast<double>(points.size());
     const double diameter = std::sqrt(4 / std::numbers::pi * area);
     std::vector<double> diameters;
     diameters.reserve(points.size());
     for (const Point& point : points) {
-        const std::size_t row = field.rows - 1 - pixel_of(point.y, height, field.rows);
-        const std::size_t column = pixel_of(point.x, width, field.columns);
-        diameters.push_back(diameter * wider_at(importance[row * field.columns + column], spread));
+        const double importance = importance_at(point, field, width, height);
+        diameters.push_back(diameter * in_steps(std::sqrt(sizing.area_at(importance))) *
+                            wider_at(importance, spread));
+    }
+    return diameters;
+}
+
+std::vector<double> pen_diameters(std::span<const Point> points, const Field& field, double width,
+                                  double height, const Sizing::Pens& pens,
+                                  double millimetres_per_unit) {
+    std::vector<double> diameters;
+    diameters.reserve(points.size());
+    for (const Point& point : points) {
+        const double importance = importance_at(point, field, width, height);
+        const double part = std::round(importance / kSizeStep) * kSizeStep;
+        diameters.push_back(std::lerp(pens.least_mm, pens.most_mm, part) / millimetres_per_unit);
     }
     return diameters;
 }

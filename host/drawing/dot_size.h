@@ -3,6 +3,7 @@
 
 #include <lacuna/lacuna.h>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,12 +12,38 @@ namespace lacuna::drawing {
 // How dots are spread: like darts thrown at random, or evenly, as relax leaves them.
 enum class Spread { random, even };
 
+// How a tone is shown: by how densely dots lie, and by how large they are. A dot's area follows the
+// importance of its pixel; dots are as dense as importance over area, so that the ink is the same.
+struct Sizing {
+    // Areas are proportional to importance to this power, 0 to 1. 0: all dots are equally large.
+    double by_tone = 0;
+    // Or diameters in mm, in proportion to importance: where it is 0, and where it is 1.
+    struct Pens {
+        double least_mm;
+        double most_mm;
+    };
+    std::optional<Pens> pens{};
+
+    bool varies() const;
+    // The area of a dot: relative, or in mm^2 with pens.
+    double area_at(double importance) const;
+};
+
+// How densely dots lie: importance over area. For dots of one size it is proportional to the field.
+Field density_of(const Field& field, const Sizing& sizing);
+
 // The diameter of each point's dot, in the domain's units. The ink then covers the fraction of the
 // paper that the importance says: half where it is 0.5, and 99 % where it is 1. As long as few dots
 // overlap, the areas of all dots sum to the integral of the importance. Above importance 0.55 more
 // dots overlap, so they are up to 1.3 times as wide (1.12 times for Spread::even). `points` fill
-// width x height, and `field` is stretched over it.
+// width x height, and `field` is stretched over it. `sizing` has no pens.
 std::vector<double> dot_diameters(std::span<const Point> points, const Field& field, double width,
-                                  double height, Spread spread = Spread::random);
+                                  double height, Spread spread = Spread::random,
+                                  const Sizing& sizing = {});
+
+// The diameters, in the domain's units, of dots that pens draw.
+std::vector<double> pen_diameters(std::span<const Point> points, const Field& field, double width,
+                                  double height, const Sizing::Pens& pens,
+                                  double millimetres_per_unit);
 
 }  // namespace lacuna::drawing

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,6 +53,14 @@ void check(const Importance& options) {
     if (!(options.min_importance >= 0 && options.min_importance <= 1))
         throw BadRequest("min-importance", fmt::format("{}", options.min_importance),
                          "must be 0 to 1");
+    constexpr std::uint32_t kMostSharpen = 1000;
+    constexpr double kMostAmount = 100;
+    if (options.sharpen > kMostSharpen)
+        throw BadRequest("sharpen", fmt::format("{}", options.sharpen),
+                         fmt::format("must be at most {} pixels", kMostSharpen));
+    if (!(options.sharpen_amount > 0 && options.sharpen_amount <= kMostAmount))
+        throw BadRequest("sharpen", fmt::format("{}:{}", options.sharpen, options.sharpen_amount),
+                         fmt::format("the amount must be over 0 and at most {}", kMostAmount));
 }
 
 Levels levels_of(const Image& image, const Importance& options) {
@@ -92,6 +101,7 @@ void apply_gamma_and_least(std::vector<double>& values, const std::string& name,
 
 Field importance_of(Image image, const Importance& options) {
     check(options);
+    sharpen(image, options);
     to_darkness(image, levels_of(image, options), options.invert);
     std::vector<double>& values = image.luminance;
     if (options.min_importance == 0 && is_zero_all_over(values))

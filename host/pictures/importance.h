@@ -16,6 +16,9 @@ using Importance = lacuna::Tone;
 // Checks the options. Throws BadRequest if a value is not allowed.
 void check(const Importance& options);
 
+// Sharpens the luminance, as the options say.
+void sharpen(Image& image, const Importance& options);
+
 // I = max(min_importance, d^gamma), where d = 1 - l, or l with invert. Here l is luminance / white
 // of the picture, stretched between black and white of the options. So every value is in [0, 1],
 // and white (black with invert) is 0, which means no sample there, unless min_importance is over 0.

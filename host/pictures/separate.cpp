@@ -184,6 +184,7 @@ std::vector<Field> separated(Colours colours, std::span<const Ink> inks, const I
     if (!(black_ink >= 0 && black_ink <= 1))
         throw BadRequest("black-ink", fmt::format("{}", black_ink), "must be 0 to 1");
     const std::array channels{&colours.red, &colours.green, &colours.blue};
+    for (Image* channel : channels) sharpen(*channel, options);
     const Levels levels = levels_of(colours, options);
     for (Image* channel : channels) to_darkness(*channel, levels, options.invert);
 

@@ -29,6 +29,8 @@ class Tone:
     invert: bool
     gamma: float
     min_importance: float
+    sharpen: int
+    sharpen_amount: float
     def __init__(self) -> None: ...
 
 class Request:
@@ -118,8 +120,14 @@ def place_inks(
 ) -> dict[str, Any]: ...
 def dot_count(field: Field, width: float, height: float) -> int: ...
 def dot_radii(
-    points: npt.NDArray[np.float64], field: Field, width: float, height: float, relaxed: bool
+    points: npt.NDArray[np.float64],
+    field: Field,
+    width: float,
+    height: float,
+    relaxed: bool,
+    by_tone: float,
 ) -> npt.NDArray[np.float64]: ...
+def density_of(field: Field, by_tone: float) -> Field: ...
 def write_points(
     path: bytes,
     points: npt.NDArray[np.float64],

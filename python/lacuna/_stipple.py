@@ -46,6 +46,8 @@ def _tone(
     auto_levels: object,
     gamma: SupportsFloat,
     min_importance: SupportsFloat,
+    sharpen: SupportsIndex,
+    sharpen_amount: SupportsFloat,
 ) -> _core.Tone:
     tone = _core.Tone()
     tone.invert = flag("invert", invert)
@@ -54,6 +56,8 @@ def _tone(
     tone.auto_levels = flag("auto_levels", auto_levels)
     tone.gamma = real("gamma", gamma)
     tone.min_importance = real("min_importance", min_importance)
+    tone.sharpen = whole("sharpen", sharpen, 0, 1000)
+    tone.sharpen_amount = real("sharpen_amount", sharpen_amount)
     return tone
 
 
@@ -126,7 +130,9 @@ def _dots_of(
 
 def _stipple_inks(
     request: _core.Request,
-    fields: list[_core.Field],
+    densities: list[_core.Field],
+    tones: list[_core.Field],
+    by_tone: float,
     inks: list[_core.Ink],
     dots: list[int],
     iterations: int,
@@ -134,13 +140,19 @@ def _stipple_inks(
 ) -> Stippling:
     checked_progress(progress)
     options = relax_options(request, iterations)
-    parts = [(field, count) for field, count in zip(fields, dots) if count]
-    placed = _core.place_inks(*map(list, zip(*parts)), request.seed, options, progress)
+    parts = [part for part in zip(densities, dots, tones) if part[1]]
+    placed = _core.place_inks(
+        [part[0] for part in parts],
+        [part[1] for part in parts],
+        request.seed,
+        options,
+        progress,
+    )
     points = placed["points"]
     radii, first = [], 0
-    for field, count in parts:
+    for _, count, tone in parts:
         its = np.ascontiguousarray(points[first : first + count])
-        radii.append(_core.dot_radii(its, field, request.width, request.height, True))
+        radii.append(_core.dot_radii(its, tone, request.width, request.height, True, by_tone))
         first += count
     relaxed = Relaxed(
         points=points,
@@ -196,6 +208,9 @@ def stipple(
     auto_levels: bool = False,
     gamma: SupportsFloat = 1.0,
     min_importance: SupportsFloat = 0.0,
+    sharpen: SupportsIndex = 0,
+    sharpen_amount: SupportsFloat = 1.0,
+    size_by_tone: SupportsFloat = 0.0,
     torus: bool = False,
     seed: Seed = None,
     limit: SupportsIndex | None = None,
@@ -250,6 +265,12 @@ def stipple(
         Importance is raised to this power: over 1 lightens middle tones.
     min_importance : float
         Least importance, so that white has dots too.
+    sharpen, sharpen_amount : int, float
+        Sharpen edges of about ``sharpen`` pixels by an unsharp mask, ``sharpen_amount`` times as
+        much: shows more with few dots. 0 pixels: not at all.
+    size_by_tone : float
+        How much of the tone is in the dots' sizes, 0 to 1: areas are proportional to importance to
+        this power, and dots are as dense as importance over area.
     torus, seed, limit, lines_per_radius, round_size, backend, device, threads, memory_limit, \
 progress
         As for ``sample``.
@@ -281,13 +302,19 @@ progress
     >>> np.bincount(dots.ink)  # cyan, magenta, yellow; the disk needs no black
     array([  0, 115,  85])
     """
-    tone = _tone(invert, black, white, auto_levels, gamma, min_importance)
+    tone = _tone(
+        invert, black, white, auto_levels, gamma, min_importance, sharpen, sharpen_amount
+    )
+    by_tone = real("size_by_tone", size_by_tone)
+    if not 0 <= by_tone <= 1:
+        raise BadRequest(f"size_by_tone {by_tone}: must be 0 to 1", "size_by_tone")
     palette = [] if inks is None else _core.inks_of(text("inks", inks))
     for name, value in (("black_ink", black_ink), ("ink_counts", ink_counts)):
         if value is not None and not palette:
             raise BadRequest(f"{name} {shown(value)}: needs inks", name)
     fields = _separation(image, palette, tone, black_ink) if palette else [_picture(image, tone)]
     field = _sum_of(fields) if palette else fields[0]
+    densities = [_core.density_of(one, by_tone) for one in fields] if by_tone else fields
     request = _core.Request()
     request.mode = choice("mode", "cells" if mode is None else mode, STARTS)
     sides = shape_of(field)
@@ -296,7 +323,7 @@ progress
     iterations = whole("relax", relax, 0, MOST_32)
     dots = []
     if palette and scale is None:
-        dots = _dots_of(ink_counts, None if n is None else whole("n", n, 1, MOST_64), palette, fields)
+        dots = _dots_of(ink_counts, None if n is None else whole("n", n, 1, MOST_64), palette, densities)
         n = sum(dots)
     set_size(request, {"n": n, "scale": scale})
     place(request, sides, torus, backend, device, threads)
@@ -310,9 +337,11 @@ progress
     )
     if palette:
         refuse_what_is_not_for_inks(request, mode, metric)
-        return _stipple_inks(request, fields, palette, dots, iterations, progress)
+        return _stipple_inks(request, densities, fields, by_tone, palette, dots, iterations, progress)
     choose_start(request, mode, metric, iterations)
     choose_metric(request, metric, iterations)
-    made = make(request, field, iterations, progress)
-    radii = _core.dot_radii(made["points"], field, request.width, request.height, iterations != 0)
+    made = make(request, densities[0], iterations, progress)
+    radii = _core.dot_radii(
+        made["points"], field, request.width, request.height, iterations != 0, by_tone
+    )
     return Stippling(**made, radii=radii)

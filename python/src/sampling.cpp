@@ -115,12 +115,13 @@ std::uint64_t dot_count(const Field& field, double width, double height) {
 
 // The radii of the dots of a stippled picture.
 nb::object dot_radii(const PointArray& array, const Field& field, double width, double height,
-                     bool relaxed) {
+                     bool relaxed, double by_tone) {
     std::vector<double> sizes;
     {
         const nb::gil_scoped_release no_gil;
         sizes = drawing::dot_diameters(points_of(array), field, width, height,
-                                       relaxed ? drawing::Spread::even : drawing::Spread::random);
+                                       relaxed ? drawing::Spread::even : drawing::Spread::random,
+                                       {by_tone, {}});
         for (double& size : sizes) size /= 2;
     }
     return array_of(std::move(sizes));
@@ -198,7 +199,9 @@ void add_sampling(nb::module_& module) {
         .def_rw("auto_levels", &Tone::auto_levels)
         .def_rw("invert", &Tone::invert)
         .def_rw("gamma", &Tone::gamma)
-        .def_rw("min_importance", &Tone::min_importance);
+        .def_rw("min_importance", &Tone::min_importance)
+        .def_rw("sharpen", &Tone::sharpen)
+        .def_rw("sharpen_amount", &Tone::sharpen_amount);
     add_request(module);
     nb::class_<RelaxOptions> options(module, "RelaxOptions");
     add_common(options)
@@ -213,6 +216,9 @@ void add_sampling(nb::module_& module) {
     module.def("relax", relax_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none());
     module.def("dot_count", dot_count);
     module.def("dot_radii", dot_radii);
+    module.def("density_of", [](const Field& field, double by_tone) {
+        return drawing::density_of(field, {by_tone, {}});
+    });
 }
 
 }  // namespace lacuna::python

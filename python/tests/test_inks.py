@@ -31,6 +31,10 @@ COLOURS[:, 30:] = (0.1, 0.2, 0.9)
             ["--inks", "black,red", "--ink-counts", "200,30", "--gamma", 2],
         ),
         (
+            {"n": 300, "inks": "cmyk", "size_by_tone": 0.5, "sharpen": 3, "sharpen_amount": 2},
+            ["--count", 300, "--inks", "cmyk", "--size-by-tone", 0.5, "--sharpen", "3:2"],
+        ),
+        (
             {"n": 200, "inks": "cmyk", "torus": True, "auto_levels": True},
             ["--count", 200, "--inks", "cmyk", "--torus", "--auto-levels"],
         ),

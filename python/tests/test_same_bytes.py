@@ -70,6 +70,8 @@ def picture_cases() -> list[Case]:
         ({"n": 200, "black": 0.2, "white": 0.8}, ["--count", 200, "--black", 0.2, "--white", 0.8]),
         ({"n": 200, "auto_levels": True}, ["--count", 200, "--auto-levels"]),
         ({"n": 200, "min_importance": 0.1}, ["--count", 200, "--min-importance", 0.1]),
+        ({"n": 200, "size_by_tone": 0.7}, ["--count", 200, "--size-by-tone", 0.7]),
+        ({"n": 200, "sharpen": 2}, ["--count", 200, "--sharpen", 2]),
         ({"n": 200, "torus": True, "limit": 100}, ["--count", 200, "--torus", "--limit", 100]),
         ({"n": 200, "lines_per_radius": 5}, ["--count", 200, "--lines-per-radius", 5]),
         ({"scale": 0.05, "round_size": 1}, ["--scale", 0.05, "--round-size", 1]),

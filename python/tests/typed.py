@@ -77,6 +77,9 @@ dots: lacuna.Stippling = lacuna.stipple(
     auto_levels=False,
     gamma=1.5,
     min_importance=0.01,
+    sharpen=1,
+    sharpen_amount=0.5,
+    size_by_tone=0.2,
     seed=None,
 )
 radii: Floats = dots.radii

@@ -146,8 +146,9 @@ TEST(Help, OfACommandBeginsWithExamplesAndNamesEveryOption) {
          "--radius --count --domain --torus --mode --lines-per-radius --uniform-x --snap --limit "
          "--round-size --seed --backend --device --threads --output --report --quiet"},
         {"stipple",
-         "IMAGE --count --scale --metric --mode --lines-per-radius --invert --black --white "
-         "--auto-levels --gamma --min-importance --torus --limit --seed --dot-size --paper-size "
+         "IMAGE --count --scale --metric --mode --lines-per-radius --inks --black-ink --ink-counts "
+         "--invert --black --white --auto-levels --sharpen --gamma --min-importance --torus "
+         "--limit --seed --dot-size --size-by-tone --paper-size "
          "--margin --dpi --pen-path --round-size --backend --device --threads --output --relax "
          "--report --quiet"},
         {"relax",

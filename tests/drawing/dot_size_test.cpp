@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 namespace lacuna::pen {
@@ -30,17 +32,19 @@ struct Range {
 // The fraction of the middle of a band of x that lies under some dot.
 double covered(const std::vector<Point>& points, const std::vector<double>& diameters, Range x) {
     constexpr int kPlaces = 300;
+    const double reach = *std::max_element(diameters.begin(), diameters.end());
+    std::vector<std::size_t> near;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        if (points[k].x > x.low - reach && points[k].x < x.high + reach) near.push_back(k);
     int under = 0;
     for (int i = 0; i < kPlaces; ++i)
         for (int j = 0; j < kPlaces; ++j) {
             const Point place{std::lerp(x.low, x.high, (i + 0.5) / kPlaces),
                               std::lerp(0.1, 0.9, (j + 0.5) / kPlaces)};
-            for (std::size_t k = 0; k < points.size(); ++k) {
+            under += static_cast<int>(std::any_of(near.begin(), near.end(), [&](std::size_t k) {
                 const double dx = points[k].x - place.x, dy = points[k].y - place.y;
-                if (4 * (dx * dx + dy * dy) >= diameters[k] * diameters[k]) continue;
-                ++under;
-                break;
-            }
+                return 4 * (dx * dx + dy * dy) < diameters[k] * diameters[k];
+            }));
         }
     return under / static_cast<double>(kPlaces * kPlaces);
 }
@@ -69,6 +73,45 @@ TEST_P(AnImportance, IsTheShareThatRelaxedDotsCover) {
         points, drawing::dot_diameters(points, field, 1, 1, drawing::Spread::even), {0.1, 0.9});
     EXPECT_NEAR(share, importance, 0.015) << points.size() << " dots";
 }
+
+// Ten bands from light to dark, relaxed.
+class ABandOfGrey : public testing::TestWithParam<drawing::Sizing> {};
+
+TEST_P(ABandOfGrey, IsCoveredAsMuchAsItIsDark) {
+    Field tone{10, 1, {}};
+    for (int i = 1; i <= 10; ++i) tone.importance.push_back(i / 10.0);
+    const Field density = drawing::density_of(tone, GetParam());
+    Request request;
+    request.mode = Mode::stratified;
+    request.field = &density;
+    request.boundary = Boundary::torus;
+    constexpr double kMillimetres = 150;  // the domain's side
+    request.count =
+        GetParam().pens
+            ? static_cast<std::uint64_t>(std::lround(
+                  std::accumulate(density.importance.begin(), density.importance.end(), 0.0) / 10 *
+                  kMillimetres * kMillimetres))
+            : 20'000;
+    RelaxOptions options;
+    options.boundary = Boundary::torus;
+    const std::vector<Point> points = relax(sample(request).points, &density, options).points;
+    const std::vector<double> diameters =
+        GetParam().pens
+            ? drawing::pen_diameters(points, tone, 1, 1, *GetParam().pens, kMillimetres)
+            : drawing::dot_diameters(points, tone, 1, 1, drawing::Spread::even, GetParam());
+    for (int band = 0; band < 10; ++band) {
+        // With pens dots are not made wider where they overlap.
+        if (GetParam().pens && band > 5) break;
+        const double share = covered(points, diameters, {(band + 0.25) / 10, (band + 0.75) / 10});
+        EXPECT_NEAR(share, (band + 1) / 10.0, 0.02) << "dots " << points.size();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(BySize, ABandOfGrey,
+                         testing::Values(drawing::Sizing{0, {}}, drawing::Sizing{0.3, {}},
+                                         drawing::Sizing{0.7, {}}, drawing::Sizing{1, {}},
+                                         drawing::Sizing{0, {{1.2, 1.2}}},
+                                         drawing::Sizing{0, {{0.7, 1.6}}}));
 
 TEST(DotDiameters, GivenTwoTonesSideBySideThenEachIsReproduced) {
     const Field field{2, 1, {0.95, 0.25}};

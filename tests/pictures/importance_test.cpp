@@ -42,6 +42,27 @@ TEST(Importance, IsStretchedBetweenBlackAndWhite) {
               (Values{0, 0.5, 1, 1}));
 }
 
+TEST(Importance, IsSharpenedAtEdgesAndNotElsewhere) {
+    // White, then grey, then black: 40 pixels each.
+    Values tones;
+    for (const double tone : {1.0, 0.5, 0.0}) tones.insert(tones.end(), 40, tone);
+    const Values plain = importance(tones);
+    const Values sharp = importance(tones, {.sharpen = 2});
+    const Values sharper = importance(tones, {.sharpen = 2, .sharpen_amount = 3});
+    for (std::size_t i = 0; i < tones.size(); ++i) {
+        const bool is_near = std::min(std::abs(static_cast<double>(i) - 39.5),
+                                      std::abs(static_cast<double>(i) - 79.5)) < 6;
+        const bool is_mid = i >= 40 && i < 80;
+        EXPECT_TRUE((is_near && is_mid) || sharp[i] == plain[i]) << i;
+    }
+    EXPECT_GT(sharp[40], 0.6);  // the grey pixel beside white
+    EXPECT_LT(sharp[79], 0.4);
+    EXPECT_GT(sharper[40], sharp[40]);
+    EXPECT_NEAR(sharper[42] - 0.5, 3 * (sharp[42] - 0.5), 1e-9);
+    // At the first pixel after the step 53 of 125 ways of three means lead back to the white.
+    EXPECT_NEAR(sharp[40], 0.5 + 0.5 * 53 / 125, 1e-9);
+}
+
 TEST(Importance, OfAnUnderexposedPictureIsStretchedByAutoLevels) {
     // 1,000 tones from 0 to 0.25 and four dots of white, fewer than half a percent.
     Values dark;
@@ -126,6 +147,9 @@ TEST(AnOptionOfImportance, ThatIsNotAllowedIsRefusedByName) {
             return error.option();
         }
     };
+    EXPECT_EQ(option_refused({.sharpen = 1001}), "sharpen");
+    for (const double amount : {0.0, -1.0, 101.0, kNaN})
+        EXPECT_EQ(option_refused({.sharpen = 1, .sharpen_amount = amount}), "sharpen") << amount;
     for (const double gamma : {0.0, -1.0, kNaN, kInfinity})
         EXPECT_EQ(option_refused({.gamma = gamma}), "gamma") << gamma;
     for (const double least : {-0.1, 1.1, kNaN, kInfinity})

@@ -133,7 +133,8 @@ void run(const RelaxCommand& options) {
     const files::PointSet set{made.result.points, request.width, request.height,
                               made.result.radius};
     const drawing::Style style = style_of(options.drawing, request.width, request.height);
-    if (!common.quiet) warn_of_ink(options.drawing, request, set.points.size(), style);
+    if (!common.quiet)
+        warn_of_ink(options.drawing, request, request.field, set.points.size(), style);
     Writing writing(interruption);
     if (!common.report.empty())
         writing.add(common.report, [&] {

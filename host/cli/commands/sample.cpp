@@ -112,7 +112,7 @@ void run(const CLI::App& command, const SampleCommand& all) {
     const files::Origin origin = origin_of(command, request, made.result, decides);
     const files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
                               &origin};
-    if (!options.quiet) warn_of_ink(all.drawing, request, set.points.size(), style);
+    if (!options.quiet) warn_of_ink(all.drawing, request, request.field, set.points.size(), style);
     Writing writing(interruption);
     if (!options.report.empty())
         writing.add(options.report, [&] { return report_of(request, made, more); });

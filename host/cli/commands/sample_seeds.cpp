@@ -206,7 +206,9 @@ void sample_seeds(const CLI::App& command, const CommonOptions& options,
             observers);
     }
     made.seconds = stopwatch.seconds_so_far();
-    if (!options.quiet) warn_of_ink(drawing, options.request, made.points / made.sets, style);
+    if (!options.quiet)
+        warn_of_ink(drawing, options.request, options.request.field, made.points / made.sets,
+                    style);
     Writing writing(interruption);
     if (!options.report.empty())
         writing.add(options.report, [&] { return many_report(options.request, made); });

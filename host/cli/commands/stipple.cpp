@@ -9,32 +9,25 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cli/commands/relaxation.h"
+#include "cli/commands/stipple_work.h"
 #include "cli/options/common_options.h"
-#include "cli/options/drawing.h"
-#include "cli/options/ink_options.h"
 #include "cli/options/options.h"
 #include "cli/options/origin.h"
-#include "cli/options/picture_field.h"
 #include "cli/reports/output.h"
 #include "cli/reports/report.h"
 #include "cli/reports/writing.h"
 #include "cli/terminal/interruption.h"
-#include "cli/terminal/progress_bar.h"
 #include "cli/terminal/stopwatch.h"
 #include "drawing/dot_count.h"
 #include "drawing/dot_size.h"
-#include "drawing/pen/pen_path.h"
 #include "drawing/picture.h"
 #include "files/point_files.h"
-#include "pictures/image.h"
 #include "pictures/importance.h"
 
 namespace lacuna::cli {
@@ -47,6 +40,8 @@ Examples:
   lacuna stipple photo.jpg -o dots.svg                       a number of dots that suits the picture
   lacuna stipple photo.jpg --count 20000 -o dots.svg         exactly 20000 dots
   lacuna stipple dim.jpg --auto-levels -o dots.svg -o dots.png   an underexposed photo, two files
+  lacuna stipple photo.jpg --inks cmyk -o dots.svg -o dots.png    in four inks, a layer for each
+  lacuna stipple photo.jpg --count 2000 --size-by-tone 0.7 --sharpen 4 -o dots.svg   few dots
   lacuna stipple photo.jpg --scale 0.003 -o dots.png         as many as there is room for
   lacuna stipple photo.jpg --count 20000 --relax 0 -o dots.pdf        the paper's set, grainy
   lacuna stipple photo.jpg --scale 0.003 --relax 0 --mode exact -o dots.npy   no gap is left
@@ -70,8 +65,13 @@ With --mode cells dots are placed on a lattice, and about 4 % fewer fit than in 
 Either may be relaxed, too; cells then has --metric mean by default. Shapes that are smaller than a
 dot's cell get more dots than their share that way.
 
-With --dot-size 0.5mm all dots are equally large, as a pen draws them. Without --count there are as
-many as give the picture's ink. A line warns of less than half of that ink or more than twice.
+With --dot-size 0.5mm all dots are equally large, as a pen draws them, and with 0.3mm..0.8mm they
+are larger where it is darker. Without --count there are as many as give the picture's ink. A line
+warns of less than half of that ink or more than twice. Without --dot-size, --size-by-tone lets
+sizes vary.
+
+With --inks the picture's colours are separated, in linear light, and the dots of each ink are even,
+and all dots together are. Files have them ink by ink.
 
 With --paper-size the picture lies in the middle of the paper, as large as --margin allows, and .svg
 is in mm. Without it the page is the picture, and 512pt long.
@@ -79,16 +79,6 @@ is in mm. Without it the page is the picture, and 512pt long.
 Formats read are PNG, JPEG, PGM, PPM, PFM, Radiance HDR and NumPy's .npy. For photos that are too
 dark or too light as a whole use --auto-levels.
 )";
-
-struct StippleCommand {
-    CommonOptions common;
-    Picture picture;
-    DrawingOptions drawing;
-    InkOptions inks;
-    bool pen_path = false;
-    std::optional<Mode> mode;
-    std::uint32_t relax = RelaxOptions{}.iterations;
-};
 
 void read_dot_mode(const std::string& text, std::optional<Mode>& mode) {
     for (const Mode known : {Mode::stratified, Mode::cells, Mode::exact}) {
@@ -121,6 +111,13 @@ void add_what_to_stipple(CLI::App& command, StippleCommand& options) {
                "(default 1)");
 }
 
+void add_size_by_tone(CLI::App& command, StippleCommand& options) {
+    add_number(command, "size-by-tone", "A", options.size_by_tone,
+               "How much of the tone is in the dots' sizes, 0 to 1 (default 0: all are equally "
+               "large). Areas are proportional to importance^A, and dots as dense as "
+               "importance^(1 - A): with few dots more is seen");
+}
+
 void add_pen_path(CLI::App& command, StippleCommand& options) {
     command
         .add_flag("--pen-path", options.pen_path,
@@ -146,88 +143,83 @@ std::vector<Output> check_options(const StippleCommand& options) {
         checked_outputs(options.common, {{"IMAGE", options.picture.path}});
     pictures::check(options.picture.importance);
     check_drawing(options.drawing, outputs);
+    if (!(options.size_by_tone >= 0 && options.size_by_tone <= 1))
+        throw BadRequest("size-by-tone", fmt::format("{}", options.size_by_tone), "must be 0 to 1");
+    if (options.size_by_tone != 0 && options.drawing.pens)
+        throw BadRequest("size-by-tone", fmt::format("{}", options.size_by_tone),
+                         "is not for a --dot-size in mm; give two, such as 0.3mm..0.8mm");
     return outputs;
 }
 
-// What `lacuna stipple` has done besides sampling. Lengths are in the domain's units.
-struct Work {
-    double read_seconds = 0;
-    double path_seconds = 0;
-    double admitted_length = 0;  // of a pen's path through the dots in order of admission
-    double path_length = 0;      // of the short path
-    std::optional<Relaxation> relaxation;
+// The picture as importance, and what follows from it.
+struct Tones {
+    drawing::Sizing sizing;
+    Separation inks;                 // empty without --inks
+    Field all;                       // the importance; with inks the sum of theirs
+    std::optional<Field> density{};  // of dots, where it is not proportional to the importance
+
+    bool has_inks() const { return !inks.fields.empty(); }
 };
 
-// Orders the dots of each ink along a path of its own.
-void order_for_a_pen(const StippleCommand& options, std::span<const files::Layer> layers,
-                     Made& made, Work& work) {
-    std::vector<Point>& points = made.result.points;
-    ProgressBar bar(options.common.quiet);
-    bar.note(fmt::format("a pen path through {} dots", points.size()));
-    const Stopwatch stopwatch;
-    std::vector<Point> ordered;
-    ordered.reserve(points.size());
-    const auto order = [&](std::span<const Point> dots) {
-        const std::size_t first = ordered.size();
-        for (const std::uint32_t index : pen::pen_path(dots, [] { return true; }))
-            ordered.push_back(dots[index]);
-        work.admitted_length += pen::path_length(dots);
-        work.path_length += pen::path_length(std::span(ordered).subspan(first));
+// Reads the picture, and sets the request's domain. The request's field must be set, too, once the
+// result has its place.
+Tones tones_of(const StippleCommand& options, Request& request) {
+    Tones tones{{options.size_by_tone, options.drawing.pens}, {}, {}};
+    if (options.inks.inks.empty()) {
+        tones.all = read_field(options.picture, request);
+    } else {
+        tones.inks = read_separation(options.picture, options.inks, tones.sizing, request);
+        tones.all = std::move(tones.inks.sum);
+    }
+    if (tones.sizing.varies()) tones.density = drawing::density_of(tones.all, tones.sizing);
+    return tones;
+}
+
+// The number of dots that suits the picture. Pens need dots for each ink by itself.
+std::uint64_t suiting_count(const Tones& tones, const Request& request,
+                            const drawing::Style& style) {
+    const auto count_of = [&](const Field& field) {
+        return drawing::default_count(field, request.width, request.height, tones.sizing.pens,
+                                      style);
     };
-    if (layers.empty()) order(points);
-    for (const files::Layer& layer : layers)
-        order(std::span(points).subspan(ordered.size(), layer.dots));
-    work.path_seconds = stopwatch.seconds_so_far();
-    points = std::move(ordered);
+    if (!tones.has_inks() || !tones.sizing.pens) return count_of(tones.all);
+    std::uint64_t all = 0;
+    for (const Field& ink : tones.inks.fields) all += count_of(ink);
+    return all;
 }
 
-Json json_of(const DrawingOptions& options, const drawing::Style& style) {
-    return {{"dot_size_mm", options.dot_size_mm ? Json(*options.dot_size_mm) : Json("radius")},
-            {"paper_mm",
-             style.sheet ? Json({style.sheet->width_mm, style.sheet->height_mm}) : Json(nullptr)},
-            {"margin_mm", options.margin_mm},
-            {"dpi", style.pixels_per_inch}};
+// Sets the number of dots, in all and of each ink. Returns what is to be said of it.
+std::string choose_count(const StippleCommand& options, Tones& tones, Request& request,
+                         const drawing::Style& style) {
+    std::string note;
+    if (!request.count && !request.scale && options.inks.counts.empty()) {
+        request.count = suiting_count(tones, request, style);
+        note = " (chosen for the picture: --count gives another number)";
+    }
+    if (!tones.has_inks()) return note;
+    share_dots(tones.inks, options.inks, request);
+    return fmt::format(" ({})", counts_text(tones.inks));
 }
 
-Json json_of(const StippleCommand& options) {
-    Json json{{"image", options.picture.path}};
-    json.update(json_of_importance(options.picture.importance));
-    json["relax"] = options.relax;
-    if (!options.inks.inks.empty()) json.update(json_of(options.inks));
-    json["pen_path"] = options.pen_path;
-    return json;
-}
-
-Json report_of_the_rest(const StippleCommand& options, const std::vector<Output>& outputs,
-                        const Field& field, const drawing::Style& style, const Work& work) {
-    Json more{{"request", json_of(options)},
-              {"image", {{"columns", field.columns}, {"rows", field.rows}}},
-              {"seconds", {{"read", work.read_seconds}}}};
-    if (has_picture(outputs)) more["request"].update(json_of(options.drawing, style));
-    if (work.relaxation) more.update(json_of(*work.relaxation), true);
-    if (!options.pen_path) return more;
-    more["seconds"]["pen_path"] = work.path_seconds;
-    more["pen_path"] = {{"length", work.path_length}, {"length_as_admitted", work.admitted_length}};
-    return more;
-}
-
-// The length of the pen's path, for the summary at the end.
-std::string path_text(const StippleCommand& options, const std::vector<Output>& outputs,
-                      const files::PointSet& set, const drawing::Style& style, const Work& work) {
-    if (!options.pen_path) return "";
-    if (!has_picture(outputs))
-        return fmt::format(", pen path {:.4g} longer sides", work.path_length);
-    return fmt::format(", pen path {:.2f} m",
-                       work.path_length * drawing::millimetres_per_unit(set, style) / 1000);
-}
-
-// The dots of all inks, ink by ink.
-Made make_inks(const CommonOptions& common, const std::vector<Output>& outputs,
-               std::uint32_t iterations, const Separation& separation, Work& work) {
-    Made made;
-    work.relaxation = place_inks(common, outputs, parts_of(separation),
-                                 relax_options_of(common.request, iterations), made);
+Made make(const CommonOptions& common, const std::vector<Output>& outputs, const Tones& tones,
+          std::uint32_t iterations, Work& work) {
+    const RelaxOptions relaxing = relax_options_of(common.request, iterations);
+    if (tones.has_inks()) {
+        Made made;
+        work.relaxation = place_inks(common, outputs, parts_of(tones.inks), relaxing, made);
+        return made;
+    }
+    Made made = make(common);
+    if (iterations != 0)
+        work.relaxation = relax_points(common, outputs, relaxing, common.request.field, made);
     return made;
+}
+
+std::vector<double> diameters_of(const Tones& tones, const files::PointSet& set,
+                                 const drawing::Style& style, bool is_relaxed) {
+    const double scale = drawing::millimetres_per_unit(set, style);
+    if (tones.has_inks()) return dot_diameters(tones.inks, set, tones.sizing, scale);
+    return dot_diameters(set.points, tones.all, set, tones.sizing, scale, is_relaxed);
 }
 
 void run(const CLI::App& command, const StippleCommand& options) {
@@ -239,50 +231,31 @@ void run(const CLI::App& command, const StippleCommand& options) {
     request.mode = mode_of(options);
     if (request.mode == Mode::cells && options.relax != 0 && !options.picture.has_metric)
         request.metric = Metric::mean;
-    const bool has_inks = !options.inks.inks.empty();
-    Separation separation;
-    if (has_inks) separation = read_separation(options.picture, options.inks, request);
-    const Field field = has_inks ? std::move(separation.sum) : read_field(options.picture, request);
-    request.field = &field;
+    Tones tones = tones_of(options, request);
+    request.field = tones.density ? &*tones.density : &tones.all;
     drawing::Style style = style_of(options.drawing, request.width, request.height);
     style.for_a_pen = options.pen_path;
-    std::string note;
-    if (!request.count && !request.scale && options.inks.counts.empty()) {
-        request.count = drawing::default_count(field, request.width, request.height,
-                                               options.drawing.dot_size_mm, style);
-        note = " (chosen for the picture: --count gives another number)";
-    }
-    if (has_inks) {
-        share_dots(separation, options.inks, request);
-        note = fmt::format(" ({})", counts_text(separation));
-    }
+    const std::string note = choose_count(options, tones, request, style);
     work.read_seconds = stopwatch.seconds_so_far();
 
     Interruption interruption;
-    Made made =
-        has_inks ? make_inks(common, outputs, options.relax, separation, work) : make(common);
-    if (options.relax != 0 && !has_inks)
-        work.relaxation =
-            relax_points(common, outputs, relax_options_of(request, options.relax), &field, made);
-    if (options.pen_path) order_for_a_pen(options, separation.layers, made, work);
-    if (!common.quiet) warn_of_ink(options.drawing, request, made.result.points.size(), style);
+    Made made = make(common, outputs, tones, options.relax, work);
+    if (options.pen_path) order_for_a_pen(options, tones.inks.layers, made, work);
+    if (!common.quiet && !(tones.has_inks() && tones.sizing.varies()))
+        warn_of_ink(options.drawing, request, &tones.all, made.result.points.size(), style);
 
     const files::Origin origin = origin_of(command, request, made.result, json_of(options));
     files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
                         &origin};
-    set.layers = separation.layers;
+    set.layers = tones.inks.layers;
     Writing writing(interruption);
     if (!common.report.empty())
         writing.add(common.report, [&] {
             return report_of(request, made,
-                             report_of_the_rest(options, outputs, field, style, work));
+                             report_of_the_rest(options, outputs, tones.all, style, work));
         });
-    write_set(writing, options.drawing, outputs, set, style, [&] {
-        if (has_inks) return dot_diameters(separation, set);
-        return drawing::dot_diameters(
-            set.points, field, set.width, set.height,
-            options.relax != 0 ? drawing::Spread::even : drawing::Spread::random);
-    });
+    write_set(writing, options.drawing, outputs, set, style,
+              [&] { return diameters_of(tones, set, style, options.relax != 0); });
     sum_up(common, outputs, made, "dot", note, path_text(options, outputs, set, style, work));
 }
 
@@ -295,7 +268,9 @@ void add_stipple(CLI::App& app) {
     add_inks(command, options->inks);
     add_what_to_make(command, options->common.request);
     add_relax(command, options->relax);
-    add_how_to_draw(command, options->drawing, "dots have as much ink as the picture is dark");
+    add_how_to_draw(command, options->drawing,
+                    "the ink of all dots is as much as the picture is dark", true);
+    add_size_by_tone(command, *options);
     add_pen_path(command, *options);
     add_effort(command, options->common.request);
     add_place(command, options->common.request);

@@ -8,8 +8,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "cli/options/options.h"
+#include "cli/reports/json.h"
 #include "drawing/dot_count.h"
 
 namespace lacuna::cli {
@@ -43,16 +45,35 @@ void add_option(CLI::App& command, DrawingOptions& options, const std::string& n
         ->type_name(symbol);
 }
 
+// A diameter, or two with `..` between them.
+drawing::Sizing::Pens read_pens(const std::string& name, const std::string& text, bool has_tones) {
+    const std::size_t dots = has_tones ? text.find("..") : std::string::npos;
+    const double least = read_length(name, text.substr(0, dots), kLeastDot);
+    if (dots == std::string::npos) return {least, least};
+    const double most = read_length(name, text.substr(dots + 2), kLeastDot);
+    if (!(least <= most)) throw BadRequest(name, shown(text), "the first must not be the larger");
+    return {least, most};
+}
+
+std::string text_of(const drawing::Sizing::Pens& pens) {
+    return pens.least_mm == pens.most_mm
+               ? fmt::format("{:.3g}mm", pens.least_mm)
+               : fmt::format("{:.3g}mm to {:.3g}mm", pens.least_mm, pens.most_mm);
+}
+
 }  // namespace
 
-void add_how_to_draw(CLI::App& command, DrawingOptions& options, const std::string& by_radius) {
+void add_how_to_draw(CLI::App& command, DrawingOptions& options, const std::string& by_radius,
+                     bool has_tones) {
     using Text = const std::string&;
-    add_option(command, options, "dot-size", "D",
-               "Diameter of dots, such as 0.5mm; or radius (default): " + by_radius +
+    add_option(command, options, "dot-size", has_tones ? "D[..D]" : "D",
+               std::string("Diameter of dots, such as 0.5mm") +
+                   (has_tones ? ", or 0.3mm..0.8mm from light to dark" : "") +
+                   "; or radius (default): " + by_radius +
                    ". In .csv .npy .ply .json it adds columns for dots, as --paper-size does",
-               [&options](Text name, Text text) {
-                   options.dot_size_mm.reset();
-                   if (text != "radius") options.dot_size_mm = read_length(name, text, kLeastDot);
+               [&options, has_tones](Text name, Text text) {
+                   options.pens.reset();
+                   if (text != "radius") options.pens = read_pens(name, text, has_tones);
                });
     add_option(command, options, "paper-size", "WxH",
                "Such as 210x297mm (or cm, in, pt); or A0 to A6, letter, legal, tabloid, which are "
@@ -115,30 +136,40 @@ drawing::Style style_of(const DrawingOptions& options, double width, double heig
     return style;
 }
 
-void warn_of_ink(const DrawingOptions& options, const Request& request, std::size_t count,
-                 const drawing::Style& style) {
-    if (!options.dot_size_mm || request.field == nullptr || count == 0) return;
-    const double suits = drawing::dots_for_ink(*request.field, request.width, request.height,
-                                               *options.dot_size_mm, style);
+void warn_of_ink(const DrawingOptions& options, const Request& request, const Field* tone,
+                 std::size_t count, const drawing::Style& style) {
+    if (!options.pens || tone == nullptr || count == 0) return;
+    const double suits =
+        drawing::dots_for_ink(*tone, request.width, request.height, *options.pens, style);
     const double ink = static_cast<double>(count) / suits;
     if (ink >= kLeastInk && ink <= kMostInk) return;
     const std::string percent =
         ink < 0.1 ? fmt::format("{:.2g}", 100 * ink) : fmt::format("{:.0f}", 100 * ink);
-    std::fputs(
-        fmt::format("lacuna: {} dots of {:.3g}mm have {} % of the picture's ink: about {} dots, or "
-                    "--dot-size {:.2g}mm, would suit\n",
-                    count, *options.dot_size_mm, percent, to_three_digits(suits),
-                    *options.dot_size_mm / std::sqrt(ink))
-            .c_str(),
-        stderr);
+    const double factor = 1 / std::sqrt(ink);
+    const drawing::Sizing::Pens pens{options.pens->least_mm * factor,
+                                     options.pens->most_mm * factor};
+    const std::string size = pens.least_mm == pens.most_mm
+                                 ? fmt::format("{:.2g}mm", pens.least_mm)
+                                 : fmt::format("{:.2g}mm..{:.2g}mm", pens.least_mm, pens.most_mm);
+    std::fputs(fmt::format("lacuna: {} dots of {} have {} % of the picture's ink: about {} dots, "
+                           "or --dot-size {}, would suit\n",
+                           count, text_of(*options.pens), percent, to_three_digits(suits), size)
+                   .c_str(),
+               stderr);
+}
+
+Json json_of_pens(const std::optional<drawing::Sizing::Pens>& pens) {
+    if (!pens) return "radius";
+    if (pens->least_mm == pens->most_mm) return pens->least_mm;
+    return {pens->least_mm, pens->most_mm};
 }
 
 void write_set(Writing& writing, const DrawingOptions& options, const std::vector<Output>& outputs,
                files::PointSet set, drawing::Style style, const FindDiameters& find_diameters) {
     std::vector<double> diameters;
-    if (options.dot_size_mm)
+    if (options.pens && options.pens->least_mm == options.pens->most_mm)
         diameters.assign(set.points.size(),
-                         *options.dot_size_mm / drawing::millimetres_per_unit(set, style));
+                         options.pens->least_mm / drawing::millimetres_per_unit(set, style));
     else if (!options.given.empty() || has_picture(outputs))
         diameters = find_diameters();
     style.diameters = diameters;

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,13 +14,14 @@
 #include "cli/commands/paper.h"
 #include "cli/reports/output.h"
 #include "cli/reports/writing.h"
+#include "drawing/dot_size.h"
 #include "drawing/picture.h"
 #include "files/point_files.h"
 
 namespace lacuna::cli {
 
 struct DrawingOptions {
-    std::optional<double> dot_size_mm;  // unset: dots follow the local radius
+    std::optional<drawing::Sizing::Pens> pens;  // unset: dots have as much ink as the picture
     std::optional<Paper> paper;
     double margin_mm = 0;
     double pixels_per_inch = drawing::Style{}.pixels_per_inch;
@@ -27,8 +29,12 @@ struct DrawingOptions {
 };
 
 // Adds --dot-size, --paper-size, --margin and --dpi; `options` must outlive the command.
-// `by_radius` is the help text for `--dot-size radius`, the default.
-void add_how_to_draw(CLI::App& command, DrawingOptions& options, const std::string& by_radius);
+// `by_radius` is the help text for `--dot-size radius`, the default. `has_tones` adds MIN..MAX.
+void add_how_to_draw(CLI::App& command, DrawingOptions& options, const std::string& by_radius,
+                     bool has_tones = false);
+
+// "radius", a diameter in mm, or two.
+nlohmann::ordered_json json_of_pens(const std::optional<drawing::Sizing::Pens>& pens);
 
 bool has_picture(const std::vector<Output>& outputs);
 
@@ -39,10 +45,10 @@ void check_drawing(const DrawingOptions& options, const std::vector<Output>& out
 // would have more pixels than cairo can draw.
 drawing::Style style_of(const DrawingOptions& options, double width, double height);
 
-// Prints a line on standard error if --dot-size gives the dots of the request's field less than
-// half of the picture's ink, or more than twice as much.
-void warn_of_ink(const DrawingOptions& options, const Request& request, std::size_t count,
-                 const drawing::Style& style);
+// Prints a line on standard error if --dot-size gives the dots less than half of the ink of the
+// picture `tone`, or more than twice as much. Without a picture it prints nothing.
+void warn_of_ink(const DrawingOptions& options, const Request& request, const Field* tone,
+                 std::size_t count, const drawing::Style& style);
 
 // Returns the diameters of a set's dots in the domain's units; empty if all follow from its radius.
 using FindDiameters = std::function<std::vector<double>()>;

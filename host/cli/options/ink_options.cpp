@@ -77,12 +77,16 @@ void check_inks(const InkOptions& options, const Request& request, std::optional
         throw BadRequest("ink-counts", "0", "must not be 0 for all inks");
 }
 
-Separation read_separation(const Picture& picture, const InkOptions& options, Request& request) {
+Separation read_separation(const Picture& picture, const InkOptions& options,
+                           const drawing::Sizing& sizing, Request& request) {
     pictures::Colours colours = pictures::read_colours(picture.path, kLargestAspect);
     set_domain(request, colours.red.columns, colours.red.rows);
     Separation separation;
     separation.fields = pictures::separated(std::move(colours), options.inks, picture.importance,
                                             options.black_ink.value_or(kBlackInk));
+    if (sizing.varies())
+        for (const Field& field : separation.fields)
+            separation.varied.push_back(drawing::density_of(field, sizing));
     separation.sum = separation.fields.front();
     std::vector<double>& sum = separation.sum.importance;
     for (const Field& field : std::span(separation.fields).subspan(1))
@@ -94,7 +98,8 @@ void share_dots(Separation& separation, const InkOptions& options, Request& requ
     if (!options.counts.empty()) request.count = sum_of(options.counts);
     check_request(request);  // a scale, for example, is not for mode stratified
     const std::vector<std::uint64_t> dots =
-        options.counts.empty() ? dots_by_ink(*request.count, separation.fields) : options.counts;
+        options.counts.empty() ? dots_by_ink(*request.count, separation.densities())
+                               : options.counts;
     for (std::size_t k = 0; k < dots.size(); ++k) {
         separation.layers.push_back({options.inks[k], dots[k]});
         if (dots[k] != 0 && pictures::is_zero_all_over(separation.fields[k].importance))
@@ -108,17 +113,27 @@ std::vector<InkPart> parts_of(const Separation& separation) {
     std::vector<InkPart> parts;
     for (std::size_t k = 0; k < separation.layers.size(); ++k)
         if (separation.layers[k].dots != 0)
-            parts.push_back({&separation.fields[k], separation.layers[k].dots});
+            parts.push_back({&separation.densities()[k], separation.layers[k].dots});
     return parts;
 }
 
-std::vector<double> dot_diameters(const Separation& separation, const files::PointSet& set) {
+std::vector<double> dot_diameters(std::span<const Point> points, const Field& tone,
+                                  const files::PointSet& set, const drawing::Sizing& sizing,
+                                  double millimetres_per_unit, bool is_relaxed) {
+    if (sizing.pens)
+        return drawing::pen_diameters(points, tone, set.width, set.height, *sizing.pens,
+                                      millimetres_per_unit);
+    const auto spread = is_relaxed ? drawing::Spread::even : drawing::Spread::random;
+    return drawing::dot_diameters(points, tone, set.width, set.height, spread, sizing);
+}
+
+std::vector<double> dot_diameters(const Separation& separation, const files::PointSet& set,
+                                  const drawing::Sizing& sizing, double millimetres_per_unit) {
     std::vector<double> all;
     for (std::size_t k = 0; k < separation.layers.size(); ++k) {
-        const std::span<const Point> dots =
-            set.points.subspan(all.size(), separation.layers[k].dots);
-        const std::vector<double> diameters = drawing::dot_diameters(
-            dots, separation.fields[k], set.width, set.height, drawing::Spread::even);
+        const auto dots = set.points.subspan(all.size(), separation.layers[k].dots);
+        const std::vector<double> diameters =
+            dot_diameters(dots, separation.fields[k], set, sizing, millimetres_per_unit, true);
         all.insert(all.end(), diameters.begin(), diameters.end());
     }
     return all;

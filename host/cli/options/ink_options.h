@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,12 +34,16 @@ void check_inks(const InkOptions& options, const Request& request, std::optional
 // A picture in inks.
 struct Separation {
     std::vector<Field> fields;         // the importance of each ink
-    Field sum;                         // the sum of them
+    std::vector<Field> varied;         // how densely its dots lie, if sizes vary
+    Field sum;                         // the sum of all importance
     std::vector<files::Layer> layers;  // each with its number of dots, once shared
+
+    std::span<const Field> densities() const { return varied.empty() ? fields : varied; }
 };
 
 // Reads the picture, and sets the request's domain, as read_field() does.
-Separation read_separation(const Picture& picture, const InkOptions& options, Request& request);
+Separation read_separation(const Picture& picture, const InkOptions& options,
+                           const drawing::Sizing& sizing, Request& request);
 
 // Gives each ink its number of dots, of the request's count or as --ink-counts says, which sets the
 // count. Throws BadRequest, also for what check_request() refuses.
@@ -47,8 +52,12 @@ void share_dots(Separation& separation, const InkOptions& options, Request& requ
 // The inks that have dots.
 std::vector<InkPart> parts_of(const Separation& separation);
 
-// The diameters of all dots, which come ink by ink.
-std::vector<double> dot_diameters(const Separation& separation, const files::PointSet& set);
+// The diameters of all dots, which come ink by ink, or of points with one tone.
+std::vector<double> dot_diameters(const Separation& separation, const files::PointSet& set,
+                                  const drawing::Sizing& sizing, double millimetres_per_unit);
+std::vector<double> dot_diameters(std::span<const Point> points, const Field& tone,
+                                  const files::PointSet& set, const drawing::Sizing& sizing,
+                                  double millimetres_per_unit, bool is_relaxed);
 
 // For reports and .json: the inks and what else decides the dots.
 Json json_of(const InkOptions& options);

@@ -20,6 +20,12 @@ void read_metric(const std::string& text, Metric& metric) {
     throw BadRequest("metric", shown(text), "must be min, mean or max");
 }
 
+void read_sharpen(const std::string& text, pictures::Importance& importance) {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    read("sharpen", text.substr(0, colon), importance.sharpen);
+    if (colon != text.size()) read("sharpen", text.substr(colon + 1), importance.sharpen_amount);
+}
+
 }  // namespace
 
 CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request) {
@@ -52,6 +58,11 @@ void add_importance(CLI::App& command, Picture& picture) {
         .add_flag("--auto-levels", picture.importance.auto_levels,
                   "Chooses --black and --white: half a percent of the pixels lie beyond each")
         ->disable_flag_override();
+    add_text(
+        command, "sharpen", "R[:X]",
+        [&picture](const std::string& text) { read_sharpen(text, picture.importance); },
+        "Sharpens edges of about R pixels, X times as much (default 1), by an unsharp mask: shows "
+        "more with few dots");
     add_number(command, "gamma", "X", picture.importance.gamma,
                "Importance is raised to this power: over 1 lightens middle tones (default 1)");
     add_number(command, "min-importance", "I", picture.importance.min_importance,

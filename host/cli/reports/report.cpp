@@ -105,12 +105,14 @@ std::string many_report(const Request& request, const ManyMade& made) {
 }
 
 Json json_of_importance(const pictures::Importance& importance) {
-    return {{"invert", importance.invert},
-            {"gamma", importance.gamma},
-            {"black", importance.black},
-            {"white", importance.white},
-            {"auto_levels", importance.auto_levels},
-            {"min_importance", importance.min_importance}};
+    Json json{{"invert", importance.invert},
+              {"gamma", importance.gamma},
+              {"black", importance.black},
+              {"white", importance.white},
+              {"auto_levels", importance.auto_levels},
+              {"min_importance", importance.min_importance}};
+    if (importance.sharpen != 0) json["sharpen"] = {importance.sharpen, importance.sharpen_amount};
+    return json;
 }
 
 std::string relax_report(const Json& request, const Made& made, const Json& more) {

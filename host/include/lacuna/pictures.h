@@ -22,6 +22,7 @@
 #include <lacuna/inks.h>
 #include <lacuna/lacuna.h>
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -39,6 +40,10 @@ struct Tone {
     bool invert = false;        // bright is dense
     double gamma = 1;           // importance is raised to this power, > 0
     double min_importance = 0;  // lower importance is raised to this, 0 to 1
+    // Before levels: adds `sharpen_amount` times the difference between luminance and its blur, the
+    // threefold mean over 2 sharpen + 1 pixels (unsharp mask). At most 1000 pixels; 0: none.
+    std::uint32_t sharpen = 0;
+    double sharpen_amount = 1;  // over 0, at most 100
 };
 
 // The importance of the picture in the file, or on standard input for "-". Throws FileError, also
