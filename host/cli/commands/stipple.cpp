@@ -41,7 +41,7 @@ Examples:
   lacuna stipple photo.jpg --count 20000 -o dots.svg         exactly 20000 dots
   lacuna stipple dim.jpg --auto-levels -o dots.svg -o dots.png   an underexposed photo, two files
   lacuna stipple photo.jpg --inks cmyk -o dots.svg -o dots.png    in four inks, a layer for each
-  lacuna stipple photo.jpg --count 2000 --size-by-tone 0.7 --sharpen 4 -o dots.svg   few dots
+  lacuna stipple photo.jpg --count 2000 --size-by-tone 0.5 --sharpen 8 -o dots.svg   few dots
   lacuna stipple photo.jpg --scale 0.003 -o dots.png         as many as there is room for
   lacuna stipple photo.jpg --count 20000 --relax 0 -o dots.pdf        the paper's set, grainy
   lacuna stipple photo.jpg --scale 0.003 --relax 0 --mode exact -o dots.npy   no gap is left
