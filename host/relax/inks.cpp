@@ -34,6 +34,7 @@ void check_inks(std::span<const InkPart> inks) {
         throw BadRequest("inks", std::to_string(inks.size()),
                          "must be 1 to " + std::to_string(kMostInks));
     for (const InkPart& ink : inks) {
+        if (ink.field == nullptr) throw BadRequest("field", "missing", "each ink must have one");
         check_importance(*ink.field);
         if (ink.dots == 0) throw BadRequest("dots", "0", "an ink must have at least one dot");
         const auto size = [](const Field& field) {
@@ -56,6 +57,22 @@ Field density_of(std::span<const InkPart> inks) {
             density.importance[i] += scale * ink.field->importance[i];
     }
     return density;
+}
+
+// The request for the places of all dots.
+Request request_of(const Field& density, std::span<const InkPart> inks, std::uint64_t seed,
+                   const RelaxOptions& options) {
+    Request request;
+    request.width = options.width;
+    request.height = options.height;
+    request.boundary = options.boundary;
+    request.mode = Mode::stratified;
+    request.field = &density;
+    request.count = 0;
+    for (const InkPart& ink : inks) *request.count += ink.dots;
+    request.seed = seed;
+    check_request(request);
+    return request;
 }
 
 // Gives each place on the curve an ink: among the inks that are wanted on its pixel and have dots
@@ -217,8 +234,9 @@ InkDots place_inks(std::span<const InkPart> inks, std::uint64_t seed, const Rela
     if (options.iterations == 0)
         throw BadRequest("relax", "0", "must be at least 1: several inks are even once relaxed");
     relaxing::check_options(options);
-    std::uint64_t dots = 0;
-    for (const InkPart& ink : inks) dots += ink.dots;
+    const Field density = density_of(inks);
+    const Request request = request_of(density, inks, seed, options);
+    const std::uint64_t dots = *request.count;
     std::uint64_t done = 0;
     const auto may_go_on = [&] {
         return observer.keep_going({dots * done, dots * options.iterations, done});
@@ -226,17 +244,6 @@ InkDots place_inks(std::span<const InkPart> inks, std::uint64_t seed, const Rela
     const Poll poll = [&] {
         if (!may_go_on()) throw Cancelled();
     };
-    const Field density = density_of(inks);
-    Request request;
-    request.width = options.width;
-    request.height = options.height;
-    request.boundary = options.boundary;
-    request.mode = Mode::stratified;
-    request.field = &density;
-    request.count = dots;
-    request.seed = seed;
-    check_request(request);
-
     const Lattice all = relaxing::make_lattice(dots, &density, options, poll);
     std::vector<Lattice> lattices;
     for (const InkPart& ink : inks)

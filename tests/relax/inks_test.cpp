@@ -198,6 +198,7 @@ TEST(InkDots, ThatCannotBeAreRefused) {
     };
     EXPECT_EQ(refused({}), "inks 0: must be 1 to 64");
     EXPECT_EQ(refused(std::vector<InkPart>(65, {&field, 1})), "inks 65: must be 1 to 64");
+    EXPECT_EQ(refused({{nullptr, 5}}), "field missing: each ink must have one");
     EXPECT_EQ(refused({{&field, 0}}), "dots 0: an ink must have at least one dot");
     EXPECT_EQ(refused({{&field, 5}, {&other, 5}}),
               "field 3x3: all inks must have equally many pixels, 60x40");
