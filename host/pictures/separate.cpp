@@ -82,16 +82,18 @@ public:
             improve(wanted, black_);
         }
         improve(wanted, amounts_.size());
+        for (double& amount : amounts_)
+            if (amount < kSmallChange) amount = 0;  // dots for it would be noise
         return amounts_;
     }
 
 private:
     static constexpr double kBlack = 0.9;  // black absorbs more than this of each channel
+    static constexpr double kSmallChange = 1e-4;
 
     // Least squares, one ink after the other, until no amount changes much. Ink `fixed` stays.
     void improve(const Light& wanted, std::size_t fixed) {
         constexpr int kMostSweeps = 200;
-        constexpr double kSmallChange = 1e-4;
         for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
             double change = 0;
             overlap_ = overlap_at(std::accumulate(amounts_.begin(), amounts_.end(), 0.0));
