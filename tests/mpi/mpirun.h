@@ -24,8 +24,8 @@ inline std::vector<std::string> command_of(const std::vector<std::string>& argum
 inline Setting setting() {
     Setting made;
     made.program = "/usr/bin/timeout";
-    // All ranks are on this machine: they reach each other by the loopback device. Of other
-    // networks Open MPI 5 may warn.
+    // All ranks are on this machine and reach each other by the loopback device. If Open MPI 5
+    // tried the machine's other networks, too, it might print warnings.
     made.environment = {{"OMPI_ALLOW_RUN_AS_ROOT", "1"},
                         {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"},
                         {"OMPI_MCA_btl_tcp_if_include", "lo"}};
