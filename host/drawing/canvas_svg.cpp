@@ -10,12 +10,13 @@
 #include <string_view>
 
 #include "drawing/xml.h"
+#include "files/point_files.h"
 
 namespace lacuna::drawing {
 namespace {
 
 std::string hex_of(Colour colour) {
-    return fmt::format("#{:02x}{:02x}{:02x}", colour.red, colour.green, colour.blue);
+    return files::hex_of({colour.red, colour.green, colour.blue});
 }
 
 std::string base64_of(const std::string& bytes) {

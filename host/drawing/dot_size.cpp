@@ -7,7 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
-#include <numeric>
+
+#include "drawing/dot_count.h"
 
 namespace lacuna::drawing {
 namespace {
@@ -51,10 +52,6 @@ double importance_at(Point point, const Field& field, double width, double heigh
     return field.importance[row * field.columns + pixel_of(point.x, width, field.columns)];
 }
 
-double mean_of(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 }  // namespace
 
 bool Sizing::varies() const {
@@ -77,7 +74,7 @@ Field density_of(const Field& field, const Sizing& sizing) {
 std::vector<double> dot_diameters(std::span<const Point> points, const Field& field, double width,
                                   double height, Spread spread, const Sizing& sizing) {
     const double mean =
-        sizing.varies() ? mean_of(density_of(field, sizing).importance) : mean_of(field.importance);
+        sizing.varies() ? darkness_of(density_of(field, sizing)) : darkness_of(field);
     const double area = mean * width * height / static_cast<double>(points.size());
     const double diameter = std::sqrt(4 / std::numbers::pi * area);
     std::vector<double> diameters;

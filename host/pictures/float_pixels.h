@@ -44,11 +44,11 @@ public:
 private:
     // Written like this, a grey pixel keeps its value to the last bit, and nothing overflows.
     double luminance(std::span<const double> channels) const {
-        constexpr double kAll = 10000;
+        constexpr double kWhole = kAll;
         const Weights& weights = file_.reading.weights;
         const double green = channels[1];
-        return green + weights.red / kAll * (channels[0] - green) +
-               weights.blue / kAll * (channels[2] - green);
+        return green + weights.red / kWhole * (channels[0] - green) +
+               weights.blue / kWhole * (channels[2] - green);
     }
 
     [[noreturn]] void refuse(std::size_t row, std::size_t column, double value,

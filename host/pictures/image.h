@@ -15,7 +15,8 @@ inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 28U;
 // The colour behind pixels that are not opaque.
 enum class Backdrop { white, black };
 
-// How much red, green and blue count, in 1/10000; together 10000.
+// How much red, green and blue count, in 1/kAll; together kAll.
+inline constexpr std::int32_t kAll = 10000;
 struct Weights {
     std::int32_t red;
     std::int32_t green;

@@ -150,7 +150,7 @@ Colours decode_colours(std::string_view bytes, const std::string& name, std::uin
         return decode_image(bytes, name, kMaxPixels, max_aspect,
                             {Backdrop::white, weights, kBytesOfInks});
     };
-    return {channel({10000, 0, 0}), channel({0, 10000, 0}), channel({0, 0, 10000})};
+    return {channel({kAll, 0, 0}), channel({0, kAll, 0}), channel({0, 0, kAll})};
 }
 
 Colours read_colours(const std::string& path, std::uint64_t max_aspect) {

@@ -170,11 +170,12 @@ Levels levels_of(Colours& colours, const Importance& options) {
     const double white = std::max({colours.red.white, colours.green.white, colours.blue.white});
     colours.red.white = colours.green.white = colours.blue.white = white;
     if (!options.auto_levels) return levels_of(colours.red, options);
+    constexpr double kWhole = kAll;
     Image luminance = colours.green;
     for (std::size_t i = 0; i < luminance.luminance.size(); ++i)
-        luminance.luminance[i] = 0.2126 * colours.red.luminance[i] +
-                                 0.7152 * colours.green.luminance[i] +
-                                 0.0722 * colours.blue.luminance[i];
+        luminance.luminance[i] = kLuminance.red / kWhole * colours.red.luminance[i] +
+                                 kLuminance.green / kWhole * colours.green.luminance[i] +
+                                 kLuminance.blue / kWhole * colours.blue.luminance[i];
     return levels_of(luminance, options);
 }
 

@@ -10,8 +10,6 @@
 
 namespace lacuna::pictures {
 
-inline constexpr std::int32_t kAll = 10000;  // the sum of all weights
-
 // The sum is at most 10000 * 65535, which fits into 32 bits.
 inline std::int32_t weighted(const Weights& weights, std::int32_t red, std::int32_t green,
                              std::int32_t blue) {
