@@ -23,6 +23,8 @@ struct Sizing {
         double most_mm;
     };
     std::optional<Pens> pens{};
+    // Where the importance is 1, dots of the library's choice are so wide that they leave no gaps.
+    bool solid_black = false;
 
     bool varies() const;
     // The area of a dot: relative, or in mm^2 with pens.

@@ -100,7 +100,7 @@ def relax(
 ) -> dict[str, Any]: ...
 class Ink:
     name: str
-    colour: list[int]
+    hex: str
     def __init__(self, name: str, colour: list[int]) -> None: ...
 
 black_ink: float
@@ -126,6 +126,19 @@ def dot_radii(
     height: float,
     relaxed: bool,
     by_tone: float,
+    solid_black: bool,
+) -> npt.NDArray[np.float64]: ...
+def pull_inside(
+    points: npt.NDArray[np.float64],
+    radii: npt.NDArray[np.float64],
+    white: Field,
+    request: Request,
+) -> npt.NDArray[np.float64]: ...
+def fit_inside(
+    points: npt.NDArray[np.float64],
+    radii: npt.NDArray[np.float64],
+    white: Field,
+    request: Request,
 ) -> npt.NDArray[np.float64]: ...
 def density_of(field: Field, by_tone: float) -> Field: ...
 def write_points(

@@ -113,7 +113,7 @@ class HasPoints:
         ImportError
             matplotlib is not installed.
         """
-        colours = ["#%02x%02x%02x" % tuple(ink.colour) for ink, _ in self._layers()]
+        colours = [ink.hex for ink, _ in self._layers()]
         dots = [count for _, count in self._layers()]
         color = np.repeat(colours, dots) if colours else "black"
         least, radii = self._least_distance(), self._radii()

@@ -128,11 +128,33 @@ def _dots_of(
     return dots
 
 
+# Moves the dots of one tone to where they are drawn, and finds their radii.
+_Draw = Callable[["npt.NDArray[np.float64]", _core.Field], tuple[Any, Any]]
+
+
+def _draw(
+    request: _core.Request, relaxed: bool, by_tone: float, white: _core.Field | None
+) -> _Draw:
+    """With `white`, dots are kept off the white parts of that picture."""
+
+    def draw(points: npt.NDArray[np.float64], tone: _core.Field) -> tuple[Any, Any]:
+        def radii() -> npt.NDArray[np.float64]:
+            shape = request.width, request.height
+            return _core.dot_radii(points, tone, *shape, relaxed, by_tone, white is not None)
+
+        if white is None:
+            return points, radii()
+        points = _core.pull_inside(points, radii(), white, request)
+        return points, _core.fit_inside(points, radii(), white, request)
+
+    return draw
+
+
 def _stipple_inks(
     request: _core.Request,
     densities: list[_core.Field],
     tones: list[_core.Field],
-    by_tone: float,
+    draw: _Draw,
     inks: list[_core.Ink],
     dots: list[int],
     iterations: int,
@@ -148,14 +170,14 @@ def _stipple_inks(
         options,
         progress,
     )
-    points = placed["points"]
-    radii, first = [], 0
+    drawn, first = [], 0
     for _, count, tone in parts:
-        its = np.ascontiguousarray(points[first : first + count])
-        radii.append(_core.dot_radii(its, tone, request.width, request.height, True, by_tone))
+        its = np.ascontiguousarray(placed["points"][first : first + count])
+        drawn.append(draw(its, tone))
         first += count
+    points, all_radii = (np.concatenate(list(part)) for part in zip(*drawn))
     relaxed = Relaxed(
-        points=points,
+        points=placed["points"],
         domain=(request.width, request.height),
         torus=request.torus,
         iterations=iterations,
@@ -181,13 +203,12 @@ def _stipple_inks(
     )
     ink = np.repeat(np.arange(len(inks), dtype=np.uint8), dots)
     ink.flags.writeable = False
-    all_radii = np.concatenate(radii)
-    all_radii.flags.writeable = False
+    points.flags.writeable = all_radii.flags.writeable = False
     return Stippling(
         **set_of(made, request, True, relaxed, asked),
         radii=all_radii,
         ink=ink,
-        inks={ink.name: "#%02x%02x%02x" % tuple(ink.colour) for ink in inks},
+        inks={ink.name: ink.hex for ink in inks},
     )
 
 
@@ -211,6 +232,7 @@ def stipple(
     sharpen: SupportsIndex = 0,
     sharpen_amount: SupportsFloat = 1.0,
     size_by_tone: SupportsFloat = 0.0,
+    keep_inside: bool = False,
     torus: bool = False,
     seed: Seed = None,
     limit: SupportsIndex | None = None,
@@ -271,6 +293,10 @@ def stipple(
     size_by_tone : float
         How much of the tone is in the dots' sizes, 0 to 1: areas are proportional to importance to
         this power, and dots are as dense as importance over area.
+    keep_inside : bool
+        Keep dots off white, and in the picture: dots that overhang an edge are moved inwards, and
+        in a shape narrower than a dot they are made smaller. Where the picture is black, dots
+        leave no gaps.
     torus, seed, limit, lines_per_radius, round_size, backend, device, threads, memory_limit, \
 progress
         As for ``sample``.
@@ -335,13 +361,16 @@ progress
         round_size=round_size,
         memory_limit=memory_limit,
     )
+    white = field if flag("keep_inside", keep_inside) else None
+    draw = _draw(request, iterations != 0, by_tone, white)
     if palette:
         refuse_what_is_not_for_inks(request, mode, metric)
-        return _stipple_inks(request, densities, fields, by_tone, palette, dots, iterations, progress)
+        return _stipple_inks(request, densities, fields, draw, palette, dots, iterations, progress)
     choose_start(request, mode, metric, iterations)
     choose_metric(request, metric, iterations)
     made = make(request, densities[0], iterations, progress)
-    radii = _core.dot_radii(
-        made["points"], field, request.width, request.height, iterations != 0, by_tone
-    )
+    points, radii = draw(made["points"], field)
+    if white is not None:
+        options = relax_options(request, iterations)
+        made.update(points=points, radius=least_distance(points, options), maximal=False)
     return Stippling(**made, radii=radii)

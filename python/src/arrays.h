@@ -20,6 +20,10 @@ static_assert(sizeof(Point) == 2 * sizeof(double), "points are rows of two numbe
 using PointArray =
     nb::ndarray<const double, nb::numpy, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>;
 
+// A number for each point, from python/lacuna, too.
+using RadiusArray =
+    nb::ndarray<const double, nb::numpy, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+
 // Copies the points: other threads may change an array while it is read.
 inline std::vector<Point> points_of(const PointArray& array) {
     std::vector<Point> points(array.shape(0));

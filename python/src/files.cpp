@@ -24,9 +24,6 @@ namespace nb = nanobind;
 namespace lacuna::python {
 namespace {
 
-using RadiusArray =
-    nb::ndarray<const double, nb::numpy, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
-
 // Writes points in the format of the path's extension. `radius` is as in files::PointSet. Pictures
 // have dots of the given radii; without them all dots are equal. `layers` are inks, each with its
 // number of dots; without them the dots are black.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "arrays.h"
+#include "files/point_files.h"
 #include "parts.h"
 #include "watch.h"
 
@@ -62,7 +63,7 @@ void add_inks(nb::module_& module) {
     nb::class_<Ink>(module, "Ink")
         .def(nb::init<std::string, std::array<std::uint8_t, 3>>())
         .def_ro("name", &Ink::name)
-        .def_ro("colour", &Ink::colour);
+        .def_prop_ro("hex", [](const Ink& ink) { return files::hex_of(ink.colour); });
     module.attr("black_ink") = kBlackInk;
     module.def("inks_of", inks_of);
     module.def("read_inks", read_separated);

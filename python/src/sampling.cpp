@@ -18,6 +18,7 @@
 #include "arrays.h"
 #include "drawing/dot_count.h"
 #include "drawing/dot_size.h"
+#include "drawing/keep_inside.h"
 #include "parts.h"
 #include "watch.h"
 
@@ -115,13 +116,48 @@ std::uint64_t dot_count(const Field& field, double width, double height) {
 
 // The radii of the dots of a stippled picture.
 nb::object dot_radii(const PointArray& array, const Field& field, double width, double height,
-                     bool relaxed, double by_tone) {
+                     bool relaxed, double by_tone, bool solid_black) {
     std::vector<double> sizes;
     {
         const nb::gil_scoped_release no_gil;
         sizes = drawing::dot_diameters(points_of(array), field, width, height,
                                        relaxed ? drawing::Spread::even : drawing::Spread::random,
-                                       {by_tone, {}});
+                                       {by_tone, {}, solid_black});
+        for (double& size : sizes) size /= 2;
+    }
+    return array_of(std::move(sizes));
+}
+
+std::vector<double> diameters_of(const RadiusArray& radii) {
+    std::vector<double> diameters(radii.data(), radii.data() + radii.shape(0));
+    for (double& diameter : diameters) diameter *= 2;
+    return diameters;
+}
+
+drawing::White white_of(const Field& field, const Request& request) {
+    return {field, request.width, request.height, request.boundary};
+}
+
+// The dots of these radii, moved away from the white of a picture.
+nb::object pull_inside(const PointArray& array, const RadiusArray& radii, const Field& white,
+                       const Request& request) {
+    std::vector<Point> points = points_of(array);
+    const std::vector<double> diameters = diameters_of(radii);
+    {
+        const nb::gil_scoped_release no_gil;
+        drawing::pull_inside(points, diameters, white_of(white, request));
+    }
+    return array_of(std::move(points));
+}
+
+// The radii at which these dots do not touch the white of a picture.
+nb::object fit_inside(const PointArray& array, const RadiusArray& radii, const Field& white,
+                      const Request& request) {
+    const std::vector<Point> points = points_of(array);
+    std::vector<double> sizes = diameters_of(radii);
+    {
+        const nb::gil_scoped_release no_gil;
+        drawing::fit_inside(points, sizes, white_of(white, request));
         for (double& size : sizes) size /= 2;
     }
     return array_of(std::move(sizes));
@@ -216,6 +252,8 @@ void add_sampling(nb::module_& module) {
     module.def("relax", relax_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none());
     module.def("dot_count", dot_count);
     module.def("dot_radii", dot_radii);
+    module.def("pull_inside", pull_inside);
+    module.def("fit_inside", fit_inside);
     module.def("density_of", [](const Field& field, double by_tone) {
         return drawing::density_of(field, {by_tone, {}});
     });

@@ -38,6 +38,10 @@ COLOURS[:, 30:] = (0.1, 0.2, 0.9)
             {"n": 200, "inks": "cmyk", "torus": True, "auto_levels": True},
             ["--count", 200, "--inks", "cmyk", "--torus", "--auto-levels"],
         ),
+        (
+            {"n": 200, "inks": "cmyk", "keep_inside": True},
+            ["--count", 200, "--inks", "cmyk", "--keep-inside"],
+        ),
     ],
 )
 def test_dots_are_the_commands(

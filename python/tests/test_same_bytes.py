@@ -71,6 +71,7 @@ def picture_cases() -> list[Case]:
         ({"n": 200, "auto_levels": True}, ["--count", 200, "--auto-levels"]),
         ({"n": 200, "min_importance": 0.1}, ["--count", 200, "--min-importance", 0.1]),
         ({"n": 200, "size_by_tone": 0.7}, ["--count", 200, "--size-by-tone", 0.7]),
+        ({"n": 200, "keep_inside": True}, ["--count", 200, "--keep-inside"]),
         ({"n": 200, "sharpen": 2}, ["--count", 200, "--sharpen", 2]),
         ({"n": 200, "torus": True, "limit": 100}, ["--count", 200, "--torus", "--limit", 100]),
         ({"n": 200, "lines_per_radius": 5}, ["--count", 200, "--lines-per-radius", 5]),

@@ -80,6 +80,7 @@ dots: lacuna.Stippling = lacuna.stipple(
     sharpen=1,
     sharpen_amount=0.5,
     size_by_tone=0.2,
+    keep_inside=True,
     seed=None,
 )
 radii: Floats = dots.radii

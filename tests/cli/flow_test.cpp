@@ -148,7 +148,7 @@ TEST(Help, OfACommandBeginsWithExamplesAndNamesEveryOption) {
         {"stipple",
          "IMAGE --count --scale --metric --mode --lines-per-radius --inks --black-ink --ink-counts "
          "--invert --black --white --auto-levels --sharpen --gamma --min-importance --torus "
-         "--limit --seed --dot-size --size-by-tone --paper-size "
+         "--limit --seed --dot-size --size-by-tone --keep-inside --paper-size "
          "--margin --dpi --pen-path --round-size --backend --device --threads --output --relax "
          "--report --quiet"},
         {"relax",

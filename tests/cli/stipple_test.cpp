@@ -247,6 +247,43 @@ TEST(Stipple, OfOneDotSaysSo) {
     EXPECT_TRUE(outcome.err.starts_with("1 dot, ")) << outcome.err;
 }
 
+// A black disk in the middle.
+std::string disk(const Folder& folder) {
+    constexpr int kSide = 60;
+    std::string pixels;
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x)
+            pixels += std::hypot(x - 29.5, y - 29.5) < 20 ? '\0' : '\xff';
+    return grey_picture(folder, kSide, kSide, pixels);
+}
+
+TEST(Stipple, KeepsDotsInsideOfShapesWhereItIsToldTo) {
+    const Folder folder;
+    const std::string image = disk(folder);
+    const auto farthest = [&](Names arguments) {
+        arguments.insert(arguments.begin(), {"--count", "200", "--relax", "15"});
+        arguments.insert(arguments.end(), {"--paper-size", "60x60mm"});
+        const Outcome outcome = stipple(image, arguments, folder.path("a.json"));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        const auto set = nlohmann::json::parse(content_of(folder.path("a.json")));
+        double reach = 0;
+        for (std::size_t i = 0; i < 200; ++i) {
+            const double x = set.at("points")[i][0], y = set.at("points")[i][1];
+            reach = std::max(
+                reach, std::hypot(x - 0.5, y - 0.5) + set.at("dots").at("radii")[i].get<double>());
+        }
+        return reach * 60;
+    };
+    // Pixels reach at most 20.7 pixels from the middle.
+    EXPECT_LE(farthest({"--keep-inside"}), 20.8);
+    EXPECT_LE(farthest({"--keep-inside", "--size-by-tone", "1"}), 20.8);
+    EXPECT_LE(farthest({"--keep-inside", "--inks", "black"}), 20.8);
+    EXPECT_LE(farthest({"--keep-inside", "--pen-path"}), 20.8);
+    EXPECT_GT(farthest({"--dot-size", "4mm"}), 21);
+    // A pen keeps its size, and is only moved.
+    EXPECT_LE(farthest({"--keep-inside", "--dot-size", "4mm"}), 20.8);
+}
+
 TEST(Stipple, MakesEveryKindOfFileTwiceTheSame) {
     const Folder folder;
     for (const std::string extension :

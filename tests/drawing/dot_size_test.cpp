@@ -74,6 +74,26 @@ TEST_P(AnImportance, IsTheShareThatRelaxedDotsCover) {
     EXPECT_NEAR(share, importance, 0.015) << points.size() << " dots";
 }
 
+TEST(SolidBlack, HasNoGaps) {
+    const Field field{1, 1, {1.0}};
+    const drawing::Sizing sizing{.solid_black = true};
+    const std::vector<Point> points = maximal_set(field, 0.02);
+    EXPECT_GE(covered(points,
+                      drawing::dot_diameters(points, field, 1, 1, drawing::Spread::random, sizing),
+                      {0.1, 0.9}),
+              0.9999);
+    RelaxOptions options;
+    options.boundary = Boundary::torus;
+    const std::vector<Point> even = relax(points, nullptr, options).points;
+    EXPECT_GE(
+        covered(even, drawing::dot_diameters(even, field, 1, 1, drawing::Spread::even, sizing),
+                {0.1, 0.9}),
+        0.9999);
+    const Field grey{1, 1, {0.9}};
+    EXPECT_EQ(drawing::dot_diameters(even, grey, 1, 1, drawing::Spread::even, sizing),
+              drawing::dot_diameters(even, grey, 1, 1, drawing::Spread::even));
+}
+
 // Ten bands from light to dark, relaxed.
 class ABandOfGrey : public testing::TestWithParam<drawing::Sizing> {};
 

@@ -39,12 +39,6 @@ private:
     std::uint64_t all_;
 };
 
-bool needs_least_distance(const CommonOptions& common, const std::vector<Output>& outputs) {
-    return !common.report.empty() ||
-           std::any_of(outputs.begin(), outputs.end(),
-                       [](const Output& output) { return output.format.name() == "json"; });
-}
-
 // Runs `work` under a progress bar. Its points become the points of `made`.
 template <class Work>
 Relaxation watched(const CommonOptions& common, const std::vector<Output>& outputs,
@@ -59,20 +53,29 @@ Relaxation watched(const CommonOptions& common, const std::vector<Output>& outpu
     }
     made.seconds = made.stopwatch.seconds_so_far();
     made.result.points = std::move(relaxation.relaxed.points);
-    made.result.maximal = false;
     made.result.backend = relaxation.relaxed.backend;  // a stratified start has none
     made.result.device = relaxation.relaxed.device;
-    made.result.radius = 0;
-    if (needs_least_distance(common, outputs) && made.result.points.size() > 1) {
-        const verify::Domain domain{options.width, options.height,
-                                    options.boundary == Boundary::torus};
-        made.result.radius = verify::closest_pair(domain, made.result.points).distance;
-        relaxation.least_distance = made.result.radius;
-    }
+    relaxation.least_distance = measure_moved(common, outputs, options, made);
     return relaxation;
 }
 
 }  // namespace
+
+std::optional<double> measure_moved(const CommonOptions& common, const std::vector<Output>& outputs,
+                                    const RelaxOptions& domain, Made& made) {
+    made.result.maximal = false;
+    made.result.radius = 0;
+    const bool is_told = !common.report.empty() ||
+                         std::any_of(outputs.begin(), outputs.end(), [](const Output& output) {
+                             return output.format.name() == "json";
+                         });
+    if (!is_told || made.result.points.size() < 2) return std::nullopt;
+    made.result.radius =
+        verify::closest_pair({domain.width, domain.height, domain.boundary == Boundary::torus},
+                             made.result.points)
+            .distance;
+    return made.result.radius;
+}
 
 void add_relax(CLI::App& command, std::uint32_t& iterations) {
     add_number(command, "relax", "K", iterations,

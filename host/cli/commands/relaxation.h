@@ -36,9 +36,15 @@ struct Relaxation {
 // Options with the request's domain, backend, device and threads.
 RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations);
 
+// Notes that points of `made` were moved: the set is not known to be maximal, and its radius
+// becomes the least distance if a report or a .json needs it, and otherwise 0, which means not
+// known. Returns the least distance if it is known.
+std::optional<double> measure_moved(const CommonOptions& common, const std::vector<Output>& outputs,
+                                    const RelaxOptions& domain, Made& made);
+
 // Relaxes the points of `made` under a progress bar, and adds the time to it; `field` may be null.
-// Evenness is measured if there is a report. The radius becomes the least distance if a report or a
-// .json needs it, and otherwise 0, which means not known. Throws what lacuna::relax throws.
+// Evenness is measured if there is a report. Calls measure_moved(). Throws what lacuna::relax
+// throws.
 Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& outputs,
                         const RelaxOptions& options, const Field* field, Made& made);
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cli/commands/relaxation.h"
+#include "cli/commands/stipple_tones.h"
 #include "cli/commands/stipple_work.h"
 #include "cli/options/common_options.h"
 #include "cli/options/options.h"
@@ -118,6 +119,15 @@ void add_size_by_tone(CLI::App& command, StippleCommand& options) {
                "importance^(1 - A): with few dots more is seen");
 }
 
+void add_keep_inside(CLI::App& command, StippleCommand& options) {
+    command
+        .add_flag("--keep-inside", options.keep_inside,
+                  "Keeps dots off white, and in the picture: dots that overhang an edge are moved "
+                  "inwards, and in a shape narrower than a dot they are made smaller, but not "
+                  "smaller than a pen. Where the picture is black no gaps are left")
+        ->disable_flag_override();
+}
+
 void add_pen_path(CLI::App& command, StippleCommand& options) {
     command
         .add_flag("--pen-path", options.pen_path,
@@ -149,30 +159,6 @@ std::vector<Output> check_options(const StippleCommand& options) {
         throw BadRequest("size-by-tone", fmt::format("{}", options.size_by_tone),
                          "is not for a --dot-size in mm; give two, such as 0.3mm..0.8mm");
     return outputs;
-}
-
-// The picture as importance, and what follows from it.
-struct Tones {
-    drawing::Sizing sizing;
-    Separation inks;                 // empty without --inks
-    Field all;                       // the importance; with inks the sum of theirs
-    std::optional<Field> density{};  // of dots, where it is not proportional to the importance
-
-    bool has_inks() const { return !inks.fields.empty(); }
-};
-
-// Reads the picture, and sets the request's domain. The request's field must be set, too, once the
-// result has its place.
-Tones tones_of(const StippleCommand& options, Request& request) {
-    Tones tones{{options.size_by_tone, options.drawing.pens}, {}, {}};
-    if (options.inks.inks.empty()) {
-        tones.all = read_field(options.picture, request);
-    } else {
-        tones.inks = read_separation(options.picture, options.inks, tones.sizing, request);
-        tones.all = std::move(tones.inks.sum);
-    }
-    if (tones.sizing.varies()) tones.density = drawing::density_of(tones.all, tones.sizing);
-    return tones;
 }
 
 // The number of dots that suits the picture. Pens need dots for each ink by itself.
@@ -215,13 +201,6 @@ Made make(const CommonOptions& common, const std::vector<Output>& outputs, const
     return made;
 }
 
-std::vector<double> diameters_of(const Tones& tones, const files::PointSet& set,
-                                 const drawing::Style& style, bool is_relaxed) {
-    const double scale = drawing::millimetres_per_unit(set, style);
-    if (tones.has_inks()) return dot_diameters(tones.inks, set, tones.sizing, scale);
-    return dot_diameters(set.points, tones.all, set, tones.sizing, scale, is_relaxed);
-}
-
 void run(const CLI::App& command, const StippleCommand& options) {
     const std::vector<Output> outputs = check_options(options);
     Work work;
@@ -240,6 +219,11 @@ void run(const CLI::App& command, const StippleCommand& options) {
 
     Interruption interruption;
     Made made = make(common, outputs, tones, options.relax, work);
+    if (options.keep_inside) {
+        keep_inside(options, tones, request, style, made.result.points);
+        const auto least = measure_moved(common, outputs, relax_options_of(request, 0), made);
+        if (work.relaxation) work.relaxation->least_distance = least;
+    }
     if (options.pen_path) order_for_a_pen(options, tones.inks.layers, made, work);
     if (!common.quiet && !(tones.has_inks() && tones.sizing.varies()))
         warn_of_ink(options.drawing, request, &tones.all, made.result.points.size(), style);
@@ -255,7 +239,7 @@ void run(const CLI::App& command, const StippleCommand& options) {
                              report_of_the_rest(options, outputs, tones.all, style, work));
         });
     write_set(writing, options.drawing, outputs, set, style,
-              [&] { return diameters_of(tones, set, style, options.relax != 0); });
+              [&] { return diameters_of(options, tones, request, style, set); });
     sum_up(common, outputs, made, "dot", note, path_text(options, outputs, set, style, work));
 }
 
@@ -271,6 +255,7 @@ void add_stipple(CLI::App& app) {
     add_how_to_draw(command, options->drawing,
                     "the ink of all dots is as much as the picture is dark", true);
     add_size_by_tone(command, *options);
+    add_keep_inside(command, *options);
     add_pen_path(command, *options);
     add_effort(command, options->common.request);
     add_place(command, options->common.request);

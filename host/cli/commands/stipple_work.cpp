@@ -57,6 +57,7 @@ Json json_of(const StippleCommand& options) {
     json["relax"] = options.relax;
     if (!options.inks.inks.empty()) json.update(json_of(options.inks));
     json["pen_path"] = options.pen_path;
+    if (options.keep_inside) json["keep_inside"] = true;
     if (options.size_by_tone != 0) json["size_by_tone"] = options.size_by_tone;
     return json;
 }

@@ -27,6 +27,7 @@ struct StippleCommand {
     DrawingOptions drawing;
     InkOptions inks;
     double size_by_tone = 0;
+    bool keep_inside = false;
     bool pen_path = false;
     std::optional<Mode> mode;
     std::uint32_t relax = RelaxOptions{}.iterations;

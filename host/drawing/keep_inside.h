@@ -1,0 +1,32 @@
+// Keeps dots off the white parts of a picture.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <optional>
+#include <span>
+
+namespace lacuna::drawing {
+
+// The parts of a picture of width x height in which no ink is wanted: pixels of importance 0. What
+// lies outside of the picture is white, too, except on a torus.
+struct White {
+    const Field& field;
+    double width;
+    double height;
+    Boundary boundary = Boundary::box;
+
+    // The point of white that is nearest to `from`, if one is nearer than `reach`. On a torus it
+    // may lie outside of the picture, beside `from`.
+    std::optional<Point> nearest(Point from, double reach) const;
+};
+
+// Moves dots away from white until none touches it, each as far as its dot overhangs. Where a shape
+// is narrower than a dot, the dot comes near the middle of it. Points that lie on white stay.
+void pull_inside(std::span<Point> points, std::span<const double> diameters, const White& white);
+
+// Makes dots that still overhang smaller until they do not, but not smaller than `least`.
+void fit_inside(std::span<const Point> points, std::span<double> diameters, const White& white,
+                double least = 0);
+
+}  // namespace lacuna::drawing
