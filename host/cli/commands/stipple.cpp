@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "cli/commands/relaxation.h"
-#include "cli/commands/stipple_tones.h"
 #include "cli/commands/stipple_work.h"
 #include "cli/options/common_options.h"
 #include "cli/options/options.h"
@@ -25,9 +24,8 @@
 #include "cli/reports/writing.h"
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/stopwatch.h"
-#include "drawing/dot_count.h"
-#include "drawing/dot_size.h"
 #include "drawing/picture.h"
+#include "drawing/tones.h"
 #include "files/point_files.h"
 #include "pictures/importance.h"
 
@@ -161,38 +159,25 @@ std::vector<Output> check_options(const StippleCommand& options) {
     return outputs;
 }
 
-// The number of dots that suits the picture. Pens need dots for each ink by itself.
-std::uint64_t suiting_count(const Tones& tones, const Request& request,
-                            const drawing::Style& style) {
-    const auto count_of = [&](const Field& field) {
-        return drawing::default_count(field, request.width, request.height, tones.sizing.pens,
-                                      style);
-    };
-    if (!tones.has_inks() || !tones.sizing.pens) return count_of(tones.all);
-    std::uint64_t all = 0;
-    for (const Field& ink : tones.inks.fields) all += count_of(ink);
-    return all;
-}
-
 // Sets the number of dots, in all and of each ink. Returns what is to be said of it.
-std::string choose_count(const StippleCommand& options, Tones& tones, Request& request,
+std::string choose_count(const StippleCommand& options, drawing::Tones& tones, Request& request,
                          const drawing::Style& style) {
     std::string note;
     if (!request.count && !request.scale && options.inks.counts.empty()) {
-        request.count = suiting_count(tones, request, style);
+        request.count = drawing::suiting_count(tones, request.width, request.height, style);
         note = " (chosen for the picture: --count gives another number)";
     }
     if (!tones.has_inks()) return note;
-    share_dots(tones.inks, options.inks, request);
-    return fmt::format(" ({})", counts_text(tones.inks));
+    share_dots(tones, options.inks, request);
+    return fmt::format(" ({})", counts_text(tones));
 }
 
-Made make(const CommonOptions& common, const std::vector<Output>& outputs, const Tones& tones,
-          std::uint32_t iterations, Work& work) {
+Made make(const CommonOptions& common, const std::vector<Output>& outputs,
+          const drawing::Tones& tones, std::uint32_t iterations, Work& work) {
     const RelaxOptions relaxing = relax_options_of(common.request, iterations);
     if (tones.has_inks()) {
         Made made;
-        work.relaxation = place_inks(common, outputs, parts_of(tones.inks), relaxing, made);
+        work.relaxation = place_inks(common, outputs, drawing::parts_of(tones), relaxing, made);
         return made;
     }
     Made made = make(common);
@@ -210,8 +195,12 @@ void run(const CLI::App& command, const StippleCommand& options) {
     request.mode = mode_of(options);
     if (request.mode == Mode::cells && options.relax != 0 && !options.picture.has_metric)
         request.metric = Metric::mean;
-    Tones tones = tones_of(options, request);
-    request.field = tones.density ? &*tones.density : &tones.all;
+    drawing::Tones tones{
+        .sizing = {options.size_by_tone, options.drawing.pens},
+        .keep_inside = options.keep_inside,
+        .spread = options.relax != 0 ? drawing::Spread::even : drawing::Spread::random};
+    read_tones(options.picture, options.inks, tones, request);
+    request.field = tones.has_inks() ? &tones.sum : &tones.densities().front();
     drawing::Style style = style_of(options.drawing, request.width, request.height);
     style.for_a_pen = options.pen_path;
     const std::string note = choose_count(options, tones, request, style);
@@ -220,26 +209,27 @@ void run(const CLI::App& command, const StippleCommand& options) {
     Interruption interruption;
     Made made = make(common, outputs, tones, options.relax, work);
     if (options.keep_inside) {
-        keep_inside(options, tones, request, style, made.result.points);
+        files::PointSet dots{made.result.points, request.width, request.height};
+        drawing::pull_inside(tones, dots, request.boundary, style, made.result.points);
         const auto least = measure_moved(common, outputs, relax_options_of(request, 0), made);
         if (work.relaxation) work.relaxation->least_distance = least;
     }
-    if (options.pen_path) order_for_a_pen(options, tones.inks.layers, made, work);
+    if (options.pen_path) order_for_a_pen(options, tones.layers, made, work);
     if (!common.quiet && !(tones.has_inks() && tones.sizing.varies()))
-        warn_of_ink(options.drawing, request, &tones.all, made.result.points.size(), style);
+        warn_of_ink(options.drawing, request, &tones.all(), made.result.points.size(), style);
 
     const files::Origin origin = origin_of(command, request, made.result, json_of(options));
     files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
                         &origin};
-    set.layers = tones.inks.layers;
+    set.layers = tones.layers;
     Writing writing(interruption);
     if (!common.report.empty())
         writing.add(common.report, [&] {
             return report_of(request, made,
-                             report_of_the_rest(options, outputs, tones.all, style, work));
+                             report_of_the_rest(options, outputs, tones.all(), style, work));
         });
     write_set(writing, options.drawing, outputs, set, style,
-              [&] { return diameters_of(options, tones, request, style, set); });
+              [&] { return drawing::diameters_of(tones, set, request.boundary, style); });
     sum_up(common, outputs, made, "dot", note, path_text(options, outputs, set, style, work));
 }
 

@@ -7,10 +7,8 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <span>
 #include <utility>
 
 #include "cli/options/options.h"
@@ -77,66 +75,32 @@ void check_inks(const InkOptions& options, const Request& request, std::optional
         throw BadRequest("ink-counts", "0", "must not be 0 for all inks");
 }
 
-Separation read_separation(const Picture& picture, const InkOptions& options,
-                           const drawing::Sizing& sizing, Request& request) {
+void read_tones(const Picture& picture, const InkOptions& options, drawing::Tones& tones,
+                Request& request) {
+    if (options.inks.empty()) {
+        std::vector<Field> fields;
+        fields.push_back(read_field(picture, request));
+        return drawing::set_fields(tones, std::move(fields));
+    }
     pictures::Colours colours = pictures::read_colours(picture.path, kLargestAspect);
     set_domain(request, colours.red.columns, colours.red.rows);
-    Separation separation;
-    separation.fields = pictures::separated(std::move(colours), options.inks, picture.importance,
-                                            options.black_ink.value_or(kBlackInk));
-    if (sizing.varies())
-        for (const Field& field : separation.fields)
-            separation.varied.push_back(drawing::density_of(field, sizing));
-    separation.sum = separation.fields.front();
-    std::vector<double>& sum = separation.sum.importance;
-    for (const Field& field : std::span(separation.fields).subspan(1))
-        std::transform(sum.begin(), sum.end(), field.importance.begin(), sum.begin(), std::plus());
-    return separation;
+    drawing::set_fields(tones,
+                        pictures::separated(std::move(colours), options.inks, picture.importance,
+                                            options.black_ink.value_or(kBlackInk)),
+                        options.inks);
 }
 
-void share_dots(Separation& separation, const InkOptions& options, Request& request) {
+void share_dots(drawing::Tones& tones, const InkOptions& options, Request& request) {
     if (!options.counts.empty()) request.count = sum_of(options.counts);
     check_request(request);  // a scale, for example, is not for mode stratified
-    const std::vector<std::uint64_t> dots =
-        options.counts.empty() ? dots_by_ink(*request.count, separation.densities())
-                               : options.counts;
-    for (std::size_t k = 0; k < dots.size(); ++k) {
-        separation.layers.push_back({options.inks[k], dots[k]});
-        if (dots[k] != 0 && pictures::is_zero_all_over(separation.fields[k].importance))
-            throw BadRequest("ink-counts", fmt::format("{}", dots[k]),
+    if (options.counts.empty()) return drawing::share_dots(tones, *request.count);
+    for (std::size_t k = 0; k < options.counts.size(); ++k) {
+        tones.layers[k].dots = options.counts[k];
+        if (options.counts[k] != 0 && pictures::is_zero_all_over(tones.fields[k].importance))
+            throw BadRequest("ink-counts", fmt::format("{}", options.counts[k]),
                              fmt::format("must be 0 for {}: the picture needs none of this ink",
                                          options.inks[k].name));
     }
-}
-
-std::vector<InkPart> parts_of(const Separation& separation) {
-    std::vector<InkPart> parts;
-    for (std::size_t k = 0; k < separation.layers.size(); ++k)
-        if (separation.layers[k].dots != 0)
-            parts.push_back({&separation.densities()[k], separation.layers[k].dots});
-    return parts;
-}
-
-std::vector<double> dot_diameters(std::span<const Point> points, const Field& tone,
-                                  const files::PointSet& set, const drawing::Sizing& sizing,
-                                  double millimetres_per_unit, bool is_relaxed) {
-    if (sizing.pens)
-        return drawing::pen_diameters(points, tone, set.width, set.height, *sizing.pens,
-                                      millimetres_per_unit);
-    const auto spread = is_relaxed ? drawing::Spread::even : drawing::Spread::random;
-    return drawing::dot_diameters(points, tone, set.width, set.height, spread, sizing);
-}
-
-std::vector<double> dot_diameters(const Separation& separation, const files::PointSet& set,
-                                  const drawing::Sizing& sizing, double millimetres_per_unit) {
-    std::vector<double> all;
-    for (std::size_t k = 0; k < separation.layers.size(); ++k) {
-        const auto dots = set.points.subspan(all.size(), separation.layers[k].dots);
-        const std::vector<double> diameters =
-            dot_diameters(dots, separation.fields[k], set, sizing, millimetres_per_unit, true);
-        all.insert(all.end(), diameters.begin(), diameters.end());
-    }
-    return all;
 }
 
 Json json_of(const InkOptions& options) {
@@ -148,9 +112,9 @@ Json json_of(const InkOptions& options) {
     return json;
 }
 
-std::string counts_text(const Separation& separation) {
+std::string counts_text(const drawing::Tones& tones) {
     std::string text;
-    for (const files::Layer& layer : separation.layers)
+    for (const files::Layer& layer : tones.layers)
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", layer.ink.name, layer.dots);
     return text;
 }
