@@ -9,13 +9,13 @@
 
 #include "analysis/radial.h"
 #include "analysis/spectrum.h"
-#include "drawing/dot_count.h"
-#include "drawing/dot_size.h"
 #include "drawing/pen/pen_path.h"
 #include "drawing/picture_svg.h"
+#include "drawing/tones.h"
 #include "files/point_files.h"
 #include "pictures/image.h"
 #include "pictures/whole_samples.h"
+#include "plan/plan.h"
 
 namespace lacuna::files {
 
@@ -52,25 +52,41 @@ double share_of_placing(std::uint32_t relax) {
     return 10.0 / (10.0 + relax);
 }
 
-// The importance that host/pictures makes of a picture file with these bytes in its channels.
-Field field_of(const Pixels& pixels, const pictures::Importance& tone) {
+// What host/pictures reads from a picture file with these bytes in its channels.
+pictures::Image image_of(const Pixels& pixels, const pictures::Weights& weights) {
     constexpr std::int32_t kWhite = 255;
     constexpr unsigned kChannels = 4;
     pictures::Image image{pixels.columns, pixels.rows, {}, 1, "the picture"};
     image.luminance.resize(std::size_t{pixels.columns} * pixels.rows);
-    pictures::fill_row_from(pixels.rgba.data(), kChannels, false, image.luminance, kWhite);
-    return pictures::importance_of(std::move(image), tone);
+    pictures::Reading reading;
+    reading.weights = weights;
+    pictures::fill_row_from(pixels.rgba.data(), kChannels, false, image.luminance, kWhite, reading);
+    return image;
 }
 
-void relax_points(Set& set, const Field* field, std::uint32_t iterations, const Tell& tell) {
-    if (iterations == 0) return;
+// The importance of the picture, or of each of its inks.
+std::vector<Field> fields_of(const Pixels& pixels, const StippleOptions& options) {
+    using pictures::kAll;
+    if (options.inks.empty())
+        return {pictures::importance_of(image_of(pixels, pictures::kLuminance), options.tone)};
+    pictures::Colours colours{image_of(pixels, {kAll, 0, 0}), image_of(pixels, {0, kAll, 0}),
+                              image_of(pixels, {0, 0, kAll})};
+    return pictures::separated(std::move(colours), options.inks, options.tone, kBlackInk);
+}
+
+RelaxOptions relax_options_of(const Set& set, std::uint32_t iterations) {
     RelaxOptions options;
     options.width = set.width;
     options.height = set.height;
     options.boundary = set.boundary;
     options.iterations = iterations;
+    return options;
+}
+
+void relax_points(Set& set, const Field* field, std::uint32_t iterations, const Tell& tell) {
+    if (iterations == 0) return;
     Teller teller(tell, share_of_placing(iterations), 1);
-    set.points = relax(set.points, field, options, teller).points;
+    set.points = relax(set.points, field, relax_options_of(set, iterations), teller).points;
     set.maximal = false;
     set.radius = 0;
 }
@@ -91,12 +107,34 @@ Set placed(const Request& request, std::uint32_t relax, const Tell& tell) {
     return set;
 }
 
-void order_for_a_pen(std::vector<Point>& points) {
-    const std::vector<std::uint32_t> order = pen::pen_path(points, [] { return true; });
+// The dots of all inks, relaxed.
+Set dots_of_inks(const drawing::Tones& tones, const Request& request, std::uint32_t iterations,
+                 const Tell& tell) {
+    Set set;
+    set.width = request.width;
+    set.height = request.height;
+    set.mode = request.mode;
+    set.seed = request.seed;
+    set.layers = tones.layers;
+    Teller teller(tell, 0, 1);
+    set.points = place_inks(drawing::parts_of(tones), request.seed,
+                            relax_options_of(set, iterations), teller)
+                     .points;
+    return set;
+}
+
+// Orders the dots of each ink along a short path of its own.
+void order_for_a_pen(Set& set) {
     std::vector<Point> ordered;
-    ordered.reserve(points.size());
-    for (const std::uint32_t index : order) ordered.push_back(points[index]);
-    points = std::move(ordered);
+    ordered.reserve(set.points.size());
+    const auto order = [&](std::span<const Point> dots) {
+        for (const std::uint32_t index : pen::pen_path(dots, [] { return true; }))
+            ordered.push_back(dots[index]);
+    };
+    if (set.layers.empty()) order(set.points);
+    for (const files::Layer& layer : set.layers)
+        order(std::span(set.points).subspan(ordered.size(), layer.dots));
+    set.points = std::move(ordered);
 }
 
 drawing::Style style_of(const StippleOptions& options, double width, double height) {
@@ -108,28 +146,20 @@ drawing::Style style_of(const StippleOptions& options, double width, double heig
     return style;
 }
 
+void check_inks(const StippleOptions& options, Request request) {
+    if (options.metric)
+        throw BadRequest("metric", std::string(name_of(*options.metric)),
+                         "is not for inks, whose dots begin stratified");
+    request.mode = Mode::stratified;
+    check_request(request);
+}
+
 }  // namespace
 
-Set Stippler::stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tell) {
-    const Field field = field_of(pixels, options.tone);
-    Request request;
-    const bool keeps_distance = options.relax == 0 || options.metric;
-    request.mode = keeps_distance ? Mode::cells : Mode::stratified;
-    request.field = &field;
-    request.seed = options.seed;
-    request.metric = options.metric.value_or(Metric::min);
-    const double longer = std::max(field.columns, field.rows);
-    request.width = field.columns / longer;
-    request.height = field.rows / longer;
-    const drawing::Style style = style_of(options, request.width, request.height);
-    std::optional<drawing::Sizing::Pens> pens;
-    if (options.dot_size_mm) pens = {*options.dot_size_mm, *options.dot_size_mm};
-    request.count = options.count
-                        ? options.count
-                        : drawing::default_count(field, request.width, request.height, pens, style);
-
+Set Stippler::placed_dots(const StippleOptions& options, const Request& request, const Tell& tell) {
     const pictures::Importance& tone = options.tone;
-    const Key key{{tone.black, tone.white, tone.gamma},
+    const Key key{{tone.black, tone.white, tone.gamma, static_cast<double>(tone.sharpen),
+                   options.size_by_tone},
                   tone.auto_levels,
                   tone.invert,
                   *request.count,
@@ -141,19 +171,46 @@ Set Stippler::stipple(const Pixels& pixels, const StippleOptions& options, const
         placed_ = placed(request, options.relax, tell);
         key_ = key;
     }
-    Set set = placed_;
-    relax_points(set, &field, options.relax, tell);
+    return placed_;
+}
+
+Set Stippler::stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tell) {
+    drawing::Tones tones{
+        .sizing = {options.size_by_tone, {}},
+        .keep_inside = options.keep_inside,
+        .spread = options.relax != 0 ? drawing::Spread::even : drawing::Spread::random};
+    if (options.dot_size_mm) tones.sizing.pens = {*options.dot_size_mm, *options.dot_size_mm};
+    drawing::set_fields(tones, fields_of(pixels, options), options.inks);
+    const Field& density = tones.has_inks() ? tones.sum : tones.densities().front();
+    Request request;
+    const bool keeps_distance = options.relax == 0 || options.metric;
+    request.mode = keeps_distance ? Mode::cells : Mode::stratified;
+    request.field = &density;
+    request.seed = options.seed;
+    request.metric = options.metric.value_or(Metric::min);
+    const double longer = std::max(pixels.columns, pixels.rows);
+    request.width = pixels.columns / longer;
+    request.height = pixels.rows / longer;
+    const drawing::Style style = style_of(options, request.width, request.height);
+    request.count = options.count
+                        ? options.count
+                        : drawing::suiting_count(tones, request.width, request.height, style);
+    Set set;
+    if (tones.has_inks()) {
+        check_inks(options, request);
+        drawing::share_dots(tones, *request.count);
+        set = dots_of_inks(tones, request, options.relax, tell);
+    } else {
+        set = placed_dots(options, request, tell);
+        relax_points(set, &density, options.relax, tell);
+    }
     set.style = style;
     set.has_columns = options.sheet || options.dot_size_mm;
-    if (options.pen_path) order_for_a_pen(set.points);
-    if (options.dot_size_mm)
-        set.diameters.assign(set.points.size(),
-                             *options.dot_size_mm /
-                                 drawing::millimetres_per_unit({{}, set.width, set.height}, style));
-    else
-        set.diameters = drawing::dot_diameters(
-            set.points, field, set.width, set.height,
-            options.relax != 0 ? drawing::Spread::even : drawing::Spread::random);
+    files::PointSet dots{set.points, set.width, set.height};
+    drawing::pull_inside(tones, dots, set.boundary, style, set.points);
+    if (options.pen_path) order_for_a_pen(set);
+    dots.points = set.points;
+    set.diameters = drawing::diameters_of(tones, dots, set.boundary, style);
     return set;
 }
 
@@ -201,6 +258,7 @@ std::string encode(const Set& set, const std::string& format, const std::string&
     drawing::Style style = set.style;
     style.diameters = set.diameters;
     files::PointSet points{set.points, set.width, set.height, set.radius, &origin};
+    points.layers = set.layers;
     files::Dots dots;
     if (set.has_columns) {
         dots = drawing::dots_of(points, style);

@@ -2,6 +2,7 @@
 // sample, verify and analyze.
 #pragma once
 
+#include <lacuna/inks.h>
 #include <lacuna/lacuna.h>
 #include <lacuna/verify.h>
 
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "drawing/picture.h"
+#include "files/point_files.h"
 #include "pictures/importance.h"
 
 namespace lacuna::web {
@@ -36,6 +38,9 @@ struct StippleOptions {
     std::optional<double> dot_size_mm;  // of a pen; unset: as much ink as the picture is dark
     std::optional<drawing::Sheet> sheet;
     bool pen_path = false;
+    std::vector<Ink> inks;  // empty: black dots, of a grey picture
+    double size_by_tone = 0;
+    bool keep_inside = false;
 };
 
 struct Set {
@@ -47,13 +52,14 @@ struct Set {
     Mode mode = Mode::exact;
     std::uint64_t seed = 0;
     bool maximal = false;
-    std::vector<double> diameters;  // empty: the same for all dots, from the radius
-    drawing::Style style;           // without the diameters
+    std::vector<files::Layer> layers;  // inks and their dots, which come ink by ink; or empty
+    std::vector<double> diameters;     // empty: the same for all dots, from the radius
+    drawing::Style style;              // without the diameters
     bool has_columns = false;  // whether csv and npy have columns for dots (pen or paper given)
 };
 
-// Keeps the dots that were placed last. They are used again if only the number of iterations of
-// relax or the drawing changes.
+// Keeps the black dots that were placed last. They are used again if only the number of iterations
+// of relax or the drawing changes.
 class Stippler {
 public:
     // To be called before `pixels` change.
@@ -65,7 +71,7 @@ public:
 private:
     // The options that decide which dots are placed, besides the pixels.
     struct Key {
-        std::array<double, 3> levels{};
+        std::array<double, 5> tone{};
         bool auto_levels = false;
         bool invert = false;
         std::uint64_t count = 0;
@@ -74,6 +80,9 @@ private:
         std::uint64_t seed = 0;
         bool operator==(const Key&) const = default;
     };
+
+    // The dots of a picture in one ink, before they are relaxed.
+    Set placed_dots(const StippleOptions& options, const Request& request, const Tell& tell);
 
     Key key_;
     Set placed_;

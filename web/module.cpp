@@ -84,8 +84,9 @@ EMSCRIPTEN_KEEPALIVE std::uint8_t* lacuna_room_for_pixels(std::uint32_t columns,
 }
 
 EMSCRIPTEN_KEEPALIVE void lacuna_tone(double black, double white, bool auto_levels, bool invert,
-                                      double gamma) {
+                                      double gamma, std::uint32_t sharpen) {
     pictures::Importance& tone = state().options.tone;
+    tone.sharpen = sharpen;
     tone.black = black;
     tone.white = white;
     tone.auto_levels = auto_levels;
@@ -102,6 +103,17 @@ EMSCRIPTEN_KEEPALIVE void lacuna_page(double pen, double width, double height, d
     if (is_given(pen)) options.dot_size_mm = pen;
     if (is_given(width)) options.sheet = drawing::Sheet{width, height, margin};
     options.pen_path = pen_path;
+}
+
+// `inks` is as for --inks, or empty.
+EMSCRIPTEN_KEEPALIVE bool lacuna_dots(const char* inks, double size_by_tone, bool keep_inside) {
+    return is_done([&] {
+        web::StippleOptions& options = state().options;
+        options.inks.clear();
+        if (*inks != '\0') options.inks = inks_of(inks);
+        options.size_by_tone = size_by_tone;
+        options.keep_inside = keep_inside;
+    });
 }
 
 // `count`: NaN for automatic. `metric`: 0 to 2 for min, mean, max; negative for the default.
@@ -145,6 +157,18 @@ EMSCRIPTEN_KEEPALIVE const double* lacuna_points() {
 // One for each point, or null.
 EMSCRIPTEN_KEEPALIVE const double* lacuna_diameters() {
     return state().set.diameters.empty() ? nullptr : state().set.diameters.data();
+}
+// The number of inks; 0 for black dots. Dots come ink by ink.
+EMSCRIPTEN_KEEPALIVE std::size_t lacuna_layers() {
+    return state().set.layers.size();
+}
+EMSCRIPTEN_KEEPALIVE double lacuna_layer_dots(std::size_t layer) {
+    return static_cast<double>(state().set.layers[layer].dots);
+}
+// The ink's colour, 0xrrggbb.
+EMSCRIPTEN_KEEPALIVE std::uint32_t lacuna_layer_colour(std::size_t layer) {
+    const auto& [red, green, blue] = state().set.layers[layer].ink.colour;
+    return red * 0x10000U + green * 0x100U + blue;
 }
 EMSCRIPTEN_KEEPALIVE double lacuna_width() {
     return state().set.width;

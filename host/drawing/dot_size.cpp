@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "base/power.h"
 #include "drawing/dot_count.h"
 
 namespace lacuna::drawing {
@@ -44,10 +45,20 @@ std::size_t pixel_of(double coordinate, double side, std::uint32_t pixels) {
     return static_cast<std::size_t>(std::clamp<std::int64_t>(place, 0, pixels - std::int64_t{1}));
 }
 
-// The size rounded to 2^(1/64), 1.1 %.
+// The size, over 0, rounded to a power of 2^(1/64), which is 1.1 %.
 double in_steps(double size) {
-    constexpr double kSteps = 64;
-    return size == 1 ? 1 : std::exp2(std::round(std::log2(size) * kSteps) / kSteps);
+    constexpr std::size_t kSteps = 64;
+    static const std::array<double, kSteps + 1> steps = [] {  // from 0.5 to 1
+        std::array<double, kSteps + 1> made{};
+        for (std::size_t i = 0; i <= kSteps; ++i)
+            made[i] = power(0.5, 1 - static_cast<double>(i) / kSteps);
+        return made;
+    }();
+    int exponent = 0;
+    const double part = std::frexp(size, &exponent);  // 0.5 <= part < 1
+    const auto above = std::upper_bound(steps.begin(), steps.end(), part);
+    const auto below = above - 1;
+    return std::ldexp(part * part < *below * *above ? *below : *above, exponent);
 }
 
 // The importance of the pixel in which a point of width x height lies.
@@ -63,7 +74,7 @@ bool Sizing::varies() const {
 }
 
 double Sizing::area_at(double importance) const {
-    if (!pens) return by_tone == 0 ? 1 : std::pow(importance, by_tone);
+    if (!pens) return by_tone == 0 ? 1 : power(importance, by_tone);
     const double diameter = std::lerp(pens->least_mm, pens->most_mm, importance);
     return std::numbers::pi / 4 * diameter * diameter;
 }

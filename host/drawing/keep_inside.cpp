@@ -20,7 +20,8 @@ constexpr double kTouch = 1e-3;
 std::optional<Near> nearest_white(const White& white, Point from, double reach) {
     const std::optional<Point> point = white.nearest(from, reach);
     if (!point) return std::nullopt;
-    return Near{*point, std::hypot(from.x - point->x, from.y - point->y)};
+    const double dx = from.x - point->x, dy = from.y - point->y;
+    return Near{*point, std::sqrt(dx * dx + dy * dy)};
 }
 
 Point in_domain(Point point, const White& white) {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/power.h"
 #include "files/parse.h"
 
 namespace lacuna::pictures {
@@ -92,7 +93,7 @@ void apply_gamma_and_least(std::vector<double>& values, const std::string& name,
                            const Importance& options) {
     if (is_zero_all_over(values) && options.min_importance == 0) return;
     if (options.gamma != 1)
-        for (double& value : values) value = std::pow(value, options.gamma);
+        for (double& value : values) value = power(value, options.gamma);
     for (double& value : values) value = std::max(options.min_importance, value);
     if (is_zero_all_over(values))
         throw BadRequest("gamma", fmt::format("{}", options.gamma),

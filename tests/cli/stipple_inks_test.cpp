@@ -131,7 +131,7 @@ TEST(StippleInks, ThatCannotBeAreRefused) {
          {"raccoon.png --ink-counts 5", 2, {"ink-counts 5", "needs --inks"}},
          {"raccoon.png --inks red --mode cells", 2, {"mode cells", "not for --inks"}},
          {"raccoon.png --inks red --scale 0.1", 2, {"scale 0.1", "mode stratified"}},
-         {"raccoon.png --inks red --metric max", 2, {"metric max", "mode stratified"}},
+         {"raccoon.png --inks red --metric min", 2, {"metric min", "not for --inks"}},
          {"raccoon.png --inks red --relax 0", 2, {"mode stratified", "start for --relax"}},
          {"raccoon.png --inks red,blue --ink-counts 5", 2, {"ink-counts 1 numbers", "2"}},
          {"raccoon.png --inks red --ink-counts x", 2, {"ink-counts x", "whole number"}},

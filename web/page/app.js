@@ -2,7 +2,7 @@
 import { PAPERS, sampleCommand, stippleCommand, withOutput } from "./command.js";
 import { Cancelled, Engine } from "./engine.js";
 import { pdfOf } from "./pdf.js";
-import { diameterOf, drawDots, drawSpectrum, pageOf, radialPath, View } from "./view.js";
+import { diameterOf, drawDots, layersOf, drawSpectrum, pageOf, radialPath, View } from "./view.js";
 
 const $ = (id) => document.getElementById(id);
 const MOST_PIXELS = 4e6; // of a picture; larger ones are scaled down
@@ -53,8 +53,13 @@ function stippleOptions() {
         pen: $("pen-kind").value === "pen" ? number("pen") : null,
         black: number("black"), white: number("white"), gamma: number("gamma"),
         autoLevels: $("auto-levels").checked, invert: $("invert").checked,
+        sharpen: number("sharpen"), inks: $("ink-kind").value === "own" ? $("inks").value.trim() : $("ink-kind").value,
+        sizeByTone: number("size-by-tone"), keepInside: $("keep-inside").checked,
         paperName, paper, margin: paper ? number("margin") : 0, penPath: $("pen-path").checked,
     };
+    if ($("ink-kind").value === "own" && o.inks === "") throw new Refused("inks empty: must be cmyk, or colours such as #0083b8,#d6006d");
+    if (o.inks !== "") o.metric = "auto";
+    if (o.pen !== null) o.sizeByTone = 0;
     if (o.autoLevels) o.black = 0, o.white = 1;
     if (o.pen !== null && !(o.pen >= 0.001 && o.pen <= 5080)) throw new Refused(`pen ${o.pen}mm: must be 0.001mm to 5080mm`);
     if (paper && !(o.margin >= 0 && 2 * o.margin < paper[0]))
@@ -81,7 +86,7 @@ function say(text) {
 
 const FIELDS = { count: () => (kind === "stipple" ? "count" : "amount"), radius: () => "amount", pen: () => "pen",
     margin: () => "margin", seed: () => (kind === "stipple" ? "seed" : "sample-seed"),
-    "dot-size": () => "pen", gamma: () => "gamma", black: () => "black", white: () => "white" };
+    "dot-size": () => "pen", inks: () => "inks", relax: () => (kind === "stipple" ? "relax" : "sample-relax"), gamma: () => "gamma", black: () => "black", white: () => "white" };
 
 function complain(error) {
     document.querySelectorAll("[aria-invalid]").forEach((field) => field.removeAttribute("aria-invalid"));
@@ -254,6 +259,18 @@ async function take(blob, name) {
     select("stipple");
 }
 
+async function takeExample(name, inks) {
+    try {
+        const response = await fetch(name);
+        if (!response.ok) throw new Error(`${name}: the server says ${response.status}`);
+        $("ink-kind").value = inks;
+        update();
+        await take(await response.blob(), name);
+    } catch (error) {
+        complain(error);
+    }
+}
+
 // ------------------------------------------------------------------------------------------ saving
 function save(blob, name) {
     const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
@@ -277,10 +294,12 @@ function drawn({ set, page }) {
 
 function asPdf({ set, page }) {
     const scale = page.mm ? (page.mm / MM_PER_INCH) * POINTS_PER_INCH : PAGE_POINTS / Math.max(set.width, set.height);
-    const dots = Array.from({ length: set.points.length / 2 }, (_, i) => ({
+    const dot = (i) => ({
         x: (page.left + set.points[2 * i]) * scale, y: (page.bottom + set.points[2 * i + 1]) * scale,
-        diameter: diameterOf(set, i) * scale }));
-    return pdfOf({ width: page.width * scale, height: page.height * scale }, dots);
+        diameter: diameterOf(set, i) * scale });
+    const layers = layersOf(set).map(({ first, dots, colour }) =>
+        ({ colour, dots: Array.from({ length: dots }, (_, i) => dot(first + i)) }));
+    return pdfOf({ width: page.width * scale, height: page.height * scale }, layers);
 }
 
 async function download() {
@@ -338,8 +357,12 @@ function select(wanted) {
 }
 
 function update() {
-    for (const id of ["relax", "black", "white", "gamma", "sample-relax"]) $(`${id}-value`).textContent = $(id).value;
-    $("pen-row").hidden = $("pen-kind").value !== "pen";
+    for (const id of ["relax", "black", "white", "gamma", "sharpen", "size-by-tone", "sample-relax"]) $(`${id}-value`).textContent = $(id).value;
+    const isPen = $("pen-kind").value === "pen";
+    $("pen-row").hidden = !isPen;
+    document.querySelectorAll(".tone-row").forEach((part) => (part.hidden = isPen));
+    $("ink-row").hidden = $("ink-kind").value !== "own";
+    $("metric-row").hidden = $("ink-kind").value !== "";
     $("margin").disabled = $("paper").value === "none";
     $("black").disabled = $("white").disabled = $("auto-levels").checked;
     schedule();
@@ -369,6 +392,8 @@ function listen() {
             $(`tab-${other}`).focus();
         });
     }
+    $("example-raccoon").addEventListener("click", () => takeExample("raccoon.png", ""));
+    $("example-hopper").addEventListener("click", () => takeExample("hopper.jpg", "cmyk"));
     $("file").addEventListener("change", () => $("file").files[0] && take($("file").files[0], $("file").files[0].name));
     document.addEventListener("paste", (event) => {
         const file = [...event.clipboardData.files][0];

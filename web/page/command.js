@@ -26,13 +26,17 @@ export function stippleCommand(name, o) {
     add(!o.autoLevels && o.black !== 0, "--black", o.black);
     add(!o.autoLevels && o.white !== 1, "--white", o.white);
     add(o.autoLevels, "--auto-levels");
+    add(o.sharpen !== 0, "--sharpen", o.sharpen);
     add(o.gamma !== 1, "--gamma", o.gamma);
     add(o.count !== null, "--count", o.count);
+    add(o.inks !== "", "--inks", quoted(o.inks));
     add(o.seed !== 0, "--seed", o.seed);
     add(o.relax !== 15, "--relax", o.relax);
     add(o.pen !== null, "--dot-size", `${o.pen}mm`);
     add(o.paperName !== "none", "--paper-size", o.paperName);
     add(o.paperName !== "none" && o.margin !== 0, "--margin", `${o.margin}mm`);
+    add(o.sizeByTone !== 0, "--size-by-tone", o.sizeByTone);
+    add(o.keepInside, "--keep-inside");
     add(o.penPath, "--pen-path");
     return words.join(" ");
 }

@@ -1,4 +1,5 @@
-// Dots as a PDF (PDF 1.4): each is a line of 0.01 pt with round caps.
+// Dots as a PDF (PDF 1.4): each is a line of 0.01 pt with round caps. Each ink is a group of its own,
+// which multiplies what lies under it.
 
 async function deflated(text) {
     const bytes = new TextEncoder().encode(text);
@@ -9,19 +10,21 @@ async function deflated(text) {
 
 const short = (number) => String(+number.toFixed(3));
 
-// `page` is the size in points, and each dot is {x, y, diameter} in points, y upwards.
-export async function pdfOf(page, dots) {
-    const lines = ["1 J"];
+function strokes({ colour, dots }) {
+    const light = [16, 8, 0].map((shift) => short(((colour >> shift) & 255) / 255));
+    const lines = ["1 J", `${light.join(" ")} RG`];
     let last = null;
     for (const { x, y, diameter } of dots) {
         const width = short(diameter);
         if (width !== last) lines.push(`${(last = width)} w`);
         lines.push(`${short(x)} ${short(y)} m ${short(x + 0.01)} ${short(y)} l S`);
     }
-    const text = lines.join("\n");
-    const packed = await deflated(text);
-    const content = packed ?? new TextEncoder().encode(text);
-    const filter = packed ? "/Filter /FlateDecode " : "";
+    return lines.join("\n");
+}
+
+// `page` is the size in points; each layer has a colour, 0xrrggbb, and dots: {x, y, diameter} in
+// points, y upwards.
+export async function pdfOf(page, layers) {
     const parts = [];
     const offsets = [];
     let size = 0;
@@ -33,18 +36,30 @@ export async function pdfOf(page, dots) {
         offsets.push(size);
         put(`${offsets.length} 0 obj\n${text}\nendobj\n`);
     };
+    const stream = async (text, entries) => {
+        const packed = await deflated(text);
+        const content = packed ?? new TextEncoder().encode(text);
+        offsets.push(size);
+        put(`${offsets.length} 0 obj\n<< ${entries}${packed ? "/Filter /FlateDecode " : ""}/Length ${content.length} >>\nstream\n`);
+        put(content);
+        put("\nendstream\nendobj\n");
+    };
+    const box = `[0 0 ${short(page.width)} ${short(page.height)}]`;
+    const names = layers.map((_, i) => `/L${i}`);
+    const firstLayer = 5;
     put("%PDF-1.4\n");
     object("<< /Type /Catalog /Pages 2 0 R >>");
     object("<< /Type /Pages /Kids [3 0 R] /Count 1 >>");
-    object(`<< /Type /Page /Parent 2 0 R /MediaBox [0 0 ${short(page.width)} ${short(page.height)}] ` +
-        "/Contents 4 0 R /Resources << >> >>");
-    offsets.push(size);
-    put(`4 0 obj\n<< ${filter}/Length ${content.length} >>\nstream\n`);
-    put(content);
-    put("\nendstream\nendobj\n");
+    object(`<< /Type /Page /Parent 2 0 R /MediaBox ${box} /Contents 4 0 R ` +
+        "/Resources << /ExtGState << /M << /BM /Multiply >> >> " +
+        `/XObject << ${names.map((name, i) => `${name} ${firstLayer + i} 0 R`).join(" ")} >> >> >>`);
+    await stream(`/M gs\n${names.map((name) => `${name} Do`).join("\n")}`, "");
+    for (const layer of layers)
+        await stream(strokes(layer), `/Type /XObject /Subtype /Form /BBox ${box} ` +
+            "/Group << /S /Transparency /CS /DeviceRGB >> /Resources << >> ");
     const start = size;
-    put(`xref\n0 5\n0000000000 65535 f \n${offsets
+    put(`xref\n0 ${offsets.length + 1}\n0000000000 65535 f \n${offsets
         .map((at) => `${String(at).padStart(10, "0")} 00000 n \n`).join("")}` +
-        `trailer\n<< /Size 5 /Root 1 0 R >>\nstartxref\n${start}\n%%EOF\n`);
+        `trailer\n<< /Size ${offsets.length + 1} /Root 1 0 R >>\nstartxref\n${start}\n%%EOF\n`);
     return new Blob(parts, { type: "application/pdf" });
 }

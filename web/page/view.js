@@ -35,24 +35,38 @@ export function diameterOf(set, i) {
     return (Math.min(radius, set.width, set.height) / 3) * 2;
 }
 
-// Fills an ImageData with dots; `scale`: pixels per unit; (x, y): the page's upper left corner.
+// The inks of a set: the index of the first dot, the number of dots, and the colour, 0xrrggbb.
+export function layersOf(set) {
+    let first = 0;
+    const layers = set.layers?.length ? set.layers : [{ dots: set.points.length / 2, colour: 0 }];
+    return layers.map((layer) => ({ ...layer, first: (first += layer.dots) - layer.dots }));
+}
+
+// Fills an ImageData with dots; `scale`: pixels per unit; (x, y): the page's upper left corner. Inks
+// are transparent: each multiplies what lies under it.
 export function drawDots(image, set, page, scale, x, y) {
     const { width, height, data } = image;
-    const grey = new Float32Array(width * height).fill(255);
-    for (let i = 0; i < set.points.length / 2; ++i) {
-        const px = x + (page.left + set.points[2 * i]) * scale;
-        const py = y + (page.height - page.bottom - set.points[2 * i + 1]) * scale;
-        const r = (diameterOf(set, i) / 2) * scale;
-        if (px > -r - 1 && py > -r - 1 && px < width + r + 1 && py < height + r + 1)
-            splat(grey, width, height, px, py, r);
+    const cover = new Float32Array(width * height);
+    data.fill(255);
+    for (const { first, dots, colour } of layersOf(set)) {
+        cover.fill(255);
+        for (let i = first; i < first + dots; ++i) {
+            const px = x + (page.left + set.points[2 * i]) * scale;
+            const py = y + (page.height - page.bottom - set.points[2 * i + 1]) * scale;
+            const r = (diameterOf(set, i) / 2) * scale;
+            if (px > -r - 1 && py > -r - 1 && px < width + r + 1 && py < height + r + 1)
+                splat(cover, width, height, px, py, r);
+        }
+        for (let channel = 0; channel < 3; ++channel) {
+            const share = ((colour >> (16 - 8 * channel)) & 255) / 255; // of the light that passes
+            for (let i = 0; i < cover.length; ++i)
+                data[4 * i + channel] *= share + (1 - share) * cover[i] / 255;
+        }
     }
     const inside = (row, column) => column + 0.5 > x && row + 0.5 > y &&
         column + 0.5 < x + page.width * scale && row + 0.5 < y + page.height * scale;
     for (let row = 0, i = 0; row < height; ++row)
-        for (let column = 0; column < width; ++column, ++i) {
-            data[4 * i] = data[4 * i + 1] = data[4 * i + 2] = grey[i] + 0.5;
-            data[4 * i + 3] = inside(row, column) ? 255 : 0;
-        }
+        for (let column = 0; column < width; ++column, ++i) data[4 * i + 3] = inside(row, column) ? 255 : 0;
 }
 
 export class View {

@@ -71,6 +71,8 @@ function made() {
     return {
         points: doubles(lacuna._lacuna_points(), 2 * count),
         diameters: doubles(lacuna._lacuna_diameters(), count),
+        layers: Array.from({ length: lacuna._lacuna_layers() }, (_, i) => ({
+            dots: lacuna._lacuna_layer_dots(i), colour: lacuna._lacuna_layer_colour(i) })),
         width: lacuna._lacuna_width(),
         height: lacuna._lacuna_height(),
         radius: lacuna._lacuna_radius(),
@@ -83,7 +85,8 @@ const verbs = {
         return {};
     },
     stipple(o) {
-        lacuna._lacuna_tone(o.black, o.white, o.autoLevels, o.invert, o.gamma);
+        lacuna._lacuna_tone(o.black, o.white, o.autoLevels, o.invert, o.gamma, o.sharpen);
+        check(withTexts([o.inks], (inks) => lacuna._lacuna_dots(inks, o.sizeByTone, o.keepInside)));
         const paper = o.paper || [NONE, NONE];
         lacuna._lacuna_page(given(o.pen), paper[0], paper[1], o.margin, o.penPath);
         const metric = ["min", "mean", "max"].indexOf(o.metric);

@@ -93,6 +93,12 @@ class PageTest(unittest.TestCase):
         page = self.browser
         self.given("it's a raccoon.png")
         settings = [
+            {"count": "2000", "size-by-tone": 0.6, "sharpen": 7, "keep-inside": True},
+            {"ink-kind": "cmyk", "relax": 3, "seed": 2},
+            {"ink-kind": "own", "inks": "#0083b8,sea=#d6006d", "pen-path": True, "keep-inside": False},
+            {"ink-kind": "black,red", "count": "", "paper": "A6", "pen-kind": "pen"},
+            {"ink-kind": "", "size-by-tone": 0, "sharpen": 0, "pen-kind": "radius", "pen-path": False,
+             "paper": "none"},
             {"count": "", "relax": 0, "metric": "max", "seed": 9007199254740991},
             {"count": "3,000", "relax": 3, "metric": "mean", "invert": True, "gamma": 1.35},
             {"black": 0.1, "white": 0.85, "invert": False, "seed": 7},
@@ -142,6 +148,29 @@ class PageTest(unittest.TestCase):
         (self.folder / name).write_bytes(content)
         self.assert_the_commands_bytes("npy")
 
+    def test_a_colour_photograph_is_an_example_in_four_inks(self):
+        page = self.browser
+        page.after(lambda: page.element("example-hopper").click())
+        self.assertEqual(page.text("command").split()[:5], ["lacuna", "stipple", "hopper-as-read.png", "--count", "20000"])
+        self.assertIn("--inks cmyk", page.text("command"))
+        shares = page.run("""const view = document.getElementById('view');
+            const data = view.getContext('2d').getImageData(0, 0, view.width, view.height).data;
+            let all = 0, coloured = 0;
+            for (let i = 0; i < data.length; i += 4) {
+                all += data[i + 3] === 255;
+                const [r, g, b] = data.subarray(i, i + 3);
+                coloured += data[i + 3] === 255 && Math.max(r, g, b) - Math.min(r, g, b) > 60;
+            }
+            return coloured / all;""")
+        self.assertGreater(shares, 0.2)
+        name, content = page.saved_by("save-picture")
+        (self.folder / name).write_bytes(content)
+        self.assert_the_commands_bytes("svg")
+        _, document = page.download("pdf")
+        self.assertEqual(document.count(b"/S /Transparency"), 4)
+        page.after(lambda: page.element("example-raccoon").click())
+        self.assertNotIn("--inks", page.text("command"))
+
     def test_dots_follow_a_slider_while_it_is_moved(self):
         page = self.browser
         page.run("delete document.documentElement.dataset.state")
@@ -189,8 +218,8 @@ class PageTest(unittest.TestCase):
         self.assertEqual(struct.unpack(">II", picture[16:24]), (2048, 1536))
         name, document = page.download("pdf")
         self.assertEqual(name, "raccoon.pdf")
-        content = zlib.decompress(re.search(rb"stream\n(.*)\nendstream", document, re.DOTALL)[1])
-        self.assertEqual(content.count(b" l S"), 1000)
+        contents = [zlib.decompress(one) for one in re.findall(rb"stream\n(.*?)\nendstream", document, re.DOTALL)]
+        self.assertEqual([content.count(b" l S") for content in contents], [0, 1000])
         start = int(re.search(rb"startxref\n(\d+)", document)[1])
         self.assertEqual(document[start:start + 4], b"xref")
 

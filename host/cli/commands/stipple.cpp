@@ -146,6 +146,9 @@ Mode mode_of(const StippleCommand& options) {
 // Checks everything that can be checked before the picture is read; returns the outputs.
 std::vector<Output> check_options(const StippleCommand& options) {
     check_inks(options.inks, options.common.request, options.mode);
+    if (!options.inks.inks.empty() && options.picture.has_metric)
+        throw BadRequest("metric", std::string(name_of(options.common.request.metric)),
+                         "is not for --inks, whose dots begin stratified");
     check_start(mode_of(options), options.relax);
     const std::vector<Output> outputs =
         checked_outputs(options.common, {{"IMAGE", options.picture.path}});

@@ -6,7 +6,7 @@
 //     NumPy's .npy (docs/images.md lists the variants that are read).
 //   - Importance lies in [0, 1]. It is 1 where the picture is black, and 0 where it is white: no
 //     sample ever lies there.
-//   - With gamma 1 importance is the same to the last bit on every machine.
+//   - Importance is the same to the last bit on every machine.
 //   - Files are not trusted: broken, truncated and oversized ones are refused with a message of one
 //     line, before memory is allocated for them.
 //
