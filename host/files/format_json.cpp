@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -33,6 +34,7 @@ struct JsonHeader {
     std::optional<std::string> mode;
     std::optional<bool> maximal;
     bool has_scale = false;
+    std::vector<Level> levels;
 };
 
 // Takes the parser's events: an array of pairs, or an object whose key "points" holds one.
@@ -82,7 +84,7 @@ public:
 
     bool key(string_t& key) override {
         if (depth_ == 1 && in_object_) key_ = key;
-        if (depth_ == 2) key_within_ = key;
+        if (depth_ == 2 || is_in_levels()) key_within_ = key;
         return true;
     }
 
@@ -133,6 +135,18 @@ private:
                    fmt::format("point {}: {} must be [x, y], two numbers", points_.size(), what));
     }
 
+    // Within an object of the array "levels".
+    bool is_in_levels() const { return in_object_ && depth_ == 3 && key_ == "levels"; }
+
+    void read_level(double value) {
+        if (key_within_ == "count")
+            header_.levels.push_back({0, value >= 0 && value < 0x1p63
+                                             ? static_cast<std::uint64_t>(value)
+                                             : std::numeric_limits<std::uint64_t>::max()});
+        if ((key_within_ == "radius" || key_within_ == "scale") && !header_.levels.empty())
+            header_.levels.back().size = value;
+    }
+
     bool scalar(const std::string& what) {
         refuse_unless_skipped(what);
         return true;
@@ -142,6 +156,7 @@ private:
         if (depth_ == 1 && in_object_) read_header(value);
         if (depth_ == 2 && in_object_ && key_ == "options" && key_within_ == "scale")
             header_.has_scale = true;
+        if (is_in_levels()) read_level(value);
         if (!is_in_points()) return true;
         if (depth_ != points_depth() + 1) return scalar(fmt::format("{}", value));
         if (numbers_ < 2) (numbers_ == 0 ? point_.x : point_.y) = value;
@@ -199,6 +214,20 @@ void append_origin(std::string& bytes, const Origin& origin) {
         origin.maximal, origin.options.empty() ? "{}" : origin.options, origin.version, command);
 }
 
+// Each level of a progressive order: so many first points are a maximal set of this radius.
+void append_levels(std::string& bytes, const Origin& origin) {
+    bytes += "\"levels\":[";
+    const char* separator = "";
+    for (const Level& level : origin.levels) {
+        bytes += fmt::format("{}{{\"count\":{},\"{}\":", separator, level.points,
+                             origin.has_scale ? "scale" : "radius");
+        append_json_number(bytes, level.size);
+        bytes += '}';
+        separator = ",";
+    }
+    bytes += "],\n";
+}
+
 void append_dots(std::string& bytes, const Dots& dots) {
     bytes += "\"dots\":{\"mm_per_unit\":";
     append_json_number(bytes, dots.millimetres_per_unit);
@@ -244,6 +273,7 @@ std::string encode_json(const PointSet& set) {
     append_json_number(bytes, set.radius);
     if (set.origin != nullptr) append_origin(bytes, *set.origin);
     bytes += fmt::format(",\"count\":{},", set.points.size());
+    if (set.origin != nullptr && !set.origin->levels.empty()) append_levels(bytes, *set.origin);
     if (set.dots != nullptr) append_dots(bytes, *set.dots);
     if (!set.layers.empty()) append_layers(bytes, set);
     bytes += "\"points\":[";
@@ -273,6 +303,12 @@ SetsOfFile decode_json(std::string_view bytes, const std::string& name) {
     file.mode = header.mode;
     file.maximal = header.maximal;
     file.has_scale = header.has_scale;
+    for (const Level& level : header.levels)
+        if (!(level.size > 0 && std::isfinite(level.size)) || level.points > file.sets[0].size())
+            refuse(name, fmt::format("a level of {} points with radius {}: must be of at most {} "
+                                     "points, and the radius a number over 0",
+                                     level.points, level.size, file.sets[0].size()));
+    file.levels = header.levels;
     return file;
 }
 

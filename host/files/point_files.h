@@ -26,8 +26,10 @@ struct Origin {
     Boundary boundary = Boundary::box;
     Mode mode = Mode::exact;
     std::uint64_t seed = 0;
-    bool maximal = false;      // whether no further sample fits
-    std::string options = {};  // a JSON object of all options that the points depend on
+    bool maximal = false;            // whether no further sample fits
+    std::string options = {};        // a JSON object of all options that the points depend on
+    std::vector<Level> levels = {};  // of a progressive order
+    bool has_scale = false;          // whether the levels' sizes are scales, not radii
 };
 
 // The sizes of the dots and their position on the page, for programs that draw them themselves.

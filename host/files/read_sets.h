@@ -27,6 +27,7 @@ struct SetsOfFile {
     std::optional<std::string> mode;
     std::optional<bool> maximal;  // whether no further sample fits
     bool has_scale = false;       // whether the options have a scale: then radii follow a picture
+    std::vector<Level> levels;    // of a progressive order
 };
 
 // The format is chosen by the extension; "-" is standard input, as txt:

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -80,16 +81,18 @@ public:
           rows_(cells_along(request.height, 2 * least)),
           next_(radii.size()) {}
 
-    // Throws BadRequest if the point is too close to a point that was added.
-    void add(std::uint32_t index) {
+    // Adds a point. If it is too close to a point that was added, returns that one instead.
+    std::optional<std::uint32_t> add(std::uint32_t index) {
         const Point point = request_.keep[index];
         const std::uint64_t column = cell_of(point.x / request_.width, columns_);
         const std::uint64_t row = cell_of(point.y / request_.height, rows_);
         for (const std::uint64_t y : around(row, rows_))
-            for (const std::uint64_t x : around(column, columns_)) check_cell(x, y, index);
+            for (const std::uint64_t x : around(column, columns_))
+                if (const auto other = too_close_in(x, y, index)) return other;
         const auto [first, is_new] = first_.try_emplace(row * columns_ + column, index);
         next_[index] = is_new ? kNone : first->second;
         first->second = index;
+        return std::nullopt;
     }
 
 private:
@@ -111,21 +114,15 @@ private:
         return near;
     }
 
-    void check_cell(std::uint64_t column, std::uint64_t row, std::uint32_t index) const {
+    std::optional<std::uint32_t> too_close_in(std::uint64_t column, std::uint64_t row,
+                                              std::uint32_t index) const {
         const auto first = first_.find(row * columns_ + column);
-        if (first == first_.end()) return;
+        if (first == first_.end()) return std::nullopt;
         for (std::uint32_t other = first->second; other != kNone; other = next_[other])
-            check_pair(other, index);
-    }
-
-    void check_pair(std::uint32_t a, std::uint32_t b) const {
-        const double distance = distance_between(request_, request_.keep[a], request_.keep[b]);
-        const double limit = std::min(radii_[a], radii_[b]);
-        if (distance >= limit) return;
-        throw BadRequest(
-            "keep", text_of(a, request_.keep[a]) + " and " + text_of(b, request_.keep[b]),
-            "are " + shortest(distance) + " apart: must be at least " + shortest(limit) + ", the " +
-                (request_.field == nullptr ? "radius" : "smaller of their radii"));
+            if (distance_between(request_, request_.keep[other], request_.keep[index]) <
+                std::min(radii_[other], radii_[index]))
+                return other;
+        return std::nullopt;
     }
 
     const Request& request_;
@@ -144,6 +141,27 @@ std::vector<double> radii_of(const Request& request) {
                             ? *request.radius
                             : *request.scale / std::sqrt(greatest_importance_at(request, point)));
     return radii;
+}
+
+struct Pair {
+    std::uint32_t first;
+    std::uint32_t second;
+};
+
+// Two kept points that are closer than the smaller of their radii. If that radius lies in
+// [2^l, 2^(l+1)), both have a radius of at least 2^l, and cells of width 2^(l+1) find the pair. So
+// all points of at least 2^l are checked for each l.
+std::optional<Pair> find_too_close(const Request& request, std::span<const double> radii) {
+    std::set<int> levels;
+    for (const double radius : radii) levels.insert(std::ilogb(radius));
+    for (const int level : levels) {
+        const double least = std::ldexp(1.0, level);
+        Cells cells(request, radii, least);
+        for (std::uint32_t i = 0; i < radii.size(); ++i)
+            if (radii[i] >= least)
+                if (const auto other = cells.add(i)) return Pair{*other, i};
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -166,20 +184,22 @@ void check_kept_place(const Request& request, std::size_t index) {
         refuse("must lie where the field is not 0");
 }
 
-// If the smaller radius of two points lies in [2^l, 2^(l+1)), both have a radius of at least 2^l,
-// and cells of width 2^(l+1) find the pair. So all points of at least 2^l are checked for each l.
+bool keep_their_distances(const Request& request) {
+    return !find_too_close(request, radii_of(request));
+}
+
 void check_kept_distances(const Request& request) {
     const double size = request.field == nullptr ? *request.radius : *request.scale;
     if (!std::isfinite(size) || size <= 0) return;  // the plan refuses such a size
     const std::vector<double> radii = radii_of(request);
-    std::set<int> levels;
-    for (const double radius : radii) levels.insert(std::ilogb(radius));
-    for (const int level : levels) {
-        const double least = std::ldexp(1.0, level);
-        Cells cells(request, radii, least);
-        for (std::uint32_t i = 0; i < radii.size(); ++i)
-            if (radii[i] >= least) cells.add(i);
-    }
+    const std::optional<Pair> pair = find_too_close(request, radii);
+    if (!pair) return;
+    const auto [a, b] = *pair;
+    throw BadRequest(
+        "keep", text_of(a, request.keep[a]) + " and " + text_of(b, request.keep[b]),
+        "are " + shortest(distance_between(request, request.keep[a], request.keep[b])) +
+            " apart: must be at least " + shortest(std::min(radii[a], radii[b])) + ", the " +
+            (request.field == nullptr ? "radius" : "smaller of their radii"));
 }
 
 }  // namespace lacuna

@@ -131,6 +131,9 @@ void check_request(const Request& request) {
         throw BadRequest(request.snap ? "snap" : "uniform-x",
                          "with mode " + std::string(name_of(request.mode)),
                          "is for mode lines only");
+    if (request.progressive && request.mode != Mode::exact)
+        throw BadRequest("progressive", "with mode " + std::string(name_of(request.mode)),
+                         "is for mode exact");
     if (request.mode == Mode::stratified) check_stratified(request);
     check_field(request);
     check_where(request);

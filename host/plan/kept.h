@@ -12,6 +12,10 @@ namespace lacuna {
 // units may be that far off. Throws BadRequest that names the point.
 void check_kept_place(const Request& request, std::size_t index);
 
+// Whether no two kept points are closer than the smaller of their radii. The request was checked
+// before, and has a radius or a scale.
+bool keep_their_distances(const Request& request);
+
 // Checks that no two kept points are closer than the smaller of their radii. The request was
 // checked before, and has a radius or a scale. Throws BadRequest that names both points.
 void check_kept_distances(const Request& request);

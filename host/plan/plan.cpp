@@ -155,8 +155,9 @@ void check_radius_for_count(const Request& request, double radius) {
 }
 
 bool needs_radius_field(const Request& request) {
-    return request.mode == Mode::exact && (request.field != nullptr || request.mask != nullptr ||
-                                           request.border > 0 || !request.keep.empty());
+    return request.mode == Mode::exact &&
+           (request.field != nullptr || request.mask != nullptr || request.border > 0 ||
+            !request.keep.empty() || request.progressive);
 }
 
 Plan make_plan(const Request& request) {

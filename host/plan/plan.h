@@ -4,6 +4,7 @@
 #include <lacuna/lacuna.h>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -94,6 +95,7 @@ struct Plan {
     std::uint64_t radius_squared = 0;
 
     std::uint64_t seed = 0;
+    std::uint64_t first_draw = 0;  // the number of the first draw
     std::uint64_t limit = 0;       // stop at this number of samples
     std::uint64_t round_size = 0;  // 0: chosen by rounds/round_policy.h
     bool tells_orders = false;     // whether rounds report the orders of the admitted draws
@@ -167,8 +169,10 @@ FieldSums sums_of(const Field& field, const Poll& poll = nobody_asks);
 Plan make_cells_plan(const Request& request, const FieldSums& sums, const Poll& poll = nobody_asks);
 
 // make_plan for mode exact with a radius field. The request was checked before, including the
-// distances of kept points (plan_radius_field.cpp).
-Plan make_radius_field_plan(const Request& request, const Poll& poll = nobody_asks);
+// distances of kept points (plan_radius_field.cpp). The plan keeps `samples`, too, which lie where
+// samples may lie and keep their distances.
+Plan make_radius_field_plan(const Request& request, const Poll& poll = nobody_asks,
+                            std::span<const Sample> samples = {});
 // Whether the request needs make_radius_field_plan.
 bool needs_radius_field(const Request& request);
 // The scale, or without a field the radius, at which a maximal set of the request is expected to

@@ -57,7 +57,8 @@ double greatest_of(const Request& request) {
 
 // The part of the domain inside the border. Distances from the edges are computed from the
 // coordinates that the user gets.
-RadiusField::Shape shape_of(const Request& request, std::uint32_t width, std::uint32_t height) {
+RadiusField::Shape shape_of(const Request& request, std::uint32_t width, std::uint32_t height,
+                            bool has_kept) {
     const double border = request.border;
     const double unit_x = request.width / width;
     const double unit_y = request.height / height;
@@ -79,7 +80,7 @@ RadiusField::Shape shape_of(const Request& request, std::uint32_t width, std::ui
             high(unit_x, width, request.width),
             low(unit_y),
             high(unit_y, height, request.height),
-            !request.keep.empty()};
+            has_kept};
 }
 
 // The radius of a kept point. It may lie on a pixel where no sample may, if that pixel's border is
@@ -152,7 +153,8 @@ double radius_field_scale_for_count(const Request& request, double count, const 
     return radius * std::sqrt(greatest);
 }
 
-Plan make_radius_field_plan(const Request& request, const Poll& poll) {
+Plan make_radius_field_plan(const Request& request, const Poll& poll,
+                            std::span<const Sample> samples) {
     const bool has_field = request.field != nullptr;
     const std::string option = has_field ? "scale" : "radius";
     const double scale = has_field ? *request.scale : *request.radius;
@@ -170,11 +172,15 @@ Plan make_radius_field_plan(const Request& request, const Poll& poll) {
     plan.height = static_cast<std::uint32_t>(kRadiusFieldUnits * (request.height / longer));
     plan.lines = 1;
     plan.strip_width = plan.width;
-    const RadiusField::Shape shape = shape_of(request, plan.width, plan.height);
+    const bool has_kept = !request.keep.empty() || !samples.empty();
+    const RadiusField::Shape shape = shape_of(request, plan.width, plan.height, has_kept);
     FieldPlan field;
     field.radius_field =
         std::make_shared<const RadiusField>(request.field, scale, request.mask, shape, poll);
     field.kept = kept_on(*field.radius_field, request);
+    for (const Sample sample : samples)
+        field.kept.push_back(
+            {sample.x, sample.y, field.radius_field->radius_at(sample.x, sample.y)});
     plan.radius = field.radius_field->least_radius();
     plan.user_radius = least_radius;
     plan.user_scale = has_field ? scale : 0;

@@ -14,7 +14,8 @@ void check_request_on_ranks(const Request& request) {
         throw BadRequest("mode", std::string(name_of(request.mode)), "must be exact on ranks");
     if (needs_radius_field(request))
         throw BadRequest("field", "given",
-                         "fields, masks, borders and kept points are not for ranks");
+                         "fields, masks, borders, kept points and progressive orders are not for "
+                         "ranks");
 }
 
 std::uint32_t most_ranks(const Request& request) {

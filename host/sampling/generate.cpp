@@ -37,7 +37,8 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer) {
     marginal.rebuild(all_free.lengths, plan.strip_width, all_free.widths);
 
     while (marginal.total() > 0 && outcome.samples.size() < plan.limit) {
-        const std::span<const Draw> draws = marginal.invert(outcome.draws, policy.size());
+        const std::span<const Draw> draws =
+            marginal.invert(plan.first_draw + outcome.draws, policy.size());
         backend.locate(draws);
         backend.admit();
         if (policy.refines())

@@ -14,6 +14,7 @@
 #include "relax/stratified.h"
 #include "sampling/count_search.h"
 #include "sampling/generate.h"
+#include "sampling/progressive.h"
 
 namespace lacuna {
 namespace {
@@ -127,6 +128,7 @@ Result sample(const Request& request, Observer& observer) {
     check_request(request);
     const Poll poll = [&] { ask(request, observer); };
     if (request.mode == Mode::stratified) return stratified(request, observer, poll);
+    if (request.progressive) return progressive(request, observer, poll);
     std::optional<FieldSums> sums;
     if (request.mode == Mode::cells) sums = sums_of(*request.field, poll);
     if (!request.count) {

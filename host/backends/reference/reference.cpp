@@ -87,7 +87,7 @@ Outcome sample(const Plan& plan, Observer& observer) {
         // Survivors are the draws that no sample of an earlier round covers.
         std::vector<Candidate> survivors;
         for (std::uint64_t i = 0; i < policy.size(); ++i) {
-            const Candidate candidate = draw(plan, *space, cdf, outcome.draws++);
+            const Candidate candidate = draw(plan, *space, cdf, plan.first_draw + outcome.draws++);
             if (space->is_free(candidate.sample)) survivors.push_back(candidate);
         }
         const std::size_t before = outcome.samples.size();

@@ -143,6 +143,14 @@ void add_size(CLI::App& command, Request& request) {
         ->type_name("WxH");
 }
 
+void add_progressive(CLI::App& command, Request& request) {
+    command
+        .add_flag("--progressive", request.progressive,
+                  "Orders the points so that any first part of them is as even as a set of its own "
+                  "size. --count may then cut the sequence anywhere")
+        ->disable_flag_override();
+}
+
 void add_mode(CLI::App& command, Request& request, const std::string& more_modes) {
     command
         .add_option_function<std::string>(
@@ -174,6 +182,7 @@ void add_sample(CLI::App& app) {
     add_domain(command, options->domain, request);
     add_what_to_make(command, request);
     add_seeds(command, options->seeds);
+    add_progressive(command, request);
     add_relax(command, options->relax);
     add_mode(command, request,
              "; stratified (default with --relax and --count): every part of the domain has its "

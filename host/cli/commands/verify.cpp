@@ -145,6 +145,9 @@ SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Given& 
     claim.tolerance = options.tolerance;
     claim.tolerance = verify::tolerance_of(claim);
     claim.distances_only = options.distances_only;
+    // A progressive order that was cut is judged by its levels.
+    if (!options.distances_only && !options.request.radius) claim.levels = file.levels;
+    if (!claim.levels.empty() && !claim.meant_to_be_maximal) claim.distances_only = true;
     return claim;
 }
 
@@ -175,6 +178,25 @@ void check(const CLI::App& command, const VerifyCommand& options) {
     prove({}, claim);
 }
 
+// Proves that each level's points are a maximal set of its radius, or tells of one that are not.
+std::string fault_in_levels(const SetClaim& claim) {
+    for (const Level& level : claim.levels) {
+        SetClaim one = claim;
+        one.levels.clear();
+        one.inside = one.rings;
+        one.distances_only = false;
+        one.meant_to_be_maximal = true;
+        one.points = claim.points.first(level.points);
+        (claim.field != nullptr ? one.scale : one.radius) = level.size;
+        one.proof = prove(one.points, one);
+        if (!one.holds())
+            return fmt::format("the first {} points, at {} {}, are {}", level.points,
+                               claim.field != nullptr ? "scale" : "radius", level.size,
+                               one.conclusion());
+    }
+    return "";
+}
+
 void run(const CLI::App& command, const VerifyCommand& options) {
     check(command, options);
     Given given{options.request, {}};
@@ -197,6 +219,7 @@ void run(const CLI::App& command, const VerifyCommand& options) {
     for (SetClaim& claim : claims) {
         claim.inside = claim.rings;  // now that `claims` does not move its elements any more
         claim.proof = prove(claim.points, claim);
+        if (claim.holds()) claim.fault = fault_in_levels(claim);
         all_hold = all_hold && claim.holds();
     }
     if (!options.quiet) files::write_whole("-", options.json ? json_of(claims) : text_of(claims));

@@ -73,7 +73,9 @@ files::Origin origin_of(const CLI::App& command, const Request& request, const R
             request.mode,
             request.seed,
             result.maximal,
-            options.dump(-1, ' ', false, Json::error_handler_t::replace)};
+            options.dump(-1, ' ', false, Json::error_handler_t::replace),
+            result.levels,
+            request.field != nullptr};
 }
 
 }  // namespace lacuna::cli

@@ -56,6 +56,7 @@ Json what_decides(const Request& request, const Result& result) {
     json[has_field ? "scale" : "radius"] = or_null(has_field ? request.scale : request.radius);
     json["count"] = or_null(request.count);
     json["lines_per_radius"] = result.lines_per_radius;
+    if (request.progressive) json["progressive"] = true;
     if (!cells) json.update({{"snap", request.snap}, {"uniform_x", request.uniform_x}});
     json.update({{"limit", or_null(request.limit)},
                  {"round_size", request.round_size},

@@ -143,6 +143,11 @@ std::string text_of_one(const SetClaim& claim) {
             lines += fmt::format(kVerdictRow, "largest gap", spot, width,
                                  claim.proof.covered ? "covered" : "not covered");
     }
+    if (!claim.levels.empty())
+        lines += fmt::format(kVerdictRow, "levels",
+                             fmt::format("{}, of {} to {} points", claim.levels.size(),
+                                         claim.levels.front().points, claim.levels.back().points),
+                             0, claim.fault.empty() ? "each maximal" : "not all hold");
     return lines + fmt::format(kRow, "verdict", claim.conclusion());
 }
 
@@ -182,6 +187,8 @@ Json json_of_one(const SetClaim& claim) {
         json["largest_radius"] = claim.radii.most;
     }
     json.update(claim.given);
+    if (!claim.levels.empty())
+        json["levels"] = {{"count", claim.levels.size()}, {"hold", claim.fault.empty()}};
     if (proof.outside) {
         json["outside"] = {{"point", *proof.outside},
                            {"at", json_of(claim.points[*proof.outside])}};
@@ -216,17 +223,20 @@ Json json_of_one(const SetClaim& claim) {
 }  // namespace
 
 bool SetClaim::holds() const {
-    return refusal(*this).empty() && proof.kept && (distances_only || proof.covered);
+    return refusal(*this).empty() && proof.kept && (distances_only || proof.covered) &&
+           fault.empty();
 }
 
 std::string SetClaim::conclusion() const {
     if (const std::string refused = refusal(*this); !refused.empty()) return refused;
     if (!holds())
-        return fmt::format("{}: {}{}", proof.kept ? "not maximal" : "not a Poisson-disk set",
-                           faults(*this),
-                           proof.kept && !meant_to_be_maximal
-                               ? "; the file says that it is not: see --distances-only"
-                               : "");
+        return !fault.empty() && proof.kept && (distances_only || proof.covered)
+                   ? fault
+                   : fmt::format("{}: {}{}", proof.kept ? "not maximal" : "not a Poisson-disk set",
+                                 faults(*this),
+                                 proof.kept && !meant_to_be_maximal
+                                     ? "; the file says that it is not: see --distances-only"
+                                     : "");
     if (distances_only)
         return fmt::format("a Poisson-disk set{}; whether there is room for more was not asked",
                            kind(*this));

@@ -28,6 +28,8 @@ struct SetClaim : Claim {
     Extremes radii{};                // of the field; both are the radius if there is no field
     std::vector<PolygonRing> rings;  // the polygons
     Proof proof;
+    std::vector<Level> levels;  // of a progressive order
+    std::string fault;          // of the first level that does not hold, or empty
 
     // Whether everything that was asked is true of the set.
     bool holds() const;

@@ -124,6 +124,12 @@ struct Request {
     // They must outlive the call.
     std::span<const Point> keep;
 
+    // In mode exact: an order in which every prefix is as even as a set of its own size. A maximal
+    // set of about 16 points is kept, then one at a radius smaller by 2^(-1/32), and so on down to
+    // the radius or scale asked for, or until there are `count` points. A larger count continues
+    // the same sequence.
+    bool progressive = false;
+
     std::optional<std::uint64_t> limit;  // stop after this many points, >= 1
     std::uint64_t round_size = 0;        // draws in a round; 0: automatic, 1: the paper's algorithm
     std::uint64_t seed = 0;
@@ -135,6 +141,12 @@ struct Request {
     std::uint32_t threads = 0;  // at most 1024; 0: one for each core
 
     std::uint64_t memory_limit_bytes = 0;  // refuse a larger set; 0: the machine's memory
+};
+
+// A level of a progressive order: the first `points` points are a maximal set of this size.
+struct Level {
+    double size;  // the radius, or with a field the scale
+    std::uint64_t points;
 };
 
 // A point set, and how it was made.
@@ -149,8 +161,9 @@ struct Result {
     // they became points or not. Runs that chose a radius for Request::count are not included.
     std::uint64_t rounds = 0;
     std::uint64_t draws = 0;
-    std::string backend;  // the name of the backend that did the work
-    std::string device;   // the name of its device
+    std::string backend;          // the name of the backend that did the work
+    std::string device;           // the name of its device
+    std::vector<Level> levels{};  // of a progressive order, those that were finished
 };
 
 // The steps of a round and of an iteration of relax, for observers that time them.

@@ -1,0 +1,128 @@
+// The loop over levels. Each is a run of the ordinary rounds, whose plan keeps all samples of the
+// levels before.
+#include "sampling/progressive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "base/power.h"
+#include "plan/kept.h"
+#include "plan/plan.h"
+#include "sampling/generate.h"
+
+namespace lacuna {
+namespace {
+
+// From level to level radii shrink by 2^(-1/32). With 2^(-1/16) it takes half as long, but of 200
+// sequences 14 have a prefix whose least distance is under 0.7 of a hexagonal lattice's, and
+// here 1.
+constexpr int kLevelsPerHalving = 32;
+// About so many points has the first level. From 1 on, holes are filled one by one, the deepest
+// first, which makes lattices of 2^k points, and then for a while no more points: down to 0.65.
+constexpr double kFirstPoints = 16;
+
+// The radii, or with a field the scales, of all levels.
+class Sizes {
+public:
+    // With a radius or scale asked for, the last level has exactly that.
+    Sizes(const Request& request, const Poll& poll)
+        : first_(radius_field_scale_for_count(request, kFirstPoints, poll)) {
+        const std::optional<double>& asked = request.field ? request.scale : request.radius;
+        if (!asked) return;
+        last_ = std::max(
+            0, static_cast<int>(std::ceil(kLevelsPerHalving * std::log2(first_ / *asked))));
+        first_ = *asked / shrunk(last_);
+    }
+
+    double at(int level) const { return first_ * shrunk(level); }
+    bool is_last(int level) const { return level == last_; }
+
+private:
+    static double shrunk(int levels) {
+        return power(0.5, static_cast<double>(levels) / kLevelsPerHalving);
+    }
+
+    double first_;
+    int last_ = std::numeric_limits<int>::max();
+};
+
+Request at_size(const Request& request, double size) {
+    Request level = request;
+    level.count.reset();
+    (request.field != nullptr ? level.scale : level.radius) = size;
+    return level;
+}
+
+// The first level at which points that the request keeps are not too close together.
+int first_level(const Request& request, const Sizes& sizes) {
+    int level = 0;
+    while (!sizes.is_last(level) && !keep_their_distances(at_size(request, sizes.at(level))))
+        ++level;
+    check_kept_distances(at_size(request, sizes.at(level)));
+    return level;
+}
+
+// Adds what earlier levels have done to what the current one reports.
+class Onward : public Observer {
+public:
+    Onward(Observer& observer, const Result& result, std::uint64_t expected)
+        : observer_(observer), result_(result), expected_(expected) {}
+
+    bool keep_going(const Progress& progress) override {
+        const std::uint64_t points = result_.points.size() + progress.points;
+        return observer_.keep_going(
+            {points, std::max(points, expected_), result_.rounds + progress.rounds});
+    }
+    void begin(Verb verb) override { observer_.begin(verb); }
+    void end(Verb verb) override { observer_.end(verb); }
+
+private:
+    Observer& observer_;
+    const Result& result_;
+    std::uint64_t expected_;
+};
+
+std::uint64_t expected_points(const Request& request, const Sizes& sizes) {
+    if (request.count) return *request.count;
+    const double ratio = sizes.at(0) / (request.field ? *request.scale : *request.radius);
+    return static_cast<std::uint64_t>(std::min(kFirstPoints * ratio * ratio, 1e18));
+}
+
+}  // namespace
+
+Result progressive(const Request& request, Observer& observer, const Poll& poll) {
+    const Sizes sizes(request, poll);
+    Request all = request;
+    if (request.count) all.limit = std::min(*request.count, request.limit.value_or(*request.count));
+    Result result;
+    result.points.assign(request.keep.begin(), request.keep.end());
+    std::vector<Sample> samples;  // of all levels
+    Onward onward(observer, result, expected_points(request, sizes));
+    for (int level = first_level(request, sizes);; ++level) {
+        const Request request_now = at_size(all, sizes.at(level));
+        Plan plan = make_radius_field_plan(request_now, poll, samples);
+        plan.first_draw = result.draws;
+        const Run run = run_on_backend(request_now, plan, onward);
+
+        for (const Sample& sample : run.outcome.samples)
+            result.points.push_back(plan.to_user(sample));
+        samples.insert(samples.end(), run.outcome.samples.begin(), run.outcome.samples.end());
+        result.draws += run.outcome.draws;
+        result.rounds += run.outcome.rounds;
+        result.radius = plan.user_radius;
+        result.scale = plan.user_scale;
+        result.lines_per_radius = plan.lines_per_radius;
+        result.backend = run.backend;
+        result.device = run.device;
+        const bool is_whole = run.outcome.samples.size() < plan.limit;
+        if (is_whole) result.levels.push_back({sizes.at(level), result.points.size()});
+        if (is_whole && !sizes.is_last(level)) continue;
+        result.maximal = is_whole;
+        return result;
+    }
+}
+
+}  // namespace lacuna
