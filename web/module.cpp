@@ -158,17 +158,17 @@ EMSCRIPTEN_KEEPALIVE const double* lacuna_points() {
 EMSCRIPTEN_KEEPALIVE const double* lacuna_diameters() {
     return state().set.diameters.empty() ? nullptr : state().set.diameters.data();
 }
-// The number of inks; 0 for black dots. Dots come ink by ink.
-EMSCRIPTEN_KEEPALIVE std::size_t lacuna_layers() {
-    return state().set.layers.size();
-}
-EMSCRIPTEN_KEEPALIVE double lacuna_layer_dots(std::size_t layer) {
-    return static_cast<double>(state().set.layers[layer].dots);
-}
-// The ink's colour, 0xrrggbb.
-EMSCRIPTEN_KEEPALIVE std::uint32_t lacuna_layer_colour(std::size_t layer) {
-    const auto& [red, green, blue] = state().set.layers[layer].ink.colour;
-    return red * 0x10000U + green * 0x100U + blue;
+// Writes the inks as JSON to lacuna_text(): for each its dots, which come ink by ink, and its
+// colour, 0xrrggbb.
+EMSCRIPTEN_KEEPALIVE void lacuna_layers() {
+    std::string& text = state().text = "[";
+    for (const files::Layer& layer : state().set.layers) {
+        const auto& [red, green, blue] = layer.ink.colour;
+        text += text.size() == 1 ? "" : ",";
+        text += "{\"dots\":" + std::to_string(layer.dots) +
+                ",\"colour\":" + std::to_string(red * 0x10000 + green * 0x100 + blue) + "}";
+    }
+    text += "]";
 }
 EMSCRIPTEN_KEEPALIVE double lacuna_width() {
     return state().set.width;

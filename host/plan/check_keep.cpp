@@ -133,16 +133,6 @@ private:
     std::vector<std::uint32_t> next_;
 };
 
-std::vector<double> radii_of(const Request& request) {
-    std::vector<double> radii;
-    radii.reserve(request.keep.size());
-    for (const Point point : request.keep)
-        radii.push_back(request.field == nullptr
-                            ? *request.radius
-                            : *request.scale / std::sqrt(greatest_importance_at(request, point)));
-    return radii;
-}
-
 struct Pair {
     std::uint32_t first;
     std::uint32_t second;
@@ -166,10 +156,20 @@ std::optional<Pair> find_too_close(const Request& request, std::span<const doubl
 
 }  // namespace
 
-void check_kept_place(const Request& request, std::size_t index) {
+std::vector<double> radii_of_kept(const Request& request) {
+    std::vector<double> radii;
+    radii.reserve(request.keep.size());
+    for (const Point point : request.keep)
+        radii.push_back(request.field == nullptr
+                            ? *request.radius
+                            : *request.scale / std::sqrt(greatest_importance_at(request, point)));
+    return radii;
+}
+
+void check_kept_place(const Request& request, std::size_t index, const char* option) {
     const Point point = request.keep[index];
     const auto refuse = [&](const std::string& allowed) {
-        throw BadRequest("keep", text_of(index, point), allowed);
+        throw BadRequest(option, text_of(index, point), allowed);
     };
     if (!(point.x >= 0 && point.x < request.width && point.y >= 0 && point.y < request.height))
         refuse("must lie in the domain, [0, " + shortest(request.width) + ") x [0, " +
@@ -185,13 +185,13 @@ void check_kept_place(const Request& request, std::size_t index) {
 }
 
 bool keep_their_distances(const Request& request) {
-    return !find_too_close(request, radii_of(request));
+    return !find_too_close(request, radii_of_kept(request));
 }
 
 void check_kept_distances(const Request& request) {
     const double size = request.field == nullptr ? *request.radius : *request.scale;
     if (!std::isfinite(size) || size <= 0) return;  // the plan refuses such a size
-    const std::vector<double> radii = radii_of(request);
+    const std::vector<double> radii = radii_of_kept(request);
     const std::optional<Pair> pair = find_too_close(request, radii);
     if (!pair) return;
     const auto [a, b] = *pair;

@@ -4,13 +4,18 @@
 #include <lacuna/lacuna.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace lacuna {
 
 // Checks that a point lies in the domain, on a pixel where samples may lie. A point within 2^-28 of
 // the longer side of a pixel's border counts for both pixels, because a set that was made in whole
-// units may be that far off. Throws BadRequest that names the point.
-void check_kept_place(const Request& request, std::size_t index);
+// units may be that far off. Throws BadRequest that names `option` and the point.
+void check_kept_place(const Request& request, std::size_t index, const char* option = "keep");
+
+// The radius of each kept point: the request's or, with a field, its scale over the root of the
+// greatest importance at the point.
+std::vector<double> radii_of_kept(const Request& request);
 
 // Whether no two kept points are closer than the smaller of their radii. The request was checked
 // before, and has a radius or a scale.

@@ -16,14 +16,6 @@
 namespace lacuna {
 namespace {
 
-// From level to level radii shrink by 2^(-1/32). With 2^(-1/16) it takes half as long, but of 200
-// sequences 14 have a prefix whose least distance is under 0.7 of a hexagonal lattice's, and
-// here 1.
-constexpr int kLevelsPerHalving = 32;
-// About so many points has the first level. From 1 on, holes are filled one by one, the deepest
-// first, which makes lattices of 2^k points, and then for a while no more points: down to 0.65.
-constexpr double kFirstPoints = 16;
-
 // The radii, or with a field the scales, of all levels.
 class Sizes {
 public:

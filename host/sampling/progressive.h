@@ -9,6 +9,14 @@
 
 namespace lacuna {
 
+// From level to level radii shrink by 2^(-1/32). With 2^(-1/16) it takes half as long, but of 200
+// sequences 14 have a prefix whose least distance is under 0.7 of a hexagonal lattice's, and
+// here 1.
+inline constexpr int kLevelsPerHalving = 32;
+// About so many points has the first level. From 1 on, holes are filled one by one, the deepest
+// first, which makes lattices of 2^k points, and then for a while no more points: down to 0.65.
+inline constexpr double kFirstPoints = 16;
+
 // Makes the sequence down to the request's radius or scale, or until it has request.count points.
 // The request must have been checked.
 Result progressive(const Request& request, Observer& observer, const Poll& poll);

@@ -45,6 +45,7 @@ class Request:
     scale: float | None
     border: float
     lines_per_radius: int | None
+    progressive: bool
     limit: int | None
     snap: bool
     uniform_x: bool

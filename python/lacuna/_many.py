@@ -97,6 +97,7 @@ def sample_many(
     domain: tuple[SupportsFloat, SupportsFloat] = ...,
     torus: bool = ...,
     mode: str = ...,
+    progressive: bool = ...,
     limit: SupportsIndex | None = ...,
     lines_per_radius: SupportsIndex | None = ...,
     snap: bool = ...,
@@ -117,6 +118,7 @@ def sample_many(
     domain: tuple[SupportsFloat, SupportsFloat] = ...,
     torus: bool = ...,
     mode: str = ...,
+    progressive: bool = ...,
     limit: SupportsIndex | None = ...,
     lines_per_radius: SupportsIndex | None = ...,
     snap: bool = ...,
@@ -136,6 +138,7 @@ def sample_many(
     domain: tuple[SupportsFloat, SupportsFloat] = (1, 1),
     torus: bool = False,
     mode: str = "exact",
+    progressive: bool = False,
     limit: SupportsIndex | None = None,
     lines_per_radius: SupportsIndex | None = None,
     snap: bool = False,
@@ -158,8 +161,8 @@ def sample_many(
     seeds : iterable of int
         Such as ``range(1000)``. Each is from 0 to 2^64 - 1. For an iterator, such as
         ``itertools.count()`` or a generator, the sets come one at a time and are not kept.
-    radius, n, domain, torus, mode, limit, lines_per_radius, snap, uniform_x, round_size, backend, \
-device, threads, memory_limit
+    radius, n, domain, torus, mode, progressive, limit, lines_per_radius, snap, uniform_x, round_size, \
+backend, device, threads, memory_limit
         As for ``sample``; memory_limit is for each set.
     progress : callable, optional
         Called with the number of sets that are done and the number of all sets; for an iterator
@@ -205,6 +208,7 @@ device, threads, memory_limit
         round_size=round_size,
         memory_limit=memory_limit,
     )
+    request.progressive = flag("progressive", progressive)
     request.snap = flag("snap", snap)
     request.uniform_x = flag("uniform_x", uniform_x)
     expected = None

@@ -90,6 +90,9 @@ class PointSet(HasPoints):
         With this seed the same call gives the same points.
     maximal : bool
         Whether no room is left. False if ``n`` or ``limit`` ended the run, and after relaxing.
+    levels : tuple of (float, int)
+        Of a progressive order: so many first points are a maximal set of this radius, or with a
+        field of this scale. Else empty.
     rounds, draws : int
         Number of rounds, and of draws in all rounds.
     lines_per_radius : int
@@ -108,6 +111,7 @@ class PointSet(HasPoints):
     metric: str
     seed: int
     maximal: bool
+    levels: tuple[tuple[float, int], ...] = field(repr=False)
     rounds: int
     draws: int
     lines_per_radius: int

@@ -209,6 +209,8 @@ def request_of(request: _core.Request, has_field: bool, lines_per_radius: int) -
     asked[size] = getattr(request, size)
     asked["count"] = request.count
     asked["lines_per_radius"] = lines_per_radius
+    if request.progressive:
+        asked["progressive"] = True
     if not cells:
         asked.update(snap=request.snap, uniform_x=request.uniform_x)
     asked.update(limit=request.limit, round_size=request.round_size, seed=request.seed)

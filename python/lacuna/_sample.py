@@ -52,6 +52,7 @@ def sample(
     torus: bool = False,
     mode: str | None = None,
     seed: Seed = None,
+    progressive: bool = False,
     limit: SupportsIndex | None = None,
     relax: SupportsIndex = 0,
     lines_per_radius: SupportsIndex | None = None,
@@ -111,6 +112,9 @@ def sample(
     seed : None, int or numpy.random.Generator
         An int from 0 to 2^64 - 1 is the same as --seed of the command. A generator gives 64 random
         bits; for None the system gives them. The result holds the seed.
+    progressive : bool
+        Order the points so that any first part of them, from 16 on, is as even as a set of its own
+        size; ``n`` may cut the sequence anywhere. In mode 'exact'.
     limit : int, optional
         Stop after this many points.
     relax : int
@@ -170,6 +174,13 @@ def sample(
     >>> bool((dense.points[:, 0] > 0.5).mean() > 0.7)
     True
 
+    A sequence that may be cut anywhere:
+
+    >>> sequence = lacuna.sample(n=4096, torus=True, progressive=True, seed=1)
+    >>> again = lacuna.sample(n=1000, torus=True, progressive=True, seed=1)
+    >>> bool((sequence.points[:1000] == again.points).all())
+    True
+
     A maximal set that follows the same field, in a disk, with a point that is there already:
 
     >>> y, x = np.mgrid[-1:1:64j, -1:1:64j]
@@ -212,6 +223,11 @@ def sample(
         round_size=round_size,
         memory_limit=memory_limit,
     )
+    request.progressive = flag("progressive", progressive)
+    if request.progressive and iterations:
+        raise BadRequest(
+            f"relax {iterations}: cannot be used with progressive: it moves the points", "relax"
+        )
     choose_start(request, mode, metric, iterations)
     if importance is not None:
         choose_metric(request, metric, iterations)

@@ -195,6 +195,7 @@ def _stipple_inks(
         scale=None,
         lines_per_radius=0,
         maximal=False,
+        levels=(),
         rounds=0,
         draws=len(points),
         seconds=placed["seconds"],

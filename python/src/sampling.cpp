@@ -45,6 +45,10 @@ nb::dict dict_of(Result result) {
     made["scale"] = result.scale;
     made["lines_per_radius"] = result.lines_per_radius;
     made["maximal"] = result.maximal;
+    nb::list levels;
+    for (const Level& level : result.levels)
+        levels.append(nb::make_tuple(level.size, level.points));
+    made["levels"] = nb::tuple(levels);
     made["rounds"] = result.rounds;
     made["draws"] = result.draws;
     made["backend"] = result.backend;
@@ -207,6 +211,7 @@ void add_request(nb::module_& module) {
         .def_rw("scale", &Request::scale, nb::arg().none())
         .def_rw("border", &Request::border)
         .def_rw("lines_per_radius", &Request::lines_per_radius, nb::arg().none())
+        .def_rw("progressive", &Request::progressive)
         .def_rw("limit", &Request::limit, nb::arg().none())
         .def_rw("snap", &Request::snap)
         .def_rw("uniform_x", &Request::uniform_x)

@@ -144,6 +144,7 @@ TEST(Help, OfACommandBeginsWithExamplesAndNamesEveryOption) {
     const std::map<std::string, std::string> options{
         {"sample",
          "--radius --count --domain --torus --mode --lines-per-radius --uniform-x --snap --limit "
+         "--progressive "
          "--round-size --seed --backend --device --threads --output --report --quiet"},
         {"stipple",
          "IMAGE --count --scale --metric --mode --lines-per-radius --inks --black-ink --ink-counts "

@@ -242,4 +242,31 @@ TEST(Verify, OfASnappedSetFindsItsDistancesKeptAndARealHole) {
     EXPECT_GT(least, 0.02);
 }
 
+TEST(Verify, OfAProgressiveOrderProvesEveryLevel) {
+    const Folder folder;
+    const std::string path = folder.path("a.json");
+    expect_success({"sample", "--progressive", "--count", "500", "--torus", "--quiet", "-o", path});
+    const Outcome whole = run({"verify", path});
+    EXPECT_EQ(whole.exit_code, 0) << whole.out;
+    expect_has(line_of(whole.out, "levels"), {" points", "each maximal"});
+
+    // The same points in another order keep their distances, but levels have gaps.
+    auto set = nlohmann::json::parse(content_of(path));
+    ASSERT_GE(set.at("levels").size(), 60U);
+    std::swap(set["points"][3], set["points"][499]);
+    write_file(path, set.dump());
+    const Outcome swapped = run({"verify", path});
+    EXPECT_EQ(swapped.exit_code, 1);
+    expect_has(line_of(swapped.out, "verdict"), {"the first ", " points, at radius "});
+    EXPECT_EQ(run({"verify", path, "--distances-only"}).exit_code, 0);
+    const auto report = nlohmann::json::parse(run({"verify", path, "--json"}).out);
+    EXPECT_FALSE(report.dump().find("\"hold\":false") == std::string::npos);
+
+    set["levels"][2]["count"] = 501;
+    write_file(path, set.dump());
+    const Outcome wrong = run({"verify", path});
+    EXPECT_EQ(wrong.exit_code, 3);
+    expect_has(wrong.err, {"a level of 501 points", "at most 500"});
+}
+
 }  // namespace

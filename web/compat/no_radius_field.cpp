@@ -1,5 +1,5 @@
-// Replaces the code for sets with a radius field (fields in mode exact, masks, borders and kept
-// points), which the page does not offer.
+// Replaces the code for sets with a radius field (fields in mode exact, masks, borders, kept
+// points and progressive orders), which the page does not offer.
 #include <memory>
 
 #include "backends/cpu/make_backend.h"
@@ -12,18 +12,23 @@ namespace lacuna {
 namespace {
 
 [[noreturn]] void refuse() {
-    throw Unavailable("fields in mode exact, masks, borders and kept points are not for the page");
+    throw Unavailable(
+        "fields in mode exact, masks, borders, kept points and progressive orders are not for "
+        "the page");
 }
 
 }  // namespace
 
-Plan make_radius_field_plan(const Request&, const Poll&) {
+Plan make_radius_field_plan(const Request&, const Poll&, std::span<const Sample>) {
     refuse();
 }
 double radius_field_scale_for_count(const Request&, double, const Poll&) {
     refuse();
 }
-void check_kept_place(const Request&, std::size_t) {
+void check_kept_place(const Request&, std::size_t, const char*) {
+    refuse();
+}
+bool keep_their_distances(const Request&) {
     refuse();
 }
 // Called for requests without kept points, too. check_kept_place() refuses all others.

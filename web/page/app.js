@@ -27,7 +27,7 @@ const view = new View($("view"), (zoom) => {
     document.body.classList.toggle("at-rest", zoom === 1);
 });
 
-// ---------------------------------------------------------------------------------------- requests
+// --- requests
 class Refused extends Error {}
 
 const number = (id, name = id) => {
@@ -79,7 +79,7 @@ const keyOf = (o) => JSON.stringify([kind, kind === "stipple" && picture.number,
 const baseName = () => (kind === "stipple" ? picture.name.replace(/\.[^.]*$/, "") || "dots" : "points");
 const grouped = (n) => n.toLocaleString("en");
 
-// ---------------------------------------------------------------------------------------- messages
+// --- messages
 function say(text) {
     $("status").textContent = text;
 }
@@ -115,7 +115,7 @@ function showCommand(o) {
         ? "The same dots; this file is drawn by the browser, so its bytes differ." : "The same bytes.";
 }
 
-// ---------------------------------------------------------------------------------- making of sets
+// --- making of sets
 async function make(o, isFinal) {
     held = "";
     if (kind === "sample") return engine.ask("sample", o);
@@ -216,7 +216,7 @@ async function judge(set, o, isOld) {
     $("radial").setAttribute("d", radialPath(spectrum.radial, FREQUENCIES));
 }
 
-// ---------------------------------------------------------------------------------------- pictures
+// --- pictures
 // Whether the command reads the same numbers: the file is a PNG of up to 8 bits, without alpha.
 function isPlainPng(bytes, rgba) {
     const isPng = [0x89, 0x50, 0x4e, 0x47].every((byte, i) => bytes[i] === byte);
@@ -259,19 +259,21 @@ async function take(blob, name) {
     select("stipple");
 }
 
-async function takeExample(name, inks) {
-    try {
-        const response = await fetch(name);
-        if (!response.ok) throw new Error(`${name}: the server says ${response.status}`);
-        $("ink-kind").value = inks;
-        update();
-        await take(await response.blob(), name);
-    } catch (error) {
-        complain(error);
-    }
+async function fetched(name) {
+    const response = await fetch(name);
+    if (!response.ok) throw new Error(`${name}: the server says ${response.status}`);
+    return response;
 }
 
-// ------------------------------------------------------------------------------------------ saving
+async function takeExample(name, inks) {
+    const blob = await fetched(name).then((response) => response.blob()).catch(complain);
+    if (!blob) return;
+    $("ink-kind").value = inks;
+    update();
+    await take(blob, name);
+}
+
+// --- saving
 function save(blob, name) {
     const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
     link.click();
@@ -319,7 +321,7 @@ async function download() {
     }
 }
 
-// ---------------------------------------------------------------------------------------- controls
+// --- controls
 // Links a slider with a logarithmic scale, from `least` to `most`, to a text field.
 function ratioSlider(slider, field, range, digits, onChange) {
     const place = () => {
@@ -392,8 +394,8 @@ function listen() {
             $(`tab-${other}`).focus();
         });
     }
-    $("example-raccoon").addEventListener("click", () => takeExample("raccoon.png", ""));
-    $("example-hopper").addEventListener("click", () => takeExample("hopper.jpg", "cmyk"));
+    for (const [name, file, inks] of [["raccoon", "raccoon.png", ""], ["hopper", "hopper.jpg", "cmyk"]])
+        $(`example-${name}`).addEventListener("click", () => takeExample(file, inks));
     $("file").addEventListener("change", () => $("file").files[0] && take($("file").files[0], $("file").files[0].name));
     document.addEventListener("paste", (event) => {
         const file = [...event.clipboardData.files][0];
@@ -427,9 +429,7 @@ function listen() {
 }
 
 async function compiled() {
-    const response = await fetch("lacuna.wasm");
-    if (!response.ok) throw new Error(`lacuna.wasm: the server says ${response.status}`);
-    const bytes = await response.arrayBuffer();
+    const bytes = await (await fetched("lacuna.wasm")).arrayBuffer();
     return WebAssembly.compile(bytes).catch((error) => {
         throw new Error(`this browser cannot run Lacuna, which needs WebAssembly with SIMD and exceptions: ${error.message}`);
     });
@@ -442,7 +442,7 @@ async function start() {
         const [module, response] = await Promise.all([compiled(), fetch("raccoon.png")]);
         engine = new Engine(module, (share) => ($("progress").value = share));
         engine.forgotten = () => ((sent = null), (held = ""));
-        if (picture) schedule(); // the user has given a picture meanwhile
+        if (picture) schedule(); // given by the user meanwhile
         else await take(await response.blob(), "raccoon.png");
     } catch (error) {
         complain(error);

@@ -22,8 +22,7 @@ function strokes({ colour, dots }) {
     return lines.join("\n");
 }
 
-// `page` is the size in points; each layer has a colour, 0xrrggbb, and dots: {x, y, diameter} in
-// points, y upwards.
+// Lengths are in points, y upwards; each layer has a colour, 0xrrggbb, and dots: {x, y, diameter}.
 export async function pdfOf(page, layers) {
     const parts = [];
     const offsets = [];

@@ -41,6 +41,11 @@ function check(done) {
     if (!done) fail();
 }
 
+// What the module has written as JSON.
+function told() {
+    return JSON.parse(lacuna.UTF8ToString(lacuna._lacuna_text()));
+}
+
 function doubles(pointer, count) {
     return pointer ? lacuna.HEAPF64.slice(pointer >> 3, (pointer >> 3) + count) : null;
 }
@@ -71,8 +76,7 @@ function made() {
     return {
         points: doubles(lacuna._lacuna_points(), 2 * count),
         diameters: doubles(lacuna._lacuna_diameters(), count),
-        layers: Array.from({ length: lacuna._lacuna_layers() }, (_, i) => ({
-            dots: lacuna._lacuna_layer_dots(i), colour: lacuna._lacuna_layer_colour(i) })),
+        layers: told(lacuna._lacuna_layers()),
         width: lacuna._lacuna_width(),
         height: lacuna._lacuna_height(),
         radius: lacuna._lacuna_radius(),
@@ -99,8 +103,7 @@ const verbs = {
         return made();
     },
     prove({ radius }) {
-        check(lacuna._lacuna_prove(radius));
-        return JSON.parse(lacuna.UTF8ToString(lacuna._lacuna_text()));
+        return told(check(lacuna._lacuna_prove(radius)));
     },
     spectrum({ most }) {
         check(lacuna._lacuna_spectrum(most));

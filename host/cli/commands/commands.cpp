@@ -6,6 +6,7 @@
 #include "cli/commands/analyze.h"
 #include "cli/commands/compare.h"
 #include "cli/commands/devices.h"
+#include "cli/commands/order.h"
 #include "cli/commands/relax.h"
 #include "cli/commands/reproduce.h"
 #include "cli/commands/sample.h"
@@ -23,6 +24,7 @@ Examples:
   lacuna sample --count 10000 --torus > points.txt
   lacuna stipple photo.jpg --count 20000 -o dots.svg
   lacuna relax points.txt --torus -o even.npy
+  lacuna order points.txt -o ordered.npy
   lacuna sample --help
   lacuna verify points.txt --radius 0.01
   lacuna analyze points.txt -o sheet.pdf
@@ -36,6 +38,7 @@ void add_commands(CLI::App& app, const Sampler& sampler) {
     add_sample(app);
     add_stipple(app);
     add_relax_command(app);
+    add_order(app);
     add_verify(app);
     add_analyze(app);
     add_reproduce(app);

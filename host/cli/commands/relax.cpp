@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/commands/given_set.h"
 #include "cli/commands/relaxation.h"
 #include "cli/options/common_options.h"
 #include "cli/options/drawing.h"
@@ -53,39 +54,27 @@ interrupted.
 
 struct RelaxCommand {
     CommonOptions common;
-    Picture picture;
+    GivenSet set;
     DrawingOptions drawing;
-    std::string points;
     std::uint32_t iterations = RelaxOptions{}.iterations;
-    bool has_domain = false;
 };
 
 // Checks the options and returns the outputs.
 std::vector<Output> check(const RelaxCommand& options) {
-    std::vector<GivenFile> read{{"POINTS", options.points}};
-    if (!options.picture.path.empty()) read.push_back({"IMAGE", options.picture.path});
-    const std::vector<Output> outputs = checked_outputs(options.common, read);
-    pictures::check(options.picture.importance);
+    const std::vector<Output> outputs = checked_outputs(options.common, files_of(options.set));
+    pictures::check(options.set.picture.importance);
     check_drawing(options.drawing, outputs);
     return outputs;
 }
 
-files::SetsOfFile read_one_set(const std::string& path) {
-    files::SetsOfFile file = files::read_sets(path);
-    if (file.sets.size() != 1)
-        throw files::FileError(fmt::format("{}: has {} sets: one can be relaxed at a time",
-                                           path == "-" ? "standard input" : path,
-                                           file.sets.size()));
-    return file;
-}
-
 Json json_of(const RelaxCommand& options, const Request& request) {
-    Json json{{"points", options.points},
-              {"image", options.picture.path.empty() ? Json(nullptr) : Json(options.picture.path)},
+    Json json{{"points", options.set.points},
+              {"image",
+               options.set.picture.path.empty() ? Json(nullptr) : Json(options.set.picture.path)},
               {"width", request.width},
               {"height", request.height},
               {"boundary", request.boundary == Boundary::torus ? "torus" : "box"}};
-    json.update(json_of_importance(options.picture.importance));
+    json.update(json_of_importance(options.set.picture.importance));
     json["backend"] = request.backend;
     json["device"] = request.device;
     json["threads"] = request.threads;
@@ -109,23 +98,10 @@ void run(const RelaxCommand& options) {
     Interruption interruption;
     CommonOptions common = options.common;
     Request& request = common.request;
-    files::SetsOfFile file = read_one_set(options.points);
-    std::optional<Field> field;
-    if (!options.picture.path.empty()) {
-        Request shape;
-        field = read_field(options.picture, shape);
-        if (!options.has_domain) {
-            request.width = shape.width;
-            request.height = shape.height;
-        }
-    }
-    if (!options.has_domain && file.width) {
-        request.width = *file.width;
-        request.height = *file.height;
-    }
-    if (file.boundary == Boundary::torus) request.boundary = Boundary::torus;
+    SetAndField given = read_given_set(options.set, request);
+    const std::optional<Field>& field = given.field;
     Made made;
-    made.result.points = std::move(file.sets.front());
+    made.result.points = std::move(given.points);
     if (field) request.field = &*field;
     const Relaxation relaxation = relax_points(
         common, outputs, relax_options_of(request, options.iterations), request.field, made);
@@ -150,28 +126,11 @@ void run(const RelaxCommand& options) {
 
 void add_options(CLI::App& command, RelaxCommand& options) {
     Request& request = options.common.request;
-    command.add_option("POINTS", options.points, "The points; - is standard input, as .txt")
-        ->type_name("")
-        ->required();
-    command.add_option("IMAGE", options.picture.path, "The picture; - is standard input")
-        ->type_name("");
+    add_given_set(command, options.set, request);
     add_number(
         command, "iterations", "K", options.iterations,
         fmt::format("Times that points are moved, at most 10000 (default {})", options.iterations));
-    command
-        .add_option_function<std::string>(
-            "--domain",
-            [&options, &request](const std::string& text) {
-                read_domain("domain", text, request.width, request.height);
-                options.has_domain = true;
-            },
-            "Width and height of the domain")
-        ->type_name("WxH");
-    command
-        .add_flag_callback(
-            "--torus", [&request] { request.boundary = Boundary::torus; }, "The edges wrap")
-        ->disable_flag_override();
-    add_importance(command, options.picture);
+    add_importance(command, options.set.picture);
     add_how_to_draw(command, options.drawing,
                     "dots have as much ink as the picture is dark, or are two thirds of the least "
                     "distance wide");

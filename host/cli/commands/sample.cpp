@@ -72,6 +72,8 @@ void check_relax(const SampleCommand& all) {
     const auto refuse = [&](const char* allowed) {
         throw BadRequest("relax", std::to_string(all.relax), allowed);
     };
+    if (all.common.request.progressive)
+        refuse("cannot be used with --progressive: it moves the points");
     if (all.seeds) refuse("cannot be used with --seeds: relax each file with lacuna relax");
     if (!all.domain.mask.empty() || !all.domain.inside.empty() || !all.domain.keep.empty() ||
         all.common.request.border != 0)

@@ -1,0 +1,101 @@
+// The options of `lacuna order`, and its run.
+#include "cli/commands/order.h"
+
+#include <fmt/core.h>
+#include <lacuna/order.h>
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/commands/given_set.h"
+#include "cli/options/common_options.h"
+#include "cli/options/drawing.h"
+#include "cli/options/options.h"
+#include "cli/reports/output.h"
+#include "cli/reports/writing.h"
+#include "cli/terminal/interruption.h"
+#include "drawing/dot_size.h"
+#include "files/point_files.h"
+#include "pictures/importance.h"
+
+namespace lacuna::cli {
+namespace {
+
+constexpr const char* kOrderDescription =
+    R"(Orders points so that any first part of them is spread over the domain as evenly as can be.
+
+Examples:
+  lacuna order points.txt --torus -o ordered.npy        any set, on a domain whose edges wrap
+  lacuna sample --count 4096 --torus --relax 30 -o a.json && lacuna order a.json -o b.npy
+  lacuna order dots.npy photo.jpg -o ordered.npy        dots of a picture: dense where it is dark
+
+The first points are far apart, and the distance shrinks from level to level, by 2^(-1/32): each
+level takes the points that keep that distance from all that were taken before. With a picture the
+distance follows its darkness. No point is moved. lacuna sample --progressive makes new points in
+such an order, whose first parts are more even.
+
+Without --domain and --torus the domain comes from a .json, or is the picture's shape with a longer
+side of 1, or 1x1. Points are read as by analyze, and pictures as by stipple.
+
+Exit code: 0 done, 2 bad usage, 3 a file cannot be read or written, 130 interrupted.
+)";
+
+struct OrderCommand {
+    CommonOptions common;
+    GivenSet set;
+    DrawingOptions drawing;
+};
+
+void run(const OrderCommand& options) {
+    const std::vector<Output> outputs = checked_outputs(options.common, files_of(options.set));
+    pictures::check(options.set.picture.importance);
+    check_drawing(options.drawing, outputs);
+    Interruption interruption;
+    Request request = options.common.request;
+    const SetAndField given = read_given_set(options.set, request);
+    const Field* const field = given.field ? &*given.field : nullptr;
+    std::vector<Point> points;
+    points.reserve(given.points.size());
+    for (const std::uint32_t index : progressive_order(
+             given.points, field, {request.width, request.height, request.boundary, request.seed}))
+        points.push_back(given.points[index]);
+
+    const files::PointSet set{points, request.width, request.height};
+    Writing writing(interruption);
+    write_set(writing, options.drawing, outputs, set,
+              style_of(options.drawing, request.width, request.height), [&] {
+                  return field ? drawing::dot_diameters(points, *field, set.width, set.height,
+                                                        drawing::Spread::even)
+                               : std::vector<double>();
+              });
+    if (options.common.quiet || has_standard_output(outputs)) return;
+    const std::string summary =
+        fmt::format("{} points, in order -> {}", points.size(), outputs.front().path);
+    std::fputs((printable(summary) + "\n").c_str(), stderr);
+}
+
+}  // namespace
+
+void add_order(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("order", kOrderDescription);
+    const auto options = std::make_shared<OrderCommand>();
+    Request& request = options->common.request;
+    add_given_set(command, options->set, request);
+    add_importance(command, options->set.picture);
+    add_number(command, "seed", "S", request.seed,
+               "Another seed gives another order of the points of a level (default 0)");
+    add_how_to_draw(command, options->drawing,
+                    "dots have as much ink as the picture is dark, or as a set of so many has");
+    add_outputs(command, options->common.output, "FILE",
+                "By extension: " + files::written_extensions() +
+                    "; - is standard output, as .txt (default); may be given several times");
+    command.add_flag("--quiet", options->common.quiet, "No summary at the end, and no warning")
+        ->disable_flag_override();
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace lacuna::cli
