@@ -16,6 +16,7 @@ from ._domains import Polygons, draw_mask, read_polygons
 from ._errors import BadRequest, DeviceError, Error, FileError, MemoryRefused, Unavailable
 from ._judging import analyze, devices
 from ._many import sample_many
+from ._order import order
 from ._relax import relax
 from ._results import Analysis, Device, Evenness, PointSet, Relaxed, Stippling
 from ._sample import sample
@@ -41,6 +42,7 @@ __all__ = [
     "analyze",
     "devices",
     "draw_mask",
+    "order",
     "read_polygons",
     "relax",
     "sample",

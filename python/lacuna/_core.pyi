@@ -119,6 +119,14 @@ def place_inks(
     options: RelaxOptions,
     progress: Callable[[int, int], object] | None,
 ) -> dict[str, Any]: ...
+def progressive_order(
+    points: npt.NDArray[np.float64],
+    field: Field | None,
+    width: float,
+    height: float,
+    torus: bool,
+    seed: int,
+) -> npt.NDArray[np.uint32]: ...
 def dot_count(field: Field, width: float, height: float) -> int: ...
 def dot_radii(
     points: npt.NDArray[np.float64],

@@ -1,6 +1,7 @@
 // Requests, fields, and the functions that make points: sample and relax.
 #include <lacuna/lacuna.h>
 #include <lacuna/many.h>
+#include <lacuna/order.h>
 #include <lacuna/pictures.h>
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
@@ -110,6 +111,19 @@ nb::dict relax_points(const PointArray& array, const Field* field, const RelaxOp
     made["device"] = relaxed.device;
     made["seconds"] = watch.seconds();
     return made;
+}
+
+// The indices of the points in a progressive order.
+nb::object order_points(const PointArray& array, const Field* field, double width, double height,
+                        bool torus, std::uint64_t seed) {
+    const std::vector<Point> points = points_of(array);
+    std::vector<std::uint32_t> order;
+    {
+        const nb::gil_scoped_release no_gil;
+        order = progressive_order(
+            points, field, {width, height, torus ? Boundary::torus : Boundary::box, seed});
+    }
+    return array_of(std::move(order));
 }
 
 // The number of dots that the command makes without --count.
@@ -255,6 +269,8 @@ void add_sampling(nb::module_& module) {
                nb::arg().none(), nb::arg().none());
     module.def("sample_many", sample_many_points, nb::arg(), nb::arg(), nb::arg().none());
     module.def("relax", relax_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none());
+    module.def("progressive_order", order_points, nb::arg(), nb::arg().none(), nb::arg(),
+               nb::arg(), nb::arg(), nb::arg());
     module.def("dot_count", dot_count);
     module.def("dot_radii", dot_radii);
     module.def("pull_inside", pull_inside);

@@ -45,6 +45,7 @@ def uniform_cases() -> list[Case]:
         ({"mode": "lines", "snap": True}, ["--mode", "lines", "--snap"]),
         ({"mode": "lines", "uniform_x": True}, ["--mode", "lines", "--uniform-x"]),
         ({"threads": 1}, ["--threads", 1]),
+        ({"progressive": True, "torus": True}, ["--progressive", "--torus"]),
         ({"relax": 5, "torus": True}, ["--relax", 5, "--torus"]),
         ({"relax": 3, "domain": (1, 2)}, ["--relax", 3, "--domain", "1x2"]),
     ):

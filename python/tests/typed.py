@@ -26,6 +26,7 @@ made: lacuna.PointSet = lacuna.sample(
     torus=True,
     mode="exact",
     seed=1,
+    progressive=False,
     limit=10_000,
     lines_per_radius=6,
     round_size=0,
@@ -41,6 +42,8 @@ words: tuple[str, str, str, str] = (made.mode, made.metric, made.backend, made.d
 counts: tuple[int, int, int, int] = (made.rounds, made.draws, made.lines_per_radius, len(made))
 place: tuple[tuple[float, float], bool] = (made.domain, made.torus)
 seconds: Mapping[str, float] = made.seconds
+levels: tuple[tuple[float, int], ...] = made.levels
+indices: npt.NDArray[np.uint32] = lacuna.order(made, torus=True, seed=2)
 digest: str = made.sha256
 report: dict[str, object] = made.report()
 array: npt.NDArray[np.float32] = np.asarray(made, np.float32)

@@ -1,0 +1,75 @@
+"""order: puts points that are there already into a progressive order."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, SupportsFloat
+
+from . import _core
+from ._arguments import field_of, flag, pair, points_array, seed_of
+from ._results import PointSet, Relaxed
+from ._runs import shape_of
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    from ._arguments import Seed
+
+
+def order(
+    points: npt.ArrayLike,
+    field: npt.ArrayLike | None = None,
+    *,
+    domain: tuple[SupportsFloat, SupportsFloat] | None = None,
+    torus: bool | None = None,
+    seed: Seed = 0,
+) -> npt.NDArray[np.uint32]:
+    """Order points so that any first part of them is spread as evenly as can be.
+
+    Each level takes the points that keep a distance from all that were taken before; from level to
+    level the distance shrinks by 2^(-1/32). ``sample(progressive=True)`` makes new points in such
+    an order, whose first parts are more even.
+
+    Parameters
+    ----------
+    points : PointSet or array_like, shape (N, 2)
+        Points of the domain.
+    field : array_like, shape (rows, columns), optional
+        Importance, as for ``sample``, not 0 at a point: distances follow it.
+    domain : tuple of float, optional
+        Width and height. By default the PointSet's domain, else the field's shape with a longer
+        side of 1, else (1, 1).
+    torus : bool, optional
+        Whether the edges wrap. By default as in the PointSet, else False.
+    seed : None, int or numpy.random.Generator
+        Of the order of points that are equally good, as for ``sample``.
+
+    Returns
+    -------
+    ndarray, shape (N,), uint32
+        The indices of the points: ``points[order(points)]`` are in order.
+
+    Raises
+    ------
+    BadRequest, TypeError
+        As ``sample``.
+
+    Examples
+    --------
+    >>> import lacuna
+    >>> even = lacuna.sample(n=256, torus=True, relax=30, seed=1)
+    >>> ordered = even.points[lacuna.order(even)]
+    >>> ordered.shape
+    (256, 2)
+    """
+    given = points_array("points", points)
+    importance = None if field is None else field_of("field", field)
+    if domain is not None:
+        sides = pair("domain", domain)
+    elif isinstance(points, (PointSet, Relaxed)):
+        sides = points.domain
+    else:
+        sides = (1.0, 1.0) if importance is None else shape_of(importance)
+    if torus is None:
+        torus = isinstance(points, (PointSet, Relaxed)) and points.torus
+    return _core.progressive_order(given, importance, *sides, flag("torus", torus), seed_of(seed))
