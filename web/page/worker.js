@@ -42,7 +42,7 @@ function check(done) {
 }
 
 // What the module has written as JSON.
-function told() {
+function written() {
     return JSON.parse(lacuna.UTF8ToString(lacuna._lacuna_text()));
 }
 
@@ -76,7 +76,7 @@ function made() {
     return {
         points: doubles(lacuna._lacuna_points(), 2 * count),
         diameters: doubles(lacuna._lacuna_diameters(), count),
-        layers: told(lacuna._lacuna_layers()),
+        layers: written(lacuna._lacuna_layers()),
         width: lacuna._lacuna_width(),
         height: lacuna._lacuna_height(),
         radius: lacuna._lacuna_radius(),
@@ -103,7 +103,7 @@ const verbs = {
         return made();
     },
     prove({ radius }) {
-        return told(check(lacuna._lacuna_prove(radius)));
+        return written(check(lacuna._lacuna_prove(radius)));
     },
     spectrum({ most }) {
         check(lacuna._lacuna_spectrum(most));
