@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <string>
@@ -65,9 +66,8 @@ void append_sides(const PolygonRing& ring, Point scale, std::uint32_t rows,
     }
 }
 
-// Fills a row of the mask from the sides that cross its middles. Returns whether any pixel is
-// allowed. The row must hold zeros at first.
-bool fill_row(const std::vector<Side>& crossing, double middle, std::span<std::uint8_t> row) {
+// Fills a row of the mask from the sides that cross its middles. The row must hold zeros at first.
+void fill_row(const std::vector<Side>& crossing, double middle, std::span<std::uint8_t> row) {
     const auto columns = static_cast<std::uint32_t>(row.size());
     std::uint32_t first = columns;
     for (const Side& side : crossing) {
@@ -78,20 +78,16 @@ bool fill_row(const std::vector<Side>& crossing, double middle, std::span<std::u
         first = std::min(first, column);
     }
     std::uint8_t inside = 0;
-    bool any = false;
     for (std::uint8_t& pixel : row.subspan(first)) {
         inside ^= pixel;
         pixel = inside;
-        any |= inside != 0;
     }
-    return any;
 }
 
-bool draw(std::vector<Side>& sides, Mask& mask) {
+void draw(std::vector<Side>& sides, Mask& mask) {
     std::sort(sides.begin(), sides.end(),
               [](const Side& a, const Side& b) { return a.first_row < b.first_row; });
     std::vector<Side> crossing;
-    bool any = false;
     std::size_t next = 0;
     for (std::uint32_t row = 0; row < mask.rows; ++row) {
         crossing.erase(std::remove_if(crossing.begin(), crossing.end(),
@@ -101,10 +97,9 @@ bool draw(std::vector<Side>& sides, Mask& mask) {
             crossing.push_back(sides[next]);
         if (crossing.empty()) continue;
         const std::size_t from_top = mask.rows - 1 - row;
-        any |= fill_row(crossing, row + 0.5,
-                        std::span(mask.allowed).subspan(from_top * mask.columns, mask.columns));
+        fill_row(crossing, row + 0.5,
+                 std::span(mask.allowed).subspan(from_top * mask.columns, mask.columns));
     }
-    return any;
 }
 
 // The number of pixels at which half of a pixel's diagonal is at most `edge`.
@@ -138,44 +133,92 @@ struct Extent {
     Point most{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 };
 
-Extent extent_of(std::span<const PolygonRing> rings) {
+Extent extent_of(std::span<const PolygonSet> sets) {
     Extent all;
-    for (const PolygonRing& ring : rings)
-        for (const Point& point : ring) {
-            all.least = {std::min(all.least.x, point.x), std::min(all.least.y, point.y)};
-            all.most = {std::max(all.most.x, point.x), std::max(all.most.y, point.y)};
-        }
+    for (const PolygonSet& set : sets)
+        for (const PolygonRing& ring : set.rings)
+            for (const Point& point : ring) {
+                all.least = {std::min(all.least.x, point.x), std::min(all.least.y, point.y)};
+                all.most = {std::max(all.most.x, point.x), std::max(all.most.y, point.y)};
+            }
     return all;
+}
+
+bool is_allowed(const PolygonSet& set) {
+    return !set.forbidden;
+}
+
+const char* option_of(const PolygonSet& set) {
+    return set.forbidden ? "outside" : "inside";
+}
+
+void check_rings(const PolygonSet& set) {
+    for (std::size_t i = 0; i < set.rings.size(); ++i)
+        for (const Point& point : set.rings[i])
+            if (!domains::is_fair(point))
+                throw BadRequest(option_of(set), fmt::format("ring {}", i),
+                                 fmt::format("({}, {}): {}", point.x, point.y, domains::kFair));
+}
+
+// Allows the pixels inside of the set, or forbids them.
+void add_set(const PolygonSet& set, bool is_only, Point scale, Mask& mask) {
+    std::vector<Side> sides;
+    for (const PolygonRing& ring : set.rings) append_sides(ring, scale, mask.rows, sides);
+    if (is_only && !set.forbidden) return draw(sides, mask);
+    Mask inside{mask.columns, mask.rows, std::vector<std::uint8_t>(mask.allowed.size())};
+    draw(sides, inside);
+    const std::uint8_t value = set.forbidden ? 0 : 1;
+    for (std::size_t i = 0; i < mask.allowed.size(); ++i)
+        if (inside.allowed[i] != 0) mask.allowed[i] = value;
+}
+
+[[noreturn]] void refuse_empty(std::span<const PolygonSet> sets, double width, double height,
+                               double pixel) {
+    std::vector<PolygonSet> allowed;
+    std::copy_if(sets.begin(), sets.end(), std::back_inserter(allowed), is_allowed);
+    const bool has_forbidden = allowed.size() != sets.size();
+    const std::string domain = fmt::format("the domain, [0, {:.6g}) x [0, {:.6g})", width, height);
+    if (allowed.empty())
+        throw BadRequest("outside", fmt::format("{} file{}", sets.size(), sets.size() == 1 ? "" : "s"),
+                         fmt::format("must leave some of {} open", domain));
+    std::size_t rings = 0;
+    for (const PolygonSet& set : allowed) rings += set.rings.size();
+    const Extent extent = extent_of(allowed);
+    throw BadRequest(
+        "inside",
+        fmt::format("{} ring{} in [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]", rings,
+                    rings == 1 ? "" : "s", extent.least.x, extent.most.x, extent.least.y,
+                    extent.most.y),
+        fmt::format("must enclose some of {}{}, and be wider than a pixel of the mask, {:.3g}",
+                    domain, has_forbidden ? ", that --outside leaves open" : "", pixel));
 }
 
 }  // namespace
 
 Mask draw_mask(std::span<const PolygonRing> rings, double width, double height, double edge,
                std::uint64_t memory_limit_bytes) {
+    const PolygonSet only{rings};
+    return draw_mask(std::span(&only, 1), width, height, edge, memory_limit_bytes);
+}
+
+Mask draw_mask(std::span<const PolygonSet> sets, double width, double height, double edge,
+               std::uint64_t memory_limit_bytes) {
     const std::uint64_t most = memory_limit_bytes != 0 ? memory_limit_bytes : files::most_bytes();
-    check_numbers(width, height, edge, static_cast<double>(most));
-    for (std::size_t i = 0; i < rings.size(); ++i)
-        for (const Point& point : rings[i])
-            if (!domains::is_fair(point))
-                throw BadRequest("inside", fmt::format("ring {}", i),
-                                 fmt::format("({}, {}): {}", point.x, point.y, domains::kFair));
+    // Each of several sets is drawn onto a mask of its own.
+    const double masks = sets.size() > 1 ? 2 : 1;
+    check_numbers(width, height, edge, static_cast<double>(most) / masks);
+    for (const PolygonSet& set : sets) check_rings(set);
     Mask mask;
     mask.columns = pixels_along(width, edge);
     mask.rows = pixels_along(height, edge);
     const Point scale{mask.columns / width, mask.rows / height};
-    std::vector<Side> sides;
-    for (const PolygonRing& ring : rings) append_sides(ring, scale, mask.rows, sides);
-    mask.allowed.resize(std::size_t{mask.columns} * mask.rows);
-    if (draw(sides, mask)) return mask;
-    const Extent extent = extent_of(rings);
-    throw BadRequest(
-        "inside",
-        fmt::format("{} ring{} in [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]", rings.size(),
-                    rings.size() == 1 ? "" : "s", extent.least.x, extent.most.x, extent.least.y,
-                    extent.most.y),
-        fmt::format("must enclose some of the domain, [0, {:.6g}) x [0, {:.6g}), and be wider "
-                    "than a pixel of the mask, {:.3g}",
-                    width, height, width / mask.columns));
+    const bool has_inside = std::any_of(sets.begin(), sets.end(), is_allowed);
+    mask.allowed.assign(std::size_t{mask.columns} * mask.rows, has_inside ? 0 : 1);
+    for (const bool forbidden : {false, true})
+        for (const PolygonSet& set : sets)
+            if (set.forbidden == forbidden) add_set(set, sets.size() == 1, scale, mask);
+    if (std::find(mask.allowed.begin(), mask.allowed.end(), 1) != mask.allowed.end()) return mask;
+    refuse_empty(sets, width, height, width / mask.columns);
 }
 
 }  // namespace lacuna

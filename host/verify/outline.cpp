@@ -190,12 +190,13 @@ bool Outline::is_inside(Point place) const {
 }
 
 // Suppose that a spot of the cell is deeper than the clearance, so that no edge is nearer to it.
-// Then the inner cell, which is smaller by half of the clearance on each side, has a spot inside
-// the polygons. If no edge meets the inner cell, all of it lies on the same side as its centre.
-Openness Outline::under(const Cell& cell, double clearance) const {
-    if (edges_.empty()) return {false, true};
+// Then the inner cell, which is smaller by half of the clearance on each side, has a spot on that
+// side of the edges. If no edge meets the inner cell, all of it lies on the same side as its
+// centre.
+Openness Outline::under(const Cell& cell, double clearance, Side side) const {
+    if (edges_.empty()) return {side == Side::outside, side == Side::inside};
     const Frame frame(cell);
-    const double depth = depth_of(frame.centre);
+    const double depth = (side == Side::inside ? 1 : -1) * depth_of(frame.centre);
     const double half_diagonal = std::hypot(frame.half_width, frame.half_height);
     if (depth - half_diagonal > clearance) return {true, false};
     if (depth + half_diagonal <= clearance) return {false, true};

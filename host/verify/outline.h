@@ -12,6 +12,8 @@
 
 namespace lacuna::verify {
 
+enum class Side { inside, outside };
+
 // Rings with their edges in a tree of rectangles. An edge that two rings share is an edge of both.
 class Outline {
 public:
@@ -24,7 +26,8 @@ public:
     // which do not. `clearance` is positive. For a cell near edges, the answer may include a kind
     // of places that it does not have. But a cell that edges only touch is always found to be
     // closed. Otherwise a search would cut cells along an edge without end.
-    Openness under(const Cell& cell, double clearance) const;
+    // With Side::outside, open places lie deeper outside than the clearance.
+    Openness under(const Cell& cell, double clearance, Side side = Side::inside) const;
 
     // Distance to the nearest edge. It is positive inside, where an odd number of rings goes around
     // the place, and negative outside. Without any ring it is -infinity.

@@ -130,7 +130,7 @@ Proof prove(std::span<const Point> points, const Claim& claim,
         domain, {.field = claim.field != nullptr ? claim.field : &one_pixel,
                  .scale = claim.field != nullptr ? claim.scale : claim.radius,
                  .mask = claim.mask,
-                 .inside = claim.inside,
+                 .polygons = claim.polygons,
                  .edge_tolerance = claim.edge_tolerance,
                  .border = claim.border});
     check_least_radius(claim, radius_field.least_radius());

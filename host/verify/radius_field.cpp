@@ -33,15 +33,15 @@ RadiusField::RadiusField(const Domain& domain, const FieldParts& parts)
       edge_tolerance_(parts.edge_tolerance),
       border_(parts.border) {
     if (parts.mask != nullptr) mask_.emplace(domain, MaskLeaves{parts.mask});
-    if (!parts.inside.empty()) outline_.emplace(parts.inside);
+    if (!parts.polygons.empty()) region_.emplace(parts.polygons);
 }
 
 Under RadiusField::under(const Cell& cell, const Under& outer) const {
     if (outer.is_plain()) return outer;
     Under under{radii_.under(cell), {true, false}, {true, false}};
     if (mask_ && outer.mask.has_closed) under.mask = mask_->under(cell);
-    if (outline_ && outer.inside.has_closed && !under.is_closed())
-        under.inside = outline_->under(cell, clearance());
+    if (region_ && outer.inside.has_closed && !under.is_closed())
+        under.inside = region_->under(cell, clearance());
     return under;
 }
 
@@ -58,7 +58,7 @@ Cut RadiusField::cut(const Cell& cell, const Under& under) const {
 
 std::optional<double> RadiusField::radius_at(Point spot) const {
     if (mask_ && !mask_->at(spot).has_open) return std::nullopt;
-    if (outline_ && outline_->depth_of(spot) <= clearance()) return std::nullopt;
+    if (region_ && region_->depth_of(spot) <= clearance()) return std::nullopt;
     const RadiusRange pixel = radii_.at(spot);
     if (!pixel.has_any()) return std::nullopt;
     return pixel.least;
@@ -70,7 +70,7 @@ std::variant<SampleRadii, Proof::Closed> RadiusField::radii_of_sample(Point at) 
         std::min(std::min(at.x, domain_.width - at.x), std::min(at.y, domain_.height - at.y));
     if (to_edges < border_ - blur) return Proof::Closed::border;
     if (mask_ && !mask_->near(at, blur).has_open) return Proof::Closed::mask;
-    if (outline_ && outline_->depth_of(at) < -(edge_tolerance_ + blur))
+    if (region_ && region_->depth_of(at) < -(edge_tolerance_ + blur))
         return Proof::Closed::polygons;
     const RadiusRange range = radii_.near(at, blur);
     if (!range.has_any()) return Proof::Closed::importance;

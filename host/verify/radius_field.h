@@ -11,8 +11,8 @@
 
 #include "verify/cell.h"
 #include "verify/domain.h"
-#include "verify/outline.h"
 #include "verify/pixels.h"
+#include "verify/region.h"
 
 namespace lacuna::verify {
 
@@ -26,11 +26,11 @@ constexpr double kBorderBlur = 0x1p-28;
 // What a radius field is made of. All that is pointed to must outlive the radius field.
 struct FieldParts {
     const Field* field;
-    double scale;                                // radius where the importance is 1
-    const Mask* mask = nullptr;                  // null: samples may lie everywhere
-    std::span<const std::vector<Point>> inside;  // rings; no ring: samples may lie everywhere
-    double edge_tolerance = 0;                   // how far the edges of `inside` may be off
-    double border = 0;                           // least distance to the domain's edges
+    double scale;                          // radius where the importance is 1
+    const Mask* mask = nullptr;            // null: samples may lie everywhere
+    std::span<const PolygonSet> polygons;  // no set: samples may lie everywhere
+    double edge_tolerance = 0;             // how far the edges of polygons may be off
+    double border = 0;                     // least distance to the domain's edges
 };
 
 // What lies under a cell, and perhaps a little beside it.
@@ -101,7 +101,7 @@ private:
     const Domain domain_;
     Pixels<FieldLeaves> radii_;
     std::optional<Pixels<MaskLeaves>> mask_;
-    std::optional<Outline> outline_;
+    std::optional<Region> region_;
     double edge_tolerance_;
     double border_;
 };

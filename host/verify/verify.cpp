@@ -42,14 +42,17 @@ void check_field(const Field& field) {
 }
 
 void check_polygons(const Claim& claim) {
-    for (const std::vector<Point>& ring : claim.inside) {
-        if (ring.size() < 3)
-            throw BadRequest("inside", "a ring of " + std::to_string(ring.size()) + " points",
-                             "must have at least 3");
-        for (const Point& point : ring)
-            if (!std::isfinite(point.x) || !std::isfinite(point.y))
-                throw BadRequest("inside", "(" + text(point.x) + ", " + text(point.y) + ")",
-                                 "must be finite numbers");
+    for (const PolygonSet& set : claim.polygons) {
+        const char* const option = set.forbidden ? "outside" : "inside";
+        for (const PolygonRing& ring : set.rings) {
+            if (ring.size() < 3)
+                throw BadRequest(option, "a ring of " + std::to_string(ring.size()) + " points",
+                                 "must have at least 3");
+            for (const Point& point : ring)
+                if (!std::isfinite(point.x) || !std::isfinite(point.y))
+                    throw BadRequest(option, "(" + text(point.x) + ", " + text(point.y) + ")",
+                                     "must be finite numbers");
+        }
     }
     check_at_least_0("edge", claim.edge_tolerance);
 }
@@ -104,7 +107,7 @@ void check_least_radius(const Claim& claim, double least_radius) {
 }
 
 bool is_uniform(const Claim& claim) {
-    return claim.field == nullptr && claim.mask == nullptr && claim.inside.empty() &&
+    return claim.field == nullptr && claim.mask == nullptr && claim.polygons.empty() &&
            claim.border == 0;
 }
 

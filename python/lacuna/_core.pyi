@@ -161,7 +161,7 @@ def write_points(
 ) -> None: ...
 def read_polygons(path: bytes) -> dict[str, Any]: ...
 def draw_mask(
-    rings: list[npt.NDArray[np.float64]],
+    sets: list[tuple[list[npt.NDArray[np.float64]], bool]],
     width: float,
     height: float,
     edge: float,
@@ -172,7 +172,7 @@ def verify(
     claim: Claim,
     field: Field | None,
     mask: Mask | None,
-    inside: list[npt.NDArray[np.float64]],
+    polygons: list[tuple[list[npt.NDArray[np.float64]], bool]],
     keep: npt.NDArray[np.float64] | None,
 ) -> dict[str, Any]: ...
 def analyze(

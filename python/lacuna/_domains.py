@@ -97,10 +97,32 @@ def rings_on(name: str, rings: object, domain: tuple[float, float]) -> list[Floa
     return [points_array(name, ring) for ring in rings]
 
 
+def sets_on(
+    name: str, given: object, domain: tuple[float, float], forbidden: bool = False
+) -> list[tuple[list[Floats], bool]]:
+    """One set of polygons, or one for each Polygons of a list."""
+    if given is None:
+        return []
+    several = [given]
+    if isinstance(given, (list, tuple)) and given and isinstance(given[0], Polygons):
+        several = list(given)
+    return [(rings_on(name, one, domain), forbidden) for one in several]
+
+
+def page_of(*given: object) -> tuple[float, float] | None:
+    """The first page of these polygons."""
+    for one in given:
+        for polygons in one if isinstance(one, (list, tuple)) else [one]:
+            if isinstance(polygons, Polygons) and polygons.domain is not None:
+                return polygons.domain
+    return None
+
+
 def draw_mask(
-    rings: Polygons | Iterable[npt.ArrayLike],
+    rings: Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None,
     edge: SupportsFloat,
     *,
+    outside: Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None = None,
     domain: tuple[SupportsFloat, SupportsFloat] | None = None,
     memory_limit: SupportsIndex | None = None,
 ) -> npt.NDArray[np.bool_]:
@@ -113,8 +135,11 @@ def draw_mask(
 
     Parameters
     ----------
-    rings : Polygons or iterable of array_like, each of shape (N, 2)
-        The corners of each ring in the unit of ``domain``, y upwards.
+    rings : Polygons, iterable of array_like, each of shape (N, 2), or list of Polygons
+        The corners of each ring in the unit of ``domain``, y upwards. Of several Polygons a pixel
+        may lie in any. None: everywhere.
+    outside : as ``rings``, optional
+        Polygons in which no pixel is True.
     edge : float
         How far the outline may be off. The command takes a sixteenth of the least radius.
     domain : tuple of float, optional
@@ -146,12 +171,13 @@ def draw_mask(
     >>> lacuna.sample(0.05, mask=mask, seed=1).maximal
     True
     """
-    page = rings.domain if isinstance(rings, Polygons) else None
-    width, height = pair("domain", domain if domain is not None else page or (1.0, 1.0))
+    page = page_of(rings, outside) or (1.0, 1.0)
+    width, height = pair("domain", domain if domain is not None else page)
     most = 0 if memory_limit is None else whole("memory_limit", memory_limit, 1, MOST_64)
-    arrays = rings_on("rings", rings, (width, height))
+    sets = sets_on("rings", rings, (width, height))
+    sets += sets_on("outside", outside, (width, height), forbidden=True)
     try:
-        mask = _core.draw_mask(arrays, width, height, real("edge", edge), most)
+        mask = _core.draw_mask(sets, width, height, real("edge", edge), most)
     except BadRequest as error:
         raise error.called("rings") if error.argument == "inside" else error from None
     return mask.values.view(np.bool_)

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _core, _plots
 from ._arguments import field_of, flag, mask_of, points_array, real, shown
-from ._domains import Polygons, rings_on
+from ._domains import Polygons, page_of, sets_on
 from ._errors import BadRequest
 from ._judging import domain_of
 from ._results import PointSet
@@ -127,12 +127,11 @@ def _read_only(array: Floats) -> Floats:
     return view
 
 
-def _shape(pixels: _core.Field | _core.Mask | None, inside: object) -> tuple[float, float]:
+def _shape(pixels: _core.Field | _core.Mask | None, *polygons: object) -> tuple[float, float]:
     """The domain if neither the caller nor a PointSet gives it."""
     if pixels is not None:
         return shape_of(pixels)
-    page = inside.domain if isinstance(inside, Polygons) else None
-    return page or (1.0, 1.0)
+    return page_of(*polygons) or (1.0, 1.0)
 
 
 def verify(
@@ -142,7 +141,8 @@ def verify(
     field: npt.ArrayLike | None = None,
     scale: SupportsFloat | None = None,
     mask: npt.ArrayLike | None = None,
-    inside: Polygons | Iterable[npt.ArrayLike] | None = None,
+    inside: Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None = None,
+    outside: Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None = None,
     edge: SupportsFloat = 0,
     border: SupportsFloat = 0,
     keep: npt.ArrayLike | None = None,
@@ -167,8 +167,9 @@ def verify(
         With a field the radius where importance is 1. By default a PointSet's own.
     mask : array_like, shape (rows, columns), optional
         Where points may lie, as of ``sample``. Spots where no point may lie need not be covered.
-    inside : Polygons or iterable of array_like, each of shape (N, 2), optional
-        Polygons in which points must lie. They are used as they are, not drawn onto a mask.
+    inside, outside : Polygons, iterable of array_like, or list of Polygons, optional
+        Polygons in which points must lie, and must not lie, as of ``draw_mask``. They are used as
+        they are, not drawn onto a mask.
     edge : float
         How far the polygons' edges may be off: a point may lie outside by up to ``edge``, and a
         spot that is inside by up to ``edge`` need not be covered.
@@ -227,16 +228,17 @@ def verify(
     claim.border = real("border", border)
     claim.edge = real("edge", edge)
     claim.width, claim.height, claim.torus = domain_of(
-        points, domain, torus, _shape(importance or allowed, inside)
+        points, domain, torus, _shape(importance or allowed, inside, outside)
     )
     claim.distances_only = flag("distances_only", distances_only)
     if tolerance is not None:
         claim.tolerance = real("tolerance", tolerance)
-    rings = [] if inside is None else rings_on("inside", inside, (claim.width, claim.height))
+    sets = sets_on("inside", inside, (claim.width, claim.height))
+    sets += sets_on("outside", outside, (claim.width, claim.height), forbidden=True)
     kept = None if keep is None else points_array("keep", keep)
     array = points_array("points", points)
-    found = _core.verify(array, claim, importance, allowed, rings, kept)
-    is_uniform = importance is None and allowed is None and not rings and claim.border == 0
+    found = _core.verify(array, claim, importance, allowed, sets, kept)
+    is_uniform = importance is None and allowed is None and not sets and claim.border == 0
     blur = 2.0 ** (-28 if is_uniform else -27) * max(claim.width, claim.height)
     in_place = all(found[name] is None for name in ("outside", "moved", "forbidden"))
     pair_known = in_place and len(array) > 1

@@ -12,6 +12,7 @@
 
 #include "arrays.h"
 #include "parts.h"
+#include "polygon_sets.h"
 
 namespace nb = nanobind;
 
@@ -45,15 +46,11 @@ nb::dict polygons_of(const nb::bytes& bytes) {
     return found;
 }
 
-Mask mask_of(const nb::list& arrays, double width, double height, double edge,
+Mask mask_of(const nb::list& given, double width, double height, double edge,
              std::uint64_t memory_limit) {
-    std::vector<PointArray> given;
-    for (const nb::handle array : arrays) given.push_back(nb::cast<PointArray>(array));
+    PolygonSets sets(given);
     const nb::gil_scoped_release no_gil;
-    std::vector<PolygonRing> rings;
-    rings.reserve(given.size());
-    for (const PointArray& array : given) rings.push_back(points_of(array));
-    return draw_mask(rings, width, height, edge, memory_limit);
+    return draw_mask(sets.copy(), width, height, edge, memory_limit);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "arrays.h"
 #include "background.h"
 #include "parts.h"
+#include "polygon_sets.h"
 #include "watch.h"
 
 namespace nb = nanobind;
@@ -36,13 +37,6 @@ nb::object or_none(const std::optional<Number>& number) {
     return number ? nb::cast(*number) : nb::none();
 }
 
-std::vector<std::vector<Point>> rings_of(const std::vector<PointArray>& arrays) {
-    std::vector<std::vector<Point>> rings;
-    rings.reserve(arrays.size());
-    for (const PointArray& array : arrays) rings.push_back(points_of(array));
-    return rings;
-}
-
 // The name that python/lacuna has for the reason why no point may lie at a spot.
 const char* name_of(Proof::Closed closed) {
     switch (closed) {
@@ -59,17 +53,15 @@ const char* name_of(Proof::Closed closed) {
 }
 
 nb::dict verify_points(const PointArray& array, const Claim& asked, const Field* field,
-                       const Mask* mask, const nb::list& inside,
+                       const Mask* mask, const nb::list& polygons,
                        const std::optional<PointArray>& keep) {
-    std::vector<PointArray> outlines;
-    for (const nb::handle ring : inside) outlines.push_back(nb::cast<PointArray>(ring));
+    PolygonSets sets(polygons);
     const auto work = [&](const std::atomic<bool>& stop) {
-        const std::vector<std::vector<Point>> rings = rings_of(outlines);
         const std::vector<Point> kept = keep ? points_of(*keep) : std::vector<Point>{};
         Claim claim = asked;
         claim.field = field;
         claim.mask = mask;
-        claim.inside = rings;
+        claim.polygons = sets.copy();
         claim.keep = kept;
         return prove(points_of(array), claim, [&] { return !stop; });
     };

@@ -120,8 +120,8 @@ nb::object order_points(const PointArray& array, const Field* field, double widt
     std::vector<std::uint32_t> order;
     {
         const nb::gil_scoped_release no_gil;
-        order = progressive_order(
-            points, field, {width, height, torus ? Boundary::torus : Boundary::box, seed});
+        order = progressive_order(points, field,
+                                  {width, height, torus ? Boundary::torus : Boundary::box, seed});
     }
     return array_of(std::move(order));
 }
@@ -269,8 +269,8 @@ void add_sampling(nb::module_& module) {
                nb::arg().none(), nb::arg().none());
     module.def("sample_many", sample_many_points, nb::arg(), nb::arg(), nb::arg().none());
     module.def("relax", relax_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none());
-    module.def("progressive_order", order_points, nb::arg(), nb::arg().none(), nb::arg(),
-               nb::arg(), nb::arg(), nb::arg());
+    module.def("progressive_order", order_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg(),
+               nb::arg(), nb::arg());
     module.def("dot_count", dot_count);
     module.def("dot_radii", dot_radii);
     module.def("pull_inside", pull_inside);

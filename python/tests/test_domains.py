@@ -399,3 +399,28 @@ def test_files_of_polygons_that_are_none_are_refused(tmp_path: Path) -> None:
         with pytest.raises(OSError, match=f"^[^\n]*{name}[^\n]*$") as caught:
             lacuna.read_polygons(tmp_path / name)
         assert isinstance(caught.value, lacuna.FileError)
+
+
+def test_several_polygons_are_joined_and_others_left_out(
+    command: Command, tmp_path: Path
+) -> None:
+    paths = {}
+    for name, low, high in (("low", 0, 0.6), ("high", 0.4, 1), ("pond", 0.3, 0.45)):
+        corners = [(low, low), (high, low), (high, high), (low, high)]
+        paths[name] = tmp_path / f"{name}.txt"
+        np.savetxt(paths[name], corners)
+    low, high, pond = (lacuna.read_polygons(path) for path in paths.values())
+    expected = command(
+        "sample", "--inside", paths["low"], "--inside", paths["high"], "--outside", paths["pond"],
+        "--radius", 0.05, "--edge", 0.01,
+    )  # fmt: skip
+    mask = lacuna.draw_mask([low, high], 0.01, outside=pond)
+    made = lacuna.sample(0.05, mask=mask, seed=0)
+    assert (made.points == expected).all()
+    assert lacuna.verify(made.points, 0.05, inside=[low, high], outside=pond, edge=0.01).maximal
+    assert not lacuna.verify(made.points, 0.05, inside=low, edge=0.01)
+    assert not lacuna.verify(made.points, 0.05, inside=[low, high], edge=0.01).covered
+    everywhere = lacuna.draw_mask(None, 0.01, outside=pond)
+    assert 0.97 < everywhere.mean() < 0.98
+    with pytest.raises(lacuna.BadRequest, match="outside"):
+        lacuna.draw_mask(None, 0.01, outside=[[(0, 0), (1, 0), (1, 1), (0, 1)]])

@@ -54,6 +54,44 @@ bool is_full(const std::vector<Point>& points, double width, double height, doub
     return true;
 }
 
+TEST(SampleInsidePolygons, MayBeGivenSeveralFilesAndOthersToLeaveOut) {
+    const Folder folder;
+    const auto square = [&](const std::string& name, const std::string& low,
+                            const std::string& high) {
+        write_file(folder.path(name), low + " " + low + "\n" + high + " " + low + "\n" + high +
+                                          " " + high + "\n" + low + " " + high + "\n");
+        return folder.path(name);
+    };
+    const std::string low = square("low.txt", "0", "0.6"), high = square("high.txt", "0.4", "1"),
+                      pond = square("pond.txt", "0.3", "0.45");
+    const Names where{"--inside", low, "--inside", high, "--outside", pond};
+    Names arguments = where;
+    arguments.insert(arguments.end(), {"--radius", "0.03"});
+    const auto is_in = [](Point at, double from, double to) {
+        return at.x > from && at.x < to && at.y > from && at.y < to;
+    };
+    const auto is_allowed = [&](Point at, double edge) {
+        return (is_in(at, -1, 0.6 - edge) || is_in(at, 0.4 + edge, 2)) &&
+               !is_in(at, 0.3 - edge, 0.45 + edge);
+    };
+    const double edge = 0.03 / 16 * (1 + 1e-3);
+    const std::vector<Point> points = points_of(folder, arguments);
+    for (const Point& point : points) EXPECT_TRUE(is_allowed(point, -edge));
+    EXPECT_TRUE(is_full(points, 1, 1, 0.03, [&](Point at) { return is_allowed(at, edge); }));
+
+    const std::string json = folder.path("a.json");
+    ASSERT_EQ(sample_to(json, arguments).exit_code, 0);
+    const auto options = Json::parse(content_of(json)).at("options");
+    EXPECT_EQ(options.at("inside"), Json({low, high}));
+    EXPECT_EQ(options.at("outside"), pond);
+    Names proof{"verify", json};
+    proof.insert(proof.end(), where.begin(), where.end());
+    const Outcome proven = test::run(proof);
+    EXPECT_EQ(proven.exit_code, 0) << proven.out;
+    proof.resize(proof.size() - 2);  // without the pond
+    EXPECT_EQ(test::run(proof).exit_code, 1);
+}
+
 TEST(SampleOnAMask, FillsThePixelsThatAreNotBlackAndNoOthers) {
     const Folder folder;
     const std::string mask = grey_picture(folder, 2, 2, bytes({0, 255, 1, 0}));

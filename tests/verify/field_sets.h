@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "verify/domain.h"
+#include "verify/polygons_of.h"
 
 namespace lacuna::verify {
 
@@ -40,7 +41,7 @@ struct FieldCase {
         claim.field = &field;
         claim.scale = scale;
         if (mask) claim.mask = &*mask;
-        claim.inside = rings;
+        if (!rings.empty()) claim.polygons = polygons_of(rings);
         claim.edge_tolerance = edge;
         claim.border = border;
         return claim;

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "verify/polygons_of.h"
+
 namespace {
 
 using namespace lacuna;
@@ -62,7 +64,7 @@ TEST(Polygons, LeaveAThinDomainBareWhereItIsFarFromTheirEdges) {
         Claim claim = unit_claim(0.33);
         claim.width = 3.16;
         claim.height = height;
-        claim.inside = rings;
+        claim.polygons = polygons_of(rings);
         claim.edge_tolerance = 1.7 * height;
         claim.border = std::uniform_real_distribution<double>(0.2, 0.25)(random) * height;
         const std::vector<Point> points{{0.32, 0.7 * height}, {0.75, 0.26 * height}};
@@ -93,7 +95,7 @@ TEST(TheLargestGap, OnTheBorderOfTwoPixelsHasTheRadiusOfItsOwn) {
     claim.height = 25.960626835818132;
     claim.field = &field;
     claim.scale = 5.8205682657952513;
-    claim.inside = rings;
+    claim.polygons = polygons_of(rings);
     claim.edge_tolerance = 1.5141443558913072;
     claim.border = 1.0028013007739024e-08;
     const std::vector<Point> points{
@@ -111,7 +113,7 @@ TEST(TheLargestGap, OnTheBorderOfTwoPixelsHasTheRadiusOfItsOwn) {
 TEST(Polygons, MayBeOffByTheirEdgesTolerance) {
     const std::vector<PolygonRing> rings{square(0.25, 0.75)};
     Claim claim = unit_claim(0.36);  // the middle of the square is 0.354 from a corner
-    claim.inside = rings;
+    claim.polygons = polygons_of(rings);
     EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
     EXPECT_FALSE(prove(std::vector<Point>{}, claim).covered);
     const Proof outside = prove(std::vector<Point>{{0.76, 0.5}}, claim);
@@ -131,14 +133,50 @@ TEST(Polygons, MayBeOffByTheirEdgesTolerance) {
 TEST(APolygonInAPolygon, IsAHole) {
     const std::vector<PolygonRing> rings{square(0, 1), square(0.25, 0.75)};
     Claim claim = unit_claim(1.5);
-    claim.inside = rings;
+    claim.polygons = polygons_of(rings);
     EXPECT_EQ(prove(std::vector<Point>{{0.5, 0.5}}, claim).forbidden, 0U);
     EXPECT_TRUE(prove(std::vector<Point>{{0.1, 0.1}}, claim).maximal);
     // Rings that coincide enclose nothing.
     const std::vector<PolygonRing> twice{square(0.25, 0.75), square(0.25, 0.75)};
-    claim.inside = twice;
+    claim.polygons = polygons_of(twice);
     EXPECT_TRUE(prove(std::vector<Point>{}, claim).maximal);
     EXPECT_EQ(prove(std::vector<Point>{{0.5, 0.5}}, claim).forbidden, 0U);
+}
+
+TEST(SeveralSetsOfPolygons, AllowPointsInAnyAndInNoneThatIsForbidden) {
+    const std::vector<PolygonRing> low{square(0, 0.6)}, high{square(0.4, 1)},
+        hole{square(0.45, 0.55)};
+    const std::vector<PolygonSet> both{{low}, {high}};
+    Claim claim = unit_claim(0.3);
+    claim.polygons = both;
+    const auto forbidden = [&](Point point) {
+        return prove(std::vector<Point>{point}, claim).forbidden.has_value();
+    };
+    EXPECT_FALSE(forbidden({0.1, 0.1}));
+    EXPECT_FALSE(forbidden({0.5, 0.5}));  // in both
+    EXPECT_FALSE(forbidden({0.9, 0.9}));
+    EXPECT_TRUE(forbidden({0.1, 0.9}));
+    // These leave a gap in the overlap only.
+    const std::vector<Point> around{{0.1, 0.1}, {0.1, 0.4}, {0.4, 0.1},  {0.9, 0.9},
+                                    {0.9, 0.6}, {0.6, 0.9}, {0.25, 0.25}};
+    const Proof proof = prove(around, claim);
+    EXPECT_FALSE(proof.covered);
+    EXPECT_NEAR(proof.largest_gap.x, 0.55, 0.06);
+    EXPECT_NEAR(proof.largest_gap.y, 0.55, 0.06);
+
+    const std::vector<PolygonSet> three{{low}, {high}, {hole, true}};
+    claim.polygons = three;
+    EXPECT_TRUE(forbidden({0.5, 0.5}));
+    EXPECT_FALSE(forbidden({0.42, 0.5}));
+    const std::vector<PolygonSet> only_hole{{hole, true}};
+    claim.polygons = only_hole;
+    EXPECT_TRUE(forbidden({0.5, 0.5}));
+    EXPECT_FALSE(forbidden({0.1, 0.9}));
+    // All but the hole lies within 0.72 of these.
+    claim.radius = 0.72;
+    EXPECT_TRUE(prove(std::vector<Point>{{0, 0}, {1, 1}}, claim).covered == false);
+    claim.radius = 1.001;
+    EXPECT_TRUE(prove(std::vector<Point>{{0, 0}, {1, 1}}, claim).maximal);
 }
 
 TEST(ABorder, HasNoPointAndNeedsNone) {
@@ -208,12 +246,13 @@ TEST(AClaim, OfPlacesThatMakeNoSenseIsABadRequestThatNamesTheOption) {
     const std::vector<PolygonRing> whole{square(0, 1)};
     EXPECT_EQ(option_refused([&](Claim& claim) { claim.mask = &empty; }), "mask");
     EXPECT_EQ(option_refused([&](Claim& claim) { claim.mask = &short_of_one; }), "mask");
-    EXPECT_EQ(option_refused([&](Claim& claim) { claim.inside = line; }), "inside");
-    EXPECT_EQ(option_refused([&](Claim& claim) { claim.inside = broken; }), "inside");
+    EXPECT_EQ(option_refused([&](Claim& claim) { claim.polygons = polygons_of(line); }), "inside");
+    EXPECT_EQ(option_refused([&](Claim& claim) { claim.polygons = polygons_of(broken); }),
+              "inside");
     for (const double bad : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
         EXPECT_EQ(option_refused([&](Claim& claim) { claim.border = bad; }), "border");
         EXPECT_EQ(option_refused([&](Claim& claim) {
-                      claim.inside = whole;
+                      claim.polygons = polygons_of(whole);
                       claim.edge_tolerance = bad;
                   }),
                   "edge");

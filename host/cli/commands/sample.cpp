@@ -42,6 +42,7 @@ Examples:
   lacuna sample --count 10k --format npy > a.npy      another format on standard output
   lacuna sample --field density.png --scale 0.004 -o points.npy   dense where it is dark
   lacuna sample --inside lakes.svg --border 2 --radius 3 -o fish.svg   points within polygons
+  lacuna sample --inside park.svg --outside pond.svg --radius 3 -o trees.svg   and not in others
   lacuna sample --keep trees.csv --radius 0.02 -o more.csv   fills the space around given points
   lacuna sample --count 256 --torus --seeds 0..999 -o 'tiles/{seed}.npy'   a thousand small tiles
 )";
@@ -75,9 +76,9 @@ void check_relax(const SampleCommand& all) {
     if (all.common.request.progressive)
         refuse("cannot be used with --progressive: it moves the points");
     if (all.seeds) refuse("cannot be used with --seeds: relax each file with lacuna relax");
-    if (!all.domain.mask.empty() || !all.domain.inside.empty() || !all.domain.keep.empty() ||
-        all.common.request.border != 0)
-        refuse("cannot be used with --mask, --inside, --border or --keep");
+    if (!all.domain.mask.empty() || !all.domain.inside.empty() || !all.domain.outside.empty() ||
+        !all.domain.keep.empty() || all.common.request.border != 0)
+        refuse("cannot be used with --mask, --inside, --outside, --border or --keep");
 }
 
 void run(const CLI::App& command, const SampleCommand& all) {

@@ -140,7 +140,7 @@ SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Given& 
     claim.rings = rings_of(request, given.files);
     if (!claim.rings.empty())
         claim.edge_tolerance = given.files.edge =
-            edge_of(options.domain, request, claim.rings, given.files);
+            edge_of(options.domain, request, sets_of(options.domain, claim.rings), given.files);
     claim.given = json_of(options.domain, request, given.files);
     claim.tolerance = options.tolerance;
     claim.tolerance = verify::tolerance_of(claim);
@@ -183,7 +183,8 @@ std::string fault_in_levels(const SetClaim& claim) {
     for (const Level& level : claim.levels) {
         SetClaim one = claim;
         one.levels.clear();
-        one.inside = one.rings;
+        one.sets = sets_of(one.options, one.rings);
+        one.polygons = one.sets;
         one.distances_only = false;
         one.meant_to_be_maximal = true;
         one.points = claim.points.first(level.points);
@@ -217,7 +218,9 @@ void run(const CLI::App& command, const VerifyCommand& options) {
     }
     bool all_hold = true;
     for (SetClaim& claim : claims) {
-        claim.inside = claim.rings;  // now that `claims` does not move its elements any more
+        // Now that `claims` does not move its elements any more.
+        claim.sets = sets_of(claim.options, claim.rings);
+        claim.polygons = claim.sets;
         claim.proof = prove(claim.points, claim);
         if (claim.holds()) claim.fault = fault_in_levels(claim);
         all_hold = all_hold && claim.holds();

@@ -35,6 +35,11 @@ void add_path(CLI::App& command, const std::string& option, const std::string& s
     command.add_option(option, path, help)->type_name(symbol);
 }
 
+void add_files(CLI::App& command, const std::string& option, std::vector<std::string>& paths,
+               const std::string& help) {
+    command.add_option(option, paths, help)->type_name("FILE")->allow_extra_args(false)->take_all();
+}
+
 double greatest_of(const DomainFiles& files) {
     if (!files.field) return 1;
     return *std::max_element(files.field->importance.begin(), files.field->importance.end());
@@ -60,14 +65,14 @@ double filled_share(const Mask& mask, const DomainFiles& files) {
 }
 
 // The least radius of the set. For a count it is the radius of a maximal set of this size.
-double least_radius(const Request& request, const std::vector<PolygonRing>& rings,
+double least_radius(const Request& request, std::span<const PolygonSet> sets,
                     const DomainFiles& files) {
     const double greatest = greatest_of(files);
     if (request.radius) return *request.radius;
     if (request.scale) return *request.scale / std::sqrt(greatest);
     const double coarse = std::max(request.width, request.height) / 1000;
     if (!request.count || *request.count == 0) return coarse;
-    const Mask mask = draw_mask(rings, request.width, request.height, coarse);
+    const Mask mask = draw_mask(sets, request.width, request.height, coarse);
     const double area = filled_share(mask, files) * request.width * request.height;
     const double density = expected_count(1, 1, Boundary::torus, 1);
     return std::sqrt(density * area / static_cast<double>(*request.count) / greatest);
@@ -114,12 +119,15 @@ void add_domain(CLI::App& command, DomainOptions& options, Request& request) {
     add_path(command, "--mask", "IMAGE", options.mask,
              "A picture that says where points may lie: on pixels that are neither black nor "
              "transparent");
-    add_path(
-        command, "--inside", "FILE", options.inside,
+    add_files(
+        command, "--inside", options.inside,
         "Polygons that points must lie in: .svg, .geojson or .txt (`x y` on each line, a blank "
-        "line between polygons); a polygon within another is a hole");
+        "line between polygons); a polygon within another is a hole; may be given several times, "
+        "and points then lie inside of any");
+    add_files(command, "--outside", options.outside,
+              "Polygons that points must not lie in, as for --inside; may be given several times");
     add_number(command, "edge", "E", options.edge,
-               "How far the outline of --inside may be off (default: a sixteenth of the least "
+               "How far the outline of polygons may be off (default: a sixteenth of the least "
                "radius)");
     add_number(command, "border", "D", request.border,
                "Least distance of points to the domain's edges (default 0)");
@@ -132,8 +140,10 @@ std::vector<GivenFile> files_of(const DomainOptions& options) {
     std::vector<GivenFile> files;
     for (const auto& [name, path] :
          std::array{std::pair{"--field", &options.field.path}, std::pair{"--mask", &options.mask},
-                    std::pair{"--inside", &options.inside}, std::pair{"--keep", &options.keep}})
+                    std::pair{"--keep", &options.keep}})
         if (!path->empty()) files.push_back({name, *path});
+    for (const std::string& path : options.inside) files.push_back({"--inside", path});
+    for (const std::string& path : options.outside) files.push_back({"--outside", path});
     return files;
 }
 
@@ -145,12 +155,14 @@ void check_domain(const CLI::App& command, const DomainOptions& options) {
             if (command.count(name) > 0)
                 throw BadRequest(std::string(name).substr(2), "without --field",
                                  "says how a field is read: give its picture too");
-    if (options.edge && options.inside.empty())
+    const bool has_polygons = !options.inside.empty() || !options.outside.empty();
+    if (options.edge && !has_polygons)
         throw BadRequest("edge", fmt::format("{}", *options.edge),
                          "is for the polygons of --inside: give their file too");
-    if (!options.mask.empty() && !options.inside.empty())
-        throw BadRequest("mask", shown(options.mask),
-                         "cannot be used with --inside: draw the polygons into the picture");
+    if (!options.mask.empty() && has_polygons)
+        throw BadRequest(
+            "mask", shown(options.mask),
+            "cannot be used with --inside or --outside: draw the polygons into the picture");
 }
 
 void read_given_files(const CLI::App& command, const DomainOptions& options, Request& request,
@@ -169,10 +181,11 @@ void read_given_files(const CLI::App& command, const DomainOptions& options, Req
         give_shape(shape.width, shape.height);
         request.field = &*files.field;
     }
-    if (!options.inside.empty()) {
-        const Polygons& polygons = files.polygons.emplace(read_polygons(options.inside));
-        if (polygons.width > 0) give_shape(polygons.width, polygons.height);
-    }
+    for (const std::vector<std::string>* paths : {&options.inside, &options.outside})
+        for (const std::string& path : *paths) {
+            const Polygons& polygons = files.polygons.emplace_back(read_polygons(path));
+            if (polygons.width > 0) give_shape(polygons.width, polygons.height);
+        }
     if (!options.mask.empty()) {
         files.mask = read_mask(options.mask);
         const double longer = std::max(files.mask->columns, files.mask->rows);
@@ -184,15 +197,25 @@ void read_given_files(const CLI::App& command, const DomainOptions& options, Req
     request.keep = files.keep;
 }
 
-std::vector<PolygonRing> rings_of(const Request& request, const DomainFiles& files) {
-    if (!files.polygons) return {};
-    return fitted(*files.polygons, request.width, request.height);
+std::vector<std::vector<PolygonRing>> rings_of(const Request& request, const DomainFiles& files) {
+    std::vector<std::vector<PolygonRing>> rings;
+    for (const Polygons& polygons : files.polygons)
+        rings.push_back(fitted(polygons, request.width, request.height));
+    return rings;
+}
+
+std::vector<PolygonSet> sets_of(const DomainOptions& options,
+                                std::span<const std::vector<PolygonRing>> rings) {
+    std::vector<PolygonSet> sets;
+    for (const std::vector<PolygonRing>& of_file : rings)
+        sets.push_back({of_file, sets.size() >= options.inside.size()});
+    return sets;
 }
 
 double edge_of(const DomainOptions& options, const Request& request,
-               const std::vector<PolygonRing>& rings, const DomainFiles& files) {
+               std::span<const PolygonSet> sets, const DomainFiles& files) {
     if (options.edge) return *options.edge;
-    const double edge = kEdge * least_radius(request, rings, files);
+    const double edge = kEdge * least_radius(request, sets, files);
     // If the edge is invalid, so is the radius, and the check of the request will refuse that.
     if (edge > 0 && std::isfinite(edge)) return edge;
     return std::max(request.width, request.height) / 1000;
@@ -201,13 +224,16 @@ double edge_of(const DomainOptions& options, const Request& request,
 void read_domain_files(const CLI::App& command, const DomainOptions& options, Request& request,
                        DomainFiles& files) {
     read_given_files(command, options, request, files);
-    if (!files.polygons) return;
-    const std::vector<PolygonRing> rings = rings_of(request, files);
-    if (files.polygons->width == 0 && command.count("--domain") == 0)
-        check_within_default(options.inside, rings, request);
-    files.edge = edge_of(options, request, rings, files);
+    if (files.polygons.empty()) return;
+    const std::vector<std::vector<PolygonRing>> rings = rings_of(request, files);
+    const bool has_page = std::any_of(files.polygons.begin(), files.polygons.end(),
+                                      [](const Polygons& file) { return file.width > 0; });
+    if (!has_page && command.count("--domain") == 0 && !options.inside.empty())
+        check_within_default(options.inside.front(), rings.front(), request);
+    const std::vector<PolygonSet> sets = sets_of(options, rings);
+    files.edge = edge_of(options, request, sets, files);
     files.mask =
-        draw_mask(rings, request.width, request.height, files.edge, request.memory_limit_bytes);
+        draw_mask(sets, request.width, request.height, files.edge, request.memory_limit_bytes);
     request.mask = &*files.mask;
 }
 
@@ -218,7 +244,13 @@ Json json_of(const DomainOptions& options, const Request& request, const DomainF
         json.update(json_of_importance(options.field.importance));
     }
     if (!options.mask.empty()) json["mask"] = options.mask;
-    if (!options.inside.empty()) json.update({{"inside", options.inside}, {"edge", files.edge}});
+    // One name is a text, and several are a list.
+    const auto add_paths = [&](const char* name, const std::vector<std::string>& paths) {
+        if (!paths.empty()) json[name] = paths.size() == 1 ? Json(paths.front()) : Json(paths);
+    };
+    add_paths("inside", options.inside);
+    add_paths("outside", options.outside);
+    if (!files.polygons.empty()) json["edge"] = files.edge;
     if (request.border != 0) json["border"] = request.border;
     if (!options.keep.empty()) json.update({{"keep", options.keep}, {"kept", files.keep.size()}});
     return json;

@@ -22,7 +22,8 @@ namespace lacuna::cli {
 struct DomainOptions {
     Picture field;
     std::string mask;
-    std::string inside;
+    std::vector<std::string> inside;
+    std::vector<std::string> outside;
     std::optional<double> edge;
     std::string keep;
 };
@@ -30,14 +31,14 @@ struct DomainOptions {
 // The contents of the files. The request points into it.
 struct DomainFiles {
     std::optional<Field> field;
-    std::optional<Mask> mask;  // read from --mask, or drawn from the polygons
-    std::optional<Polygons> polygons;
+    std::optional<Mask> mask;        // read from --mask, or drawn from the polygons
+    std::vector<Polygons> polygons;  // of --inside, then of --outside
     std::vector<Point> keep;
     double edge = 0;  // how far the polygons' outline may be off
 };
 
-// Adds --field, --scale, the options of add_importance(), --mask, --inside, --edge, --border and
-// --keep.
+// Adds --field, --scale, the options of add_importance(), --mask, --inside, --outside, --edge,
+// --border and --keep.
 void add_domain(CLI::App& command, DomainOptions& options, Request& request);
 
 // The files that are read, which no output may overwrite.
@@ -52,11 +53,15 @@ void check_domain(const CLI::App& command, const DomainOptions& options);
 void read_given_files(const CLI::App& command, const DomainOptions& options, Request& request,
                       DomainFiles& files);
 
-// The polygons on the request's domain, and how far their outline may be off: --edge, or a
-// sixteenth of the least radius, which for a count is estimated.
-std::vector<PolygonRing> rings_of(const Request& request, const DomainFiles& files);
+// The rings of each file of polygons on the request's domain, and the sets that they are. The rings
+// must outlive the sets.
+std::vector<std::vector<PolygonRing>> rings_of(const Request& request, const DomainFiles& files);
+std::vector<PolygonSet> sets_of(const DomainOptions& options,
+                                std::span<const std::vector<PolygonRing>> rings);
+// How far the polygons' outline may be off: --edge, or a sixteenth of the least radius, which for a
+// count is estimated.
 double edge_of(const DomainOptions& options, const Request& request,
-               const std::vector<PolygonRing>& rings, const DomainFiles& files);
+               std::span<const PolygonSet> sets, const DomainFiles& files);
 
 // Does what read_given_files() does, and draws the polygons onto the request's mask. Without
 // --domain polygons that have no page must lie within the domain.

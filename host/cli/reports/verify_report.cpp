@@ -61,9 +61,13 @@ std::string places(const SetClaim& claim) {
     };
     if (!given.field.path.empty()) append("field", printable(given.field.path));
     if (!given.mask.empty()) append("mask", printable(given.mask));
-    if (!given.inside.empty())
-        append("inside",
-               fmt::format("{}, to an edge of {}", printable(given.inside), claim.edge_tolerance));
+    const auto append_polygons = [&](std::string_view name, const std::vector<std::string>& paths) {
+        for (const std::string& path : paths)
+            append(name,
+                   fmt::format("{}, to an edge of {}", printable(path), claim.edge_tolerance));
+    };
+    append_polygons("inside", given.inside);
+    append_polygons("outside", given.outside);
     if (claim.border != 0) append("border", fmt::format("{}", claim.border));
     if (!given.keep.empty())
         append("kept", fmt::format("{}, {} points", printable(given.keep), claim.keep.size()));
@@ -77,7 +81,10 @@ std::string reason(const SetClaim& claim) {
         case Proof::Closed::mask:
             return "where the mask lets none lie";
         case Proof::Closed::polygons:
-            return fmt::format("outside the polygons, by more than {}", claim.edge_tolerance);
+            return fmt::format("{}, by more than {}",
+                               claim.options.outside.empty() ? "outside the polygons"
+                                                             : "where the polygons let none lie",
+                               claim.edge_tolerance);
         case Proof::Closed::border:
             break;
     }
@@ -107,7 +114,7 @@ std::string kind(const SetClaim& claim) {
     std::string kind = claim.field != nullptr
                            ? fmt::format(" that follows the field at scale {}", claim.scale)
                            : fmt::format(" of radius {}", claim.radius);
-    if (claim.mask != nullptr || !claim.inside.empty() || claim.border != 0)
+    if (claim.mask != nullptr || !claim.rings.empty() || claim.border != 0)
         kind += " where points may lie";
     return kind;
 }

@@ -24,9 +24,10 @@ struct SetClaim : Claim {
     std::span<const Point> points;    // the points must outlive the claim
     bool meant_to_be_maximal = true;  // unless its file says that it is not
     DomainOptions options;
-    nlohmann::ordered_json given;    // the options, for reports
-    Extremes radii{};                // of the field; both are the radius if there is no field
-    std::vector<PolygonRing> rings;  // the polygons
+    nlohmann::ordered_json given;  // the options, for reports
+    Extremes radii{};              // of the field; both are the radius if there is no field
+    std::vector<std::vector<PolygonRing>> rings;  // of each file of polygons
+    std::vector<PolygonSet> sets;                 // of the rings, once the claim has its place
     Proof proof;
     std::vector<Level> levels;  // of a progressive order
     std::string fault;          // of the first level that does not hold, or empty

@@ -2,8 +2,8 @@
 // mask. Link lacuna::extras.
 //
 // What is promised
-//   - A point is inside if an odd number of rings goes around it (the even-odd rule): a ring within
-//     a ring is a hole. It does not matter which way a ring goes, where it begins, or whether it
+//   - A point is inside if an odd number of rings of a file goes around it (the even-odd rule): a
+//     ring within a ring is a hole. It does not matter which way a ring goes, where it begins, or whether it
 //     crosses itself or others.
 //   - The same rings give the same mask, byte for byte, on every machine.
 //   - Files are not trusted: a broken one is refused. The message is one line that names the file,
@@ -29,9 +29,6 @@
 #include <vector>
 
 namespace lacuna {
-
-// A closed outline: its last point is joined to its first.
-using PolygonRing = std::vector<Point>;
 
 struct Polygons {
     std::vector<PolygonRing> rings;  // of at least three points each, y upwards
@@ -73,6 +70,9 @@ std::vector<PolygonRing> fitted(Polygons polygons, double width, double height);
 // numbers, for rings that leave no pixel allowed, and for a mask of more bytes than the limit (0:
 // a quarter of the machine's memory).
 Mask draw_mask(std::span<const PolygonRing> rings, double width, double height, double edge,
+               std::uint64_t memory_limit_bytes = 0);
+// The same for several sets of polygons: a pixel is allowed if its centre is where samples may lie.
+Mask draw_mask(std::span<const PolygonSet> sets, double width, double height, double edge,
                std::uint64_t memory_limit_bytes = 0);
 
 }  // namespace lacuna

@@ -66,6 +66,17 @@ struct Mask {
                                         // picture (largest y)
 };
 
+// A closed outline: its last point is joined to its first.
+using PolygonRing = std::vector<Point>;
+
+// Polygons that belong together: a place is inside if an odd number of rings goes around it (the
+// even-odd rule), so a ring within a ring is a hole. Samples may lie inside of any set of polygons
+// that is not `forbidden`, if there is one, but in none that is.
+struct PolygonSet {
+    std::span<const PolygonRing> rings;
+    bool forbidden = false;
+};
+
 // How the free space is cut up.
 //   exact  strips, then boxes, refined until none has room: sets that are truly maximal
 //   lines  the paper's section 4.1: one line stands for its whole strip

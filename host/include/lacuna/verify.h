@@ -15,8 +15,9 @@
 //     is 0, no point may lie, and no spot need be covered.
 //   - A mask, polygons and a border say where points may lie, as in Request. A spot where no point
 //     may lie need not be covered. The edges of polygons may be off by Claim::edge_tolerance: a
-//     point may lie outside by up to that much. A spot that is inside by less than that, plus 4e-12
-//     of the longer side, need not be covered. A line that two rings share is an edge of both.
+//     point may lie outside by up to that much. A spot that is inside of every set of polygons by
+//     less than that, plus 4e-12 of the longer side, need not be covered. A line that two rings
+//     share is an edge of both.
 //   - Samplers round the borders of pixels to the lines of a grid. So a point that is within 2^-28
 //     of the longer side of such a border counts as lying on both pixels. Its distances are checked
 //     with the smaller radius, and the spots that it covers with the larger one. It is allowed if
@@ -53,11 +54,11 @@ struct Claim {
     const Field* field = nullptr;
     double scale = 0;  // > 0
 
-    // Where points may lie, as in Request: on pixels of the mask that are not 0; inside the
-    // polygons, by the even-odd rule, if there are any; and at least `border` away from the edges
-    // of a box. Mask and polygons must outlive the call.
+    // Where points may lie: on pixels of the mask that are not 0; where the polygons allow it, if
+    // there are any; and at least `border` away from the edges of a box. Mask and polygons must
+    // outlive the call.
     const Mask* mask = nullptr;
-    std::span<const std::vector<Point>> inside{};
+    std::span<const PolygonSet> polygons{};
     double edge_tolerance = 0;  // how far the polygons' edges may be off
     double border = 0;
 

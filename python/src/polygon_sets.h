@@ -1,0 +1,47 @@
+// Sets of polygons from python/lacuna: a list of (rings, forbidden), each ring an array.
+#pragma once
+
+#include <lacuna/lacuna.h>
+#include <nanobind/nanobind.h>
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+
+namespace lacuna::python {
+
+class PolygonSets {
+public:
+    // Needs the GIL.
+    explicit PolygonSets(const nb::list& sets) {
+        for (const nb::handle set : sets) {
+            const auto pair = nb::cast<nb::tuple>(set);
+            auto& [arrays, forbidden] = given_.emplace_back();
+            for (const nb::handle ring : nb::cast<nb::list>(pair[0]))
+                arrays.push_back(nb::cast<PointArray>(ring));
+            forbidden = nb::cast<bool>(pair[1]);
+        }
+    }
+
+    // Copies the rings, which needs no GIL. The result is valid until the next call.
+    std::span<const PolygonSet> copy() {
+        rings_.clear();
+        sets_.clear();
+        rings_.resize(given_.size());
+        for (std::size_t i = 0; i < given_.size(); ++i) {
+            for (const PointArray& array : given_[i].first) rings_[i].push_back(points_of(array));
+            sets_.push_back({rings_[i], given_[i].second});
+        }
+        return sets_;
+    }
+
+private:
+    std::vector<std::pair<std::vector<PointArray>, bool>> given_;
+    std::vector<std::vector<PolygonRing>> rings_;
+    std::vector<PolygonSet> sets_;
+};
+
+}  // namespace lacuna::python

@@ -1,0 +1,148 @@
+// Several sets of polygons: where samples may lie, drawn onto a mask and proven from coordinates.
+#include <gtest/gtest.h>
+#include <lacuna/domains.h>
+#include <lacuna/lacuna.h>
+#include <lacuna/verify.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+namespace {
+
+PolygonRing rectangle(double left, double right, double bottom, double top) {
+    return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+}
+
+std::string picture_of(const Mask& mask) {
+    std::string text;
+    for (std::size_t i = 0; i < mask.allowed.size(); ++i) {
+        text += mask.allowed[i] != 0 ? '#' : '.';
+        if ((i + 1) % mask.columns == 0) text += '\n';
+    }
+    return text;
+}
+
+constexpr double kPixel = 0.7072;  // half the diagonal of a pixel of side 1
+
+TEST(SetsOfPolygons, AreJoinedAndTheForbiddenTakenAway) {
+    const std::vector<PolygonRing> low{rectangle(0, 4, 0, 3)};
+    const std::vector<PolygonRing> high{rectangle(2, 6, 2, 5), rectangle(4, 5, 3, 4)};
+    const std::vector<PolygonRing> gone{rectangle(1, 3, 1, 4)};
+    EXPECT_EQ(picture_of(draw_mask(std::vector<PolygonSet>{{low}, {high}}, 6, 5, kPixel)),
+              "..####\n"
+              "..##.#\n"
+              "######\n"
+              "####..\n"
+              "####..\n");
+    const std::string left =
+        "..####\n"
+        "...#.#\n"
+        "#..###\n"
+        "#..#..\n"
+        "####..\n";
+    EXPECT_EQ(
+        picture_of(draw_mask(std::vector<PolygonSet>{{low}, {high}, {gone, true}}, 6, 5, kPixel)),
+        left);
+    EXPECT_EQ(
+        picture_of(draw_mask(std::vector<PolygonSet>{{gone, true}, {high}, {low}}, 6, 5, kPixel)),
+        left);
+    EXPECT_EQ(picture_of(draw_mask(std::vector<PolygonSet>{{gone, true}}, 3, 2, kPixel)),
+              "#..\n"
+              "###\n");
+}
+
+TEST(SetsOfPolygons, ThatLeaveNothingAreRefused) {
+    const std::vector<PolygonRing> all{rectangle(0, 1, 0, 1)}, part{rectangle(0, 0.5, 0, 0.5)};
+    const auto refusal = [](const std::vector<PolygonSet>& sets) -> std::string {
+        try {
+            draw_mask(sets, 1, 1, 0.1);
+        } catch (const BadRequest& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(refusal({{all, true}}),
+              "outside 1 file: must leave some of the domain, [0, 1) x [0, 1) open");
+    EXPECT_TRUE(refusal({{part}, {all, true}})
+                    .starts_with("inside 1 ring in [0, 0.5] x [0, 0.5]: must enclose some of the "
+                                 "domain, [0, 1) x [0, 1), that --outside leaves open"));
+    EXPECT_EQ(refusal({{all}, {part, true}}), "");
+    const std::vector<PolygonRing> broken{{{0, 0}, {1, 0}, {std::nan(""), 1}}};
+    EXPECT_TRUE(refusal({{all}, {broken, true}}).starts_with("outside ring 0"));
+}
+
+// Triangles and rectangles, turned, that overlap at random.
+std::vector<PolygonRing> random_rings(std::mt19937_64& random) {
+    std::uniform_real_distribution<double> unit;
+    const std::size_t corners = 3 + random() % 2;
+    const double x = unit(random), y = unit(random), size = 0.15 + 0.4 * unit(random);
+    const double turn = 7 * unit(random);
+    PolygonRing ring;
+    for (std::size_t i = 0; i < corners; ++i) {
+        const double angle = turn + 6.2831853 * static_cast<double>(i) / static_cast<double>(corners);
+        ring.push_back({x + size * std::cos(angle), y + size * std::sin(angle)});
+    }
+    return {ring};
+}
+
+// Whether all pixels of the mask around a point are allowed.
+bool is_deep_inside(const Mask& mask, Point point) {
+    const auto column = static_cast<std::int64_t>(point.x * mask.columns);
+    const auto row = static_cast<std::int64_t>((1 - point.y) * mask.rows);
+    for (std::int64_t dy = -2; dy <= 2; ++dy)
+        for (std::int64_t dx = -2; dx <= 2; ++dx) {
+            const std::int64_t x = column + dx, y = row + dy;
+            if (x < 0 || y < 0 || x >= mask.columns || y >= mask.rows) return false;
+            if (mask.allowed[static_cast<std::size_t>(y) * mask.columns +
+                             static_cast<std::size_t>(x)] == 0)
+                return false;
+        }
+    return true;
+}
+
+TEST(SetsOfPolygons, AreFilledAndProvenFull) {
+    std::mt19937_64 random(7);
+    int refuted = 0;
+    for (int i = 0; i < 120; ++i) {
+        std::vector<std::vector<PolygonRing>> rings;
+        std::vector<PolygonSet> sets;
+        const std::size_t allowed = random() % 4, forbidden = allowed == 0 ? 1 : random() % 3;
+        for (std::size_t k = 0; k < allowed + forbidden; ++k) rings.push_back(random_rings(random));
+        for (std::size_t k = 0; k < rings.size(); ++k) sets.push_back({rings[k], k >= allowed});
+        Request request;
+        request.radius = 0.06;
+        request.seed = static_cast<std::uint64_t>(i);
+        const double edge = *request.radius / 16;
+        Mask mask;
+        try {
+            mask = draw_mask(sets, 1, 1, edge);
+        } catch (const BadRequest&) {
+            continue;
+        }
+        request.mask = &mask;
+        std::vector<Point> points = sample(request).points;
+        Claim claim;
+        claim.radius = *request.radius;
+        claim.polygons = sets;
+        claim.edge_tolerance = edge;
+        const Proof proof = prove(points, claim);
+        ASSERT_TRUE(proof.maximal) << "case " << i << ", " << points.size() << " points, gap at "
+                                   << proof.largest_gap.x << " " << proof.largest_gap.y;
+        const auto deep = std::find_if(points.begin(), points.end(),
+                                       [&](Point point) { return is_deep_inside(mask, point); });
+        if (deep == points.end()) continue;
+        points.erase(deep);
+        EXPECT_FALSE(prove(points, claim).covered) << "case " << i;
+        ++refuted;
+    }
+    EXPECT_GE(refuted, 90);
+}
+
+}  // namespace
+}  // namespace lacuna
