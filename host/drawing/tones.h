@@ -30,7 +30,8 @@ struct Tones {
     std::span<const Field> densities() const { return varied.empty() ? fields : varied; }
 };
 
-// Sets the fields of `tones`, whose sizing is set: those of each ink, or one without inks.
+// Sets the fields of `tones`: one field for each ink, or a single field if there are no inks. The
+// sizing must be set before.
 void set_fields(Tones& tones, std::vector<Field> fields, std::span<const Ink> inks = {});
 
 // The number of dots that suits the picture, in all. Pens need dots for each ink by itself.

@@ -214,7 +214,8 @@ void append_origin(std::string& bytes, const Origin& origin) {
         origin.maximal, origin.options.empty() ? "{}" : origin.options, origin.version, command);
 }
 
-// Each level of a progressive order: so many first points are a maximal set of this radius.
+// For each level of a progressive order the number of its points, and the radius or scale at which
+// they are maximal.
 void append_levels(std::string& bytes, const Origin& origin) {
     bytes += "\"levels\":[";
     const char* separator = "";

@@ -69,8 +69,9 @@ private:
                along(point.x / options_.width, columns_);
     }
 
-    // Calls visit(cell, shift) for the cells within reach along an axis. On a torus the points of a
-    // cell are to be shifted, and those of all cells come once if reach is longer than half of it.
+    // Calls visit(cell, shift) for the cells within reach along an axis. On a torus `shift` moves
+    // the cell's points beside the place from which they are seen. A cell comes several times if
+    // reach is longer than half of the torus.
     template <class Visit>
     void for_each_cell(double at, double reach, double length, std::uint32_t cells,
                        Visit visit) const {

@@ -13,8 +13,9 @@ namespace lacuna {
 // sequences 14 have a prefix whose least distance is under 0.7 of a hexagonal lattice's, and
 // here 1.
 inline constexpr int kLevelsPerHalving = 32;
-// About so many points has the first level. From 1 on, holes are filled one by one, the deepest
-// first, which makes lattices of 2^k points, and then for a while no more points: down to 0.65.
+// The first level has about 16 points. If it had 1, each later sample would fill the deepest hole,
+// which makes lattices of 2, 4, 8, ... points. After such a lattice, radii shrink for many levels
+// before a sample fits, and the relative distance falls to 0.65.
 inline constexpr double kFirstPoints = 16;
 
 // Makes the sequence down to the request's radius or scale, or until it has request.count points.

@@ -19,8 +19,9 @@ public:
     // places. As Outline::under(): near edges the answer may include a kind that there is not.
     Openness under(const Cell& cell, double clearance) const;
 
-    // How deep a place lies in the region: its distance to the edges of the set in which it lies
-    // deepest, or to those of a forbidden set if they are nearer. Negative outside.
+    // How deep a place lies in the region. It is the distance to the edges of the set in which the
+    // place lies deepest. If the edges of a forbidden set are nearer, it is the distance to them.
+    // Outside of the region it is negative.
     double depth_of(Point place) const;
 
 private:

@@ -178,7 +178,8 @@ void check(const CLI::App& command, const VerifyCommand& options) {
     prove({}, claim);
 }
 
-// Proves that each level's points are a maximal set of its radius, or tells of one that are not.
+// Proves for each level that its points are a maximal set of its radius. Returns an empty text, or
+// what is wrong with the first level that is not.
 std::string fault_in_levels(const SetClaim& claim) {
     for (const Level& level : claim.levels) {
         SetClaim one = claim;

@@ -3,8 +3,8 @@
 //
 // What is promised
 //   - A point is inside if an odd number of rings of a file goes around it (the even-odd rule): a
-//     ring within a ring is a hole. It does not matter which way a ring goes, where it begins, or whether it
-//     crosses itself or others.
+//     ring within a ring is a hole. It does not matter which way a ring goes, where it begins, or
+//     whether it crosses itself or others.
 //   - The same rings give the same mask, byte for byte, on every machine.
 //   - Files are not trusted: a broken one is refused. The message is one line that names the file,
 //     the line or element, what was found and what is allowed.

@@ -174,7 +174,7 @@ struct Result {
     std::uint64_t draws = 0;
     std::string backend;          // the name of the backend that did the work
     std::string device;           // the name of its device
-    std::vector<Level> levels{};  // of a progressive order, those that were finished
+    std::vector<Level> levels{};  // the finished levels of a progressive order
 };
 
 // The steps of a round and of an iteration of relax, for observers that time them.

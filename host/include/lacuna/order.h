@@ -17,14 +17,14 @@ struct OrderOptions {
     std::uint64_t seed = 0;  // of the order in which points that are equally good come
 };
 
-// The indices of the points in a progressive order: each once. The first are as far apart as points
-// of about 16 can be, and the distance shrinks from level to level, by 2^(-1/32), as with
-// Request::progressive: a level takes each point, in an order of chance, that is at least so far
-// from all that were taken before. With a field, whose importance must not be 0 at a point, the
-// distance of two points is counted in units of the smaller of their radii, 1 / sqrt(importance).
-// The same on every machine. Takes O(n log n) time for points that are spread evenly.
-// Throws BadRequest for a point outside the domain or on importance 0, and what sample() throws for
-// a domain or a field.
+// Returns the index of each point once, in a progressive order. Its levels are those of
+// Request::progressive: the first has a radius at which about 16 points fit, and each next one a
+// radius smaller by 2^(-1/32). A level looks at the points in a random order, and takes each point
+// that is at least the radius away from all points taken before. With a field, distances are in
+// units of 1 / sqrt(importance), of the two points' the smaller; the importance must not be 0 at a
+// point. The result is the same on every machine. It takes O(n log n) time for points that are
+// spread evenly. Throws BadRequest for a point outside the domain or on importance 0, and what
+// sample() throws for a domain or a field.
 std::vector<std::uint32_t> progressive_order(std::span<const Point> points, const Field* field,
                                              const OrderOptions& options);
 
