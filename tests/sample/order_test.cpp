@@ -77,9 +77,9 @@ TEST(AnOrder, IsEvenAtEveryPrefix) {
     EXPECT_LE(mean_from_16(relative_distances(points)), 0.55);
 }
 
-// All pairs are asked. A level takes each point that is at least a size from all points taken
-// before. So the distances at which points are taken shrink, but for the step from a level to the
-// next.
+// All pairs are asked. A level takes each point that is at least the level's size away from all
+// points taken before. So a point may be taken at a longer distance than an earlier one, but not by
+// more than the step from a level to the next.
 TEST(AnOrder, TakesPointsAtDistancesThatShrink) {
     Field field{4, 4, {}};
     for (int i = 0; i < 16; ++i) field.importance.push_back(0.2 + i % 5);

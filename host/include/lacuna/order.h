@@ -17,7 +17,7 @@ struct OrderOptions {
     std::uint64_t seed = 0;  // of the order in which points that are equally good come
 };
 
-// Returns the index of each point once, in a progressive order. Its levels are those of
+// Returns the indices of all points in a progressive order. The levels are those of
 // Request::progressive: the first has a radius at which about 16 points fit, and each next one a
 // radius smaller by 2^(-1/32). A level looks at the points in a random order, and takes each point
 // that is at least the radius away from all points taken before. With a field, distances are in
