@@ -168,6 +168,15 @@ FieldSums sums_of(const Field& field, const Poll& poll = nobody_asks);
 // make_plan for mode cells. The request was checked before (plan_cells.cpp).
 Plan make_cells_plan(const Request& request, const FieldSums& sums, const Poll& poll = nobody_asks);
 
+// What a plan with a radius field has at a size, its radius or scale.
+struct FieldSize {
+    double least_radius;
+    double samples;  // expected number in a maximal set
+};
+// Throws BadRequest or MemoryRefused, for the request's count, scale or radius, if it is too small.
+FieldSize check_radius_field_size(const Request& request, double size,
+                                  const Poll& poll = nobody_asks);
+
 // make_plan for mode exact with a radius field. The request was checked before, including the
 // distances of kept points (plan_radius_field.cpp). The plan keeps `samples`, too, which lie where
 // samples may lie and keep their distances.

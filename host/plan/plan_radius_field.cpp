@@ -153,19 +153,26 @@ double radius_field_scale_for_count(const Request& request, double count, const 
     return radius * std::sqrt(greatest);
 }
 
+FieldSize check_radius_field_size(const Request& request, double size, const Poll& poll) {
+    const std::string option = request.count              ? "count"
+                               : request.field != nullptr ? "scale"
+                                                          : "radius";
+    const std::string value = request.count ? std::to_string(*request.count) : shortest(size);
+    if (!std::isfinite(size) || size <= 0)
+        throw BadRequest(option, value, "must be a finite number greater than 0");
+    const double greatest = greatest_of(request);
+    const double least_radius = size / std::sqrt(greatest);
+    const double samples = kTorusDensity * share_of(request, greatest, poll) *
+                           (request.width / least_radius) * (request.height / least_radius);
+    check_size(request, option, value, least_radius, samples);
+    return {least_radius, samples};
+}
+
 Plan make_radius_field_plan(const Request& request, const Poll& poll,
                             std::span<const Sample> samples) {
     const bool has_field = request.field != nullptr;
-    const std::string option = has_field ? "scale" : "radius";
     const double scale = has_field ? *request.scale : *request.radius;
-    if (!std::isfinite(scale) || scale <= 0)
-        throw BadRequest(option, shortest(scale), "must be a finite number greater than 0");
-    const double greatest = greatest_of(request);
-    const double least_radius = scale / std::sqrt(greatest);
-    const double expected = kTorusDensity * share_of(request, greatest, poll) *
-                            (request.width / least_radius) * (request.height / least_radius);
-    check_size(request, option, shortest(scale), least_radius, expected);
-
+    const auto [least_radius, expected] = check_radius_field_size(request, scale, poll);
     const double longer = std::max(request.width, request.height);
     Plan plan;
     plan.width = static_cast<std::uint32_t>(kRadiusFieldUnits * (request.width / longer));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -41,6 +42,13 @@ private:
     int last_ = std::numeric_limits<int>::max();
 };
 
+// The radius or scale asked for, or expected at the last of `count` points.
+double size_at_the_end(const Request& request, const Poll& poll) {
+    if (request.count)
+        return radius_field_scale_for_count(request, static_cast<double>(*request.count), poll);
+    return request.field != nullptr ? *request.scale : *request.radius;
+}
+
 Request at_size(const Request& request, double size) {
     Request level = request;
     level.count.reset();
@@ -77,22 +85,18 @@ private:
     std::uint64_t expected_;
 };
 
-std::uint64_t expected_points(const Request& request, const Sizes& sizes) {
-    if (request.count) return *request.count;
-    const double ratio = sizes.at(0) / (request.field ? *request.scale : *request.radius);
-    return static_cast<std::uint64_t>(std::min(kFirstPoints * ratio * ratio, 1e18));
-}
-
 }  // namespace
 
 Result progressive(const Request& request, Observer& observer, const Poll& poll) {
     const Sizes sizes(request, poll);
+    const FieldSize last = check_radius_field_size(request, size_at_the_end(request, poll), poll);
     Request all = request;
     if (request.count) all.limit = std::min(*request.count, request.limit.value_or(*request.count));
+    const auto most = static_cast<std::uint64_t>(std::min(last.samples, 1e18));
     Result result;
     result.points.assign(request.keep.begin(), request.keep.end());
     std::vector<Sample> samples;  // of all levels
-    Onward onward(observer, result, expected_points(request, sizes));
+    Onward onward(observer, result, std::min(most, all.limit.value_or(most)));
     for (int level = first_level(request, sizes);; ++level) {
         const Request request_now = at_size(all, sizes.at(level));
         Plan plan = make_radius_field_plan(request_now, poll, samples);
@@ -113,6 +117,8 @@ Result progressive(const Request& request, Observer& observer, const Poll& poll)
         if (is_whole) result.levels.push_back({sizes.at(level), result.points.size()});
         if (is_whole && !sizes.is_last(level)) continue;
         result.maximal = is_whole;
+        if (all.limit)
+            result.points.resize(std::min(result.points.size(), std::size_t{*all.limit}));
         return result;
     }
 }

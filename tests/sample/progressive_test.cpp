@@ -170,6 +170,26 @@ TEST_P(ProgressiveOn, IsTheReferencesSequence) {
 INSTANTIATE_TEST_SUITE_P(Backends, ProgressiveOn, tests::kParallelBackends,
                          tests::name_of_parameter);
 
+TEST(Progressive, IsCutWithinKeptPoints) {
+    const Kinds kinds;
+    Request request = progressive(2);
+    request.keep = kinds.keep;
+    EXPECT_EQ(sample(request).points, (std::vector<Point>{kinds.keep[0], kinds.keep[1]}));
+}
+
+TEST(Progressive, IsRefusedAtOnceWhereItWouldTakeTooMuch) {
+    Request request = progressive(1'000'000'000'000);
+    EXPECT_TRUE(tests::refusal_of([&] { sample(request); }).starts_with("count 1000000000000: "));
+    request = progressive(2'000'000);
+    request.memory_limit_bytes = 100'000'000;
+    EXPECT_TRUE(tests::refusal_of([&] { sample(request); }).starts_with("count 2000000: needs"));
+    request.count.reset();
+    request.radius = 1e-9;
+    EXPECT_TRUE(tests::refusal_of([&] { sample(request); }).starts_with("radius 1e-09: makes"));
+    request.radius = -1;
+    EXPECT_TRUE(tests::refusal_of([&] { sample(request); }).starts_with("radius -1: must be"));
+}
+
 TEST(Progressive, IsForModeExact) {
     Request request = progressive(100);
     request.mode = Mode::lines;

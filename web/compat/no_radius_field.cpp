@@ -28,6 +28,9 @@ double radius_field_scale_for_count(const Request&, double, const Poll&) {
 void check_kept_place(const Request&, std::size_t, const char*) {
     refuse();
 }
+FieldSize check_radius_field_size(const Request&, double, const Poll&) {
+    refuse();
+}
 bool keep_their_distances(const Request&) {
     refuse();
 }
