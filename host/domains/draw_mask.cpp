@@ -179,7 +179,8 @@ void add_set(const PolygonSet& set, bool is_only, Point scale, Mask& mask) {
     const bool has_forbidden = allowed.size() != sets.size();
     const std::string domain = fmt::format("the domain, [0, {:.6g}) x [0, {:.6g})", width, height);
     if (allowed.empty())
-        throw BadRequest("outside", fmt::format("{} file{}", sets.size(), sets.size() == 1 ? "" : "s"),
+        throw BadRequest("outside",
+                         fmt::format("{} file{}", sets.size(), sets.size() == 1 ? "" : "s"),
                          fmt::format("must leave some of {} open", domain));
     std::size_t rings = 0;
     for (const PolygonSet& set : allowed) rings += set.rings.size();

@@ -22,8 +22,9 @@ void sharpen(Image& image, const Importance& options);
 // I = max(min_importance, d^gamma), where d = 1 - l, or l with invert. Here l is luminance / white
 // of the picture, stretched between black and white of the options. So every value is in [0, 1],
 // and white (black with invert) is 0, which means no sample there, unless min_importance is over 0.
-// The result is the same to the last bit on every machine. Reuses the picture's memory. Throws BadRequest as check() does, or if gamma rounds all
-// importance to 0, and FileError with the picture's name if no pixel has any importance.
+// The result is the same to the last bit on every machine. Reuses the picture's memory. Throws
+// BadRequest as check() does, or if gamma rounds all importance to 0, and FileError with the
+// picture's name if no pixel has any importance.
 Field importance_of(Image image, const Importance& options);
 
 // The steps of importance_of().

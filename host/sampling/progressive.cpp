@@ -118,7 +118,8 @@ Result progressive(const Request& request, Observer& observer, const Poll& poll)
         if (is_whole && !sizes.is_last(level)) continue;
         result.maximal = is_whole;
         if (all.limit)
-            result.points.resize(std::min(result.points.size(), std::size_t{*all.limit}));
+            result.points.resize(
+                std::min(result.points.size(), static_cast<std::size_t>(*all.limit)));
         return result;
     }
 }

@@ -78,10 +78,12 @@ TEST(Refused, OfSampleAreFilesThatSayWherePointsMayLie) {
     };
     const Refusals refusals{
         {"--mask half.pgm --inside triangle.txt", 2,
-         "lacuna: --mask half.pgm: cannot be used with --inside or --outside: draw the polygons into the "
+         "lacuna: --mask half.pgm: cannot be used with --inside or --outside: draw the polygons "
+         "into the "
          "picture\n"},
         {"--mask half.pgm --relax 3", 2,
-         "lacuna: --relax 3: cannot be used with --mask, --inside, --outside, --border or --keep\n"},
+         "lacuna: --relax 3: cannot be used with --mask, --inside, --outside, --border or "
+         "--keep\n"},
         {"--inside triangle.txt --edge 1e-9", 2,
          "lacuna: --edge 1e-09: takes a mask of 707106782 x 7"},
         {"--inside half.pgm", 2,

@@ -85,7 +85,8 @@ std::vector<PolygonRing> random_rings(std::mt19937_64& random) {
     const double turn = 7 * unit(random);
     PolygonRing ring;
     for (std::size_t i = 0; i < corners; ++i) {
-        const double angle = turn + 6.2831853 * static_cast<double>(i) / static_cast<double>(corners);
+        const double angle =
+            turn + 6.2831853 * static_cast<double>(i) / static_cast<double>(corners);
         ring.push_back({x + size * std::cos(angle), y + size * std::sin(angle)});
     }
     return {ring};
