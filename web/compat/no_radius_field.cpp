@@ -6,7 +6,7 @@
 #include "plan/kept.h"
 #include "plan/plan.h"
 #include "plan/radius_field.h"
-#include "verify/outline.h"
+#include "verify/region.h"
 
 namespace lacuna {
 namespace {
@@ -53,11 +53,11 @@ std::unique_ptr<Backend> cpu::make_field_backend(const Plan&, const Placement&) 
 }
 
 // Claims of the page have no polygons, so these are never called.
-verify::Outline::Outline(std::span<const std::vector<Point>>) {}
-verify::Openness verify::Outline::under(const Cell&, double) const {
+verify::Region::Region(std::span<const PolygonSet>) {}
+verify::Openness verify::Region::under(const Cell&, double) const {
     refuse();
 }
-double verify::Outline::depth_of(Point) const {
+double verify::Region::depth_of(Point) const {
     refuse();
 }
 
