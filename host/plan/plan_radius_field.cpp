@@ -57,8 +57,7 @@ double greatest_of(const Request& request) {
 
 // The part of the domain inside the border. Distances from the edges are computed from the
 // coordinates that the user gets.
-RadiusField::Shape shape_of(const Request& request, std::uint32_t width, std::uint32_t height,
-                            bool has_kept) {
+RadiusField::Shape shape_of(const Request& request, std::uint32_t width, std::uint32_t height) {
     const double border = request.border;
     const double unit_x = request.width / width;
     const double unit_y = request.height / height;
@@ -80,7 +79,7 @@ RadiusField::Shape shape_of(const Request& request, std::uint32_t width, std::ui
             high(unit_x, width, request.width),
             low(unit_y),
             high(unit_y, height, request.height),
-            has_kept};
+            !request.keep.empty()};
 }
 
 // The radius of a kept point. It may lie on a pixel where no sample may, if that pixel's border is
@@ -179,8 +178,7 @@ Plan make_radius_field_plan(const Request& request, const Poll& poll,
     plan.height = static_cast<std::uint32_t>(kRadiusFieldUnits * (request.height / longer));
     plan.lines = 1;
     plan.strip_width = plan.width;
-    const bool has_kept = !request.keep.empty() || !samples.empty();
-    const RadiusField::Shape shape = shape_of(request, plan.width, plan.height, has_kept);
+    const RadiusField::Shape shape = shape_of(request, plan.width, plan.height);
     FieldPlan field;
     field.radius_field =
         std::make_shared<const RadiusField>(request.field, scale, request.mask, shape, poll);

@@ -56,7 +56,7 @@ public:
         std::uint32_t high_x;
         std::uint32_t low_y;
         std::uint32_t high_y;
-        bool has_kept;  // whether there are kept samples
+        bool has_kept;  // whether there are kept points, whose coordinates are not in whole units
     };
 
     // Without a field the radius is `scale` everywhere.
