@@ -9,9 +9,8 @@
 
 namespace lacuna {
 
-// From level to level radii shrink by 2^(-1/32). With 2^(-1/16) it takes half as long, but of 200
-// sequences 14 have a prefix whose least distance is under 0.7 of a hexagonal lattice's, and
-// here 1.
+// From level to level radii shrink by 2^(-1/32). With 2^(-1/16) it takes half as long, but 14 of
+// 200 sequences have a prefix whose least distance is under 0.7 of a hexagonal lattice's, not 2.
 inline constexpr int kLevelsPerHalving = 32;
 // The first level has about 16 points. If it had 1, each later sample would fill the deepest hole,
 // which makes lattices of 2, 4, 8, ... points. After such a lattice, radii shrink for many levels
