@@ -9,6 +9,7 @@
 
 #include "analysis/radial.h"
 #include "analysis/spectrum.h"
+#include "drawing/page.h"
 #include "drawing/pen/pen_path.h"
 #include "drawing/picture_svg.h"
 #include "drawing/tones.h"
@@ -127,13 +128,12 @@ Set dots_of_inks(const drawing::Tones& tones, const Request& request, std::uint3
 void order_for_a_pen(Set& set) {
     std::vector<Point> ordered;
     ordered.reserve(set.points.size());
-    const auto order = [&](std::span<const Point> dots) {
-        for (const std::uint32_t index : pen::pen_path(dots, [] { return true; }))
-            ordered.push_back(dots[index]);
-    };
-    if (set.layers.empty()) order(set.points);
-    for (const files::Layer& layer : set.layers)
-        order(std::span(set.points).subspan(ordered.size(), layer.dots));
+    files::PointSet dots{set.points};
+    dots.layers = set.layers;
+    drawing::for_each_layer(dots, {}, [&](std::size_t, const auto& part, const auto&) {
+        for (const std::uint32_t index : pen::pen_path(part.points, [] { return true; }))
+            ordered.push_back(part.points[index]);
+    });
     set.points = std::move(ordered);
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "drawing/dot_count.h"
+#include "drawing/page.h"
 
 namespace lacuna::drawing {
 namespace {
@@ -16,16 +17,17 @@ std::vector<double> toned_diameters(const Tones& tones, const files::PointSet& s
                                     const Style& style) {
     const double scale = millimetres_per_unit(set, style);
     std::vector<double> all;
-    for (std::size_t k = 0; k < tones.fields.size(); ++k) {
-        const std::size_t count = tones.has_inks() ? tones.layers[k].dots : set.points.size();
-        const auto points = set.points.subspan(all.size(), count);
+    files::PointSet dots = set;
+    dots.layers = tones.layers;
+    for_each_layer(dots, Style{}, [&](std::size_t k, const auto& part, const Style&) {
         const Field& field = tones.fields[k];
         const std::vector<double> diameters =
-            tones.sizing.pens
-                ? pen_diameters(points, field, set.width, set.height, *tones.sizing.pens, scale)
-                : dot_diameters(points, field, set.width, set.height, tones.spread, tones.sizing);
+            tones.sizing.pens ? pen_diameters(part.points, field, set.width, set.height,
+                                              *tones.sizing.pens, scale)
+                              : dot_diameters(part.points, field, set.width, set.height,
+                                              tones.spread, tones.sizing);
         all.insert(all.end(), diameters.begin(), diameters.end());
-    }
+    });
     return all;
 }
 

@@ -12,6 +12,7 @@
 #include "base/power.h"
 #include "plan/kept.h"
 #include "plan/plan.h"
+#include "plan/radius_field.h"
 #include "sampling/generate.h"
 
 namespace lacuna {
@@ -56,13 +57,15 @@ Request at_size(const Request& request, double size) {
     return level;
 }
 
-// The first level at which points that the request keeps are not too close together.
+// The first level at which points that the request keeps are not too close together. Throws
+// BadRequest if they are at the last level, or at the smallest radius that there can be.
 int first_level(const Request& request, const Sizes& sizes) {
-    int level = 0;
-    while (!sizes.is_last(level) && !keep_their_distances(at_size(request, sizes.at(level))))
-        ++level;
-    check_kept_distances(at_size(request, sizes.at(level)));
-    return level;
+    const double smallest = kSmallestRadius * std::max(request.width, request.height);
+    for (int level = 0;; ++level) {
+        const Request at_level = at_size(request, sizes.at(level));
+        if (keep_their_distances(at_level)) return level;
+        if (sizes.is_last(level) || sizes.at(level) < smallest) check_kept_distances(at_level);
+    }
 }
 
 // Adds what earlier levels have done to what the current one reports.

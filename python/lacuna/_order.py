@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, SupportsFloat
 
 from . import _core
-from ._arguments import field_of, flag, pair, points_array, seed_of
-from ._results import PointSet, Relaxed
+from ._arguments import field_of, points_array, seed_of
+from ._judging import domain_of
 from ._runs import shape_of
 
 if TYPE_CHECKING:
@@ -64,12 +64,6 @@ def order(
     """
     given = points_array("points", points)
     importance = None if field is None else field_of("field", field)
-    if domain is not None:
-        sides = pair("domain", domain)
-    elif isinstance(points, (PointSet, Relaxed)):
-        sides = points.domain
-    else:
-        sides = (1.0, 1.0) if importance is None else shape_of(importance)
-    if torus is None:
-        torus = isinstance(points, (PointSet, Relaxed)) and points.torus
-    return _core.progressive_order(given, importance, *sides, flag("torus", torus), seed_of(seed))
+    shape = (1.0, 1.0) if importance is None else shape_of(importance)
+    width, height, wraps = domain_of(points, domain, torus, shape)
+    return _core.progressive_order(given, importance, width, height, wraps, seed_of(seed))

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
 
 from . import _core
-from ._arguments import field_of, flag, pair, points_array, whole
-from ._results import PointSet, Relaxed
+from ._arguments import field_of, flag, points_array, whole
+from ._judging import domain_of
+from ._results import Relaxed
 from ._runs import MOST_32, checked_progress, place, relaxed_points, shape_of
 
 if TYPE_CHECKING:
@@ -71,15 +72,9 @@ def relax(
     moved = points_array("points", points)
     importance = None if field is None else field_of("field", field)
     options = _core.RelaxOptions()
-    if domain is not None:
-        sides = pair("domain", domain)
-    elif isinstance(points, (PointSet, Relaxed)):
-        sides = points.domain
-    else:
-        sides = (1.0, 1.0) if importance is None else shape_of(importance)
-    if torus is None:
-        torus = isinstance(points, (PointSet, Relaxed)) and points.torus
-    place(options, sides, torus, backend, device, threads)
+    shape = (1.0, 1.0) if importance is None else shape_of(importance)
+    width, height, wraps = domain_of(points, domain, torus, shape)
+    place(options, (width, height), wraps, backend, device, threads)
     options.iterations = whole("iterations", iterations, 0, MOST_32)
     options.measure = flag("measure", measure)
     checked_progress(progress)

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "domains/picture_of_mask.h"
+
 namespace {
 
 using namespace lacuna;
@@ -24,16 +26,6 @@ std::string refusal_of(const std::vector<PolygonRing>& rings, double width, doub
         return error.what();
     }
     return "";
-}
-
-// Rows of a mask, # where it allows samples.
-std::string picture_of(const Mask& mask) {
-    std::string text;
-    for (std::size_t i = 0; i < mask.allowed.size(); ++i) {
-        text += mask.allowed[i] != 0 ? '#' : '.';
-        if ((i + 1) % mask.columns == 0) text += '\n';
-    }
-    return text;
 }
 
 // Half the diagonal of a pixel of side 1, and a little more, in case the division rounds up.
@@ -79,7 +71,7 @@ bool is_on_an_edge(const std::vector<std::vector<Whole>>& rings, Whole at) {
 
 TEST(ADrawnMask, HasThePixelsWhoseMiddlesAreInside) {
     const std::vector<PolygonRing> rings{{{1, 1}, {5, 1}, {1, 5}}};
-    EXPECT_EQ(picture_of(draw_mask(rings, 6, 6, kPixel)),
+    EXPECT_EQ(tests::picture_of(draw_mask(rings, 6, 6, kPixel)),
               "......\n"
               "......\n"
               ".#....\n"
@@ -100,10 +92,13 @@ TEST(ADrawnMask, LeavesOutHolesAndWhatIsEnclosedTwice) {
         "#.....#\n"
         "#.....#\n"
         "#######\n";
-    EXPECT_EQ(picture_of(draw_mask(std::vector{outer, hole, island}, 7, 7, kPixel)), expected);
-    EXPECT_EQ(picture_of(draw_mask(std::vector{island, outer, hole}, 7, 7, kPixel)), expected);
-    EXPECT_EQ(picture_of(draw_mask(std::vector{island, outer, hole, hole, hole}, 7, 7, kPixel)),
+    EXPECT_EQ(tests::picture_of(draw_mask(std::vector{outer, hole, island}, 7, 7, kPixel)),
               expected);
+    EXPECT_EQ(tests::picture_of(draw_mask(std::vector{island, outer, hole}, 7, 7, kPixel)),
+              expected);
+    EXPECT_EQ(
+        tests::picture_of(draw_mask(std::vector{island, outer, hole, hole, hole}, 7, 7, kPixel)),
+        expected);
 }
 
 TEST(ADrawnMask, IsRightPixelByPixelForRandomRings) {
@@ -163,7 +158,7 @@ TEST(ADrawnMask, IsFineEnoughForItsEdge) {
 TEST(ADrawnMask, TakesWhatIsWithinTheDomainOfRingsThatReachFarBeyond) {
     const std::vector<PolygonRing> rings{
         {{-1e100, -1e100}, {1e100, -1e100}, {1e100, 2}, {-1e100, 2}}};
-    EXPECT_EQ(picture_of(draw_mask(rings, 2, 3, kPixel)), "..\n##\n##\n");
+    EXPECT_EQ(tests::picture_of(draw_mask(rings, 2, 3, kPixel)), "..\n##\n##\n");
 }
 
 TEST(ADrawnMask, HasNothingOfRingsThatCoincide) {

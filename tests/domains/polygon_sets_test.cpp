@@ -12,20 +12,13 @@
 #include <string>
 #include <vector>
 
+#include "domains/picture_of_mask.h"
+
 namespace lacuna {
 namespace {
 
 PolygonRing rectangle(double left, double right, double bottom, double top) {
     return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
-}
-
-std::string picture_of(const Mask& mask) {
-    std::string text;
-    for (std::size_t i = 0; i < mask.allowed.size(); ++i) {
-        text += mask.allowed[i] != 0 ? '#' : '.';
-        if ((i + 1) % mask.columns == 0) text += '\n';
-    }
-    return text;
 }
 
 constexpr double kPixel = 0.7072;  // half the diagonal of a pixel of side 1
@@ -34,7 +27,7 @@ TEST(SetsOfPolygons, AreJoinedAndTheForbiddenTakenAway) {
     const std::vector<PolygonRing> low{rectangle(0, 4, 0, 3)};
     const std::vector<PolygonRing> high{rectangle(2, 6, 2, 5), rectangle(4, 5, 3, 4)};
     const std::vector<PolygonRing> gone{rectangle(1, 3, 1, 4)};
-    EXPECT_EQ(picture_of(draw_mask(std::vector<PolygonSet>{{low}, {high}}, 6, 5, kPixel)),
+    EXPECT_EQ(tests::picture_of(draw_mask(std::vector<PolygonSet>{{low}, {high}}, 6, 5, kPixel)),
               "..####\n"
               "..##.#\n"
               "######\n"
@@ -46,13 +39,13 @@ TEST(SetsOfPolygons, AreJoinedAndTheForbiddenTakenAway) {
         "#..###\n"
         "#..#..\n"
         "####..\n";
-    EXPECT_EQ(
-        picture_of(draw_mask(std::vector<PolygonSet>{{low}, {high}, {gone, true}}, 6, 5, kPixel)),
-        left);
-    EXPECT_EQ(
-        picture_of(draw_mask(std::vector<PolygonSet>{{gone, true}, {high}, {low}}, 6, 5, kPixel)),
-        left);
-    EXPECT_EQ(picture_of(draw_mask(std::vector<PolygonSet>{{gone, true}}, 3, 2, kPixel)),
+    EXPECT_EQ(tests::picture_of(
+                  draw_mask(std::vector<PolygonSet>{{low}, {high}, {gone, true}}, 6, 5, kPixel)),
+              left);
+    EXPECT_EQ(tests::picture_of(
+                  draw_mask(std::vector<PolygonSet>{{gone, true}, {high}, {low}}, 6, 5, kPixel)),
+              left);
+    EXPECT_EQ(tests::picture_of(draw_mask(std::vector<PolygonSet>{{gone, true}}, 3, 2, kPixel)),
               "#..\n"
               "###\n");
 }

@@ -149,6 +149,11 @@ TEST(Progressive, HasKeptPointsFirst) {
     const std::string refusal = tests::refusal_of([&] { sample(request); });
     EXPECT_TRUE(refusal.starts_with("keep point 0")) << refusal;
     EXPECT_NE(refusal.find("at least 0.05"), std::string::npos) << refusal;
+    // On the same place points are too close at any radius.
+    const std::vector<Point> twice{{0.5, 0.5}, {0.5, 0.5}};
+    Request counted = progressive(50);
+    counted.keep = twice;
+    EXPECT_TRUE(tests::refusal_of([&] { sample(counted); }).starts_with("keep point 0"));
 }
 
 class ProgressiveOn : public tests::OnBackend {};

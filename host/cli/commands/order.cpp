@@ -13,12 +13,12 @@
 
 #include "cli/commands/given_set.h"
 #include "cli/options/common_options.h"
+#include "cli/options/domain_options.h"
 #include "cli/options/drawing.h"
 #include "cli/options/options.h"
 #include "cli/reports/output.h"
 #include "cli/reports/writing.h"
 #include "cli/terminal/interruption.h"
-#include "drawing/dot_size.h"
 #include "files/point_files.h"
 #include "pictures/importance.h"
 
@@ -57,24 +57,22 @@ void run(const OrderCommand& options) {
     Interruption interruption;
     Request request = options.common.request;
     const SetAndField given = read_given_set(options.set, request);
-    const Field* const field = given.field ? &*given.field : nullptr;
+    if (given.field) request.field = &*given.field;
     std::vector<Point> points;
     points.reserve(given.points.size());
-    for (const std::uint32_t index : progressive_order(
-             given.points, field, {request.width, request.height, request.boundary, request.seed}))
+    for (const std::uint32_t index :
+         progressive_order(given.points, request.field,
+                           {request.width, request.height, request.boundary, request.seed}))
         points.push_back(given.points[index]);
 
     const files::PointSet set{points, request.width, request.height};
     Writing writing(interruption);
     write_set(writing, options.drawing, outputs, set,
-              style_of(options.drawing, request.width, request.height), [&] {
-                  return field ? drawing::dot_diameters(points, *field, set.width, set.height,
-                                                        drawing::Spread::even)
-                               : std::vector<double>();
-              });
+              style_of(options.drawing, request.width, request.height),
+              [&] { return dots_of(request, points, drawing::Spread::even); });
     if (options.common.quiet || has_standard_output(outputs)) return;
     const std::string summary =
-        fmt::format("{} points, in order -> {}", points.size(), outputs.front().path);
+        fmt::format("{} points, in order -> {}", points.size(), paths_of(outputs));
     std::fputs((printable(summary) + "\n").c_str(), stderr);
 }
 
@@ -90,9 +88,7 @@ void add_order(CLI::App& app) {
                "Another seed gives another order of the points of a level (default 0)");
     add_how_to_draw(command, options->drawing,
                     "dots have as much ink as the picture is dark, or as a set of so many has");
-    add_outputs(command, options->common.output, "FILE",
-                "By extension: " + files::written_extensions() +
-                    "; - is standard output, as .txt (default); may be given several times");
+    add_point_outputs(command, options->common);
     command.add_flag("--quiet", options->common.quiet, "No summary at the end, and no warning")
         ->disable_flag_override();
     command.callback([options] { run(*options); });

@@ -17,6 +17,7 @@
 #include "cli/commands/given_set.h"
 #include "cli/commands/relaxation.h"
 #include "cli/options/common_options.h"
+#include "cli/options/domain_options.h"
 #include "cli/options/drawing.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_field.h"
@@ -24,7 +25,6 @@
 #include "cli/reports/report.h"
 #include "cli/reports/writing.h"
 #include "cli/terminal/interruption.h"
-#include "drawing/dot_size.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
 #include "pictures/importance.h"
@@ -85,11 +85,9 @@ void sum_up(const RelaxCommand& options, const std::vector<Output>& outputs, con
             const Relaxation& relaxation) {
     const CommonOptions& common = options.common;
     if (common.quiet || has_standard_output(outputs) || is_standard_output(common.report)) return;
-    std::string paths;
-    for (const Output& output : outputs) paths += (paths.empty() ? "" : ", ") + output.path;
-    const std::string summary =
-        fmt::format("{} points, {} iterations, {:.3f} s, {} -> {}", made.result.points.size(),
-                    options.iterations, made.seconds, relaxation.relaxed.backend, paths);
+    const std::string summary = fmt::format(
+        "{} points, {} iterations, {:.3f} s, {} -> {}", made.result.points.size(),
+        options.iterations, made.seconds, relaxation.relaxed.backend, paths_of(outputs));
     std::fputs((printable(summary) + "\n").c_str(), stderr);
 }
 
@@ -99,10 +97,9 @@ void run(const RelaxCommand& options) {
     CommonOptions common = options.common;
     Request& request = common.request;
     SetAndField given = read_given_set(options.set, request);
-    const std::optional<Field>& field = given.field;
     Made made;
     made.result.points = std::move(given.points);
-    if (field) request.field = &*field;
+    if (given.field) request.field = &*given.field;
     const Relaxation relaxation = relax_points(
         common, outputs, relax_options_of(request, options.iterations), request.field, made);
 
@@ -116,11 +113,8 @@ void run(const RelaxCommand& options) {
         writing.add(common.report, [&] {
             return relax_report(json_of(options, request), made, json_of(relaxation));
         });
-    write_set(writing, options.drawing, outputs, set, style, [&] {
-        return field ? drawing::dot_diameters(set.points, *field, set.width, set.height,
-                                              drawing::Spread::even)
-                     : std::vector<double>();
-    });
+    write_set(writing, options.drawing, outputs, set, style,
+              [&] { return dots_of(request, set.points, drawing::Spread::even); });
     sum_up(options, outputs, made, relaxation);
 }
 

@@ -14,6 +14,7 @@
 #include "cli/reports/report.h"
 #include "cli/terminal/progress_bar.h"
 #include "cli/terminal/stopwatch.h"
+#include "drawing/page.h"
 #include "drawing/pen/pen_path.h"
 
 namespace lacuna::cli {
@@ -44,9 +45,10 @@ void order_for_a_pen(const StippleCommand& options, std::span<const files::Layer
         work.admitted_length += pen::path_length(dots);
         work.path_length += pen::path_length(std::span(ordered).subspan(first));
     };
-    if (layers.empty()) order(points);
-    for (const files::Layer& layer : layers)
-        order(std::span(points).subspan(ordered.size(), layer.dots));
+    files::PointSet set{points};
+    set.layers = layers;
+    drawing::for_each_layer(
+        set, {}, [&](std::size_t, const auto& part, const auto&) { order(part.points); });
     work.path_seconds = stopwatch.seconds_so_far();
     points = std::move(ordered);
 }

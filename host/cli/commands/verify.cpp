@@ -181,13 +181,10 @@ void check(const CLI::App& command, const VerifyCommand& options) {
 // Proves for each level that its points are a maximal set of its radius. Returns an empty text, or
 // what is wrong with the first level that is not.
 std::string fault_in_levels(const SetClaim& claim) {
+    SetClaim one = claim;
+    one.distances_only = false;
+    one.meant_to_be_maximal = true;
     for (const Level& level : claim.levels) {
-        SetClaim one = claim;
-        one.levels.clear();
-        one.sets = sets_of(one.options, one.rings);
-        one.polygons = one.sets;
-        one.distances_only = false;
-        one.meant_to_be_maximal = true;
         one.points = claim.points.first(level.points);
         (claim.field != nullptr ? one.scale : one.radius) = level.size;
         one.proof = prove(one.points, one);

@@ -45,10 +45,14 @@ void add_place(CLI::App& command, Request& request) {
         ->type_name("NAME");
 }
 
-void add_what_to_write(CLI::App& command, CommonOptions& options) {
+void add_point_outputs(CLI::App& command, CommonOptions& options) {
     add_outputs(command, options.output, "FILE",
                 "By extension: " + files::written_extensions() +
                     "; - is standard output, as .txt (default); may be given several times");
+}
+
+void add_what_to_write(CLI::App& command, CommonOptions& options) {
+    add_point_outputs(command, options);
     command
         .add_option(
             "--report", options.report,
@@ -98,15 +102,13 @@ void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, co
             size = fmt::format(", radius {:.4g}", result.radius);
     }
     if (what == "point" && !result.maximal) size += ", not maximal";
-    std::string paths;
-    for (const Output& output : outputs) paths += (paths.empty() ? "" : ", ") + output.path;
     const std::size_t count = result.points.size();
     std::string rounds;
     if (result.rounds > 0)
         rounds = fmt::format(", {} round{}", result.rounds, result.rounds == 1 ? "" : "s");
     const std::string summary =
         fmt::format("{} {}{}{}{}{}, {:.3f} s, {}{} -> {}", count, what, count == 1 ? "" : "s", note,
-                    size, rounds, made.seconds, result.backend, more, paths);
+                    size, rounds, made.seconds, result.backend, more, paths_of(outputs));
     std::fputs((printable(summary) + "\n").c_str(), stderr);
 }
 

@@ -27,7 +27,9 @@ void add_what_to_make(CLI::App& command, Request& request);
 void add_effort(CLI::App& command, Request& request);
 // --backend, --device
 void add_place(CLI::App& command, Request& request);
-// --output, --format, --report, --quiet
+// --output and --format
+void add_point_outputs(CLI::App& command, CommonOptions& options);
+// These, --report and --quiet
 void add_what_to_write(CLI::App& command, CommonOptions& options);
 
 // The outputs, checked before the work starts; without --output it is standard output. No output

@@ -228,8 +228,9 @@ void read_domain_files(const CLI::App& command, const DomainOptions& options, Re
     const std::vector<std::vector<PolygonRing>> rings = rings_of(request, files);
     const bool has_page = std::any_of(files.polygons.begin(), files.polygons.end(),
                                       [](const Polygons& file) { return file.width > 0; });
-    if (!has_page && command.count("--domain") == 0 && !options.inside.empty())
-        check_within_default(options.inside.front(), rings.front(), request);
+    if (!has_page && command.count("--domain") == 0)
+        for (std::size_t i = 0; i < options.inside.size(); ++i)
+            check_within_default(options.inside[i], rings[i], request);
     const std::vector<PolygonSet> sets = sets_of(options, rings);
     files.edge = edge_of(options, request, sets, files);
     files.mask =

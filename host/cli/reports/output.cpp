@@ -96,6 +96,12 @@ bool is_standard_output(const std::string& path) {
     return path == "-" || files::descriptor_named(path) == STDOUT_FILENO;
 }
 
+std::string paths_of(const std::vector<Output>& outputs) {
+    std::string paths;
+    for (const Output& output : outputs) paths += (paths.empty() ? "" : ", ") + output.path;
+    return paths;
+}
+
 bool has_standard_output(const std::vector<Output>& outputs) {
     return std::any_of(outputs.begin(), outputs.end(),
                        [](const Output& output) { return is_standard_output(output.path); });

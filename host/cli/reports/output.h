@@ -40,6 +40,9 @@ bool is_stream(const std::string& path);
 bool is_standard_output(const std::string& path);
 bool has_standard_output(const std::vector<Output>& outputs);
 
+// The paths for a summary, with commas between them.
+std::string paths_of(const std::vector<Output>& outputs);
+
 // Throws files::FileError if the file cannot be made or written.
 void check_writable(const std::string& path);
 

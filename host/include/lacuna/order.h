@@ -17,12 +17,12 @@ struct OrderOptions {
     std::uint64_t seed = 0;  // of the order in which points that are equally good come
 };
 
-// Returns the indices of all points in a progressive order. The levels are those of
-// Request::progressive: the first has a radius at which about 16 points fit, and each next one a
-// radius smaller by 2^(-1/32). A level looks at the points in a random order, and takes each point
-// that is at least the radius away from all points taken before. With a field, distances are in
-// units of 1 / sqrt(importance), of the two points' the smaller; the importance must not be 0 at a
-// point. The result is the same on every machine. It takes O(n log n) time for points that are
+// Returns the indices of all points in a progressive order, which has levels as the order of
+// Request::progressive has: the first has a radius at which about 16 points fit, and each next one
+// a radius smaller by 2^(-1/32). A level looks at the points in a random order, and takes each
+// point that is at least the radius away from all points taken before. With a field, distances are
+// in units of 1 / sqrt(importance), of the two points' the smaller; the importance must not be 0 at
+// a point. The result is the same on every machine. It takes O(n log n) time for points that are
 // spread evenly. Throws BadRequest for a point outside the domain or on importance 0, and what
 // sample() throws for a domain or a field.
 std::vector<std::uint32_t> progressive_order(std::span<const Point> points, const Field* field,
