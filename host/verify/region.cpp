@@ -9,11 +9,10 @@ namespace lacuna::verify {
 Region::Region(std::span<const PolygonSet> sets) {
     for (const PolygonSet& set : sets)
         (set.forbidden ? forbidden_ : allowed_).emplace_back(set.rings);
-    is_everywhere_ = allowed_.empty();
 }
 
 Openness Region::under(const Cell& cell, double clearance) const {
-    Openness all{is_everywhere_, !is_everywhere_};
+    Openness all{.has_open = allowed_.empty(), .has_closed = !allowed_.empty()};
     for (const Outline& outline : allowed_) {
         const Openness one = outline.under(cell, clearance);
         all.has_open |= one.has_open;
@@ -29,7 +28,7 @@ Openness Region::under(const Cell& cell, double clearance) const {
 
 double Region::depth_of(Point place) const {
     constexpr double kFar = std::numeric_limits<double>::infinity();
-    double depth = is_everywhere_ ? kFar : -kFar;
+    double depth = allowed_.empty() ? kFar : -kFar;
     for (const Outline& outline : allowed_) depth = std::max(depth, outline.depth_of(place));
     for (const Outline& outline : forbidden_) depth = std::min(depth, -outline.depth_of(place));
     return depth;

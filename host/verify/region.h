@@ -25,9 +25,8 @@ public:
     double depth_of(Point place) const;
 
 private:
-    std::vector<Outline> allowed_;
+    std::vector<Outline> allowed_;  // none: samples may lie everywhere
     std::vector<Outline> forbidden_;
-    bool is_everywhere_;  // no set says where samples may lie
 };
 
 }  // namespace lacuna::verify
