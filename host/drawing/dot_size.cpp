@@ -61,13 +61,12 @@ double in_steps(double size) {
     return std::ldexp(part * part < *below * *above ? *below : *above, exponent);
 }
 
-// The importance of the pixel in which a point of width x height lies.
+}  // namespace
+
 double importance_at(Point point, const Field& field, double width, double height) {
     const std::size_t row = field.rows - 1 - pixel_of(point.y, height, field.rows);
     return field.importance[row * field.columns + pixel_of(point.x, width, field.columns)];
 }
-
-}  // namespace
 
 bool Sizing::varies() const {
     return by_tone != 0 || (pens && pens->least_mm != pens->most_mm);

@@ -31,6 +31,9 @@ struct Sizing {
     double area_at(double importance) const;
 };
 
+// The importance of the pixel in which a point of width x height lies.
+double importance_at(Point point, const Field& field, double width, double height);
+
 // How densely dots lie: importance over area. For dots of one size it is proportional to the field.
 Field density_of(const Field& field, const Sizing& sizing);
 

@@ -64,15 +64,20 @@ void for_each_stroke(const files::PointSet& set, const Style& style, const Strok
 template <class Draw>
 void for_each_layer(const files::PointSet& set, const Style& style, const Draw& draw) {
     if (set.layers.empty()) return draw(std::size_t{0}, set, style);
-    std::size_t first = 0;
+    const std::vector<std::uint8_t> layers = files::layers_of_points(set);
     for (std::size_t k = 0; k < set.layers.size(); ++k) {
+        std::vector<Point> points;
+        std::vector<double> diameters;
+        for (std::size_t i = 0; i < layers.size(); ++i) {
+            if (layers[i] != k) continue;
+            points.push_back(set.points[i]);
+            if (!style.diameters.empty()) diameters.push_back(style.diameters[i]);
+        }
         files::PointSet part = set;
+        part.points = points;
         Style its_style = style;
-        part.points = set.points.subspan(first, set.layers[k].dots);
-        if (!style.diameters.empty())
-            its_style.diameters = style.diameters.subspan(first, set.layers[k].dots);
+        its_style.diameters = diameters;
         draw(k, part, its_style);
-        first += set.layers[k].dots;
     }
 }
 

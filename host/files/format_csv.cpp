@@ -2,13 +2,13 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include "files/parse.h"
@@ -45,7 +45,9 @@ std::string encode_csv(const PointSet& set) {
     const std::vector<std::uint8_t> layers = layers_of_points(set);
     std::string bytes =
         with_room_for(fmt::format("x,y{}{}\n", dots == nullptr ? "" : ",radius,x_mm,y_mm,radius_mm",
-                                  layers.empty() ? "" : ",ink"),
+                                  layers.empty()                      ? ""
+                                  : set.layers_are == LayersAre::inks ? ",ink"
+                                                                      : ",class"),
                       (dots == nullptr ? 1 : 2) * set.points.size());
     for (std::size_t i = 0; i < set.points.size(); ++i) {
         const Point& point = set.points[i];
@@ -60,9 +62,40 @@ std::string encode_csv(const PointSet& set) {
     return bytes;
 }
 
+namespace {
+
+// The classes of points, from the last column of a file whose header says so.
+class ClassColumn {
+public:
+    explicit ClassColumn(const std::string& name) : name_(name) {}
+
+    void see_header(std::string_view header) { is_there_ = header.ends_with(",class"); }
+    void read(std::string_view line, std::size_t number, SetsOfFile& file) const {
+        if (!is_there_) return;
+        const std::string one(line.substr(line.rfind(',') + 1));
+        auto& names = file.class_names;
+        const auto found = std::find(names.begin(), names.end(), one);
+        const auto place = static_cast<std::size_t>(found - names.begin());
+        if (found == names.end()) names.push_back(one);
+        constexpr std::size_t kMostNames = 255;
+        if (one.empty() || names.size() > kMostNames)
+            refuse(fmt::format("{}:{}", name_, number),
+                   one.empty() ? "there is no class" : "must have at most 255 classes");
+        file.class_of_point.push_back(static_cast<std::uint8_t>(place));
+    }
+
+private:
+    const std::string& name_;
+    bool is_there_ = false;
+};
+
+}  // namespace
+
 SetsOfFile decode_csv(std::string_view bytes, const std::string& name) {
     bytes = without_byte_order_mark(bytes);
-    std::vector<Point> points;
+    SetsOfFile file = one_set({});
+    std::vector<Point>& points = file.sets.front();
+    ClassColumn classes(name);
     bool may_be_header = true;
     bool has_other_columns = false;
     for (std::size_t number = 1; !bytes.empty(); ++number) {
@@ -73,18 +106,21 @@ SetsOfFile decode_csv(std::string_view bytes, const std::string& name) {
         if (may_be_header && line.starts_with("x,y,") && !line.starts_with("x,y,z")) {
             has_other_columns = true;
             may_be_header = false;
+            classes.see_header(line);
             continue;
         }
+        const std::string_view whole = line;
         if (has_other_columns) line = without_other_columns(line);
         Point point{};
         if (read_line(line, Between::comma, point)) {
             points.push_back(point);
+            classes.read(whole, number, file);
         } else if (!may_be_header || !is_header(line)) {
             refuse_line(name, number, line, Between::comma);
         }
         may_be_header = false;
     }
-    return one_set(std::move(points));
+    return file;
 }
 
 }  // namespace lacuna::files

@@ -153,7 +153,9 @@ std::string encode_ply(const PointSet& set) {
                                   "property double z\n"
                                   "{}{}end_header\n",
                                   set.points.size(), set.dots == nullptr ? "" : kDotProperties,
-                                  layers.empty() ? "" : "property uchar ink\n"),
+                                  layers.empty()                      ? ""
+                                  : set.layers_are == LayersAre::inks ? "property uchar ink\n"
+                                                                      : "property uchar class\n"),
                       set.points.size());
     for (std::size_t i = 0; i < set.points.size(); ++i) {
         const Point& point = set.points[i];

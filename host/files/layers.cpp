@@ -1,9 +1,10 @@
-// The layers of a set, one for each ink.
+// The layers of a set, one for each ink or class.
 #include <fmt/core.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,35 @@ std::string hex_of(const std::array<std::uint8_t, 3>& colour) {
 }
 
 std::vector<std::uint8_t> layers_of_points(const PointSet& set) {
-    std::vector<std::uint8_t> layers;
-    for (std::size_t k = 0; k < set.layers.size(); ++k)
+    std::vector<std::uint8_t> layers(set.layer_of_point.begin(), set.layer_of_point.end());
+    for (std::size_t k = 0; set.layer_of_point.empty() && k < set.layers.size(); ++k)
         layers.insert(layers.end(), set.layers[k].dots, static_cast<std::uint8_t>(k));
+    return layers;
+}
+
+std::vector<Layer> layers_of_classes(std::span<const std::string> names,
+                                     std::span<const std::uint8_t> class_of_point) {
+    // The first eight can be told apart by colour-blind readers, too (Okabe & Ito 2008).
+    constexpr std::array<std::array<std::uint8_t, 3>, 16> kColours{{{0x00, 0x9e, 0x73},
+                                                                    {0xe6, 0x9f, 0x00},
+                                                                    {0x00, 0x72, 0xb2},
+                                                                    {0xd5, 0x5e, 0x00},
+                                                                    {0xcc, 0x79, 0xa7},
+                                                                    {0x56, 0xb4, 0xe9},
+                                                                    {0x00, 0x00, 0x00},
+                                                                    {0xd8, 0xc9, 0x00},
+                                                                    {0x6a, 0x3d, 0x9a},
+                                                                    {0x8c, 0x56, 0x4b},
+                                                                    {0x7f, 0x7f, 0x7f},
+                                                                    {0xb2, 0xdf, 0x8a},
+                                                                    {0xfb, 0x9a, 0x99},
+                                                                    {0x1b, 0x5e, 0x20},
+                                                                    {0x80, 0x00, 0x20},
+                                                                    {0x17, 0x3f, 0x8a}}};
+    std::vector<Layer> layers;
+    for (const std::string& name : names)
+        layers.push_back({{name, kColours[layers.size() % kColours.size()]}, 0});
+    for (const std::uint8_t one : class_of_point) ++layers[one].dots;
     return layers;
 }
 

@@ -46,11 +46,12 @@ struct Dots {
     double radius_mm(std::size_t index) const { return radii[index] * millimetres_per_unit; }
 };
 
-// The dots of one ink, which come together in a set.
+// The dots of one ink or of one class.
 struct Layer {
     Ink ink;
     std::size_t dots;
 };
+enum class LayersAre { inks, classes };
 
 // Such as #009ee3.
 std::string hex_of(const std::array<std::uint8_t, 3>& colour);
@@ -65,12 +66,19 @@ struct PointSet {
     double radius = 0;
     const Origin* origin = nullptr;  // null: unknown
     const Dots* dots = nullptr;      // null: not wanted
-    // In the order of the points; empty: all dots are black.
+    // Empty: all dots are black.
     std::span<const Layer> layers{};
+    // The layer of each point. Empty: the points of the layers come one layer after the other.
+    std::span<const std::uint8_t> layer_of_point{};
+    LayersAre layers_are = LayersAre::inks;
 };
 
-// The index of each point's layer, for a set that has layers.
+// The layer of each point, for a set that has layers.
 std::vector<std::uint8_t> layers_of_points(const PointSet& set);
+
+// Layers for classes of points, in colours that can be told apart. Names and points are of the set.
+std::vector<Layer> layers_of_classes(std::span<const std::string> names,
+                                     std::span<const std::uint8_t> class_of_point);
 
 using lacuna::ClosedPipe;
 using lacuna::FileError;
@@ -87,10 +95,11 @@ char lower_case(char c);
 //         "points":[[x,y],...]}
 //   svg, pdf, png   black dots on white, y upwards; longer side 1024 pixels (png) or 512 points
 // With dots, csv, npy and ply have the columns x, y, (z,) radius, x_mm, y_mm and radius_mm, and
-// json has "dots" before the points. With layers, csv and ply have a last column ink (its name or
-// its index), npy too (its index); json has "inks" and, for each point, its index in "ink". Such an
-// npy is not read again, because a third column may be a third coordinate.
-// The same set gives the same bytes on every call. Throws FileError if a picture cannot be drawn.
+// json has "dots" before the points. With inks, csv and ply have a last column ink (its name or its
+// index), npy too (its index); json has "inks" and, for each point, its index in "ink". With
+// classes these are called class and "classes". Such an npy is not read again, because a third
+// column may be a third coordinate. The same set gives the same bytes on every call. Throws
+// FileError if a picture cannot be drawn.
 inline std::string encode(const PointSet& set, const Format& format) {
     return format.encode(set);
 }

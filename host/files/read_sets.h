@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,12 +29,20 @@ struct SetsOfFile {
     std::optional<bool> maximal;  // whether no further sample fits
     bool has_scale = false;       // whether the options have a scale: then radii follow a picture
     std::vector<Level> levels;    // of a progressive order
+    // In .csv and .json: the names of classes, and the place of each point's class among them.
+    std::vector<std::string> class_names;
+    std::vector<std::uint8_t> class_of_point;
+    // In .json: the distances of classes and how often each is drawn, as in Classes.
+    std::vector<double> distances;
+    std::vector<double> weights;
 };
 
 // The format is chosen by the extension; "-" is standard input, as txt:
 //   txt   `x y` on each line; blank lines and lines that begin with # are skipped. If the first
 //         line is a single whole number N, as in PSA's files, N points must follow
-//   csv   `x,y` on each line; comments and blank lines as in txt; a first line of words is a header
+//   csv   `x,y` on each line; comments and blank lines as in txt; a first line of words is a
+//   header.
+//         A last column called class has the name of each point's class
 //   npy   versions 1.0 to 3.0; N x 2, '<f8' or '<f4', C or Fortran order
 //   ply   ascii or binary_little_endian; x and y of the element vertex, float or double
 //   json  {"points": [[x, y], ...], ...} or the array alone

@@ -81,18 +81,18 @@ public:
           rows_(cells_along(request.height, 2 * least)),
           next_(radii.size()) {}
 
-    // Adds a point. If it is too close to a point that was added, returns that one instead.
-    std::optional<std::uint32_t> add(std::uint32_t index) {
-        const Point point = request_.keep[index];
-        const std::uint64_t column = cell_of(point.x / request_.width, columns_);
-        const std::uint64_t row = cell_of(point.y / request_.height, rows_);
-        for (const std::uint64_t y : around(row, rows_))
-            for (const std::uint64_t x : around(column, columns_))
+    // A point that was added and is too close to this one.
+    std::optional<std::uint32_t> too_close_to(std::uint32_t index) const {
+        for (const std::uint64_t y : around(row_of(index), rows_))
+            for (const std::uint64_t x : around(column_of(index), columns_))
                 if (const auto other = too_close_in(x, y, index)) return other;
-        const auto [first, is_new] = first_.try_emplace(row * columns_ + column, index);
+        return std::nullopt;
+    }
+    void add(std::uint32_t index) {
+        const std::uint64_t cell = row_of(index) * columns_ + column_of(index);
+        const auto [first, is_new] = first_.try_emplace(cell, index);
         next_[index] = is_new ? kNone : first->second;
         first->second = index;
-        return std::nullopt;
     }
 
 private:
@@ -104,6 +104,12 @@ private:
     }
     static std::uint64_t cell_of(double share, std::uint64_t cells) {
         return std::min(static_cast<std::uint64_t>(share * static_cast<double>(cells)), cells - 1);
+    }
+    std::uint64_t column_of(std::uint32_t index) const {
+        return cell_of(request_.keep[index].x / request_.width, columns_);
+    }
+    std::uint64_t row_of(std::uint32_t index) const {
+        return cell_of(request_.keep[index].y / request_.height, rows_);
     }
     // The cell and its neighbours, each once; on a torus across the edges, too.
     std::set<std::uint64_t> around(std::uint64_t cell, std::uint64_t cells) const {
@@ -138,19 +144,65 @@ struct Pair {
     std::uint32_t second;
 };
 
-// Two kept points that are closer than the smaller of their radii. If that radius lies in
+// Two of the points that are closer than the smaller of their radii: one that is `added`, and one
+// that asks, which in one class are the same. If that radius lies in
 // [2^l, 2^(l+1)), both have a radius of at least 2^l, and cells of width 2^(l+1) find the pair. So
 // all points of at least 2^l are checked for each l.
-std::optional<Pair> find_too_close(const Request& request, std::span<const double> radii) {
+std::optional<Pair> find_too_close(const Request& request, std::span<const double> radii,
+                                   std::span<const std::uint32_t> added,
+                                   std::span<const std::uint32_t> asking) {
+    const bool is_one_class = added.data() == asking.data();
     std::set<int> levels;
-    for (const double radius : radii) levels.insert(std::ilogb(radius));
+    for (const std::uint32_t i : asking) levels.insert(std::ilogb(radii[i]));
+    for (const std::uint32_t i : added) levels.insert(std::ilogb(radii[i]));
     for (const int level : levels) {
         const double least = std::ldexp(1.0, level);
         Cells cells(request, radii, least);
-        for (std::uint32_t i = 0; i < radii.size(); ++i)
-            if (radii[i] >= least)
-                if (const auto other = cells.add(i)) return Pair{*other, i};
+        for (const std::uint32_t i : is_one_class ? std::span<const std::uint32_t>() : added)
+            if (radii[i] >= least) cells.add(i);
+        for (const std::uint32_t i : asking) {
+            if (radii[i] < least) continue;
+            if (const auto other = cells.too_close_to(i)) return Pair{*other, i};
+            if (is_one_class) cells.add(i);
+        }
     }
+    return std::nullopt;
+}
+
+std::vector<double> times(std::span<const double> radii, double factor) {
+    std::vector<double> all(radii.begin(), radii.end());
+    for (double& radius : all) radius *= factor;
+    return all;
+}
+
+// The share of the least distance that two kept points must keep.
+double share_of(const Request& request, std::uint32_t a, std::uint32_t b) {
+    if (request.classes.names.empty()) return 1;
+    const std::size_t row = request.keep_classes[a] * request.classes.names.size();
+    return request.classes.distances[row + request.keep_classes[b]] / least_distance_of(request);
+}
+
+// Looks for two kept points that are too close, in each class and in each pair of classes. The
+// points of the sparser class are put into the cells, so that few of them share one.
+std::optional<Pair> find_too_close(const Request& request, std::span<const double> radii) {
+    const std::size_t count = std::max<std::size_t>(request.classes.names.size(), 1);
+    std::vector<std::vector<std::uint32_t>> of_class(count);
+    for (std::uint32_t i = 0; i < radii.size(); ++i)
+        of_class[request.classes.names.empty() ? 0 : request.keep_classes[i]].push_back(i);
+    for (std::size_t a = 0; a < count; ++a)
+        for (std::size_t b = 0; b < count; ++b) {
+            const auto own = [&](std::size_t one) {
+                const auto& all = of_class[one];
+                return all.empty() ? 0 : share_of(request, all.front(), all.front());
+            };
+            const bool is_sparser = own(a) > own(b) || (own(a) == own(b) && a <= b);
+            if (of_class[a].empty() || of_class[b].empty() || !is_sparser) continue;
+            const double share = share_of(request, of_class[a].front(), of_class[b].front());
+            if (share == 0) continue;
+            const auto pair =
+                find_too_close(request, times(radii, share), of_class[a], of_class[b]);
+            if (pair) return pair;
+        }
     return std::nullopt;
 }
 
@@ -194,12 +246,16 @@ void check_kept_distances(const Request& request) {
     const std::vector<double> radii = radii_of_kept(request);
     const std::optional<Pair> pair = find_too_close(request, radii);
     if (!pair) return;
-    const auto [a, b] = *pair;
+    const auto a = std::min(pair->first, pair->second), b = std::max(pair->first, pair->second);
+    const bool has_classes = !request.classes.names.empty();
     throw BadRequest(
         "keep", text_of(a, request.keep[a]) + " and " + text_of(b, request.keep[b]),
         "are " + shortest(distance_between(request, request.keep[a], request.keep[b])) +
-            " apart: must be at least " + shortest(std::min(radii[a], radii[b])) + ", the " +
-            (request.field == nullptr ? "radius" : "smaller of their radii"));
+            " apart: must be at least " +
+            shortest(std::min(radii[a], radii[b]) * share_of(request, a, b)) + ", the " +
+            (has_classes                ? "distance of their classes"
+             : request.field == nullptr ? "radius"
+                                        : "smaller of their radii"));
 }
 
 }  // namespace lacuna

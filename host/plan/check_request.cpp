@@ -136,6 +136,7 @@ void check_request(const Request& request) {
                          "is for mode exact");
     if (request.mode == Mode::stratified) check_stratified(request);
     check_field(request);
+    check_classes(request);
     check_where(request);
     if (request.limit && *request.limit == 0) throw BadRequest("limit", "0", "must be at least 1");
     const bool has_field = request.field != nullptr;
@@ -143,7 +144,7 @@ void check_request(const Request& request) {
     const std::optional<double>& given = has_field ? request.scale : request.radius;
     if (given && request.count)
         throw BadRequest(size, shortest(*given), "give either a " + size + " or a count");
-    if (!given && !request.count)
+    if (!given && !request.count && request.classes.names.empty())
         throw BadRequest(size, "missing", "give either a " + size + " or a count");
     if (request.count && *request.count == 0) throw BadRequest("count", "0", "must be at least 1");
     if (request.threads > kMostThreads)

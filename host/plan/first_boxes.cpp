@@ -26,7 +26,9 @@ constexpr std::uint32_t kRadiiOfBlock = 6;
 class Halving {
 public:
     explicit Halving(const Plan& plan)
-        : radius_field_(*plan.field().radius_field), pieces_(plan.lines_per_radius) {
+        : radius_field_(*plan.field().radius_field),
+          sheets_(plan.field().sheets),
+          pieces_(plan.lines_per_radius) {
         // Reserves about as many as there will be boxes. Memory that stays unused is never touched.
         const std::size_t boxes = plan.maximal_samples;
         first_.boxes.reserve(boxes);
@@ -34,6 +36,39 @@ public:
         first_.blocks.reserve(boxes);
         first_.nodes.reserve(2 * boxes);
         ask_for_large_pages(first_.nodes.data(), 2 * boxes);
+    }
+
+    // With several classes, node 0 has the sheets of all as its parts.
+    void cut_sheets(const Box& domain) {
+        if (!sheets_.are_several()) return cut_sheet(0, domain);
+        const std::uint32_t last = sheets_.begin_of(sheets_.count() - 1);
+        first_.nodes.push_back({{domain.x, last + domain.width, domain.begin, domain.end},
+                                radius_field_.under(domain).greatest,
+                                0,
+                                0,
+                                0});
+        for (std::uint32_t sheet = 0; sheet < sheets_.count(); ++sheet)
+            if (sheets_.weight(sheet) != 0) cut_sheet(sheet, domain);
+        first_.nodes.front().next = static_cast<std::uint32_t>(first_.nodes.size());
+    }
+
+    void cut_sheet(std::uint32_t sheet, const Box& domain) {
+        const std::size_t node = first_.nodes.size();
+        factor_ = factor_of(sheet);
+        cut({sheets_.x_on(sheet, domain.x), domain.width, domain.begin, domain.end}, 0);
+        if (first_.nodes.size() > node) first_.sheets.push_back(static_cast<std::uint32_t>(node));
+    }
+
+    // Boxes are as long as the distance within the class allows. If samples of another class may lie
+    // far closer together, boxes are shorter, so that a block has at most some hundred neighbours.
+    std::uint32_t factor_of(std::uint32_t sheet) const {
+        constexpr std::uint32_t kMostTimes = 2;
+        std::uint32_t factor = sheets_.factor(sheet, sheet);
+        for (std::uint32_t other = 0; other < sheets_.count(); ++other)
+            if (sheets_.factor(sheet, other) != 0)
+                factor =
+                    std::min(factor, kMostTimes * std::min(sheets_.factor(other, other), factor));
+        return factor;
     }
 
     void cut(const Box& box, std::size_t whole) {
@@ -60,32 +95,82 @@ public:
     }
 
     FirstBoxes take() {
-        const std::uint32_t most = std::max(kFewBoxes, boxes() / kRegions);
+        most_in_region_ = std::max(kFewBoxes, boxes() / kRegions);
         first_.blocks.push_back({boxes(), 0, 0});
-        for (std::uint32_t i = 0; i < first_.nodes.size();) {
-            const FirstBoxes::Node& node = first_.nodes[i];
-            const std::uint32_t first = first_.blocks[node.first].first;
-            const std::uint32_t end = first_.blocks[block_after(node)].first;
-            if (end - first > most && i + 1 < node.next) {
-                ++i;
-                continue;
-            }
-            first_.regions.push_back(i);
-            first_.begins.push_back(first);
-            i = node.next;
+        if (sheets_.are_several() && !first_.sheets.empty()) {
+            cut_zone(first_.sheets);
+            for (std::size_t sheet = 0; sheet < first_.sheets.size(); ++sheet)
+                for (FirstBoxes::Zone& zone : first_.zones)
+                    find_regions(zone.nodes[sheet],
+                                 [&](std::uint32_t region) { zone.regions.push_back(region); });
+        } else if (!first_.nodes.empty()) {
+            find_regions(0, [&](std::uint32_t region) {
+                first_.zones.push_back({{first_.regions.back()}, {region}});
+            });
         }
         first_.begins.push_back(boxes());
         return std::move(first_);
     }
 
 private:
+    template <typename Found>
+    void find_regions(std::uint32_t root, Found found) {
+        const std::uint32_t all = first_.nodes[root].next;
+        for (std::uint32_t i = root; i < all;) {
+            if (boxes_in(i) > most_in_region_ && has_parts(i)) {
+                ++i;
+                continue;
+            }
+            first_.begins.push_back(first_.blocks[first_.nodes[i].first].first);
+            first_.regions.push_back(i);
+            found(static_cast<std::uint32_t>(first_.regions.size()) - 1);
+            i = first_.nodes[i].next;
+        }
+    }
+
+    // `nodes` is the same part of the domain on each sheet. It is cut where one of the nodes is
+    // more than a region, and all have the same two parts.
+    void cut_zone(const std::vector<std::uint32_t>& nodes) {
+        std::vector<std::uint32_t> low, high;
+        bool is_large = false, can_be_cut = true;
+        for (const std::uint32_t node : nodes) {
+            is_large |= boxes_in(node) > most_in_region_;
+            can_be_cut &= has_parts(node) && first_.nodes[node + 1].next < first_.nodes[node].next;
+            if (!can_be_cut) break;
+            low.push_back(node + 1);
+            high.push_back(first_.nodes[node + 1].next);
+            can_be_cut &=
+                are_alike(low.front(), low.back()) && are_alike(high.front(), high.back());
+        }
+        if (!is_large || !can_be_cut) {
+            first_.zones.push_back({nodes, {}});
+            return;
+        }
+        cut_zone(low);
+        cut_zone(high);
+    }
+
+    bool are_alike(std::uint32_t a, std::uint32_t b) const {
+        const auto on_domain = [&](Box box) {
+            box.x = sheets_.x_on_sheet(box.x);
+            return box;
+        };
+        return on_domain(first_.nodes[a].box) == on_domain(first_.nodes[b].box);
+    }
+    bool has_parts(std::uint32_t node) const { return node + 1 < first_.nodes[node].next; }
+    std::uint32_t boxes_in(std::uint32_t index) const {
+        const FirstBoxes::Node& node = first_.nodes[index];
+        return first_.blocks[block_after(node)].first - first_.blocks[node.first].first;
+    }
+
     std::uint32_t boxes() const { return static_cast<std::uint32_t>(first_.boxes.size()); }
     std::uint32_t blocks() const { return static_cast<std::uint32_t>(first_.blocks.size()); }
 
-    static bool is_short(const Box& box, const Under& under, std::uint64_t radii,
-                         std::uint64_t pieces = 1) {
+    bool is_short(const Box& box, const Under& under, std::uint64_t radii,
+                  std::uint64_t pieces = 1) const {
         const std::uint64_t longer = std::max(box.width, box.end - box.begin);
-        return longer == 1 || longer * pieces <= radii * under.least;
+        return longer == 1 ||
+               longer * pieces <= radii * portable::times_factor(under.least, factor_);
     }
 
     void cut_block(const Box& box, const Under& under) {
@@ -116,7 +201,10 @@ private:
     }
 
     const RadiusField& radius_field_;
+    const Sheets& sheets_;
+    std::uint32_t factor_ = FACTOR_ONE;  // of the radii to which lengths are compared
     std::uint32_t pieces_;
+    std::uint32_t most_in_region_ = 0;  // boxes
     FirstBoxes first_;
 };
 
@@ -125,7 +213,7 @@ private:
 FirstBoxes first_boxes(const Plan& plan) {
     const RadiusField::Shape& shape = plan.field().radius_field->shape();
     Halving halving(plan);
-    halving.cut({shape.low_x, shape.high_x - shape.low_x, shape.low_y, shape.high_y}, 0);
+    halving.cut_sheets({shape.low_x, shape.high_x - shape.low_x, shape.low_y, shape.high_y});
     return halving.take();
 }
 

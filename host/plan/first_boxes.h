@@ -30,6 +30,9 @@ struct FirstBoxes {
     std::vector<Box> boxes;
     std::vector<Block> blocks;  // the last entry only marks the end of the boxes
     std::vector<Node> nodes;    // nodes without parts belong to blocks
+    // The node of each sheet (plan/sheets.h) whose class is drawn, in the order of the classes.
+    // With one class it is node 0, the domain; with several the sheets are the parts of node 0.
+    std::vector<std::uint32_t> sheets;
 
     std::uint32_t block_count() const { return static_cast<std::uint32_t>(blocks.size()) - 1; }
     // Calls visit(box, block) with the numbers of all boxes from the first of `block` up to `end`.
@@ -45,6 +48,14 @@ struct FirstBoxes {
     // `begins` has the first box of each, then the number of boxes.
     std::vector<std::uint32_t> regions;
     std::vector<std::uint32_t> begins;
+
+    // A part of the domain on all sheets: its node on each sheet, and the regions in it. With one
+    // class a zone is a region. A sample whose disk lies in a zone changes nothing in another.
+    struct Zone {
+        std::vector<std::uint32_t> nodes;
+        std::vector<std::uint32_t> regions;
+    };
+    std::vector<Zone> zones;
 };
 
 FirstBoxes first_boxes(const Plan& plan);

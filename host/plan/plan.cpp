@@ -157,11 +157,12 @@ void check_radius_for_count(const Request& request, double radius) {
 bool needs_radius_field(const Request& request) {
     return request.mode == Mode::exact &&
            (request.field != nullptr || request.mask != nullptr || request.border > 0 ||
-            !request.keep.empty() || request.progressive);
+            !request.keep.empty() || request.progressive || !request.classes.names.empty());
 }
 
-Plan make_plan(const Request& request) {
-    check_request(request);
+Plan make_plan(const Request& given) {
+    check_request(given);
+    const Request request = settled(given);
     if (request.mode == Mode::stratified)
         throw BadRequest("mode", "stratified", "has no rounds: must be exact, lines or cells");
     if (request.mode == Mode::cells) return make_cells_plan(request, sums_of(*request.field));

@@ -11,6 +11,7 @@
 
 #include "plan/pixels.h"
 #include "plan/radius_map.h"
+#include "plan/sheets.h"
 #include "portable/conflict.h"
 
 namespace lacuna {
@@ -66,6 +67,7 @@ struct ExactPlan {
 // Mode exact with a radius field. The first boxes are at most 2 / lines_per_radius of the least
 // radius under them long. `kept` holds samples that exist already.
 struct FieldPlan {
+    Sheets sheets;  // of classes; x has a place for each
     std::shared_ptr<const RadiusField> radius_field;
     std::shared_ptr<const FirstBoxes> first_boxes;
     std::vector<Sized> kept;
@@ -143,7 +145,14 @@ struct Plan {
     // least user_radius apart. In cells a sample lies in the middle of its cell.
     Point to_user(Sample sample) const {
         const double middle = is_cells() ? 0.5 : 0;
-        return {(sample.x + middle) * unit_x, (sample.y + middle) * unit_y};
+        return {(x_on_sheet(sample.x) + middle) * unit_x, (sample.y + middle) * unit_y};
+    }
+    // The class of a sample, and its x within the domain: see plan/sheets.h.
+    std::uint32_t class_of(Sample sample) const {
+        return has_field() ? field().sheets.of(sample.x) : 0;
+    }
+    std::uint32_t x_on_sheet(std::uint32_t x) const {
+        return has_field() ? field().sheets.x_on_sheet(x) : x;
     }
 };
 
@@ -188,6 +197,10 @@ bool needs_radius_field(const Request& request);
 // have `count` samples, by the formula of docs/design.md, section 5.
 double radius_field_scale_for_count(const Request& request, double count,
                                     const Poll& poll = nobody_asks);
+
+// A checked request as plans are made of it: classes give it the radius or scale of their least
+// distance if it has none and no count; one class is the same as none.
+Request settled(const Request& request);
 
 // Checks everything that does not depend on the radius. Throws BadRequest.
 void check_request(const Request& request);

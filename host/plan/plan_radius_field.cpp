@@ -57,7 +57,8 @@ double greatest_of(const Request& request) {
 
 // The part of the domain inside the border. Distances from the edges are computed from the
 // coordinates that the user gets.
-RadiusField::Shape shape_of(const Request& request, std::uint32_t width, std::uint32_t height) {
+RadiusField::Shape shape_of(const Request& request, std::uint32_t width, std::uint32_t height,
+                            std::uint32_t last_on_sheet) {
     const double border = request.border;
     const double unit_x = request.width / width;
     const double unit_y = request.height / height;
@@ -79,7 +80,8 @@ RadiusField::Shape shape_of(const Request& request, std::uint32_t width, std::ui
             high(unit_x, width, request.width),
             low(unit_y),
             high(unit_y, height, request.height),
-            !request.keep.empty()};
+            !request.keep.empty(),
+            last_on_sheet};
 }
 
 // The radius of a kept point. It may lie on a pixel where no sample may, if that pixel's border is
@@ -102,7 +104,8 @@ std::uint32_t radius_of_kept(const RadiusField& radius_field, Sample at) {
 
 // The coordinates rounded down, or up if no sample may lie there: then the point belongs to the
 // pixel on the other side.
-std::vector<Sized> kept_on(const RadiusField& radius_field, const Request& request) {
+std::vector<Sized> kept_on(const RadiusField& radius_field, const Sheets& sheets,
+                           const Request& request) {
     const std::uint32_t width = radius_field.shape().width;
     const std::uint32_t height = radius_field.shape().height;
     std::vector<Sized> kept;
@@ -118,7 +121,9 @@ std::vector<Sized> kept_on(const RadiusField& radius_field, const Request& reque
         Sample found = low;
         for (const Sample near : {Sample{right, up}, Sample{low.x, up}, Sample{right, low.y}, low})
             if (radius_field.radius_at(near.x, near.y) != 0) found = near;
-        kept.push_back({found.x, found.y, radius_of_kept(radius_field, found)});
+        const std::uint32_t sheet =
+            sheets.are_several() ? request.keep_classes[kept.size()] : std::uint32_t{0};
+        kept.push_back({sheets.x_on(sheet, found.x), found.y, radius_of_kept(radius_field, found)});
     }
     return kept;
 }
@@ -140,6 +145,25 @@ void check_size(const Request& request, const std::string& option, const std::st
     refuse_more_memory(request, option, value, bytes);
 }
 
+// The expected number of samples in all classes, if each were alone, over the number of a class that
+// keeps the least distance.
+double crowd_of(const Request& request) {
+    const std::vector<double> distances = distances_of(request);
+    const std::size_t count = std::max<std::size_t>(request.classes.names.size(), 1);
+    double crowd = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double own = distances[i * (count + 1)];
+        if (request.classes.weights.empty() || request.classes.weights[i] > 0)
+            crowd += 1 / (own * own);
+    }
+    return crowd;
+}
+
+// Units along the longer side: no sheet may reach into the next, nor the last one beyond 32 bits.
+double units_of(const Sheets& sheets) {
+    return sheets.are_several() ? std::min(kRadiusFieldUnits, sheets.last()) : kRadiusFieldUnits;
+}
+
 }  // namespace
 
 double radius_field_scale_for_count(const Request& request, double count, const Poll& poll) {
@@ -149,7 +173,7 @@ double radius_field_scale_for_count(const Request& request, double count, const 
     const double most = 2 * std::hypot(request.width, request.height);
     const double radius =
         std::min(most, std::sqrt(kTorusDensity * share * request.width * request.height / count));
-    return radius * std::sqrt(greatest);
+    return radius * std::sqrt(greatest) * std::sqrt(crowd_of(request));
 }
 
 FieldSize check_radius_field_size(const Request& request, double size, const Poll& poll) {
@@ -162,7 +186,8 @@ FieldSize check_radius_field_size(const Request& request, double size, const Pol
     const double greatest = greatest_of(request);
     const double least_radius = size / std::sqrt(greatest);
     const double samples = kTorusDensity * share_of(request, greatest, poll) *
-                           (request.width / least_radius) * (request.height / least_radius);
+                           (request.width / least_radius) * (request.height / least_radius) *
+                           crowd_of(request);
     check_size(request, option, value, least_radius, samples);
     return {least_radius, samples};
 }
@@ -173,16 +198,19 @@ Plan make_radius_field_plan(const Request& request, const Poll& poll,
     const double scale = has_field ? *request.scale : *request.radius;
     const auto [least_radius, expected] = check_radius_field_size(request, scale, poll);
     const double longer = std::max(request.width, request.height);
+    FieldPlan field;
+    field.sheets = sheets_of(request);
+    const double units = units_of(field.sheets);
     Plan plan;
-    plan.width = static_cast<std::uint32_t>(kRadiusFieldUnits * (request.width / longer));
-    plan.height = static_cast<std::uint32_t>(kRadiusFieldUnits * (request.height / longer));
+    plan.width = static_cast<std::uint32_t>(units * (request.width / longer));
+    plan.height = static_cast<std::uint32_t>(units * (request.height / longer));
     plan.lines = 1;
     plan.strip_width = plan.width;
-    const RadiusField::Shape shape = shape_of(request, plan.width, plan.height);
-    FieldPlan field;
+    const RadiusField::Shape shape =
+        shape_of(request, plan.width, plan.height, field.sheets.last());
     field.radius_field =
         std::make_shared<const RadiusField>(request.field, scale, request.mask, shape, poll);
-    field.kept = kept_on(*field.radius_field, request);
+    field.kept = kept_on(*field.radius_field, field.sheets, request);
     for (const Sample sample : samples)
         field.kept.push_back(
             {sample.x, sample.y, field.radius_field->radius_at(sample.x, sample.y)});

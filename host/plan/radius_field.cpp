@@ -103,7 +103,8 @@ RadiusField::RadiusField(const Field* field, double scale, const Mask* mask, con
     ++least_radius_;
 }
 
-Under RadiusField::under(const Box& box) const {
+Under RadiusField::under(const Box& on_sheet) const {
+    const Box box = on_domain(on_sheet);
     const std::uint32_t end = box.x + box.width;
     const Radii radii =
         radii_.over(pixels_of(columns_, box.x, end), pixels_of(rows_, box.begin, box.end));
@@ -125,15 +126,17 @@ bool RadiusField::are_radii_mixed(const Box& box) const {
         .are_mixed();
 }
 
-std::uint32_t RadiusField::cut_x(const Box& box) const {
+std::uint32_t RadiusField::cut_x(const Box& on_sheet) const {
+    const Box box = on_domain(on_sheet);
     const std::uint32_t end = box.x + box.width;
     std::uint32_t cut = is_mask_mixed(box) ? middle_border(*mask_columns_, box.x, end) : 0;
     if (cut == 0 && are_radii_mixed(box)) cut = middle_border(columns_, box.x, end);
     if (cut == 0 && box.width > 1) cut = box.x + box.width / 2;
-    return cut;
+    return cut == 0 ? 0 : on_sheet.x - box.x + cut;
 }
 
-std::uint32_t RadiusField::cut_y(const Box& box) const {
+std::uint32_t RadiusField::cut_y(const Box& on_sheet) const {
+    const Box box = on_domain(on_sheet);
     std::uint32_t cut = is_mask_mixed(box) ? middle_border(*mask_rows_, box.begin, box.end) : 0;
     if (cut == 0 && are_radii_mixed(box)) cut = middle_border(rows_, box.begin, box.end);
     return cut;

@@ -57,6 +57,8 @@ public:
         std::uint32_t low_y;
         std::uint32_t high_y;
         bool has_kept;  // whether there are kept points, whose coordinates are not in whole units
+        // All bits that x may have on one sheet (plan/sheets.h). The field is the same on all.
+        std::uint32_t last_on_sheet = ~std::uint32_t{0} >> 1;
     };
 
     // Without a field the radius is `scale` everywhere.
@@ -69,9 +71,10 @@ public:
 
     // The radius at a position; 0 if no sample may lie there.
     std::uint32_t radius_at(std::uint32_t x, std::uint32_t y) const {
-        if (mask_ && mask_->at(mask_columns_->pixel_of(x), mask_rows_->pixel_of(y)) == kNone)
+        const std::uint32_t at = x & shape_.last_on_sheet;
+        if (mask_ && mask_->at(mask_columns_->pixel_of(at), mask_rows_->pixel_of(y)) == kNone)
             return 0;
-        return radii_.at(columns_.pixel_of(x), rows_.pixel_of(y)).least;
+        return radii_.at(columns_.pixel_of(at), rows_.pixel_of(y)).least;
     }
     Under under(const Box& box) const;
 
@@ -91,6 +94,9 @@ public:
 private:
     static std::vector<Radii> radii_of(const Field* field, double scale, const Shape& shape,
                                        const Poll& poll);
+    Box on_domain(const Box& box) const {
+        return {box.x & shape_.last_on_sheet, box.width, box.begin, box.end};
+    }
     bool is_mask_mixed(const Box& box) const;
     bool are_radii_mixed(const Box& box) const;
 

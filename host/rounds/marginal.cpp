@@ -49,7 +49,8 @@ std::uint64_t Marginal::weight_of(std::size_t bin) const {
 }
 
 void Marginal::rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t bin_width,
-                       std::span<const std::uint32_t> bin_widths) {
+                       std::span<const std::uint32_t> bin_widths,
+                       std::span<const std::uint32_t> sheet_ends) {
     lengths_ = free_lengths;
     bin_width_ = bin_width;
     widths_ = bin_widths;
@@ -62,6 +63,19 @@ void Marginal::rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_
         for (std::size_t bin = block * kBlock; bin < end; ++bin) sum += weight_of(bin);
         sums_[block + 1] = sum;
     }
+    if (!sheet_ends.empty()) find_sheet_shares(sheet_ends);
+}
+
+void Marginal::find_sheet_shares(std::span<const std::uint32_t> sheet_ends) {
+    std::vector<std::uint64_t> areas;
+    std::vector<std::uint32_t> weights;
+    for (const std::uint32_t end : sheet_ends) {
+        std::uint64_t area = sums_[end / kBlock];
+        for (std::size_t bin = end / kBlock * kBlock; bin < end; ++bin) area += weight_of(bin);
+        weights.push_back(plan_.field().sheets.weight(static_cast<std::uint32_t>(areas.size())));
+        areas.push_back(area);
+    }
+    sheet_shares_.emplace(areas, weights);
 }
 
 // Inverts the cdf at ascending weights.
@@ -72,7 +86,8 @@ public:
           lengths_(marginal.lengths_),
           widths_(marginal.widths_),
           bits_(marginal.bits_),
-          share_(marginal.share_) {}
+          share_(marginal.share_),
+          sheet_shares_(marginal.sheet_shares_ ? &*marginal.sheet_shares_ : nullptr) {}
 
     // Finds bin and rank as the reference does; locate walks along the bin's free spans later.
     void invert(Draw& draw) {
@@ -113,6 +128,7 @@ public:
 private:
     // The weight within this CdfShare to which the draw's bits belong.
     std::uint64_t weight_of(const Draw& draw) const {
+        if (sheet_shares_ != nullptr) return sheet_shares_->area_at(bits_of(draw));
         return scaled((bits_of(draw) >> bits_.shift) + bits_.first, share_.total) - share_.before;
     }
     // Goes to the block that contains weight c, with steps that double: it is near if there are
@@ -133,6 +149,7 @@ private:
     std::span<const std::uint32_t> widths_;
     Bits bits_;
     CdfShare share_;
+    const SheetShares* sheet_shares_;
     std::size_t block_ = 0;
 };
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "plan/plan.h"
 #include "rounds/random.h"
 #include "rounds/round.h"
+#include "rounds/sheet_shares.h"
 
 namespace lacuna {
 
@@ -31,9 +33,11 @@ public:
 
     // Makes new running sums from the free length of every bin. All bins are `bin_width` wide,
     // unless bin_widths has the width of each. invert() reads lengths and widths again, so they
-    // must live until then.
+    // must live until then. With classes, sheet_ends has the number of bins up to the end of each
+    // sheet (plan/sheets.h).
     void rebuild(std::span<const std::uint32_t> free_lengths, std::uint32_t bin_width,
-                 std::span<const std::uint32_t> bin_widths = {});
+                 std::span<const std::uint32_t> bin_widths = {},
+                 std::span<const std::uint32_t> sheet_ends = {});
 
     // Total weight of the bins: the sum of their free lengths, or of their areas if widths differ.
     // With uniform-x it is the number of bins with free length.
@@ -57,6 +61,7 @@ private:
         unsigned shift = 0;
     };
     std::uint64_t weight_of(std::size_t bin) const;
+    void find_sheet_shares(std::span<const std::uint32_t> sheet_ends);
     void find_bits(CdfShare share);
     Draw drawn(const RandomBits& random, std::uint64_t first_number, std::uint32_t number) const;
     template <typename Visit>
@@ -73,6 +78,7 @@ private:
     std::span<const std::uint32_t> widths_;
     std::vector<std::uint64_t> sums_ = {0};  // sums_[i]: weight of all bins before block i
     CdfShare share_{};
+    std::optional<SheetShares> sheet_shares_;  // with classes
     Bits bits_;
     // Until a draw is inverted, its bin and rank hold its random bits.
     std::vector<Draw> draws_;               // grouped by part, the highest bits

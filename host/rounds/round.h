@@ -40,6 +40,8 @@ struct Round {
     std::span<const std::uint32_t> orders = {};      // of the samples' draws, with tells_orders
     // In lines and exact without a radius field: each column's first bin, then the number of bins.
     std::span<const std::uint32_t> bin_begins = {};
+    // With classes: the number of bins up to the end of each sheet (plan/sheets.h).
+    std::span<const std::uint32_t> sheet_ends = {};
 };
 
 // The result of all rounds of a plan.

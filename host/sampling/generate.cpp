@@ -34,7 +34,7 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer) {
     RoundPolicy policy(plan);
     backend.watch(may_go_on);
     const FirstFree all_free(plan);
-    marginal.rebuild(all_free.lengths, plan.strip_width, all_free.widths);
+    marginal.rebuild(all_free.lengths, plan.strip_width, all_free.widths, all_free.sheet_ends);
 
     while (marginal.total() > 0 && outcome.samples.size() < plan.limit) {
         const std::span<const Draw> draws =
@@ -52,11 +52,30 @@ Outcome generate(const Plan& plan, Backend& untimed, Observer& observer) {
         outcome.rounds++;
         policy.note(round.survivors, round.samples.size(), round.free_lengths.size(),
                     round.bin_width);
-        marginal.rebuild(round.free_lengths, round.bin_width, round.bin_widths);
+        marginal.rebuild(round.free_lengths, round.bin_width, round.bin_widths, round.sheet_ends);
         poll();
     }
     if (outcome.samples.size() > plan.limit) outcome.samples.resize(plan.limit);
     return outcome;
+}
+
+void begin_points(const Request& request, Result& result) {
+    result.points.assign(request.keep.begin(), request.keep.end());
+    result.classes.assign(request.keep_classes.begin(), request.keep_classes.end());
+}
+
+void append_points(const Plan& plan, std::span<const Sample> samples, Result& result) {
+    result.points.reserve(result.points.size() + samples.size());
+    ask_for_large_pages(result.points.data(), result.points.capacity());
+    for (const Sample& sample : samples) result.points.push_back(plan.to_user(sample));
+    if (!plan.has_field() || !plan.field().sheets.are_several()) return;
+    for (const Sample& sample : samples)
+        result.classes.push_back(static_cast<std::uint8_t>(plan.class_of(sample)));
+}
+
+void cut_points(std::size_t count, Result& result) {
+    result.points.resize(count);
+    if (!result.classes.empty()) result.classes.resize(count);
 }
 
 Run run_on_backend(const Request& request, const Plan& plan, Observer& observer) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <lacuna/lacuna.h>
+#include <cstddef>
+#include <span>
 #include <string>
 
 #include "backends/backend.h"
@@ -20,6 +22,12 @@ struct Run {
 // Runs the plan on the backend that the request asks for. Throws Unavailable, Cancelled,
 // DeviceError.
 Run run_on_backend(const Request& request, const Plan& plan, Observer& observer);
+
+// The points of a result: the kept ones first, then samples of a plan, each with its class if there
+// are classes. cut_points leaves out all but the first `count`.
+void begin_points(const Request& request, Result& result);
+void append_points(const Plan& plan, std::span<const Sample> samples, Result& result);
+void cut_points(std::size_t count, Result& result);
 
 // Makes a maximal set, or its first plan.limit samples. Throws Cancelled, DeviceError.
 Outcome generate(const Plan& plan, Backend& backend, Observer& observer);

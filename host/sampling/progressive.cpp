@@ -97,7 +97,7 @@ Result progressive(const Request& request, Observer& observer, const Poll& poll)
     if (request.count) all.limit = std::min(*request.count, request.limit.value_or(*request.count));
     const auto most = static_cast<std::uint64_t>(std::min(last.samples, 1e18));
     Result result;
-    result.points.assign(request.keep.begin(), request.keep.end());
+    begin_points(request, result);
     std::vector<Sample> samples;  // of all levels
     Onward onward(observer, result, std::min(most, all.limit.value_or(most)));
     for (int level = first_level(request, sizes);; ++level) {
@@ -106,8 +106,7 @@ Result progressive(const Request& request, Observer& observer, const Poll& poll)
         plan.first_draw = result.draws;
         const Run run = run_on_backend(request_now, plan, onward);
 
-        for (const Sample& sample : run.outcome.samples)
-            result.points.push_back(plan.to_user(sample));
+        append_points(plan, run.outcome.samples, result);
         samples.insert(samples.end(), run.outcome.samples.begin(), run.outcome.samples.end());
         result.draws += run.outcome.draws;
         result.rounds += run.outcome.rounds;
@@ -120,9 +119,7 @@ Result progressive(const Request& request, Observer& observer, const Poll& poll)
         if (is_whole) result.levels.push_back({sizes.at(level), result.points.size()});
         if (is_whole && !sizes.is_last(level)) continue;
         result.maximal = is_whole;
-        if (all.limit)
-            result.points.resize(
-                std::min(result.points.size(), static_cast<std::size_t>(*all.limit)));
+        if (all.limit) cut_points(std::min<std::size_t>(result.points.size(), *all.limit), result);
         return result;
     }
 }

@@ -33,10 +33,8 @@ Result run(const Request& request, const std::optional<FieldSums>& sums, Observe
                                                     : make_plan(request);
     const Run run = run_on_backend(request, plan, observer);
     Result result;
-    result.points.reserve(request.keep.size() + run.outcome.samples.size());
-    ask_for_large_pages(result.points.data(), run.outcome.samples.size());
-    result.points.assign(request.keep.begin(), request.keep.end());
-    for (const Sample& sample : run.outcome.samples) result.points.push_back(plan.to_user(sample));
+    begin_points(request, result);
+    append_points(plan, run.outcome.samples, result);
     result.radius = plan.user_radius;
     result.scale = plan.user_scale;
     result.lines_per_radius = plan.lines_per_radius;
@@ -124,8 +122,9 @@ std::string_view name_of(Verb verb) {
     return "";
 }
 
-Result sample(const Request& request, Observer& observer) {
-    check_request(request);
+namespace {
+
+Result sample_settled(const Request& request, Observer& observer) {
     const Poll poll = [&] { ask(request, observer); };
     if (request.mode == Mode::stratified) return stratified(request, observer, poll);
     if (request.progressive) return progressive(request, observer, poll);
@@ -146,9 +145,18 @@ Result sample(const Request& request, Observer& observer) {
         if (!search->is_enough(result.points.size())) continue;
         check_kept_distances(trial.request);  // at this size kept points may be too close together
         result.maximal = result.maximal && result.points.size() == *request.count;
-        result.points.resize(std::min(*request.count, request.limit.value_or(*request.count)));
+        cut_points(std::min(*request.count, request.limit.value_or(*request.count)), result);
         return result;
     }
+}
+
+}  // namespace
+
+Result sample(const Request& request, Observer& observer) {
+    check_request(request);
+    Result result = sample_settled(settled(request), observer);
+    if (request.classes.names.size() == 1) result.classes.assign(result.points.size(), 0);
+    return result;
 }
 
 Result sample(const Request& request) {

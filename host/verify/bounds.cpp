@@ -54,6 +54,7 @@ void thin_out(const Cell& cell, const Bounds& bounds, std::size_t before,
         const auto replaces_it = [&](const Disk& other) {
             const ToCorners others = to_corners(cell, other.at);
             return bounds.effective(other) >= bounds.effective(disk) &&
+                   other.factor >= disk.factor &&
                    std::equal(others.begin(), others.end(), mine.begin(), std::less_equal<>());
         };
         const bool is_chosen = std::find(chosen.begin(), chosen.end(), i) != chosen.end();

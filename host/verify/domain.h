@@ -9,10 +9,15 @@
 
 namespace lacuna::verify {
 
-// A sample and its radius.
+// A sample and its radius. It covers a spot up to the smaller of its radius and `factor` times the
+// spot's radius. With classes the factor is the distance of the sample's class and the class looked
+// at, as a share of the least distance; without classes it is 1.
 struct Disk {
     Point at;
     double radius;
+    double factor = 1;
+
+    double limit_with(double other) const { return std::min(radius, factor * other); }
 };
 
 struct Domain {

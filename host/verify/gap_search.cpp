@@ -99,8 +99,7 @@ std::size_t GapSearch::look_from(Point centre, const Under& under, std::size_t b
     for (std::size_t i = begin; i < stack_.size(); ++i) {
         const Disk& disk = stack_[i];
         const double squared = square(disk.at.x - centre.x) + square(disk.at.y - centre.y);
-        const double over =
-            by_squares ? squared : std::sqrt(squared) - std::min(disk.radius, reach);
+        const double over = by_squares ? squared : std::sqrt(squared) - disk.limit_with(reach);
         if (over >= least) continue;
         least = over;
         best = i;

@@ -105,7 +105,7 @@ std::vector<Disk> samples_near(const Question& question, const Cell& cell, const
     const auto nearest_image = [&](const Disk& disk) {
         const double dx = domain.along(disk.at.x, frame.centre.x, domain.width);
         const double dy = domain.along(disk.at.y, frame.centre.y, domain.height);
-        return Disk{{frame.centre.x + dx, frame.centre.y + dy}, disk.radius};
+        return Disk{{frame.centre.x + dx, frame.centre.y + dy}, disk.radius, disk.factor};
     };
     // About this many samples give a bound that is good enough.
     constexpr std::size_t kEnough = 256;
@@ -128,20 +128,20 @@ std::vector<Disk> images_near(const Question& question, const Cell& cell, const 
     double most_over = kInfinity;
     for (const Disk& disk : samples) {
         const auto [x, y] = images_of(disk);
-        bounds.lower_to_most_over({{x.first, y.first}, disk.radius}, most_over);
+        bounds.lower_to_most_over({{x.first, y.first}, disk.radius, disk.factor}, most_over);
     }
     std::vector<Disk> near;
-    const auto append = [&](double x, double y, double radius) {
-        const Disk image{{x, y}, radius};
+    const auto append = [&](double x, double y, const Disk& disk) {
+        const Disk image{{x, y}, disk.radius, disk.factor};
         if (bounds.may_matter(image, most_over + question.rounding)) near.push_back(image);
     };
     for (const Disk& disk : samples) {
         auto [x, y] = images_of(disk);
         if (question.names_any_gap && y.second < y.first) std::swap(y.first, y.second);
-        append(x.first, y.first, disk.radius);
-        if (x.second != x.first) append(x.second, y.first, disk.radius);
-        if (y.second != y.first) append(x.first, y.second, disk.radius);
-        if (x.second != x.first && y.second != y.first) append(x.second, y.second, disk.radius);
+        append(x.first, y.first, disk);
+        if (x.second != x.first) append(x.second, y.first, disk);
+        if (y.second != y.first) append(x.first, y.second, disk);
+        if (x.second != x.first && y.second != y.first) append(x.second, y.second, disk);
     }
     if (question.names_any_gap && domain.torus)
         std::stable_sort(near.begin(), near.end(),
@@ -230,7 +230,7 @@ void measure(const Domain& domain, std::span<const Disk> samples, Gap& gap) {
     gap.over = kInfinity;
     for (const Disk& disk : samples) {
         const double distance = domain.distance(gap.at, disk.at);
-        const double limit = std::min(gap.radius, disk.radius);
+        const double limit = disk.limit_with(gap.radius);
         if (distance - limit >= gap.over) continue;
         gap.over = distance - limit;
         gap.distance = distance;

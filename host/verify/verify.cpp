@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace lacuna::verify {
@@ -77,14 +78,66 @@ void check_domain(double width, double height) {
         throw BadRequest("domain", domain, "the longer side may be at most 1000 times the shorter");
 }
 
-void check_claim(const Claim& claim, double tolerance) {
+namespace {
+
+// What samplers ask of classes besides, such as names without commas, is no matter of a proof.
+void check_classes(const Claim& claim, std::size_t points) {
+    const Classes& classes = claim.classes;
+    const std::size_t count = classes.names.size();
+    if (count == 0) return;
+    if (classes.distances.size() != count * count)
+        throw BadRequest("between", std::to_string(classes.distances.size()) + " distances",
+                         "must be " + std::to_string(count * count) + ", for " +
+                             std::to_string(count) + " classes");
+    for (std::size_t i = 0; i < count * count; ++i) {
+        const double distance = classes.distances[i];
+        if (!std::isfinite(distance) || distance < 0 || (i % (count + 1) == 0 && distance == 0) ||
+            distance != classes.distances[i % count * count + i / count])
+            throw BadRequest("between",
+                             classes.names[i / count] + " and " + classes.names[i % count] +
+                                 " keep " + text(distance),
+                             "distances must be finite, at least 0, the same both ways, and those "
+                             "within a class greater than 0");
+    }
+    if (!classes.weights.empty() && classes.weights.size() != count)
+        throw BadRequest("class", std::to_string(classes.weights.size()) + " weights",
+                         "must be " + std::to_string(count) + ", one for each class");
+    if (claim.class_of_points.size() != points)
+        throw BadRequest("class", std::to_string(claim.class_of_points.size()) + " points",
+                         "have a class, but there are " + std::to_string(points) + " points");
+    for (const std::uint8_t kind : claim.class_of_points)
+        if (kind >= count)
+            throw BadRequest(
+                "class", std::to_string(kind),
+                "must be less than " + std::to_string(count) + ", the number of classes");
+}
+
+}  // namespace
+
+double least_distance(const Classes& classes) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const double distance : classes.distances)
+        if (distance > 0) least = std::min(least, distance);
+    return least;
+}
+
+std::vector<double> shares_of(const Claim& claim) {
+    std::vector<double> shares = claim.classes.distances;
+    const double least = least_distance(claim.classes);
+    for (double& share : shares) share /= least;
+    return shares;
+}
+
+void check_claim(const Claim& claim, std::size_t points, double tolerance) {
     check_domain(claim.width, claim.height);
+    const bool has_classes = !claim.classes.names.empty();
     if (claim.field != nullptr) {
         check_field(*claim.field);
-        check_positive("scale", claim.scale);
-    } else {
+        if (!has_classes || claim.scale != 0) check_positive("scale", claim.scale);
+    } else if (!has_classes || claim.radius != 0) {
         check_positive("radius", claim.radius);
     }
+    check_classes(claim, points);
     // Without gaps to look for, a uniform set needs no tolerance.
     if (!is_uniform(claim) || !claim.distances_only) check_at_least_0("tolerance", tolerance);
     if (claim.mask != nullptr)
@@ -108,11 +161,17 @@ void check_least_radius(const Claim& claim, double least_radius) {
 
 bool is_uniform(const Claim& claim) {
     return claim.field == nullptr && claim.mask == nullptr && claim.polygons.empty() &&
-           claim.border == 0;
+           claim.border == 0 && claim.classes.names.empty();
 }
 
 double tolerance_of(const Claim& claim) {
     const double units = std::max(claim.width, claim.height) * 0x1p-28;
+    if (!claim.tolerance && !claim.classes.distances.empty()) {
+        const std::vector<double> shares = shares_of(claim);
+        const std::size_t count = claim.classes.names.size();
+        const double coarser = count <= 4 ? 1 : count <= 8 ? 2 : 4;
+        return 2 * units * coarser * *std::max_element(shares.begin(), shares.end());
+    }
     const bool is_plain = is_uniform(claim) && claim.keep.empty();
     return claim.tolerance.value_or(is_plain ? units : 2 * units);
 }

@@ -6,7 +6,9 @@
 
 #include <lacuna/verify.h>
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "verify/radius_field.h"
 
@@ -29,12 +31,16 @@ std::string text(double value);
 // over 1000 times the other.
 void check_domain(double width, double height);
 
-// Throws BadRequest for a domain, field, scale, radius, tolerance, mask, polygons or border that
-// makes no sense.
-void check_claim(const Claim& claim, double tolerance);
+// Throws BadRequest for a domain, field, scale, radius, tolerance, mask, polygons, border or
+// classes that make no sense.
+void check_claim(const Claim& claim, std::size_t points, double tolerance);
 
 // Throws BadRequest if the smallest radius that the claim asks for is below kSmallestRadius.
 void check_least_radius(const Claim& claim, double least_radius);
+
+// The least distance of two classes that is not 0, and all as shares of it.
+double least_distance(const Classes& classes);
+std::vector<double> shares_of(const Claim& claim);
 
 // Whether the claim has one radius, and lets points lie everywhere.
 bool is_uniform(const Claim& claim);
@@ -43,7 +49,9 @@ bool is_uniform(const Claim& claim);
 // claim that is 2^-28 of the longer side: at least four units of a grid with 2^30 or more units
 // along that side. Rounding the radius up takes up to two units. A spot between the lines of the
 // grid is up to sqrt(2) units from a point of the grid. Other claims have twice this tolerance,
-// because borders of pixels are rounded to the grid, too, by up to two units.
+// because borders of pixels are rounded to the grid, too, by up to two units. With classes the
+// least distance is rounded, and others are multiples of it. With more than four classes, or eight,
+// the grid has half as many units, or a quarter.
 double tolerance_of(const Claim& claim);
 
 }  // namespace lacuna::verify

@@ -1,6 +1,7 @@
 // The conflict rule of mode exact: whether two samples are too close, and what a sample takes from
 // a line through an active box. This is the paper's metric min (4.2.1): of two radii the smaller
-// counts. With one radius for all samples, the two radii are equal.
+// counts. With one radius for all samples, the two radii are equal. Two classes of samples keep
+// that radius times their factor (sheets.h). With one class the factor is FACTOR_ONE.
 //
 // A rule must ensure that every point of the box on a chord conflicts with the sample. `box_radius`
 // is therefore the least radius under the box.
@@ -8,6 +9,7 @@
 #define LACUNA_PORTABLE_CONFLICT_H
 #include "chord.h"
 #include "distance.h"
+#include "sheets.h"
 
 LACUNA_BEGIN
 
@@ -20,19 +22,21 @@ struct Sized {
 LACUNA_TYPEDEF(Sized)
 
 // The square of the distance that samples of these radii must keep.
-LACUNA_FN u64 squared_limit(u32 radius_a, u32 radius_b) {
-    u64 limit = radius_a < radius_b ? radius_a : radius_b;
+LACUNA_FN u64 squared_limit(u32 radius_a, u32 radius_b, u32 factor) {
+    u64 limit = times_factor(radius_a < radius_b ? radius_a : radius_b, factor);
     return limit * limit;
 }
 
-LACUNA_FN bool conflicts(Sized a, Sized b, u32 period_x, u32 period_y) {
-    return are_closer(a.x, a.y, b.x, b.y, period_x, period_y, squared_limit(a.radius, b.radius));
+// Both must have the x of one sheet.
+LACUNA_FN bool conflicts(Sized a, Sized b, u32 factor, u32 period_x, u32 period_y) {
+    return are_closer(a.x, a.y, b.x, b.y, period_x, period_y,
+                      squared_limit(a.radius, b.radius, factor));
 }
 
 // How far the chord reaches up and down from the sample's height (see chord_reach), on a line at
 // distance dx from the sample.
-LACUNA_FN u32 chord(Sized neighbour, u32 dx, u32 box_radius) {
-    return chord_reach(dx, squared_limit(neighbour.radius, box_radius));
+LACUNA_FN u32 chord(Sized neighbour, u32 dx, u32 box_radius, u32 factor) {
+    return chord_reach(dx, squared_limit(neighbour.radius, box_radius, factor));
 }
 
 LACUNA_END

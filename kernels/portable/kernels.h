@@ -33,6 +33,7 @@ struct Geometry {
     u32 grid_side;  // width of the sample grid's cells, see plan/plan.h
     u32 grid_columns;
     u32 grid_rows;
+    u32 sheet_bits;  // see sheets.h
 };
 LACUNA_TYPEDEF(Geometry)
 
@@ -178,7 +179,8 @@ LACUNA_END
 // (portable/radius_field.h), or 0 until measure has looked it up. An entry of a list has x, y and
 // radius of a sample, and the number of the next entry; lists[] has the first entry for each block.
 // tree_boxes and tree_links are the nodes of plan/first_boxes.h: a link has the greatest radius,
-// next node, first block and whole. A visitor of a block is a candidate that reaches it, and the
+// next node, first block and whole. factors[MOST_CLASSES * a + b] is for samples of classes a and b
+// (sheets.h). A visitor of a block is a candidate that reaches it, and the
 // number of the next visitor. The kernel split writes borders[] and strip_radii[].
 #define LOCATE_WITH_FIELD_BINDINGS(B) B(0, READ, u32, axes)                                   \
     B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits) B(3, READ, u32x4, boxes)       \
@@ -187,17 +189,18 @@ LACUNA_END
 #define SCREEN_WITH_FIELD_BINDINGS(B)                                                         \
     B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32, lists)  \
     B(3, READ, u32x4, entries) B(4, BOTH, u32, statuses) B(5, WRITE, u32x2, samples)            \
-    B(6, WRITE, u32, survivors) B(7, SHARED, u32, survivor_count) B(8, SHARED, u32, failure)
+    B(6, WRITE, u32, survivors) B(7, SHARED, u32, survivor_count) B(8, SHARED, u32, failure) \
+    B(9, READ, u32, factors)
 #define REACH_BINDINGS(B)                                                                    \
     B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32, statuses)    \
     B(3, READ, u32x4, tree_boxes) B(4, READ, u32x4, tree_links) B(5, READ, u32, node_of)    \
     B(6, SHARED, u32, visitor_count) B(7, SHARED, u32, visitor_heads)                        \
     B(8, WRITE, u32x2, visitors) B(9, READ, u32, survivors) B(10, READ, u32, survivor_count) \
-    B(11, SHARED, u32, failure)
+    B(11, SHARED, u32, failure) B(12, READ, u32, factors)
 #define ADMIT_WITH_FIELD_BINDINGS(B)                                                          \
     B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, SHARED, u32, statuses)  \
     B(3, READ, u32, visitor_heads) B(4, READ, u32x2, visitors) B(5, SHARED, u32, undecided)  \
-    B(6, WRITE, u32x2, samples) B(7, SHARED, u32, failure)
+    B(6, WRITE, u32x2, samples) B(7, SHARED, u32, failure) B(8, READ, u32, factors)
 #define ENLIST_BINDINGS(B)                                                                   \
     B(0, READ, u32, undecided) B(1, READ, u32x4, candidates)                                 \
     B(2, READ, u32, candidate_radii) B(3, READ, u32, statuses) B(4, READ, u32, visitor_heads)   \
@@ -211,9 +214,9 @@ LACUNA_END
     B(0, READ, u32, undecided) B(1, READ, u32x4, boxes) B(2, READ, u32x2, origins)           \
     B(3, READ, u32, lists) B(4, READ, u32x4, entries) B(5, READ, u32x4, borders)             \
     B(6, READ, u32x4, strip_radii) B(7, SHARED, u32, failure) B(8, BOTH, u32, counts)        \
-    B(9, BOTH, u32x2, strip_pieces) B(10, WRITE, u32x2, new_origins)
+    B(9, BOTH, u32x2, strip_pieces) B(10, WRITE, u32x2, new_origins) B(11, READ, u32, factors)
 #define KEEP_WITH_FIELD_BINDINGS(B)                                                          \
-    CUT_WITH_FIELD_BINDINGS(B) B(11, READ, u32, sums) B(12, WRITE, u32x4, new_boxes)
+    CUT_WITH_FIELD_BINDINGS(B) B(12, READ, u32, sums) B(13, WRITE, u32x4, new_boxes)
 #define MEASURE_BINDINGS(B)                                                                  \
     B(0, READ, u32, undecided) B(1, READ, u32, axes) B(2, READ, u32x2, radius_bounds)        \
     B(3, READ, u32, mask_bits) B(4, READ, u32x4, new_boxes) B(5, BOTH, u32x2, new_origins)   \
@@ -232,7 +235,7 @@ LACUNA_END
     B(u32x2, radius_bounds) B(u32, mask_bits) B(u32x2, origins) B(u32x2, new_origins)             \
     B(u32x4, borders) B(u32x4, strip_radii) B(u32x4, tree_boxes) B(u32x4, tree_links) B(u32, node_of)    \
     B(u32, visitor_count) B(u32, visitor_heads) B(u32x2, visitors) B(u32, lists)                  \
-    B(u32x4, entries) B(u32, entry_count) B(u32, survivors) B(u32, survivor_count)                \
+    B(u32x4, entries) B(u32, entry_count) B(u32, survivors) B(u32, survivor_count) B(u32, factors) \
     LACUNA_RELAX_BUFFERS(B)
 
 // All kernels: name, arguments, bindings.

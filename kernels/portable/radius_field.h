@@ -15,7 +15,8 @@
 #define AXIS_SHIFT 1u
 #define AXIS_SCALE 2u   // two words, the lower one first
 #define AXIS_BEGINS 4u  // index in the table of the begins of its pixels
-#define AXIS_WORDS 5u
+#define AXIS_LAST 5u    // a mask of the bits that x has on its sheet (sheets.h)
+#define AXIS_WORDS 6u
 
 // Whether none, some or all of an area is allowed, in two bits.
 #define ALLOWED_NONE 0u

@@ -33,6 +33,15 @@ class Tone:
     sharpen_amount: float
     def __init__(self) -> None: ...
 
+class Classes:
+    names: list[str]
+    distances: list[float]
+    weights: list[float]
+    def __init__(self) -> None: ...
+
+def distances_by_sum(radii: list[float]) -> list[float]: ...
+def distances_by_union(radii: list[float]) -> list[float]: ...
+
 class Request:
     width: float
     height: float
@@ -44,6 +53,7 @@ class Request:
     count: int | None
     scale: float | None
     border: float
+    classes: Classes
     lines_per_radius: int | None
     progressive: bool
     limit: int | None
@@ -74,6 +84,7 @@ class Claim:
     radius: float
     scale: float
     border: float
+    classes: Classes
     edge: float
     tolerance: float | None
     distances_only: bool
@@ -88,6 +99,7 @@ def sample(
     field: Field | None,
     mask: Mask | None,
     keep: npt.NDArray[np.float64] | None,
+    keep_classes: npt.NDArray[np.uint8] | None,
     progress: Callable[[int, int], object] | None,
 ) -> dict[str, Any]: ...
 def sample_many(
@@ -158,6 +170,8 @@ def write_points(
     radius: float,
     radii: npt.NDArray[np.float64] | None,
     layers: list[tuple[Ink, int]],
+    classes: list[str],
+    class_of: npt.NDArray[np.uint8] | None,
 ) -> None: ...
 def read_polygons(path: bytes) -> dict[str, Any]: ...
 def draw_mask(
@@ -174,6 +188,7 @@ def verify(
     mask: Mask | None,
     polygons: list[tuple[list[npt.NDArray[np.float64]], bool]],
     keep: npt.NDArray[np.float64] | None,
+    class_of: npt.NDArray[np.uint8] | None,
 ) -> dict[str, Any]: ...
 def analyze(
     points: list[npt.NDArray[np.float64]],

@@ -20,6 +20,7 @@ from typing import (
 
 from . import _core
 from ._arguments import choice, flag, pair, shown, whole
+from ._classes import classes_of
 from ._errors import MemoryRefused
 from ._results import PointSet
 from ._runs import (
@@ -35,6 +36,9 @@ from ._runs import (
 )
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    from ._classes import ClassSizes
     from ._runs import Progress
 
 # The most sets in a batch, and for an iterator the most points. A batch is made by one call of the
@@ -94,6 +98,8 @@ def sample_many(
     radius: SupportsFloat | None = ...,
     n: SupportsIndex | None = ...,
     *,
+    classes: ClassSizes | None = ...,
+    between: str | npt.ArrayLike = ...,
     domain: tuple[SupportsFloat, SupportsFloat] = ...,
     torus: bool = ...,
     mode: str = ...,
@@ -115,6 +121,8 @@ def sample_many(
     radius: SupportsFloat | None = ...,
     n: SupportsIndex | None = ...,
     *,
+    classes: ClassSizes | None = ...,
+    between: str | npt.ArrayLike = ...,
     domain: tuple[SupportsFloat, SupportsFloat] = ...,
     torus: bool = ...,
     mode: str = ...,
@@ -135,6 +143,8 @@ def sample_many(
     radius: SupportsFloat | None = None,
     n: SupportsIndex | None = None,
     *,
+    classes: ClassSizes | None = None,
+    between: str | npt.ArrayLike = "sum",
     domain: tuple[SupportsFloat, SupportsFloat] = (1, 1),
     torus: bool = False,
     mode: str = "exact",
@@ -161,7 +171,7 @@ def sample_many(
     seeds : iterable of int
         Such as ``range(1000)``. Each is from 0 to 2^64 - 1. For an iterator, such as
         ``itertools.count()`` or a generator, the sets come one at a time and are not kept.
-    radius, n, domain, torus, mode, progressive, limit, lines_per_radius, snap, uniform_x, round_size, \
+    radius, n, classes, between, domain, torus, mode, progressive, limit, lines_per_radius, snap, uniform_x, round_size, \
 backend, device, threads, memory_limit
         As for ``sample``; memory_limit is for each set.
     progress : callable, optional
@@ -195,7 +205,8 @@ backend, device, threads, memory_limit
     request = _core.Request()
     request.mode = choice("mode", mode, MODES)
     refuse_what_is_for_fields(request, None, None)
-    set_size(request, {"radius": radius, "n": n})
+    request.classes = classes_of(classes, between)
+    set_size(request, {"radius": radius, "n": n}, bool(request.classes.names))
     if isinstance(seeds, (str, bytes)) or not isinstance(seeds, Iterable):
         raise TypeError(f"seeds must be an iterable of int, not {shown(seeds)}")
     checked_progress(progress)

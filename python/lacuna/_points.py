@@ -67,6 +67,10 @@ class HasPoints:
         """The inks of the dots and how many dots each has, in order; empty if all are black."""
         return []
 
+    def _classes(self) -> tuple[list[str], npt.NDArray[np.uint8] | None]:
+        """The names of classes, and the class of each point; none if there are no classes."""
+        return [], None
+
     def save(self, path: str | bytes | os.PathLike[Any]) -> None:
         """Write the points to a file, whose extension names the format, as the command does.
 
@@ -91,7 +95,13 @@ class HasPoints:
         name, least = path_bytes("path", path), self._least_distance()
         try:
             _core.write_points(
-                name, self.points, *self.domain, least, self._radii(), self._layers()
+                name,
+                self.points,
+                *self.domain,
+                least,
+                self._radii(),
+                self._layers(),
+                *self._classes(),
             )
         except BadRequest as error:
             raise error.called("path") from None

@@ -93,6 +93,12 @@ class PointSet(HasPoints):
     levels : tuple of (float, int)
         Of a progressive order: so many first points are a maximal set of this radius, or with a
         field of this scale. Else empty.
+    classes : tuple of str
+        The names of the classes, if there are any.
+    class_of : ndarray, shape (N,), uint8, or None
+        With classes: the place of each point's class in ``classes``.
+    distances : ndarray, shape (K, K), or None
+        With classes: the least distance of each two; with a field where importance is 1.
     rounds, draws : int
         Number of rounds, and of draws in all rounds.
     lines_per_radius : int
@@ -120,6 +126,19 @@ class PointSet(HasPoints):
     backend: str
     device: str
     _request: Mapping[str, Any] = field(repr=False)
+    classes: tuple[str, ...] = field(default=(), kw_only=True)
+    class_of: npt.NDArray[np.uint8] | None = field(default=None, repr=False, kw_only=True)
+    distances: Floats | None = field(default=None, repr=False, kw_only=True)
+
+    def _classes(self) -> tuple[list[str], npt.NDArray[np.uint8] | None]:
+        return list(self.classes), self.class_of
+
+    def _radii(self) -> Floats | None:
+        # Two thirds of the distance that two of a class keep is a dot's width.
+        if self.class_of is None or self.distances is None or self.scale is not None:
+            return None
+        radii: Floats = (np.diag(self.distances) / 3)[self.class_of]
+        return radii
 
     def _least_distance(self) -> float:
         # With a field the least of all radii would make dots that are too small to be seen.

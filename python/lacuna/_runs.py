@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Callable, SupportsFloat, SupportsIndex
 
 from . import _core
 from ._arguments import choice, device_text, flag, real, seed_of, shown, text, whole
+from ._classes import attributes_of
 from ._errors import BadRequest
 from ._results import Evenness, Relaxed
 
@@ -97,9 +98,16 @@ def choose_metric(request: _core.Request, metric: object, iterations: int) -> No
         request.metric = "mean"
 
 
-def set_size(request: _core.Request, sizes: dict[str, Any]) -> None:
-    """Fills in the one of ``sizes`` that is given: radius, scale or n. Exactly one must be."""
+def set_size(
+    request: _core.Request, sizes: dict[str, Any], has_classes: bool = False
+) -> None:
+    """Fills in the one of ``sizes`` that is given: radius, scale or n. Exactly one must be; with
+    classes none or n, for these have radii."""
     given = {name: value for name, value in sizes.items() if value is not None}
+    if has_classes and not given:
+        return
+    if has_classes and (size := next((name for name in given if name != "n"), None)):
+        raise BadRequest(f"{size} {shown(given[size])}: is not for classes, which have radii", size)
     if len(given) != 1:
         allowed = " or ".join(sizes)
         if not given:
@@ -172,7 +180,7 @@ def least_distance(points: npt.NDArray[np.float64], options: _core.RelaxOptions)
     claim.radius = max(options.width, options.height)
     claim.width, claim.height, claim.torus = options.width, options.height, options.torus
     claim.distances_only = True
-    return float(_core.verify(points, claim, None, None, [], None)["least_distance"])
+    return float(_core.verify(points, claim, None, None, [], None, None)["least_distance"])
 
 
 def _relax_set(
@@ -211,6 +219,11 @@ def request_of(request: _core.Request, has_field: bool, lines_per_radius: int) -
     asked["lines_per_radius"] = lines_per_radius
     if request.progressive:
         asked["progressive"] = True
+    if request.classes.names:
+        names, rows = request.classes.names, iter(request.classes.distances)
+        asked["class_names"] = list(names)
+        asked["distances"] = [[next(rows) for _ in names] for _ in names]
+        asked["weights"] = list(request.classes.weights)
     if not cells:
         asked.update(snap=request.snap, uniform_x=request.uniform_x)
     asked.update(limit=request.limit, round_size=request.round_size, seed=request.seed)
@@ -224,10 +237,11 @@ def make(
     progress: Progress | None,
     mask: _core.Mask | None = None,
     keep: npt.NDArray[np.float64] | None = None,
+    keep_classes: npt.NDArray[np.uint8] | None = None,
 ) -> dict[str, Any]:
     """Samples and relaxes. Returns the attributes of a PointSet."""
     checked_progress(progress)
-    made = _core.sample(request, field, mask, keep, progress)
+    made = _core.sample(request, field, mask, keep, keep_classes, progress)
     asked = request_of(request, field is not None, made["lines_per_radius"])
     if request.border:
         asked["border"] = request.border
@@ -255,7 +269,7 @@ def set_of(
     if not has_field or request.mode == "stratified":
         made["scale"] = None
     return dict(
-        made,
+        {**made, **attributes_of(request.classes, made)},
         domain=(request.width, request.height),
         torus=request.torus,
         mode=request.mode,

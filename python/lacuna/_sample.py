@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
+from typing import TYPE_CHECKING, Iterable, SupportsFloat, SupportsIndex
 
 from . import _core
 from ._arguments import (
@@ -16,6 +16,7 @@ from ._arguments import (
     shown,
     whole,
 )
+from ._classes import class_numbers, classes_of
 from ._errors import BadRequest
 from ._results import PointSet
 from ._runs import (
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from ._arguments import Seed
+    from ._classes import ClassSizes
     from ._runs import Progress
 
 
@@ -48,6 +50,9 @@ def sample(
     mask: npt.ArrayLike | None = None,
     border: SupportsFloat = 0,
     keep: npt.ArrayLike | None = None,
+    classes: ClassSizes | None = None,
+    between: str | npt.ArrayLike = "sum",
+    keep_classes: Iterable[object] | None = None,
     domain: tuple[SupportsFloat, SupportsFloat] | None = None,
     torus: bool = False,
     mode: str | None = None,
@@ -98,6 +103,16 @@ def sample(
         Points that are there already. They come first, unmoved, and new points keep their distance
         from them. Each must lie where points may lie, and keep its distance from the others. They
         count for ``n`` and ``limit``.
+    classes : dict of str to float, optional
+        Points of several kinds: the radius of each by its name, or a radius and a weight, which
+        says how often the class is drawn. Then give no ``radius`` or ``scale``; with ``n`` the
+        radii are in proportion. With a field they are those where the importance is 1. At most 16.
+    between : {'sum', 'union'} or array_like, shape (K, K)
+        The least distance of two classes. 'sum': the sum of their radii, as of objects that do not
+        overlap. 'union': each class alone is a set of its radius, and all together are evenly
+        distributed. Or a symmetric matrix; the radii in ``classes`` are then None.
+    keep_classes : iterable of str or int, optional
+        With classes, of each point of ``keep``: the name of its class, or its place in ``classes``.
     domain : tuple of float, optional
         Width and height. By default the shape of the field or else of the mask, with a longer side
         of 1; without both (1, 1).
@@ -181,6 +196,14 @@ def sample(
     >>> bool((sequence.points[:1000] == again.points).all())
     True
 
+    Trees with bushes and grass between them, no two of which overlap:
+
+    >>> wood = lacuna.sample(classes={"trees": 0.05, "bushes": 0.02, "grass": 0.005}, seed=1)
+    >>> wood.maximal, wood.classes[wood.class_of[-1]]
+    (True, 'grass')
+    >>> bool(lacuna.verify(wood))
+    True
+
     A maximal set that follows the same field, in a disk, with a point that is there already:
 
     >>> y, x = np.mgrid[-1:1:64j, -1:1:64j]
@@ -198,6 +221,14 @@ def sample(
     allowed = None if mask is None else mask_of("mask", mask)
     kept = None if keep is None else points_array("keep", keep)
     iterations = whole("relax", relax, 0, MOST_32)
+    request.classes = classes_of(classes, between)
+    of_kept = None
+    if keep_classes is not None:
+        if not request.classes.names or kept is None:
+            raise BadRequest("keep_classes: is for keep with classes", "keep_classes")
+        of_kept = class_numbers("keep_classes", keep_classes, request.classes.names, len(kept))
+    if iterations and request.classes.names:
+        raise BadRequest(f"relax {iterations}: cannot be used with classes", "relax")
     if iterations and is_bounded:
         raise BadRequest(
             f"relax {iterations}: cannot be used with mask, border or keep",
@@ -205,12 +236,12 @@ def sample(
         )
     if importance is None:
         refuse_what_is_for_fields(request, scale, metric)
-        set_size(request, {"radius": radius, "n": n})
+        set_size(request, {"radius": radius, "n": n}, bool(request.classes.names))
         sides = (1.0, 1.0) if allowed is None else shape_of(allowed)
     else:
         if radius is not None:
             raise BadRequest(f"radius {shown(radius)}: with a field give scale or n", "radius")
-        set_size(request, {"scale": scale, "n": n})
+        set_size(request, {"scale": scale, "n": n}, bool(request.classes.names))
         sides = shape_of(importance)
     if domain is not None:
         sides = pair("domain", domain)
@@ -233,4 +264,4 @@ def sample(
         choose_metric(request, metric, iterations)
     request.snap = flag("snap", snap)
     request.uniform_x = flag("uniform_x", uniform_x)
-    return PointSet(**make(request, importance, iterations, progress, allowed, kept))
+    return PointSet(**make(request, importance, iterations, progress, allowed, kept, of_kept))

@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _core, _plots
 from ._arguments import field_of, flag, mask_of, points_array, real, shown
+from ._classes import class_numbers, classes_of
 from ._domains import Polygons, page_of, sets_on
 from ._errors import BadRequest
 from ._judging import domain_of
@@ -18,6 +19,8 @@ from ._runs import shape_of
 if TYPE_CHECKING:
     import numpy.typing as npt
     from matplotlib.axes import Axes
+
+    from ._classes import ClassSizes
 
     Floats = npt.NDArray[np.float64]
 
@@ -56,6 +59,8 @@ class Verdict:
         the spot farthest over its limit, and its distance from the point that covers it best.
     largest_gap_limit : float or None
         The limit of that spot and that point.
+    largest_gap_class : str or None
+        With classes: the class of which a point has most room there.
     emptiest_spot, emptiest_distance, emptiest_limit
         Deprecated names of ``largest_gap``, ``largest_gap_distance`` and ``largest_gap_limit``.
     radius, tolerance : float
@@ -85,6 +90,7 @@ class Verdict:
     scale: float | None
     points: Floats = field(repr=False)
     domain: tuple[float, float] = field(repr=False)
+    largest_gap_class: str | None = field(default=None, kw_only=True)
 
     # Deprecated names, for programs that were written for them.
     emptiest_spot = property(lambda self: self.largest_gap)
@@ -121,6 +127,31 @@ def _claimed(
     return real("scale", scale)
 
 
+def _classes(
+    points: object,
+    classes: ClassSizes | None,
+    between: object,
+    class_of: Iterable[object] | None,
+    count: int,
+) -> tuple[_core.Classes, npt.NDArray[np.uint8] | None]:
+    """The classes claimed, and that of each point: as given, or else the PointSet's own."""
+    made = classes_of(classes, between)
+    own = points if isinstance(points, PointSet) and points.class_of is not None else None
+    if not made.names and own is not None and own.distances is not None:
+        made.names = list(own.classes)
+        made.distances = [float(distance) for distance in own.distances.ravel()]
+        made.weights = list(own._request["weights"])
+    if not made.names:
+        if class_of is not None:
+            raise BadRequest("class_of: is for classes", "class_of")
+        return made, None
+    if class_of is None and own is not None:
+        return made, own.class_of
+    if class_of is None:
+        raise BadRequest("class_of missing: give the class of each point", "class_of")
+    return made, class_numbers("class_of", class_of, made.names, count)
+
+
 def _read_only(array: Floats) -> Floats:
     view = array.view()
     view.flags.writeable = False
@@ -146,6 +177,9 @@ def verify(
     edge: SupportsFloat = 0,
     border: SupportsFloat = 0,
     keep: npt.ArrayLike | None = None,
+    classes: ClassSizes | None = None,
+    between: str | npt.ArrayLike = "sum",
+    class_of: Iterable[object] | None = None,
     domain: tuple[SupportsFloat, SupportsFloat] | None = None,
     torus: bool | None = None,
     tolerance: SupportsFloat | None = None,
@@ -177,6 +211,11 @@ def verify(
         As of ``sample``: no point may be closer to the domain's edges.
     keep : array_like, shape (N, 2), optional
         The first of the points must be equal to these, to the last bit.
+    classes, between
+        As of ``sample``: each two classes have a least distance, and no spot may be left where a
+        point of any class with a weight has room. By default a PointSet's own.
+    class_of : iterable of str or int, optional
+        The class of each point: its name, or its place in ``classes``. By default a PointSet's own.
     domain : tuple of float, optional
         Width and height. By default a PointSet's own, else the shape of the field or of the mask,
         its longer side 1, else the page of ``inside``, or (1, 1).
@@ -218,7 +257,13 @@ def verify(
     True
     """
     claim = _core.Claim()
-    claimed = _claimed(points, radius, scale, field is not None)
+    array = points_array("points", points)
+    claim.classes, of_points = _classes(points, classes, between, class_of, len(array))
+    if claim.classes.names and radius is None and scale is None:
+        distances = [distance for distance in claim.classes.distances if distance > 0]
+        claimed = min(distances, default=0.0)
+    else:
+        claimed = _claimed(points, radius, scale, field is not None)
     if field is None:
         claim.radius = claimed
     else:
@@ -236,10 +281,7 @@ def verify(
     sets = sets_on("inside", inside, (claim.width, claim.height))
     sets += sets_on("outside", outside, (claim.width, claim.height), forbidden=True)
     kept = None if keep is None else points_array("keep", keep)
-    array = points_array("points", points)
-    found = _core.verify(array, claim, importance, allowed, sets, kept)
-    is_uniform = importance is None and allowed is None and not sets and claim.border == 0
-    blur = 2.0 ** (-28 if is_uniform else -27) * max(claim.width, claim.height)
+    found = _core.verify(array, claim, importance, allowed, sets, kept, of_points)
     in_place = all(found[name] is None for name in ("outside", "moved", "forbidden"))
     pair_known = in_place and len(array) > 1
     gaps_known = in_place and not claim.distances_only
@@ -259,8 +301,13 @@ def verify(
         largest_gap=found["largest_gap"] if spot_known else None,
         largest_gap_distance=found["largest_gap_distance"] if spot_known else None,
         largest_gap_limit=found["largest_gap_limit"] if spot_known else None,
+        largest_gap_class=(
+            claim.classes.names[found["largest_gap_class"]]
+            if spot_known and claim.classes.names
+            else None
+        ),
         radius=claimed if importance is None else claimed / float(importance.values.max()) ** 0.5,
-        tolerance=blur if claim.tolerance is None else claim.tolerance,
+        tolerance=found["tolerance"],
         scale=None if importance is None else claimed,
         points=_read_only(array),
         domain=(claim.width, claim.height),

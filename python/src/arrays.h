@@ -6,6 +6,7 @@
 #include <nanobind/ndarray.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -23,6 +24,14 @@ using PointArray =
 // A number for each point, from python/lacuna, too.
 using RadiusArray =
     nb::ndarray<const double, nb::numpy, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+
+// The class of each point, from python/lacuna, too.
+using ClassArray =
+    nb::ndarray<const std::uint8_t, nb::numpy, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+
+inline std::vector<std::uint8_t> classes_of(const ClassArray& array) {
+    return {array.data(), array.data() + array.shape(0)};
+}
 
 // Copies the points: other threads may change an array while it is read.
 inline std::vector<Point> points_of(const PointArray& array) {

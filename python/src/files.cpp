@@ -26,10 +26,11 @@ namespace {
 
 // Writes points in the format of the path's extension. `radius` is as in files::PointSet. Pictures
 // have dots of the given radii; without them all dots are equal. `layers` are inks, each with its
-// number of dots; without them the dots are black.
+// number of dots; without them the dots are black. With `classes`, class_of has each point's.
 void write_set(const nb::bytes& path_bytes, const PointArray& array, double width, double height,
                double radius, const std::optional<RadiusArray>& radii,
-               const std::vector<std::pair<Ink, std::size_t>>& layers) {
+               const std::vector<std::pair<Ink, std::size_t>>& layers,
+               const std::vector<std::string>& classes, const std::optional<ClassArray>& class_of) {
     const std::string path(path_bytes.c_str(), path_bytes.size());
     const nb::gil_scoped_release no_gil;
     const files::Format& format = files::format_of(path);
@@ -37,6 +38,13 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, double widt
     std::vector<files::Layer> its_layers;
     for (const auto& [ink, dots] : layers) its_layers.push_back({ink, dots});
     files::PointSet set{points, width, height, radius};
+    const std::vector<std::uint8_t> of_points =
+        class_of ? classes_of(*class_of) : std::vector<std::uint8_t>{};
+    if (class_of) {
+        its_layers = files::layers_of_classes(classes, of_points);
+        set.layer_of_point = of_points;
+        set.layers_are = files::LayersAre::classes;
+    }
     set.layers = its_layers;
     std::string content;
     if (format.medium && radii) {
@@ -55,7 +63,7 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, double widt
 
 void add_files(nb::module_& module) {
     module.def("write_points", write_set, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
-               nb::arg().none(), nb::arg());
+               nb::arg().none(), nb::arg(), nb::arg(), nb::arg().none());
 }
 
 }  // namespace lacuna::python

@@ -54,7 +54,8 @@ const char* name_of(Proof::Closed closed) {
 
 nb::dict verify_points(const PointArray& array, const Claim& asked, const Field* field,
                        const Mask* mask, const nb::list& polygons,
-                       const std::optional<PointArray>& keep) {
+                       const std::optional<PointArray>& keep,
+                       const std::optional<ClassArray>& class_of) {
     PolygonSets sets(polygons);
     const auto work = [&](const std::atomic<bool>& stop) {
         const std::vector<Point> kept = keep ? points_of(*keep) : std::vector<Point>{};
@@ -63,6 +64,9 @@ nb::dict verify_points(const PointArray& array, const Claim& asked, const Field*
         claim.mask = mask;
         claim.polygons = sets.copy();
         claim.keep = kept;
+        const std::vector<std::uint8_t> of_points =
+            class_of ? classes_of(*class_of) : std::vector<std::uint8_t>{};
+        claim.class_of_points = of_points;
         return prove(points_of(array), claim, [&] { return !stop; });
     };
     Proof proof;
@@ -88,6 +92,8 @@ nb::dict verify_points(const PointArray& array, const Claim& asked, const Field*
     found["largest_gap"] = nb::make_tuple(proof.largest_gap.x, proof.largest_gap.y);
     found["largest_gap_distance"] = proof.largest_gap_distance;
     found["largest_gap_limit"] = proof.largest_gap_limit;
+    found["largest_gap_class"] = proof.largest_gap_class;
+    found["tolerance"] = proof.tolerance;
     found["maximal"] = proof.maximal;
     return found;
 }
@@ -148,11 +154,12 @@ void add_judging(nb::module_& module) {
         .def_rw("radius", &Claim::radius)
         .def_rw("scale", &Claim::scale)
         .def_rw("border", &Claim::border)
+        .def_rw("classes", &Claim::classes)
         .def_rw("edge", &Claim::edge_tolerance)
         .def_rw("tolerance", &Claim::tolerance, nb::arg().none())
         .def_rw("distances_only", &Claim::distances_only);
     module.def("verify", verify_points, nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(),
-               nb::arg(), nb::arg().none());
+               nb::arg(), nb::arg().none(), nb::arg().none());
     module.def("analyze", analyze_sets, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
                nb::arg(), nb::arg().none());
 }

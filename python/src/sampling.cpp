@@ -42,6 +42,8 @@ Values values_of(Field& field) {
 nb::dict dict_of(Result result) {
     nb::dict made;
     made["points"] = array_of(std::move(result.points));
+    made["class_of"] = result.classes.empty() ? nb::object(nb::none())
+                                              : array_of(std::move(result.classes));
     made["radius"] = result.radius;
     made["scale"] = result.scale;
     made["lines_per_radius"] = result.lines_per_radius;
@@ -58,7 +60,8 @@ nb::dict dict_of(Result result) {
 }
 
 nb::dict sample_points(const Request& wanted, const Field* field, const Mask* mask,
-                       const std::optional<PointArray>& keep, nb::object progress) {
+                       const std::optional<PointArray>& keep,
+                       const std::optional<ClassArray>& keep_classes, nb::object progress) {
     Request request = wanted;
     request.field = field;
     request.mask = mask;
@@ -68,6 +71,9 @@ nb::dict sample_points(const Request& wanted, const Field* field, const Mask* ma
         const nb::gil_scoped_release no_gil;
         const std::vector<Point> kept = keep ? points_of(*keep) : std::vector<Point>{};
         request.keep = kept;
+        const std::vector<std::uint8_t> of_kept =
+            keep_classes ? classes_of(*keep_classes) : std::vector<std::uint8_t>{};
+        request.keep_classes = of_kept;
         result = sample(request, watch);
     }
     nb::dict made = dict_of(std::move(result));
@@ -217,6 +223,18 @@ nb::class_<Options>& add_common(nb::class_<Options>& type) {
         .def_rw("threads", &Options::threads);
 }
 
+void add_classes(nb::module_& module) {
+    nb::class_<Classes>(module, "Classes")
+        .def(nb::init<>())
+        .def_rw("names", &Classes::names)
+        .def_rw("distances", &Classes::distances)
+        .def_rw("weights", &Classes::weights);
+    module.def("distances_by_sum",
+               [](const std::vector<double>& radii) { return distances_by_sum(radii); });
+    module.def("distances_by_union",
+               [](const std::vector<double>& radii) { return distances_by_union(radii); });
+}
+
 void add_request(nb::module_& module) {
     nb::class_<Request> request(module, "Request");
     add_common(request)
@@ -224,6 +242,7 @@ void add_request(nb::module_& module) {
         .def_rw("count", &Request::count, nb::arg().none())
         .def_rw("scale", &Request::scale, nb::arg().none())
         .def_rw("border", &Request::border)
+        .def_rw("classes", &Request::classes)
         .def_rw("lines_per_radius", &Request::lines_per_radius, nb::arg().none())
         .def_rw("progressive", &Request::progressive)
         .def_rw("limit", &Request::limit, nb::arg().none())
@@ -257,6 +276,7 @@ void add_sampling(nb::module_& module) {
         .def_rw("min_importance", &Tone::min_importance)
         .def_rw("sharpen", &Tone::sharpen)
         .def_rw("sharpen_amount", &Tone::sharpen_amount);
+    add_classes(module);
     add_request(module);
     nb::class_<RelaxOptions> options(module, "RelaxOptions");
     add_common(options)
@@ -266,7 +286,7 @@ void add_sampling(nb::module_& module) {
     module.def("read_field", read_picture);
     module.def("decode_field", decode_picture);
     module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg().none(),
-               nb::arg().none(), nb::arg().none());
+               nb::arg().none(), nb::arg().none(), nb::arg().none());
     module.def("sample_many", sample_many_points, nb::arg(), nb::arg(), nb::arg().none());
     module.def("relax", relax_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none());
     module.def("progressive_order", order_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg(),

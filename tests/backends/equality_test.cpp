@@ -94,6 +94,16 @@ TEST_P(Equality, OnEveryKindOfRequestWithARadiusField) {
     }
 }
 
+TEST_P(Equality, OnEveryKindOfRequestWithClasses) {
+    for (const tests::FieldRequest& made : tests::class_requests()) {
+        SCOPED_TRACE(made.name);
+        const Plan plan = make_plan(made.request);
+        const Outcome expected = run(made.request, plan, "reference");
+        ASSERT_FALSE(expected.samples.empty());
+        ASSERT_TRUE(same(made.request, plan, expected, run(made.request, plan, GetParam())));
+    }
+}
+
 TEST_P(Equality, OnEveryKindOfRequestInLines) {
     expect_equal_on_every_kind_of_request(Mode::lines, GetParam());
 }

@@ -34,7 +34,9 @@ inline Scene field_scene(const FieldRequest& made, std::uint32_t rounds, std::ui
 inline std::vector<Scene> field_scenes() {
     constexpr std::uint64_t kMostSamples = 1000;  // of a plan: the larger ones are for threads
     std::vector<Scene> scenes;
-    for (const FieldRequest& made : special_radius_field_requests()) {
+    std::vector<FieldRequest> all = special_radius_field_requests();
+    for (const FieldRequest& made : class_requests()) all.push_back(made);
+    for (const FieldRequest& made : all) {
         const auto number = static_cast<std::uint32_t>(scenes.size());
         Scene scene = field_scene(made, number % 5, number);
         if (scene.plan.expected_samples <= kMostSamples) scenes.push_back(std::move(scene));

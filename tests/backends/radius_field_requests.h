@@ -23,6 +23,7 @@ struct FieldRequest {
     std::shared_ptr<const Field> field;
     std::shared_ptr<const Mask> mask;
     std::shared_ptr<const std::vector<Point>> keep;
+    std::shared_ptr<const std::vector<std::uint8_t>> keep_classes;
 };
 
 // Its scale is such that `count` samples are expected.
@@ -53,6 +54,26 @@ inline FieldRequest with_keep(FieldRequest made, std::vector<Point> points) {
 
 inline FieldRequest with_border(FieldRequest made, double border) {
     made.request.border = border;
+    return made;
+}
+
+// The same with classes that are called a, b and so on.
+inline FieldRequest with_classes(FieldRequest made, std::vector<double> distances,
+                                 std::vector<double> weights) {
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        made.request.classes.names.push_back(std::string(1, static_cast<char>('a' + i)));
+    made.request.classes.distances = std::move(distances);
+    made.request.classes.weights = std::move(weights);
+    made.request.radius.reset();
+    made.request.scale.reset();
+    return made;
+}
+
+inline FieldRequest with_keep_in_classes(FieldRequest made, std::vector<Point> points,
+                                         std::vector<std::uint8_t> classes) {
+    made = with_keep(std::move(made), std::move(points));
+    made.keep_classes = std::make_shared<const std::vector<std::uint8_t>>(std::move(classes));
+    made.request.keep_classes = *made.keep_classes;
     return made;
 }
 
@@ -158,6 +179,50 @@ inline std::vector<FieldRequest> special_radius_field_requests() {
             {{0.25 + 0x1p-29, 0.2}, {0.75 + 0x1.8p-29, 0.6}}),
         with_keep(radius_field_request("kept in a field", ramp_field(8, 8), 200, torus),
                   {{0.1, 0.1}, {0.9, 0.9}, {0.5, 0.25}}),
+    };
+}
+
+// Requests with classes, for the same tests.
+inline std::vector<FieldRequest> class_requests() {
+    const Boundary box = Boundary::box;
+    const Boundary torus = Boundary::torus;
+    const std::vector<double> three{0.2, 0.08, 0.03}, two{0.15, 0.05};
+    FieldRequest of_sixteen = uniform("sixteen classes", 1, torus, 1.3, 1);
+    std::vector<double> sixteen;
+    for (int i = 0; i < 16; ++i) sixteen.push_back(0.05 + 0.012 * i);
+    FieldRequest cut_short =
+        with_classes(uniform("a limit on classes", 1, torus), distances_by_union(three), {1, 1, 1});
+    cut_short.request.limit = 50;
+    FieldRequest threads = with_classes(uniform("zones that threads share", 1, torus, 2, 1),
+                                        distances_by_union(std::vector{0.03, 0.012}), {1, 1});
+    threads.request.threads = 3;
+    return {
+        cut_short,
+        threads,
+        with_classes(uniform("two classes by sum", 1, box), distances_by_sum(two), {1, 1}),
+        with_classes(uniform("three classes by union", 1, torus, 1, 2), distances_by_union(three),
+                     {1, 2, 0.1}),
+        with_classes(of_sixteen, distances_by_union(sixteen), std::vector<double>(16, 1)),
+        with_classes(uniform("classes that do not know of each other", 1, torus), {0.1, 0, 0, 0.1},
+                     {1, 3}),
+        with_classes(uniform("a class that another leaves no room", 1, box), {0.05, 5, 5, 0.1},
+                     {1, 1e-3}),
+        with_classes(uniform("one large beside many small ones", 1, box), {0.9, 0.02, 0.02, 0.03},
+                     {1, 1}),
+        with_keep_in_classes(with_classes(uniform("kept in a class that is not drawn", 1, torus),
+                                          {0.1, 0.2, 0.2, 0.07}, {0, 1}),
+                             {{0.5, 0.5}, {0.1, 0.99}, {0.7, 0.9}}, {0, 0, 1}),
+        with_mask(with_classes(uniform("classes on a mask", 1, box), distances_by_union(three),
+                               {1, 1, 1}),
+                  chess_mask(5, 7)),
+        with_border(
+            with_classes(radius_field_request("classes on a field", noise_field(9, 7, 4), 1, box),
+                         distances_by_union(two), {1, 1}),
+            0.1),
+        with_mask(with_classes(radius_field_request("classes on a field and a mask",
+                                                    sizes_field(12, 9, 3), 1, torus, 2, 1),
+                               distances_by_sum(three), {1, 1, 1}),
+                  noise_mask(9, 11, 2)),
     };
 }
 

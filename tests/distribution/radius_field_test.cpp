@@ -88,20 +88,26 @@ TEST(AStep, HasTheDensityOfEachSideOnThatSide) {
 
 #endif
 
-// Uniform darts, each compared with all accepted ones.
+// Uniform darts, each compared with all accepted ones. Classes of equal weight are equally likely.
 std::vector<Sample> throw_darts(const Request& request, const Plan& plan) {
     std::vector<Sample> stuck;
     std::vector<std::uint64_t> radii;
+    const Sheets& sheets = plan.field().sheets;
     for (std::uint64_t number = 0; stuck.size() < plan.limit; ++number) {
         const RandomBits random = random_bits(request.seed, number);
-        const Sample dart{static_cast<std::uint32_t>(scaled(random.first, plan.width)),
-                          static_cast<std::uint32_t>(scaled(random.second, plan.height))};
+        const auto sheet = static_cast<std::uint32_t>(
+            scaled(random_bits(request.seed, number, 7).first, sheets.count()));
+        const Sample dart{
+            sheets.x_on(sheet, static_cast<std::uint32_t>(scaled(random.first, plan.width))),
+            static_cast<std::uint32_t>(scaled(random.second, plan.height))};
         const std::uint64_t radius = plan.field().radius_field->radius_at(dart.x, dart.y);
         bool is_free = radius != 0;
         for (std::size_t i = 0; i < stuck.size() && is_free; ++i) {
-            const std::uint64_t least = std::min(radius, radii[i]);
-            is_free = !portable::are_closer(stuck[i].x, stuck[i].y, dart.x, dart.y, plan.period_x,
-                                            plan.period_y, least * least);
+            const std::uint64_t least =
+                portable::times_factor(static_cast<std::uint32_t>(std::min(radius, radii[i])),
+                                       sheets.factor(sheet, sheets.of(stuck[i].x)));
+            is_free = !portable::are_closer(sheets.x_on(sheet, stuck[i].x), stuck[i].y, dart.x,
+                                            dart.y, plan.period_x, plan.period_y, least * least);
         }
         if (!is_free) continue;
         stuck.push_back(dart);
@@ -138,5 +144,66 @@ TEST(SetsOnAStep, AreDistributedAsDartThrowings) {
     std::printf("%s: %s\n", LACUNA_VARIANT, verdict.text().c_str());
     EXPECT_EQ(verdict.same(), kIsRight);
 }
+
+// Two classes of one radius by union: the first class alone, and both together on one sheet.
+struct OfClasses {
+    tests::Sets first;
+    tests::Sets both;
+    std::vector<double> shares;  // of the first class
+};
+
+template <typename Make>
+OfClasses make_sets_of_classes(Request request, std::uint64_t first_seed, Make make) {
+    constexpr std::uint64_t kSeeds = 100;
+    OfClasses sets;
+    for (request.seed = first_seed; request.seed < first_seed + kSeeds; ++request.seed) {
+        const Plan plan = make_plan(request);
+        std::vector<Sample> first, both;
+        for (const Sample sample : make(request, plan)) {
+            both.push_back({plan.x_on_sheet(sample.x), sample.y});
+            if (plan.class_of(sample) == 0) first.push_back(sample);
+        }
+        // How many lie on the left says where the free space was left last.
+        sets.first.add(plan, first, first.size());
+        sets.both.add(plan, both, first.size());
+        sets.shares.push_back(static_cast<double>(first.size()) / static_cast<double>(both.size()));
+    }
+    return sets;
+}
+
+Request request_of_two_classes() {
+    Request request;
+    request.classes.names = {"one", "other"};
+    request.classes.distances = distances_by_union(std::vector{0.03, 0.03});
+    request.boundary = Boundary::torus;
+    request.backend = "cpu";
+    return request;
+}
+
+TEST(SetsOfTwoClasses, AreDistributedAsDartThrowings) {
+    Request request = request_of_two_classes();
+    request.limit = 900;  // about two thirds of a maximal set
+    request.round_size = 4000;
+    const OfClasses darts = make_sets_of_classes(request, 1000, throw_darts);
+    const OfClasses drawn = make_sets_of_classes(request, 2000, samples_of);
+    const tests::Verdict first = compare(darts.first, drawn.first);
+    const tests::Verdict both = compare(darts.both, drawn.both);
+    std::printf("%s: one class %s; both %s\n", LACUNA_VARIANT, first.text().c_str(),
+                both.text().c_str());
+    EXPECT_EQ(first.same() && both.same(), kIsRight);
+}
+
+#ifndef LACUNA_SPATIAL_ORDER
+
+TEST(SetsOfTwoClasses, AreSymmetricAndKeepTheDistanceOfTheirUnion) {
+    Request request = request_of_two_classes();
+    const OfClasses sets = make_sets_of_classes(request, 1, samples_of);
+    const tests::Mean share = tests::mean_of(sets.shares);
+    std::printf("the first class has %.5f +- %.5f of the points\n", share.value, share.error);
+    EXPECT_LT(std::abs(share.value - 0.5), 3 * share.error);
+    EXPECT_LT(share.error, 0.01);
+}
+
+#endif
 
 }  // namespace

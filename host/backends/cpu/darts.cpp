@@ -24,9 +24,19 @@ bool is_in(const Span& stretch, std::uint32_t x) {
 }
 
 // The candidates of a slab; the slabs divide the columns evenly.
-Span candidates_of_slab(const State& state, std::uint32_t index, std::size_t slabs) {
-    return {state.column_begins[index * std::size_t{state.columns} / slabs],
-            state.column_begins[(index + std::size_t{1}) * state.columns / slabs]};
+void find_candidates(const SpanState& state, std::uint32_t index, std::size_t slabs,
+                     std::vector<Span>& found) {
+    found = {{state.column_begins[index * std::size_t{state.columns} / slabs],
+              state.column_begins[(index + std::size_t{1}) * state.columns / slabs]}};
+}
+// The same with a radius field: a slab is all or a zone.
+void find_candidates(const FieldState& state, std::uint32_t index, std::size_t slabs,
+                     std::vector<Span>& found) {
+    found.clear();
+    if (slabs == 1) found = {{0, state.column_begins.back()}};
+    if (slabs == 1) return;
+    for (const std::uint32_t region : state.first.zones[index].regions)
+        found.push_back({state.column_begins[region], state.column_begins[region + 1]});
 }
 
 // What darts are thrown at with one radius: the sample grid. A slab decides the candidates whose x
@@ -73,13 +83,17 @@ private:
     Span inner_;
 };
 
-// The same with a radius field: the neighbour lists. A slab is a region, and decides the candidates
-// whose disk lies in it: no conflict is farther away than a candidate's own radius.
+// The same with a radius field: the neighbour lists. A slab is a zone, and decides the candidates
+// whose disk lies in it: no conflict is farther away than a candidate's own radius, times the
+// greatest factor of its class.
 class ListBoard {
 public:
-    explicit ListBoard(FieldState& state) : state_(state), region_(kWhole) {}
-    ListBoard(FieldState& state, std::uint32_t index, std::size_t slabs)
-        : state_(state), region_(slabs == 1 ? kWhole : index) {}
+    explicit ListBoard(FieldState& state) : state_(state), sheets_(state.plan.field().sheets) {}
+    ListBoard(FieldState& state, std::uint32_t index, std::size_t slabs) : ListBoard(state) {
+        if (slabs == 1) return;
+        index_ = index;
+        zone_ = &state.first.zones[index];
+    }
 
     void fetch(const Candidate& later) const {
         state_.near.fetch_list(later.line);
@@ -87,11 +101,14 @@ public:
     }
     void fetch_sooner(const Candidate& later) const { state_.near.fetch_node(later.line); }
     bool may_settle(const Candidate& at) const {
-        if (region_ == kWhole) return true;
-        const Box& own = state_.first.nodes[state_.first.regions[region_]].box;
-        const std::uint32_t radius = radius_of(at);
-        return at.x - own.x >= radius && own.x + own.width - at.x > radius &&
-               at.y - own.begin >= radius && own.end - at.y > radius;
+        if (zone_ == nullptr) return true;
+        const Box& own = state_.first.nodes[zone_->nodes.front()].box;
+        const std::uint32_t reach =
+            portable::times_factor(radius_of(at), sheets_.greatest_factor(sheets_.of(at.x)));
+        const std::uint32_t x = sheets_.x_on_sheet(at.x);
+        const std::uint32_t own_x = sheets_.x_on_sheet(own.x);
+        return x - own_x >= reach && own_x + own.width - x > reach && at.y - own.begin >= reach &&
+               own.end - at.y > reach;
     }
     bool is_covered(const Candidate& candidate) const {
         const std::uint32_t radius = radius_of(candidate);
@@ -102,16 +119,16 @@ public:
         return state_.near.is_marked(candidate.line);
     }
     void insert(const Candidate& candidate) {
-        state_.near.insert(sized(candidate), candidate.line);
+        // A candidate that the slab could not decide may reach beyond the zone.
+        state_.near.insert(sized(candidate), candidate.line,
+                           may_settle(candidate) ? zone_ : nullptr);
     }
-    void mark(const Candidate& candidate) { state_.near.mark(sized(candidate), region_); }
+    void mark(const Candidate& candidate) { state_.near.mark(sized(candidate), index_); }
     void unmark_all(std::span<const Candidate>, std::span<const std::uint32_t>) {
         state_.near.unmark_all();
     }
 
 private:
-    static constexpr std::uint32_t kWhole = ~std::uint32_t{0};
-
     std::uint32_t radius_of(const Candidate& candidate) const {
         return state_.radius_field.radius_at(candidate.x, candidate.y);
     }
@@ -121,7 +138,9 @@ private:
     }
 
     FieldState& state_;
-    std::uint32_t region_;
+    const Sheets& sheets_;
+    std::uint32_t index_ = 0;
+    const FirstBoxes::Zone* zone_ = nullptr;  // null: all of the domain
 };
 
 template <typename... Slab>
@@ -162,27 +181,28 @@ void Darts::begin(std::uint32_t begin, std::uint32_t end, std::uint32_t slabs) {
 }
 
 // Lists the slab's candidates in the order of their turns, then entries that are only prefetched.
-void Darts::list_turns(const State& state, Span slab, Scratch& scratch) const {
-    auto& [thrown, starts, unsorted, sorted] = scratch;
+void Darts::list_turns(const State& state, Scratch& scratch) const {
+    auto& [thrown, candidates, starts, unsorted, sorted] = scratch;
     if (slabs() == 1) {
         thrown.resize(end_ - begin_);
         for (std::uint32_t turn = begin_; turn < end_; ++turn)
             thrown[turn - begin_] = candidate_of_turn(state.by_order, turn);
     } else {
         unsorted.clear();
-        for (std::uint32_t i = slab.begin; i < slab.end; ++i) {
-            const std::uint32_t turn = turn_of(state.candidates[i], i);
-            if (turn - begin_ < end_ - begin_ && state.statuses[i] != STATUS_COVERED)
-                unsorted.push_back({turn - begin_, i});
-        }
+        for (const Span& run : candidates)
+            for (std::uint32_t i = run.begin; i < run.end; ++i) {
+                const std::uint32_t turn = turn_of(state.candidates[i], i);
+                if (turn - begin_ < end_ - begin_ && state.statuses[i] != STATUS_COVERED)
+                    unsorted.push_back({turn - begin_, i});
+            }
         sort_turns(scratch);
     }
-    thrown.resize(thrown.size() + 2 * kAhead, slab.begin);
+    thrown.resize(thrown.size() + 2 * kAhead, 0);
 }
 
 // Sorts into buckets of equally many turns first, then by insertion.
 void Darts::sort_turns(Scratch& scratch) const {
-    auto& [thrown, starts, unsorted, sorted] = scratch;
+    auto& [thrown, candidates, starts, unsorted, sorted] = scratch;
     const std::uint64_t count = unsorted.size();
     const auto bucket_of = [&](Turn turn) { return turn.number * count / (end_ - begin_); };
     starts.assign(count, 0);
@@ -199,9 +219,8 @@ template <typename DartState>
 void Darts::throw_in(DartState& state, std::uint32_t index) {
     thread_local Scratch of_thread;
     Scratch& scratch = of_thread;  // looked up once, see subtract.cpp
-    const Span candidates = candidates_of_slab(state, index, put_off_.size());
-    if (candidates.begin == candidates.end) return;
-    list_turns(state, candidates, scratch);
+    find_candidates(state, index, put_off_.size(), scratch.candidates);
+    list_turns(state, scratch);
     const std::vector<std::uint32_t>& thrown = scratch.thrown;
     auto board = board_of(state, index, put_off_.size());
     const bool is_shared = put_off_.size() > 1;

@@ -10,7 +10,8 @@
 
 namespace lacuna::cpu {
 
-// Several threads each serve slabs. A slab is a run of columns or, with a radius field, a region.
+// Several threads each serve slabs. A slab is a run of columns or, with a radius field, a zone
+// (plan/first_boxes.h).
 // It decides a candidate at once if everything that could conflict with it lies in the slab. Other
 // candidates are put off: each leaves a mark in its cell, and a later candidate near a mark is put
 // off too. When all slabs are done, one thread decides the candidates that were put off. So a draw
@@ -35,11 +36,12 @@ private:
     // A thread's memory, reused from slab to slab.
     struct Scratch {
         std::vector<std::uint32_t> thrown;  // candidates in the order of their turns
+        std::vector<Span> candidates;       // of the slab
         std::vector<std::uint32_t> starts;
         std::vector<Turn> unsorted;
         std::vector<Turn> sorted;
     };
-    void list_turns(const State& state, Span slab, Scratch& scratch) const;
+    void list_turns(const State& state, Scratch& scratch) const;
     void sort_turns(Scratch& scratch) const;
 
     std::uint32_t begin_ = 0;

@@ -19,22 +19,26 @@ namespace {
 // How many boxes ahead their lists are prefetched.
 constexpr std::size_t kFieldBoxesAhead = 8;
 
-// Larger than every radius: the smaller of a radius and this is the radius.
-constexpr std::uint32_t kAnyRadius = ~std::uint32_t{0};
-
 class FieldCut {
 public:
     FieldCut(const FieldState& state, std::uint32_t region, std::vector<FieldState::BlockBox>& left)
-        : state_(state), is_at_edge_(wraps(state.first.regions[region])), left_(left) {}
+        : state_(state),
+          sheets_(state.plan.field().sheets),
+          is_at_edge_(wraps(state.first.regions[region])),
+          left_(left) {}
 
     // Boxes that are appended from here on are parts of this block.
     void begin(std::uint32_t block) {
         block_ = block;
         even_radius_ = state_.first.blocks[block].even_radius;
         wraps_ = is_at_edge_ && wraps(state_.first.blocks[block].node);
+        sheet_ = sheets_.of(state_.first.nodes[state_.first.blocks[block].node].box.x);
     }
     // Boxes that are appended from here on are cut by these samples.
-    void cut_by(const SizedSpan& near) { near_ = near; }
+    void cut_by(const SizedSpan& near) {
+        near_ = all_near_ = near;
+        if (sheets_.are_several() && even_radius_ != 0) see_with(even_radius_);
+    }
 
     void append_halves(const Box& box) {
         const std::uint32_t cut =
@@ -61,7 +65,9 @@ public:
         append_batch();
     }
     // Whether append_all can be called for the block.
-    bool can_append_all(bool halve) const { return !wraps_ && (!halve || even_radius_ != 0); }
+    bool can_append_all(bool halve) const {
+        return !wraps_ && ((!halve && !sheets_.are_several()) || even_radius_ != 0);
+    }
 
 private:
     std::uint32_t least_under(const Box& box) const {
@@ -72,14 +78,30 @@ private:
     bool wraps(std::uint32_t node) const {
         const Plan& plan = state_.plan;
         if (plan.period_x == 0) return false;
-        const auto& [box, most, next, first, whole] = state_.first.nodes[node];
-        return box.x < most || plan.width - (box.x + box.width) < most || box.begin < most ||
+        const auto& [box, greatest, next, first, whole] = state_.first.nodes[node];
+        const std::uint32_t x = sheets_.x_on_sheet(box.x);
+        const std::uint32_t most =
+            portable::times_factor(greatest, sheets_.greatest_factor(sheets_.of(box.x)));
+        return x < most || plan.width - (x + box.width) < most || box.begin < most ||
                plan.height - box.end < most;
+    }
+
+    // With classes: the samples near become what the block's sheet sees of them, with the distances
+    // that they keep from samples of this radius.
+    void see_with(std::uint32_t radius) {
+        seen_.see(sheets_, sheet_, all_near_, radius);
+        near_ = seen_.span();
+    }
+    // The radius of a box that near_ does not know of yet.
+    std::uint32_t own_radius(std::uint32_t radius) const {
+        return sheets_.are_several() ? kAnyRadius : radius;
     }
 
     // A chord spans the whole width of the box. Its radius is the smaller of the sample's and the
     // box's, so that the sample conflicts with every point in it.
-    void append(const Box& box, std::uint32_t radius) {
+    void append(const Box& box, std::uint32_t least) {
+        if (sheets_.are_several() && even_radius_ == 0) see_with(least);
+        const std::uint32_t radius = own_radius(least);
         chords_.resize(std::max(chords_.size(), 3 * near_.count + kVectorPadding));
         const std::size_t count =
             wraps_ ? find_chords_around(box, radius)
@@ -132,7 +154,8 @@ private:
         touching_.resize(std::max(touching_.size(), near_.count));
         touched_by_.resize(std::max(touched_by_.size(), near_.count));
         const unsigned covered = vectors_.find_touching(
-            near_, batch_.data(), is_even ? even_radius_ : kAnyRadius, touching_.data());
+            near_, batch_.data(), is_even ? own_radius(even_radius_) : kAnyRadius,
+            touching_.data());
         const unsigned left = ((1U << batched_) - 1) & (is_even ? ~covered : ~0U);
         std::array<std::size_t, Vectors::kBoxes> counts{};
         for (std::size_t k = 0; k < near_.count; ++k)
@@ -152,7 +175,7 @@ private:
 
     void append_touched(std::size_t i, std::size_t samples) {
         const Box& box = batch_[i];
-        const std::uint32_t radius = least_under(box);
+        const std::uint32_t radius = own_radius(least_under(box));
         const std::uint32_t half = box.width / 2;
         chords_.resize(std::max(chords_.size(), samples));
         std::size_t count = 0;
@@ -185,11 +208,15 @@ private:
     }
 
     const FieldState& state_;
+    const Sheets& sheets_;
     const Vectors& vectors_ = *all_vectors().front();
     bool is_at_edge_;  // the region lies at an edge of a torus
     std::vector<FieldState::BlockBox>& left_;
     std::uint32_t block_ = 0;
-    SizedSpan near_{};
+    std::uint32_t sheet_ = 0;
+    SizedSpan all_near_{};  // as listed
+    SizedSpan near_{};      // with classes, as the sheet sees them
+    SizedList seen_;
     std::uint32_t even_radius_ = 0;  // 0 where the radius varies in the block
     bool wraps_ = false;
     std::vector<Span> chords_;  // has room for the chords of all samples
@@ -214,6 +241,13 @@ void FieldState::measure_boxes() {
             bin_begins[region] + static_cast<std::uint32_t>(boxes[region].size());
     free_lengths.resize(bin_begins.back());
     bin_widths.resize(bin_begins.back());
+    const Sheets& sheets = plan.field().sheets;
+    for (std::uint32_t sheet = 0; sheet < sheet_ends.size(); ++sheet) {
+        std::uint32_t region = 0;
+        while (region < columns && sheets.of(first.nodes[first.regions[region]].box.x) <= sheet)
+            ++region;
+        sheet_ends[sheet] = bin_begins[region];
+    }
 }
 
 void FieldState::measure_boxes(std::uint32_t region) {
@@ -228,7 +262,7 @@ void FieldState::insert_admitted() {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const auto& [x, y, block, order] = candidates[i];
         if (statuses[i] == STATUS_ADMITTED)
-            near.insert({x, y, radius_field.radius_at(x, y)}, block);
+            near.insert({x, y, radius_field.radius_at(x, y)}, block, nullptr);
     }
 }
 

@@ -1,4 +1,5 @@
 // The cpu backend of mode exact with a radius field.
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
@@ -15,7 +16,10 @@ class FieldBackend : public DartBackend<FieldState> {
 public:
     using DartBackend::DartBackend;
 
-    void admit() override { throw_darts(state_.columns); }
+    void admit() override {
+        const auto zones = static_cast<std::uint32_t>(state_.first.zones.size());
+        throw_darts(std::max(zones, std::uint32_t{1}));
+    }
 
     void subtract() override { throw std::logic_error("a radius field is refined from the start"); }
 

@@ -12,24 +12,24 @@
 namespace lacuna::cpu {
 namespace {
 
-// Whether the sample is closer to the box than both its own radius and the greatest under the box.
-bool is_reached(const Box& box, std::uint32_t greatest, const Sized& sample, std::uint32_t period_x,
-                std::uint32_t period_y) {
-    const std::uint64_t reach = std::min(sample.radius, greatest);
+// Whether the sample is closer to the box than both its own radius and the greatest under the box,
+// each times the factor.
+bool is_reached(const Box& box, std::uint32_t greatest, const Sized& sample, std::uint32_t factor,
+                std::uint32_t period_x, std::uint32_t period_y) {
     return portable::squared_length(
                portable::distance_to_stretch(sample.x, box.x, box.x + box.width, period_x),
                portable::distance_to_stretch(sample.y, box.begin, box.end, period_y)) <
-           reach * reach;
+           portable::squared_limit(sample.radius, greatest, factor);
 }
 
 // The same without wrapping, and without a branch.
-bool is_reached(const Box& box, std::uint32_t greatest, const Sized& sample) {
+bool is_reached(const Box& box, std::uint32_t greatest, const Sized& sample, std::uint32_t factor) {
     const auto distance = [](std::uint32_t at, std::uint32_t begin, std::uint32_t last) {
         return std::max(at, last) - last + (begin - std::min(at, begin));
     };
-    const std::uint64_t reach = std::min(sample.radius, greatest);
     return portable::squared_length(distance(sample.x, box.x, box.x + box.width - 1),
-                                    distance(sample.y, box.begin, box.end - 1)) < reach * reach;
+                                    distance(sample.y, box.begin, box.end - 1)) <
+           portable::squared_limit(sample.radius, greatest, factor);
 }
 
 }  // namespace
@@ -37,10 +37,11 @@ bool is_reached(const Box& box, std::uint32_t greatest, const Sized& sample) {
 NeighbourLists::NeighbourLists(const Plan& plan)
     : plan_(plan),
       first_(*plan.field().first_boxes),
+      sheets_(plan.field().sheets),
       vectors_(*all_vectors().front()),
       few_(0),
       long_(first_.block_count()),
-      marked_(first_.regions.size()) {
+      marked_(first_.zones.size()) {
     put(plan.field().kept);
 }
 
@@ -48,36 +49,46 @@ void NeighbourLists::put(std::span<const Sized> samples) {
     few_ = ZeroedArray<Few>(first_.block_count() + std::size_t{1});  // vector loads read past it
     states_.assign(first_.block_count(), 0);
     for (const Sized& sample : samples)
-        for_each_reached(sample, 0, [&](std::uint32_t block) { push(sample, block); });
+        for_each_on_sheets(sample, [&](std::uint32_t block) { push(sample, block); });
 }
 
-bool NeighbourLists::sticks_out(const Sized& sample) const {
-    const Box& all = first_.nodes.front().box;
+NeighbourLists::There NeighbourLists::there(const Sized& sample, std::uint32_t sheet) const {
+    const std::uint32_t factor = sheets_.factor(sheets_.of(sample.x), sheet);
+    return {{sheets_.x_on(sheet, sample.x), sample.y, sample.radius},
+            factor,
+            portable::times_factor(sample.radius, factor)};
+}
+
+bool NeighbourLists::sticks_out(const There& there, std::uint32_t root) const {
+    const Box& all = first_.nodes[root].box;
+    const auto& [sample, factor, reach] = there;
     return plan_.period_x != 0 &&
-           (sample.x - all.x < sample.radius || all.x + all.width - sample.x <= sample.radius ||
-            sample.y - all.begin < sample.radius || all.end - sample.y <= sample.radius);
+           (sample.x - all.x < reach || all.x + all.width - sample.x <= reach ||
+            sample.y - all.begin < reach || all.end - sample.y <= reach);
 }
 
-bool NeighbourLists::is_within(const Sized& sample, std::uint32_t node) const {
-    const Box& all = first_.nodes.front().box;
+bool NeighbourLists::is_within(const There& there, std::uint32_t node, std::uint32_t root) const {
+    const Box& all = first_.nodes[root].box;
     const Box& box = first_.nodes[node].box;
+    const auto& [sample, factor, reach] = there;
     const auto is_along = [&](std::uint32_t at, std::uint32_t begin, std::uint32_t end,
                               std::uint32_t all_begin, std::uint32_t all_end) {
-        return (at - begin >= sample.radius || begin == all_begin) &&
-               (end - at > sample.radius || end == all_end);
+        return (at - begin >= reach || begin == all_begin) && (end - at > reach || end == all_end);
     };
     return is_along(sample.x, box.x, box.x + box.width, all.x, all.x + all.width) &&
            is_along(sample.y, box.begin, box.end, all.begin, all.end);
 }
 
 template <typename Visit>
-void NeighbourLists::for_each_reached(const Sized& sample, std::uint32_t root, Visit visit) const {
+void NeighbourLists::for_each_reached(const There& there, std::uint32_t root, bool wraps,
+                                      Visit visit) const {
     const std::uint32_t end = first_.nodes[root].next;
-    const bool wraps = root == 0 && plan_.period_x != 0;
+    const auto& [sample, factor, reach] = there;
     for (std::uint32_t i = root; i < end;) {
         const FirstBoxes::Node& node = first_.nodes[i];
-        if (wraps ? !is_reached(node.box, node.greatest, sample, plan_.period_x, plan_.period_y)
-                  : !is_reached(node.box, node.greatest, sample)) {
+        if (wraps ? !is_reached(node.box, node.greatest, sample, factor, plan_.period_x,
+                                plan_.period_y)
+                  : !is_reached(node.box, node.greatest, sample, factor)) {
             i = node.next;
             continue;
         }
@@ -86,9 +97,17 @@ void NeighbourLists::for_each_reached(const Sized& sample, std::uint32_t root, V
     }
 }
 
-// Climbs the tree from the block, and descends into the siblings that it passes. All lists to be
-// written are prefetched before the first one is written.
-void NeighbourLists::insert(const Sized& sample, std::uint32_t block) {
+template <typename Visit>
+void NeighbourLists::for_each_on_sheets(const Sized& sample, Visit visit) const {
+    for (const std::uint32_t root : first_.sheets)
+        for_each_reached(there(sample, sheets_.of(first_.nodes[root].box.x)), root,
+                         plan_.period_x != 0, visit);
+}
+
+// On the sample's own sheet, climbs the tree from the block, and descends into the siblings that it
+// passes. All lists to be written are prefetched before the first one is written.
+void NeighbourLists::insert(const Sized& sample, std::uint32_t block,
+                            const FirstBoxes::Zone* within) {
     std::array<std::uint32_t, 32> reached;
     std::size_t count = 0;
     const auto push_all = [&] {
@@ -101,18 +120,34 @@ void NeighbourLists::insert(const Sized& sample, std::uint32_t block) {
         reached[count++] = near;
         if (count == reached.size()) push_all();
     };
-    if (sticks_out(sample)) {
-        for_each_reached(sample, 0, note);
-        return push_all();
-    }
-    note(block);
-    for (std::uint32_t node = first_.blocks[block].node; node != 0 && !is_within(sample, node);) {
-        const std::uint32_t part = node;
-        node = first_.nodes[node].whole;
-        for (std::uint32_t i = node + 1; i < first_.nodes[node].next; i = first_.nodes[i].next)
-            if (i != part) for_each_reached(sample, i, note);
+    for (std::size_t k = 0; k < first_.sheets.size(); ++k) {
+        const std::uint32_t root = first_.sheets[k];
+        const std::uint32_t sheet = sheets_.of(first_.nodes[root].box.x);
+        const There here = there(sample, sheet);
+        const bool wraps = sticks_out(here, root);
+        if (wraps || sheets_.of(sample.x) != sheet) {
+            for_each_reached(here, within == nullptr ? root : within->nodes[k], wraps, note);
+            continue;
+        }
+        note(block);
+        std::uint32_t node = first_.blocks[block].node;
+        while (node != root && !is_within(here, node, root)) {
+            const std::uint32_t part = node;
+            node = first_.nodes[node].whole;
+            for (std::uint32_t i = node + 1; i < first_.nodes[node].next; i = first_.nodes[i].next)
+                if (i != part) for_each_reached(here, i, false, note);
+        }
     }
     push_all();
+}
+
+bool NeighbourLists::is_any_seen_closer(const SizedSpan& near, Sample at,
+                                        std::uint32_t radius) const {
+    thread_local SizedList of_thread;
+    SizedList& seen = of_thread;  // looked up once, see subtract.cpp
+    seen.see(sheets_, sheets_.of(at.x), near, radius);
+    return vectors_.is_any_sized_closer(seen.span(), at, kAnyRadius,
+                                        {plan_.period_x, plan_.period_y});
 }
 
 void NeighbourLists::push(const Sized& sample, std::uint32_t block) {
@@ -156,7 +191,8 @@ SizedSpan NeighbourLists::long_part(std::uint32_t block, Sample at) const {
 }
 
 bool NeighbourLists::reaches(const Sized& sample, const Box& box, std::uint32_t greatest) const {
-    return is_reached(box, greatest, sample, plan_.period_x, plan_.period_y);
+    const There here = there(sample, sheets_.of(box.x));
+    return is_reached(box, greatest, here.sample, here.factor, plan_.period_x, plan_.period_y);
 }
 
 void NeighbourLists::add(List& list, const Box& box, const Sized& sample) {
@@ -219,19 +255,22 @@ SizedSpan NeighbourLists::of_long_part(std::uint32_t block, const Box& part, Whi
     return scratch.span();
 }
 
-void NeighbourLists::mark(const Sized& candidate, std::uint32_t region) {
-    for_each_reached(candidate, first_.regions[region], [&](std::uint32_t near) {
+void NeighbourLists::mark(const Sized& candidate, std::uint32_t zone) {
+    const auto note = [&](std::uint32_t near) {
         if (is_marked(near)) return;
         states_[near] |= kMarked;
-        marked_[region].push_back(near);
-    });
+        marked_[zone].push_back(near);
+    };
+    for (const std::uint32_t node : first_.zones[zone].nodes)
+        for_each_reached(there(candidate, sheets_.of(first_.nodes[node].box.x)), node,
+                         first_.nodes[node].whole == 0 && plan_.period_x != 0, note);
 }
 
 void NeighbourLists::unmark_all() {
-    for (std::vector<std::uint32_t>& of_region : marked_) {
-        for (const std::uint32_t block : of_region)
+    for (std::vector<std::uint32_t>& of_zone : marked_) {
+        for (const std::uint32_t block : of_zone)
             states_[block] &= static_cast<std::uint8_t>(~kMarked);
-        of_region.clear();
+        of_zone.clear();
     }
 }
 

@@ -47,8 +47,9 @@ public:
     // their distance is less than the smaller of both radii.
     bool is_any_closer(std::uint32_t block, Sample at, std::uint32_t radius) const {
         const Few& few = few_[block];
-        return vectors_.is_any_sized_closer(few.is_long ? long_part(block, at) : few.span(), at,
-                                            radius, {plan_.period_x, plan_.period_y});
+        const SizedSpan near = few.is_long ? long_part(block, at) : few.span();
+        if (sheets_.are_several()) return is_any_seen_closer(near, at, radius);
+        return vectors_.is_any_sized_closer(near, at, radius, {plan_.period_x, plan_.period_y});
     }
 
     // Prefetch a list, and the tree node that insert begins with: its index first, then the node.
@@ -69,11 +70,12 @@ public:
         __builtin_prefetch(node + 2);
     }
     // Lists a sample that lies in `block` for all blocks that it reaches, except closed ones. May
-    // run in parallel for samples that reach no region except their own.
-    void insert(const Sized& sample, std::uint32_t block);
-    // Marks the blocks of a region that the candidate reaches; may run in parallel for different
-    // regions. All share one mark of the block, because in a crowded round they are thousands.
-    void mark(const Sized& candidate, std::uint32_t region);
+    // run in parallel for samples that reach nothing outside of their zone (FirstBoxes::Zone),
+    // which then is `within`.
+    void insert(const Sized& sample, std::uint32_t block, const FirstBoxes::Zone* within);
+    // Marks the blocks of a zone that the candidate reaches; may run in parallel for different
+    // zones. All share one mark of the block, because in a crowded round they are thousands.
+    void mark(const Sized& candidate, std::uint32_t zone);
     // Takes all marks away.
     void unmark_all();
     bool is_marked(std::uint32_t block) const { return (states_[block] & kMarked) != 0; }
@@ -122,6 +124,7 @@ private:
     SizedSpan of_long_part(std::uint32_t block, const Box& part, Which which,
                            SizedList& scratch) const;
     SizedSpan long_part(std::uint32_t block, Sample at) const;
+    bool is_any_seen_closer(const SizedSpan& near, Sample at, std::uint32_t radius) const;
     bool reaches(const Sized& sample, const Box& box, std::uint32_t greatest) const;
     void push(const Sized& sample, std::uint32_t block);
     void push_long(const Sized& sample, std::uint32_t block);
@@ -133,19 +136,31 @@ private:
         return first_.nodes[first_.blocks[block].node].box;
     }
 
-    // For disks that cross no edge of a torus: whether the node holds all blocks that they reach.
-    bool is_within(const Sized& sample, std::uint32_t node) const;
-    bool sticks_out(const Sized& sample) const;
+    // A sample on a sheet: with the x that it has there, and the factor that its radius and the
+    // radii under blocks get there.
+    struct There {
+        Sized sample;
+        std::uint32_t factor;
+        std::uint32_t reach;  // of the sample: its radius times the factor
+    };
+    There there(const Sized& sample, std::uint32_t sheet) const;
+    // For disks that cross no edge of a torus: whether the node holds all blocks that they reach on
+    // the sheet that has this root.
+    bool is_within(const There& there, std::uint32_t node, std::uint32_t root) const;
+    bool sticks_out(const There& there, std::uint32_t root) const;
     template <typename Visit>
-    void for_each_reached(const Sized& sample, std::uint32_t root, Visit visit) const;
+    void for_each_reached(const There& there, std::uint32_t root, bool wraps, Visit visit) const;
+    template <typename Visit>
+    void for_each_on_sheets(const Sized& sample, Visit visit) const;
 
     const Plan& plan_;
     const FirstBoxes& first_;
+    const Sheets& sheets_;
     const Vectors& vectors_;
     ZeroedArray<Few> few_;
     std::vector<std::unique_ptr<List>> long_;
     std::vector<std::uint8_t> states_;
-    std::vector<std::vector<std::uint32_t>> marked_;  // the marked blocks of each region
+    std::vector<std::vector<std::uint32_t>> marked_;  // the marked blocks of each zone
 };
 
 }  // namespace lacuna::cpu

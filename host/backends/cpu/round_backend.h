@@ -51,7 +51,7 @@ public:
         samples_.resize(static_cast<std::size_t>(next - samples_.data()));
         if (state_.plan.tells_orders) find_orders();
         return {samples_,          survivors, state_.free_lengths, state_.bin_width,
-                state_.bin_widths, orders_,   state_.bin_begins};
+                state_.bin_widths, orders_,   state_.bin_begins,   state_.sheet_ends};
     }
     std::vector<Candidate> located() override { return state_.candidates; }
 

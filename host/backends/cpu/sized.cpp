@@ -28,4 +28,17 @@ void SizedList::append(const SizedSpan& samples) {
     count_ += samples.count;
 }
 
+void SizedList::see(const Sheets& sheets, std::uint32_t sheet, const SizedSpan& samples,
+                    std::uint32_t radius) {
+    make_room(samples.count);
+    count_ = samples.count;
+    const std::uint32_t begin = sheets.begin_of(sheet);
+    for (std::size_t i = 0; i < samples.count; ++i) {
+        x_[i] = sheets.x_on_sheet(samples.x[i]) + begin;
+        y_[i] = samples.y[i];
+        radius_[i] = portable::times_factor(std::min(samples.radius[i], radius),
+                                            sheets.factor(sheet, sheets.of(samples.x[i])));
+    }
+}
+
 }  // namespace lacuna::cpu

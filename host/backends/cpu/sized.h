@@ -29,6 +29,10 @@ public:
     void clear() { count_ = 0; }
     void push_back(const Sized& sample);
     void append(const SizedSpan& samples);
+    // With classes: becomes the samples as a sheet sees them (plan/sheets.h). Their radii become
+    // the distances that they keep there from samples of `radius`.
+    void see(const Sheets& sheets, std::uint32_t sheet, const SizedSpan& samples,
+             std::uint32_t radius);
     SizedSpan span() const { return {x_.data(), y_.data(), radius_.data(), count_}; }
 
 private:
@@ -39,5 +43,8 @@ private:
     std::vector<std::uint32_t> y_;
     std::vector<std::uint32_t> radius_;
 };
+
+// Larger than every radius: the smaller of a radius and this is the radius.
+inline constexpr std::uint32_t kAnyRadius = ~std::uint32_t{0};
 
 }  // namespace lacuna::cpu

@@ -34,6 +34,7 @@ State::State(const Plan& the_plan, std::vector<std::uint32_t> region_begins)
     FirstFree first(plan);
     free_lengths = std::move(first.lengths);
     bin_widths = std::move(first.widths);
+    sheet_ends = std::move(first.sheet_ends);
 }
 
 void State::make_room(std::size_t count) {

@@ -37,6 +37,7 @@ struct State {
     std::vector<std::uint32_t> bin_begins;
     std::vector<std::uint32_t> free_lengths;
     std::vector<std::uint32_t> bin_widths;  // of each bin, with a radius field only
+    std::vector<std::uint32_t> sheet_ends;  // with classes, as in Round
 
     // The round's candidates, column by column, and their statuses. Within a column they are sorted
     // by y; in exact they keep the order of their draws, which is by bin.

@@ -7,6 +7,7 @@
 
 #include "backends/columns.h"
 #include "backends/device/scan.h"
+#include "plan/first_free.h"
 
 namespace lacuna::device {
 namespace {
@@ -62,6 +63,7 @@ void Boxes::find_sizes() {
         free_lengths_.push_back(box.end - box.begin);
         widths_.push_back(box.width);
     }
+    if (has_field()) sheet_ends_ = sheet_ends_of(round_.plan, std::span(new_boxes_).first(count_));
 }
 
 void Boxes::make_room(std::uint32_t count) {
@@ -85,7 +87,8 @@ std::uint32_t Boxes::expected_pieces(bool halve) const {
 
 template <typename Kernel>
 void Boxes::launch_over_boxes(std::uint32_t count, std::uint32_t chunk, std::uint64_t work_of_box) {
-    const Span own = round_.plan.own_x();
+    // With a radius field there is no halo, and x reaches over all sheets.
+    const Span own = has_field() ? Span{0, ~std::uint32_t{0}} : round_.plan.own_x();
     const portable::StripArguments arguments{.chunk = chunk,
                                              .g = round_.geometry,
                                              .boxes = count_,

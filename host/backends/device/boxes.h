@@ -29,6 +29,8 @@ public:
         return std::span(free_lengths_).first(count_);
     }
     std::span<const std::uint32_t> widths() const { return std::span(widths_).first(count_); }
+    // With classes, as in Round.
+    std::span<const std::uint32_t> sheet_ends() const { return sheet_ends_; }
 
     // Replaces the boxes. `origins`: see portable/kernels.h; empty without a radius field. Waits.
     void put(std::span<const Box> boxes, std::span<const std::uint32_t> origins);
@@ -72,7 +74,8 @@ private:
     std::vector<std::uint32_t> bin_begins_;
     std::vector<std::uint32_t> free_lengths_;
     std::vector<std::uint32_t> widths_;  // with a radius field
-    std::vector<Box> new_boxes_;         // with a radius field, as downloaded
+    std::vector<std::uint32_t> sheet_ends_;
+    std::vector<Box> new_boxes_;  // with a radius field, as downloaded
 
     std::optional<Refinement> refinement_;
     std::array<std::uint32_t, 1> total_{};  // pieces of all boxes

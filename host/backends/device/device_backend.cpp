@@ -77,7 +77,7 @@ public:
         const std::uint64_t survivors = take_admitted(round_.by_order, samples_);
         if (round_.plan.tells_orders) find_orders();
         return {samples_,        survivors, bins_->free_lengths(), bins_->width(),
-                bins_->widths(), orders_,   bins_->begins()};
+                bins_->widths(), orders_,   bins_->begins(),       bins_->sheet_ends()};
     }
     std::vector<Candidate> located() override {
         settle(false);

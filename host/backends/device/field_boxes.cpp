@@ -83,6 +83,7 @@ public:
     std::span<const std::uint32_t> free_lengths() const override { return boxes_.free_lengths(); }
     std::uint32_t width() const override { return round_.plan.strip_width; }
     std::span<const std::uint32_t> widths() const override { return boxes_.widths(); }
+    std::span<const std::uint32_t> sheet_ends() const override { return boxes_.sheet_ends(); }
 
     void snapshot(Snapshot& snapshot) override {
         snapshot.boxes = boxes_.get();
@@ -113,6 +114,7 @@ private:
         Memory& m = round_.memory;
         m.axes = round_.copy_of(tables.axes);
         m.mask_bits = round_.copy_of(tables.mask_bits);
+        m.factors = round_.copy_of(round_.plan.field().sheets.factors());
         using Radii = RadiusField::Radii;
         static_assert(sizeof(Radii) == 2 * kWord);
         const RadiusField::RadiusPyramid& radii = round_.plan.field().radius_field->radii();
@@ -155,7 +157,10 @@ private:
             const FirstBoxes::Node& node = first_.nodes[first_.blocks[i].node];
             const double area =
                 static_cast<double>(node.box.width) * (node.box.end - node.box.begin);
-            const double side = 2.0 * node.greatest;
+            const Sheets& sheets = round_.plan.field().sheets;
+            const double side =
+                2.0 * portable::times_factor(node.greatest,
+                                             sheets.greatest_factor(sheets.of(node.box.x)));
             const double disk_area =
                 std::min(side / round_.plan.width, 1.0) * std::min(side / round_.plan.height, 1.0);
             all += area;

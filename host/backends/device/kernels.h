@@ -60,15 +60,15 @@ inline constexpr std::array kAll{
 }  // namespace kernels
 
 // GLSL and OpenCL C lay these out as C++ does: 8-byte words first, padding only at the end.
-static_assert(sizeof(portable::Geometry) == 64 && offsetof(portable::DrawArguments, g) == 8 &&
+static_assert(sizeof(portable::Geometry) == 72 && offsetof(portable::DrawArguments, g) == 8 &&
               offsetof(portable::SlabArguments, g) == 8 &&
               offsetof(portable::StripArguments, g) == 8 &&
               offsetof(portable::ColumnArguments, g) == 8);
-static_assert(offsetof(portable::DrawArguments, first) == 72 &&
-              offsetof(portable::DrawArguments, room) == 112 &&
-              offsetof(portable::SlabArguments, is_counting) == 108 &&
-              offsetof(portable::StripArguments, own_width) == 100 &&
-              offsetof(portable::ColumnArguments, room) == 72);
+static_assert(offsetof(portable::DrawArguments, first) == 80 &&
+              offsetof(portable::DrawArguments, room) == 120 &&
+              offsetof(portable::SlabArguments, is_counting) == 116 &&
+              offsetof(portable::StripArguments, own_width) == 108 &&
+              offsetof(portable::ColumnArguments, room) == 80);
 
 template <typename Kernel>
 void launch(Queue& queue, const Memory& memory, typename Kernel::Arguments arguments,

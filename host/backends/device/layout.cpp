@@ -39,7 +39,8 @@ portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uin
             .chord_margin = plan.chord_margin(),
             .grid_side = plan.grid().side,
             .grid_columns = plan.grid().columns,
-            .grid_rows = plan.grid().rows};
+            .grid_rows = plan.grid().rows,
+            .sheet_bits = plan.has_field() ? plan.field().sheets.bits() : BITS_OF_ONE_SHEET};
 }
 
 Range draws_of(const Slab& slab, std::span<const Draw> draws) {

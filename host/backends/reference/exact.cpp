@@ -17,23 +17,34 @@
 namespace lacuna::reference {
 namespace {
 
-// All samples, in a grid of square cells, called bins, for each class of radii. Radii of one class
-// differ by less than a factor of 2, and its bins are wider than all of them. So everything within
-// a sample's radius of a point lies in the point's own bin or in one beside it.
+// A sample as one sheet sees it (plan/sheets.h): its x lies on the domain, and the factor is that
+// of its class and the sheet's.
+struct Neighbour {
+    Sized sized;
+    std::uint32_t factor;
+};
+
+// All samples that one sheet sees, in a grid of square cells, called bins, for each magnitude of
+// the distance that they keep. Distances of one magnitude differ by less than a factor of 2, and
+// its bins are wider than all of them. So everything within that distance of a point lies in the
+// point's own bin or in one beside it.
 class Samples {
 public:
-    explicit Samples(const Plan& plan) : plan_(&plan), classes_(kClasses) {}
+    explicit Samples(const Plan& plan) : plan_(&plan), magnitudes_(kMagnitudes) {}
 
-    void add(const Sized& sample) {
-        const auto index = static_cast<unsigned>(std::bit_width(sample.radius));
-        classes_[index][{bin_of(sample.x, index), bin_of(sample.y, index)}].push_back(sample);
+    void add(const Neighbour& sample) {
+        const auto& [x, y, radius] = sample.sized;
+        const std::uint32_t reach = portable::times_factor(radius, sample.factor);
+        const auto index = static_cast<unsigned>(std::bit_width(reach));
+        magnitudes_[index][{bin_of(x, index), bin_of(y, index)}].push_back(sample);
     }
 
-    // Visits every sample that could be closer to the box than its own radius, and others.
+    // Visits every sample that could be closer to the box than the distance that it keeps, and
+    // others. The box lies on the domain.
     template <typename Visit>
     void for_each_near(const Box& box, Visit visit) const {
-        for (unsigned index = 0; index < kClasses; ++index) {
-            if (classes_[index].empty()) continue;
+        for (unsigned index = 0; index < kMagnitudes; ++index) {
+            if (magnitudes_[index].empty()) continue;
             const std::int64_t reach = std::int64_t{1} << index;
             for (const auto& x :
                  stretches(std::int64_t{box.x} - reach, std::int64_t{box.x} + box.width + reach,
@@ -46,13 +57,13 @@ public:
     }
 
 private:
-    static constexpr unsigned kClasses = 33;  // a radius, of 32 bits, has 0 to 32 bits
+    static constexpr unsigned kMagnitudes = 33;  // a distance, of 32 bits, has 0 to 32 bits
 
     static std::uint32_t bin_of(std::uint32_t at, unsigned index) {
         return static_cast<std::uint32_t>(std::uint64_t{at} >> index);
     }
 
-    using Bins = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Sized>>;
+    using Bins = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Neighbour>>;
 
     // The parts of [begin, end) on an axis; on a torus the parts beyond its ends wrap around.
     static std::vector<Span> stretches(std::int64_t begin, std::int64_t end, std::uint32_t length,
@@ -74,17 +85,17 @@ private:
 
     template <typename Visit>
     void visit_bins(unsigned index, Span x, Span y, Visit& visit) const {
-        const Bins& bins = classes_[index];
+        const Bins& bins = magnitudes_[index];
         const std::uint32_t low = bin_of(y.begin, index);
         const std::uint32_t high = bin_of(y.end - 1, index);
         for (std::uint32_t i = bin_of(x.begin, index); i <= bin_of(x.end - 1, index); ++i)
             for (auto bin = bins.lower_bound({i, low});
                  bin != bins.end() && bin->first <= std::pair(i, high); ++bin)
-                for (const Sized& sample : bin->second) visit(sample);
+                for (const Neighbour& sample : bin->second) visit(sample);
     }
 
     const Plan* plan_;
-    std::vector<Bins> classes_;  // by the number of bits of a radius
+    std::vector<Bins> magnitudes_;  // by the number of bits of a distance
 };
 
 // Lines with free spans at first, boxes after the first cut. With a radius field there are
@@ -94,8 +105,9 @@ public:
     explicit Exact(const Plan& plan)
         : plan_(plan),
           field_(plan.has_field() ? plan.field().radius_field.get() : nullptr),
-          samples_(plan),
-          recent_(plan),
+          sheets_(plan.has_field() ? plan.field().sheets : Sheets()),
+          samples_(sheets_.count(), Samples(plan)),
+          recent_(samples_),
           spans_(plan),
           width_(plan.strip_width) {
         if (field_ == nullptr) return;
@@ -114,12 +126,13 @@ public:
     }
 
     bool is_free(Sample candidate) const override {
-        const Sized sized{candidate.x, candidate.y, radius_at(candidate)};
+        const Sized sized{sheets_.x_on_sheet(candidate.x), candidate.y, radius_at(candidate)};
         if (sized.radius == 0) return false;
         bool covered = false;
-        samples_.for_each_near(
-            {candidate.x, 1, candidate.y, candidate.y + 1}, [&](const Sized& near) {
-                covered |= portable::conflicts(near, sized, plan_.period_x, plan_.period_y);
+        samples_[sheets_.of(candidate.x)].for_each_near(
+            {sized.x, 1, sized.y, sized.y + 1}, [&](const Neighbour& near) {
+                covered |= portable::conflicts(near.sized, sized, near.factor, plan_.period_x,
+                                               plan_.period_y);
             });
         return !covered;
     }
@@ -132,13 +145,19 @@ public:
             refine(policy.halves());
         else
             for (const Sample sample : samples) spans_.subtract_disk(sample);
-        recent_ = Samples(plan_);
+        recent_.assign(sheets_.count(), Samples(plan_));
     }
 
 private:
+    // Each sheet sees the sample with the factor of both classes, and not at all if that is 0.
     void add(const Sized& sample) {
-        samples_.add(sample);
-        recent_.add(sample);
+        const Sized on_domain{sheets_.x_on_sheet(sample.x), sample.y, sample.radius};
+        for (std::uint32_t sheet = 0; sheet < sheets_.count(); ++sheet) {
+            const Neighbour seen{on_domain, sheets_.factor(sheets_.of(sample.x), sheet)};
+            if (seen.factor == 0) continue;
+            samples_[sheet].add(seen);
+            recent_[sheet].add(seen);
+        }
     }
 
     std::uint32_t radius_at(Sample at) const {
@@ -207,16 +226,20 @@ private:
     // Appends the pieces of the box after the samples' chords are cut from it. A chord covers the
     // box's whole width: it is cut at the far edge. Its radius is the smaller of the sample's and
     // the least one under the box, so that the sample conflicts with every point in it.
-    void append_pieces(const Box& box, const Samples& samples, std::vector<Box>& left) const {
+    void append_pieces(const Box& box, const std::vector<Samples>& samples,
+                       std::vector<Box>& left) const {
         const std::uint32_t radius = least_under(box);
         const std::uint32_t half = box.width / 2;
+        const std::uint32_t x = sheets_.x_on_sheet(box.x);
         std::vector<Span> chords;
-        samples.for_each_near(box, [&](const Sized& near) {
-            const std::uint32_t dx =
-                portable::axis_distance(near.x, box.x + half, plan_.period_x) + half;
-            for_each_window(plan_, near.y, portable::chord(near, dx, radius),
-                            [&](Span chord) { chords.push_back(chord); });
-        });
+        samples[sheets_.of(box.x)].for_each_near(
+            {x, box.width, box.begin, box.end}, [&](const Neighbour& near) {
+                const std::uint32_t dx =
+                    portable::axis_distance(near.sized.x, x + half, plan_.period_x) + half;
+                for_each_window(plan_, near.sized.y,
+                                portable::chord(near.sized, dx, radius, near.factor),
+                                [&](Span chord) { chords.push_back(chord); });
+            });
         chords.push_back({box.end, box.end});
         std::sort(chords.begin(), chords.end(), [](Span a, Span b) { return a.begin < b.begin; });
         std::uint32_t free_from = box.begin;
@@ -229,8 +252,9 @@ private:
 
     const Plan& plan_;
     const RadiusField* field_;  // null where there is one radius
-    Samples samples_;
-    Samples recent_;  // samples that have not cut the bins yet
+    Sheets sheets_;
+    std::vector<Samples> samples_;  // of each sheet
+    std::vector<Samples> recent_;   // those that have not cut the bins yet
     FreeSpans spans_;
     std::vector<Box> boxes_;
     std::vector<std::uint32_t> lengths_;

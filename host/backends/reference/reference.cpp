@@ -8,12 +8,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "backends/reference/free_space.h"
 #include "rounds/random.h"
 #include "rounds/round_policy.h"
+#include "rounds/sheet_shares.h"
 
 namespace lacuna::reference {
 namespace {
@@ -38,17 +40,34 @@ std::vector<std::uint64_t> marginal_cdf(const Plan& plan, const FreeSpace& space
     return cdf;
 }
 
+// With classes: how random bits are shared among the sheets, whose bins follow each other.
+std::optional<SheetShares> shares_of_sheets(const Plan& plan, const FreeSpace& space,
+                                            const std::vector<std::uint64_t>& cdf) {
+    if (!plan.has_field() || !plan.field().sheets.are_several()) return std::nullopt;
+    const Sheets& sheets = plan.field().sheets;
+    std::vector<std::uint64_t> areas(sheets.count());
+    for (std::uint32_t bin = 0; bin < cdf.size(); ++bin)
+        areas[plan.class_of(space.at(bin, 0, 0))] = cdf[bin];
+    std::vector<std::uint32_t> weights;
+    for (std::uint32_t sheet = 0; sheet < sheets.count(); ++sheet) {
+        if (sheet > 0) areas[sheet] = std::max(areas[sheet], areas[sheet - 1]);
+        weights.push_back(sheets.weight(sheet));
+    }
+    return SheetShares(areas, weights);
+}
+
 struct Candidate {
     Sample sample;
     std::uint64_t number;  // number of its draw
 };
 
 Candidate draw(const Plan& plan, const FreeSpace& space, const std::vector<std::uint64_t>& cdf,
-               std::uint64_t number) {
+               const std::optional<SheetShares>& shares, std::uint64_t number) {
     const RandomBits random = random_bits(plan.seed, number);
 
     // Eq. 2: x = F_X^{-1}(c). The two values of F_X that straddle c give the bin.
-    const std::uint64_t c = scaled(random.first, cdf.back());
+    const std::uint64_t c =
+        shares ? shares->area_at(random.first) : scaled(random.first, cdf.back());
     const auto above = std::upper_bound(cdf.begin(), cdf.end(), c);
     const auto bin = static_cast<std::uint32_t>(above - cdf.begin());
 
@@ -83,11 +102,13 @@ Outcome sample(const Plan& plan, Observer& observer) {
     while (outcome.samples.size() < plan.limit) {
         const std::vector<std::uint64_t> cdf = marginal_cdf(plan, *space);
         if (cdf.empty() || cdf.back() == 0) break;  // nothing is free: the set is maximal
+        const auto shares = shares_of_sheets(plan, *space, cdf);
 
         // Survivors are the draws that no sample of an earlier round covers.
         std::vector<Candidate> survivors;
         for (std::uint64_t i = 0; i < policy.size(); ++i) {
-            const Candidate candidate = draw(plan, *space, cdf, plan.first_draw + outcome.draws++);
+            const Candidate candidate =
+                draw(plan, *space, cdf, shares, plan.first_draw + outcome.draws++);
             if (space->is_free(candidate.sample)) survivors.push_back(candidate);
         }
         const std::size_t before = outcome.samples.size();

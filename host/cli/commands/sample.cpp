@@ -44,6 +44,7 @@ Examples:
   lacuna sample --inside lakes.svg --border 2 --radius 3 -o fish.svg   points within polygons
   lacuna sample --inside park.svg --outside pond.svg --radius 3 -o trees.svg   and not in others
   lacuna sample --keep trees.csv --radius 0.02 -o more.csv   fills the space around given points
+  lacuna sample --class trees:0.03 --class grass:0.006 -o wood.csv   kinds of points
   lacuna sample --count 256 --torus --seeds 0..999 -o 'tiles/{seed}.npy'   a thousand small tiles
 )";
 
@@ -79,6 +80,8 @@ void check_relax(const SampleCommand& all) {
     if (!all.domain.mask.empty() || !all.domain.inside.empty() || !all.domain.outside.empty() ||
         !all.domain.keep.empty() || all.common.request.border != 0)
         refuse("cannot be used with --mask, --inside, --outside, --border or --keep");
+    if (!all.domain.classes.given.empty())
+        refuse("cannot be used with --class: it keeps no distances");
 }
 
 void run(const CLI::App& command, const SampleCommand& all) {
@@ -113,13 +116,16 @@ void run(const CLI::App& command, const SampleCommand& all) {
                     true);
     }
     const files::Origin origin = origin_of(command, request, made.result, decides);
-    const files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
-                              &origin};
+    files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
+                        &origin};
+    const std::vector<files::Layer> layers = layers_of(request.classes, made.result);
+    give_layers(layers, made.result, set);
     if (!options.quiet) warn_of_ink(all.drawing, request, request.field, set.points.size(), style);
     Writing writing(interruption);
     if (!options.report.empty())
         writing.add(options.report, [&] { return report_of(request, made, more); });
     write_set(writing, all.drawing, outputs, set, style, [&] {
+        if (!layers.empty()) return class_diameters(request, made.result);
         return dots_of(request, set.points,
                        all.relax != 0 ? drawing::Spread::even : drawing::Spread::random);
     });

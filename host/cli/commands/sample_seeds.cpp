@@ -198,9 +198,14 @@ void sample_seeds(const CLI::App& command, const CommonOptions& options,
                 request.seed = seed;
                 const files::Origin origin = origin_of(command, request, set, more);
                 Writing writing(interruption);
-                write_set(writing, drawing, outputs_of_seed(outputs, seed),
-                          {set.points, request.width, request.height, set.radius, &origin}, style,
-                          [&] { return dots_of(request, set.points, drawing::Spread::random); });
+                files::PointSet points{set.points, request.width, request.height, set.radius,
+                                       &origin};
+                const std::vector<files::Layer> layers = layers_of(request.classes, set);
+                give_layers(layers, set, points);
+                write_set(writing, drawing, outputs_of_seed(outputs, seed), points, style, [&] {
+                    if (!layers.empty()) return class_diameters(request, set);
+                    return dots_of(request, set.points, drawing::Spread::random);
+                });
                 add(made, std::move(set));
             },
             observers);

@@ -40,6 +40,7 @@ Examples:
   lacuna verify a.json b.json --quiet               what the files say of themselves, by exit code
   lacuna verify bridson.csv --radius 0.01 --distances-only    not meant to be maximal
   lacuna verify dots.npy --field photo.jpg --scale 0.002      radii that follow a picture
+  lacuna verify wood.csv --class trees:0.03 --class grass:0.006   points of several kinds
   lacuna verify trees.csv --radius 4 --inside park.svg --keep old.csv    in polygons, around others
 
 Two promises are checked. No two points are closer than R. No spot of the domain, edges and corners
@@ -96,6 +97,8 @@ Request request_of(const CLI::App& command, const Given& given, const files::Set
         request.height = *file.height;
     }
     if (file.boundary == Boundary::torus) request.boundary = Boundary::torus;
+    if (request.classes.names.empty() && !file.distances.empty())
+        request.classes = {file.class_names, file.distances, file.weights};
     if (request.field != nullptr) return request;
     if (!request.radius) request.radius = file.radius;
     if (!request.radius)
@@ -137,6 +140,8 @@ SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Given& 
     claim.mask = request.mask;
     claim.border = request.border;
     claim.keep = request.keep;
+    claim.classes = request.classes;
+    if (!claim.classes.names.empty()) claim.own_classes = classes_in(file, claim.classes, name);
     claim.rings = rings_of(request, given.files);
     if (!claim.rings.empty())
         claim.edge_tolerance = given.files.edge =
@@ -155,7 +160,8 @@ SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Given& 
 void check(const CLI::App& command, const VerifyCommand& options) {
     check_domain(command, options.domain);
     const Request& request = options.request;
-    if (!options.domain.field.path.empty() && !request.scale)
+    if (!options.domain.field.path.empty() && !request.scale &&
+        options.domain.classes.given.empty())
         throw BadRequest("scale", "missing",
                          "give the radius that points should have where the field is black");
     if (!options.domain.field.path.empty() && request.radius)
@@ -186,6 +192,8 @@ std::string fault_in_levels(const SetClaim& claim) {
     one.meant_to_be_maximal = true;
     for (const Level& level : claim.levels) {
         one.points = claim.points.first(level.points);
+        if (!claim.own_classes.empty())
+            one.class_of_points = claim.class_of_points.first(level.points);
         (claim.field != nullptr ? one.scale : one.radius) = level.size;
         one.proof = prove(one.points, one);
         if (!one.holds())
@@ -219,6 +227,7 @@ void run(const CLI::App& command, const VerifyCommand& options) {
         // Now that `claims` does not move its elements any more.
         claim.sets = sets_of(claim.options, claim.rings);
         claim.polygons = claim.sets;
+        claim.class_of_points = claim.own_classes;
         claim.proof = prove(claim.points, claim);
         if (claim.holds()) claim.fault = fault_in_levels(claim);
         all_hold = all_hold && claim.holds();

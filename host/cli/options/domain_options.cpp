@@ -19,8 +19,11 @@
 
 #include "cli/options/options.h"
 #include "cli/reports/report.h"
+#include "files/parse.h"
 #include "files/point_files.h"
 #include "files/read_points.h"
+#include "files/read_sets.h"
+#include "files/read_whole.h"
 #include "pictures/importance.h"
 
 namespace lacuna::cli {
@@ -107,6 +110,14 @@ void check_within_default(const std::string& path, const std::vector<PolygonRing
                     remedy));
 }
 
+// The radius or scale of classes is their least distance, unless one is given or there is a count.
+void give_size_of_classes(Request& request) {
+    std::optional<double>& size = request.field != nullptr ? request.scale : request.radius;
+    if (request.classes.names.empty() || request.count || size) return;
+    for (const double distance : request.classes.distances)
+        if (distance > 0 && (!size || distance < *size)) size = distance;
+}
+
 }  // namespace
 
 void add_domain(CLI::App& command, DomainOptions& options, Request& request) {
@@ -116,6 +127,7 @@ void add_domain(CLI::App& command, DomainOptions& options, Request& request) {
     add_number(command, "scale", "G", request.scale,
                "With a field, instead of --radius: the radius where the picture is black");
     add_importance(command, options.field);
+    add_classes(command, options.classes);
     add_path(command, "--mask", "IMAGE", options.mask,
              "A picture that says where points may lie: on pixels that are neither black nor "
              "transparent");
@@ -144,6 +156,7 @@ std::vector<GivenFile> files_of(const DomainOptions& options) {
         if (!path->empty()) files.push_back({name, *path});
     for (const std::string& path : options.inside) files.push_back({"--inside", path});
     for (const std::string& path : options.outside) files.push_back({"--outside", path});
+    append_files(options.classes, files);
     return files;
 }
 
@@ -167,6 +180,7 @@ void check_domain(const CLI::App& command, const DomainOptions& options) {
 
 void read_given_files(const CLI::App& command, const DomainOptions& options, Request& request,
                       DomainFiles& files) {
+    request.classes = read_classes(options.classes);
     bool has_shape = command.count("--domain") > 0;
     const auto give_shape = [&](double width, double height) {
         if (!has_shape) {
@@ -192,9 +206,19 @@ void read_given_files(const CLI::App& command, const DomainOptions& options, Req
         give_shape(files.mask->columns / longer, files.mask->rows / longer);
     }
     if (files.mask) request.mask = &*files.mask;
+    give_size_of_classes(request);
     if (options.keep.empty()) return;
-    files.keep = files::read_points(options.keep);
+    if (request.classes.names.empty()) {
+        files.keep = files::read_points(options.keep);
+    } else {
+        files::SetsOfFile file = files::read_sets(options.keep);
+        const std::string name = files::name_of(options.keep);
+        if (file.sets.size() != 1) files::refuse(name, "must have one set");
+        files.keep_classes = classes_in(file, request.classes, name);
+        files.keep = std::move(file.sets.front());
+    }
     request.keep = files.keep;
+    request.keep_classes = files.keep_classes;
 }
 
 std::vector<std::vector<PolygonRing>> rings_of(const Request& request, const DomainFiles& files) {
@@ -252,6 +276,7 @@ Json json_of(const DomainOptions& options, const Request& request, const DomainF
     add_paths("inside", options.inside);
     add_paths("outside", options.outside);
     if (!files.polygons.empty()) json["edge"] = files.edge;
+    json.update(json_of(request.classes));
     if (request.border != 0) json["border"] = request.border;
     if (!options.keep.empty()) json.update({{"keep", options.keep}, {"kept", files.keep.size()}});
     return json;

@@ -1,10 +1,11 @@
 // The options of `lacuna sample` and `lacuna verify` that say where samples may lie, and how
-// densely: --field, --mask, --inside, --keep and --border.
+// densely: --field, --mask, --inside, --class, --keep and --border.
 #pragma once
 
 #include <lacuna/domains.h>
 #include <lacuna/lacuna.h>
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "cli/app_fwd.h"
+#include "cli/options/class_options.h"
 #include "cli/options/given_files.h"
 #include "cli/options/picture_field.h"
 #include "drawing/dot_size.h"
@@ -26,6 +28,7 @@ struct DomainOptions {
     std::vector<std::string> outside;
     std::optional<double> edge;
     std::string keep;
+    ClassOptions classes;
 };
 
 // The contents of the files. The request points into it.
@@ -34,11 +37,12 @@ struct DomainFiles {
     std::optional<Mask> mask;        // read from --mask, or drawn from the polygons
     std::vector<Polygons> polygons;  // of --inside, then of --outside
     std::vector<Point> keep;
+    std::vector<std::uint8_t> keep_classes;
     double edge = 0;  // how far the polygons' outline may be off
 };
 
-// Adds --field, --scale, the options of add_importance(), --mask, --inside, --outside, --edge,
-// --border and --keep.
+// Adds --field, --scale, the options of add_importance(), --class, --between, --mask, --inside,
+// --outside, --edge, --border and --keep.
 void add_domain(CLI::App& command, DomainOptions& options, Request& request);
 
 // The files that are read, which no output may overwrite.

@@ -46,9 +46,13 @@ std::string command_line(const CLI::App& command, std::uint64_t seed) {
                 std::find(kDecideNothing.begin(), kDecideNothing.end(), name) !=
                     kDecideNothing.end())
                 continue;
-            if (!files) line += " " + name;
-            if (option->get_expected_max() == 0) continue;  // a flag
+            if (option->get_expected_max() == 0) {  // a flag
+                line += " " + name;
+                continue;
+            }
+            // An option that may be given several times is given with each of its values.
             for (const std::string& value : option->results()) {
+                if (!files) line += " " + name;
                 const bool looks_like_an_option = files && value.starts_with("-") && value != "-";
                 line += " " + quoted(looks_like_an_option ? "./" + value : value);
             }

@@ -23,14 +23,21 @@ std::string text(const Point& point) {
 }
 
 std::string numbered(const SetClaim& claim, std::size_t index) {
-    return fmt::format("{} at {}", index, text(claim.points[index]));
+    const std::string at = fmt::format("{} at {}", index, text(claim.points[index]));
+    if (claim.own_classes.empty()) return at;
+    return fmt::format("{}, of class {},", at, claim.classes.names[claim.own_classes[index]]);
+}
+
+// Whether distances have limits of their own.
+bool has_limits(const Claim& claim) {
+    return claim.field != nullptr || !claim.classes.names.empty();
 }
 
 std::string closest(const SetClaim& claim) {
     if (claim.points.size() < 2) return "none, for want of two points";
     const Proof& proof = claim.proof;
     return fmt::format("{}{} (points {} and {})", proof.least_distance,
-                       claim.field != nullptr ? fmt::format(" of {}", proof.least_limit) : "",
+                       has_limits(claim) ? fmt::format(" of {}", proof.least_limit) : "",
                        proof.first, proof.second);
 }
 
@@ -41,7 +48,7 @@ std::string largest_gap(const SetClaim& claim) {
     // covered. It does not know then which gap is the largest.
     if (!verify::is_uniform(claim) && proof.covered) return "none over its limit";
     return fmt::format("{} from a point{}, at {}", proof.largest_gap_distance,
-                       claim.field != nullptr ? fmt::format(" of {}", proof.largest_gap_limit) : "",
+                       has_limits(claim) ? fmt::format(" of {}", proof.largest_gap_limit) : "",
                        text(proof.largest_gap));
 }
 
@@ -60,6 +67,8 @@ std::string places(const SetClaim& claim) {
         rows += fmt::format("{:<18}{}\n", name, value);
     };
     if (!given.field.path.empty()) append("field", printable(given.field.path));
+    if (!claim.classes.names.empty())
+        append("classes", printable(fmt::format("{}", fmt::join(claim.classes.names, ", "))));
     if (!given.mask.empty()) append("mask", printable(given.mask));
     const auto append_polygons = [&](std::string_view name, const std::vector<std::string>& paths) {
         for (const std::string& path : paths)
@@ -114,6 +123,8 @@ std::string kind(const SetClaim& claim) {
     std::string kind = claim.field != nullptr
                            ? fmt::format(" that follows the field at scale {}", claim.scale)
                            : fmt::format(" of radius {}", claim.radius);
+    if (!claim.classes.names.empty())
+        kind = fmt::format(" of {} classes", claim.classes.names.size());
     if (claim.mask != nullptr || !claim.rings.empty() || claim.border != 0)
         kind += " where points may lie";
     return kind;
@@ -127,7 +138,13 @@ std::string faults(const SetClaim& claim) {
         faults = fmt::format("points {} and {} are closer than {}", numbered(claim, proof.first),
                              numbered(claim, proof.second), proof.least_limit);
     if (!proof.kept && has_room) faults += ", and ";
-    if (has_room) faults += fmt::format("there is room for a point at {}", text(proof.largest_gap));
+    const std::string of_class =
+        claim.classes.names.empty()
+            ? ""
+            : fmt::format(" of class {}", claim.classes.names[proof.largest_gap_class]);
+    if (has_room)
+        faults +=
+            fmt::format("there is room for a point{} at {}", of_class, text(proof.largest_gap));
     return faults;
 }
 
@@ -222,6 +239,8 @@ Json json_of_one(const SetClaim& claim) {
                                {"distance", proof.largest_gap_distance}};
     if (!claim.points.empty() && !verify::is_uniform(claim) && !proof.covered)
         json["largest_gap"]["limit"] = proof.largest_gap_limit;
+    if (!claim.classes.names.empty() && json["largest_gap"].is_object())
+        json["largest_gap"]["class"] = claim.classes.names[proof.largest_gap_class];
     // The key of the largest gap in older reports. Programs may still read it.
     json["emptiest_spot"] = json["largest_gap"];
     return json;

@@ -28,6 +28,7 @@ struct SetClaim : Claim {
     Extremes radii{};              // of the field; both are the radius if there is no field
     std::vector<std::vector<PolygonRing>> rings;  // of each file of polygons
     std::vector<PolygonSet> sets;                 // of the rings, once the claim has its place
+    std::vector<std::uint8_t> own_classes;        // of the points
     Proof proof;
     std::vector<Level> levels;  // of a progressive order
     std::string fault;          // of the first level that does not hold, or empty

@@ -77,6 +77,28 @@ struct PolygonSet {
     bool forbidden = false;
 };
 
+// Kinds of points in one set, such as trees, bushes and grass. Every two kinds have a least
+// distance of their own (Wei 2010, "Multi-class Blue Noise Sampling").
+struct Classes {
+    std::vector<std::string> names;  // 1 to 16, all different, without spaces, commas or colons
+    // The least distance of each two classes, row by row: a symmetric matrix of names.size()^2
+    // values >= 0, on its diagonal > 0. 0 means that two classes do not know of each other. The
+    // greatest may be 4000 times the least that is not 0. See distances_by_sum and
+    // distances_by_union.
+    std::vector<double> distances;
+    // How often each class is drawn, in proportion to the room that it still has; >= 0, not all 0.
+    // Empty: all alike. A class of weight 0 is not drawn: its points are the kept ones.
+    std::vector<double> weights;
+};
+
+// The distances of round objects of these radii that do not overlap: the sum of two radii. Two
+// objects of one class keep twice its radius.
+std::vector<double> distances_by_sum(std::span<const double> radii);
+// The distances with which each class alone is a set of its radius, and all together are evenly
+// distributed too (Wei 2010): between two classes 1 / sqrt(sum of 1 / R^2), over all classes whose
+// radius R is at least the smaller of both.
+std::vector<double> distances_by_union(std::span<const double> radii);
+
 // How the free space is cut up.
 //   exact  strips, then boxes, refined until none has room: sets that are truly maximal
 //   lines  the paper's section 4.1: one line stands for its whole strip
@@ -94,7 +116,8 @@ std::string_view name_of(Mode mode);
 enum class Metric { min, mean, max };
 std::string_view name_of(Metric metric);
 
-// The set that is asked for. Exactly one of radius, scale and count must be given.
+// The set that is asked for. Exactly one of radius, scale and count must be given; with classes,
+// none or one.
 struct Request {
     double width = 1.0;   // of the domain, > 0
     double height = 1.0;  // of the domain, > 0; neither side over 1000 times the other
@@ -129,11 +152,20 @@ struct Request {
     // Least distance of samples to each edge of the domain, in the unit of width and height; in a
     // box only, and under half of its shorter side. 0: samples lie up to the edges.
     double border = 0;
+    // In mode exact: classes of points. No two points are closer than the distance of their
+    // classes, and no spot is left where a point of any class has room. With a radius, scale or
+    // count the distances are in proportion: the least that is not 0 becomes the radius or scale.
+    // With a field all distances are at a spot what they are where the importance is 1, over the
+    // root of the importance there.
+    Classes classes;
+
     // Points that are there already. They come first in the result, in this order and bit for bit,
     // and samples keep their distance from them as from each other. Each must lie in the domain,
     // where samples may lie, and keep its distance from the others. They count for limit and count.
     // They must outlive the call.
     std::span<const Point> keep;
+    // With classes the class of each kept point: its place in Classes::names.
+    std::span<const std::uint8_t> keep_classes;
 
     // In mode exact: an order in which every prefix is as even as a set of its own size. A maximal
     // set of about 16 points is kept, then one at a radius smaller by 2^(-1/32), and so on down to
@@ -163,7 +195,10 @@ struct Level {
 // A point set, and how it was made.
 struct Result {
     std::vector<Point> points;  // in order of admission
-    // The radius asked for, or chosen for Request::count; with a field the least of all radii.
+    // With classes, of each point: its class, the place of its name in Classes::names.
+    std::vector<std::uint8_t> classes;
+    // The radius asked for, or chosen for Request::count; with a field the least of all radii. With
+    // classes the least distance of any two classes; the other distances are in proportion.
     double radius = 0;
     double scale = 0;  // with a field: the g asked for, or chosen for Request::count; else 0
     std::uint32_t lines_per_radius = 0;  // the m asked for, or the mode's default

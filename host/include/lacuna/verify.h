@@ -22,6 +22,8 @@
 //     of the longer side of such a border counts as lying on both pixels. Its distances are checked
 //     with the smaller radius, and the spots that it covers with the larger one. It is allowed if
 //     either pixel allows points. A point may cross Claim::border or polygons by as much.
+//   - With classes the limit of two points, or of a point and a spot for one more point of a class,
+//     is multiplied by the distance of their two classes, as a share of the least one.
 //   - Points to keep are the first of the set, in their order, and equal to the last bit.
 //   - The work grows nearly linearly with the number of points, however crowded they are.
 #pragma once
@@ -29,6 +31,7 @@
 #include <lacuna/lacuna.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -38,8 +41,10 @@ namespace lacuna {
 
 // What a set is said to be.
 struct Claim {
-    double radius = 0;  // least distance between two points, > 0; ignored if there is a field
-    double width = 1;   // of the domain, as in Request
+    // Least distance between two points, > 0; ignored if there is a field. With classes it may be
+    // 0.
+    double radius = 0;
+    double width = 1;  // of the domain, as in Request
     double height = 1;
     Boundary boundary = Boundary::box;
 
@@ -52,7 +57,7 @@ struct Claim {
     // Radii that differ from place to place: the field, stretched over the domain, and the radius
     // where its importance is 1. The field must outlive the call.
     const Field* field = nullptr;
-    double scale = 0;  // > 0
+    double scale = 0;  // > 0; with classes it may be 0
 
     // Where points may lie: on pixels of the mask that are not 0; where the polygons allow it, if
     // there are any; and at least `border` away from the edges of a box. Mask and polygons must
@@ -61,6 +66,12 @@ struct Claim {
     std::span<const PolygonSet> polygons{};
     double edge_tolerance = 0;  // how far the polygons' edges may be off
     double border = 0;
+
+    // Classes of points, as in Request: names, distances and weights. No two points may be closer
+    // than the distance of their classes, and no spot may be left where a point of any class with a
+    // weight has room. With a radius or scale the distances are in proportion, as in Request.
+    Classes classes{};
+    std::span<const std::uint8_t> class_of_points{};  // of each point: its place in the names
 
     // The points that the set begins with, equal to the bit. They must outlive the call.
     std::span<const Point> keep{};
@@ -95,7 +106,9 @@ struct Proof {
     double largest_gap_distance = 0;  // to the nearest point; with a field, to the one whose limit
                                       // the spot exceeds least
     double largest_gap_limit = 0;     // the radius, or the smaller of the spot's and that point's
+    std::size_t largest_gap_class = 0;  // with classes: the one for which the gap is
 
+    double tolerance = 0;  // how far over its limit a covered spot may be: as claimed, or chosen
     // The set is kept and covered, and the tolerance is at most 1 % of the radius, or of the least
     // radius of a field. With a larger tolerance a set that lacks points would pass.
     bool maximal = false;

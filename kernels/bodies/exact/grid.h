@@ -79,6 +79,15 @@ BODY bool has_sample(const StripArguments a, const Near near, const Walk walk) {
     return walk.cells != 0u;
 }
 
+// A neighbour's x as the strip sees it, and the square of the distance that it keeps: lists.h,
+// where there are classes of samples, has more to do.
+BODY u32 x_of(const StripArguments a, const u32x4 neighbour, const Strip strip) {
+    return neighbour.x;
+}
+BODY u64 limit_near(MEMORY const StripArguments a, const u32x4 neighbour, const Strip strip) {
+    return a.g.radius_squared;
+}
+
 // x, y and radius of the sample; the fourth word is used in lists.h only.
 BODY u32x4 sample_at(MEMORY const StripArguments a, const Near near, const Walk walk) {
     const u32 cell = cell_of(a.g, near, lowest_bit_of_64(walk.cells));

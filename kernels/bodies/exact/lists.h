@@ -1,5 +1,6 @@
 // The neighbour index where radii differ: for each block of first boxes (plan/first_boxes.h) a list
 // of the samples that reach it, the latest first. The other index is grid.h.
+#include "bodies/exact/factor.h"
 #include "bodies/exact/strip.h"
 #include "portable/conflict.h"
 #include "portable/radius_field.h"
@@ -83,18 +84,26 @@ BODY u32 least_distance(const StripArguments a, const Strip box, const u32 x) {
     return box.is_even ? to_middle - min(to_middle, 1u) : to_box;
 }
 
+// A neighbour's x on the sheet of the strip, and the square of the distance that it keeps there.
+BODY u32 x_of(const StripArguments a, const u32x4 neighbour, const Strip strip) {
+    return x_beside(neighbour.x, strip.at.x, a.g.sheet_bits);
+}
+BODY u64 limit_near(MEMORY const StripArguments a, const u32x4 neighbour, const Strip strip) {
+    return squared_limit(neighbour.z, strip.radius, factor_of(ON a.g, neighbour.x, strip.at.x));
+}
+
 // Walks along the list once.
 BODY Near near_of(MEMORY const StripArguments a, const u32 number, const Box box) {
-    const Strip whole = box.whole;
-    const u32 greatest = greatest_radius(a, box);
+    Strip whole = box.whole;
+    whole.radius = greatest_radius(a, box);
     Near near = {AT(lists, AT(origins, number).x), 0u, U32X4(0u, 0u, 0u, 0u),
                  U32X4(0u, 0u, 0u, 0u)};
     u32 next = near.first;
     while (is_in_list(a, next)) {
         const u32x4 entry = AT(entries, next);
-        const u32 dx = least_distance(a, whole, entry.x);
+        const u32 dx = least_distance(a, whole, x_of(a, entry, whole));
         const u32 dy = distance_to_stretch(entry.y, whole.at.z, whole.at.w, a.g.period_y);
-        if (squared_length(dx, dy) < squared_limit(entry.z, greatest)) {
+        if (squared_length(dx, dy) < limit_near(ON a, entry, whole)) {
             near.high = U32X4(near.low.w, near.high.x, near.high.y, near.high.z);
             near.low = U32X4(next, near.low.x, near.low.y, near.low.z);
             ++near.count;

@@ -16,15 +16,16 @@ BODY u32 cut_distance(const Geometry g, const Strip strip, const u32 x) {
     return axis_distance(x, strip.at.x + middle, g.period_x) + middle;
 }
 
-BODY u32 chord_of(const Geometry g, const Strip strip, const u32x4 neighbour) {
-    const Sized sized = {neighbour.x, neighbour.y, neighbour.z};
-    return chord(sized, cut_distance(g, strip, neighbour.x), strip.radius);
+BODY u32 chord_of(MEMORY const StripArguments a, const Strip strip, const u32x4 neighbour) {
+    return chord_reach(cut_distance(a.g, strip, x_of(a, neighbour, strip)),
+                       limit_near(ON a, neighbour, strip));
 }
 
 // On a torus a chord continues at the other edge: see window_begin in chord.h.
 BODY u32 windows_of(const Geometry g, const Strip strip) {
     const bool is_at_edge = strip.at.z < strip.radius || g.height - strip.at.w < strip.radius;
-    return g.period_y != 0u && is_at_edge ? 3u : 1u;
+    const bool has_classes = g.sheet_bits != BITS_OF_ONE_SHEET;  // they may reach farther
+    return g.period_y != 0u && (is_at_edge || has_classes) ? 3u : 1u;
 }
 
 BODY Pieces without_chord(const Pieces all, const u32 begin, const u32 end) {
@@ -48,8 +49,8 @@ BODY bool is_covered_by_one(MEMORY const StripArguments a, const Near near, cons
         walk = walk_past(near, walk, neighbour);
         const u32 dy =
             farthest_distance(to_i64(neighbour.y), to_i64(strip.at.z), to_i64(strip.at.w));
-        is_covered = squared_length(cut_distance(a.g, strip, neighbour.x), dy) <
-                     squared_limit(neighbour.z, strip.radius);
+        is_covered = squared_length(cut_distance(a.g, strip, x_of(a, neighbour, strip)), dy) <
+                     limit_near(ON a, neighbour, strip);
     }
     return is_covered;
 }
@@ -62,9 +63,9 @@ BODY Walk next_touching(MEMORY const StripArguments a, const Near near, const St
     bool is_touching = false;
     while (has_sample(a, near, walk) && !is_touching) {
         const u32x4 neighbour = sample_at(ON a, near, walk);
-        const u32 dx = cut_distance(a.g, strip, neighbour.x);
+        const u32 dx = cut_distance(a.g, strip, x_of(a, neighbour, strip));
         const u32 dy = distance_to_stretch(neighbour.y, strip.at.z, strip.at.w, a.g.period_y);
-        is_touching = squared_length(dx, dy) < squared_limit(neighbour.z, strip.radius);
+        is_touching = squared_length(dx, dy) < limit_near(ON a, neighbour, strip);
         if (!is_touching) walk = walk_past(near, walk, neighbour);
     }
     return walk;
@@ -81,7 +82,7 @@ BODY Pieces cut_strip(MEMORY const StripArguments a, const Near near, const Stri
     Walk walk = next_touching(ON a, near, strip, walk_over(a, near));
     while (has_sample(a, near, walk) && pieces.low < pieces.high) {
         const u32x4 neighbour = sample_at(ON a, near, walk);
-        const u32 reach = chord_of(a.g, strip, neighbour);
+        const u32 reach = chord_of(ON a, strip, neighbour);
         for (u32 window = 0u; window < windows; ++window)
             pieces = without_chord(pieces, window_begin(window, neighbour.y, reach, a.g.height),
                                    window_end(window, neighbour.y, reach, a.g.height));
@@ -104,7 +105,7 @@ BODY u32x2 next_piece(MEMORY const StripArguments a, const Near near, const Stri
         while (has_sample(a, near, walk)) {
             const u32x4 neighbour = sample_at(ON a, near, walk);
             walk = walk_past(near, walk, neighbour);
-            const u32 reach = chord_of(a.g, strip, neighbour);
+            const u32 reach = chord_of(ON a, strip, neighbour);
             for (u32 window = 0u; window < windows; ++window) {
                 const u32 chord_begin = window_begin(window, neighbour.y, reach, a.g.height);
                 const u32 chord_end = window_end(window, neighbour.y, reach, a.g.height);

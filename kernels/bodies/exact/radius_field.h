@@ -17,6 +17,7 @@ struct Axis {
     u32 scale_low;
     u32 scale_high;
     u32 begins;
+    u32 last;  // in x, the last unit of a sheet (portable/sheets.h); in y all bits are set
 };
 LACUNA_TYPEDEF(Axis)
 
@@ -52,8 +53,8 @@ LACUNA_TYPEDEF(Level)
 BODY Axis axis_of(MEMORY const u32 number) {
     const u32 first = number * AXIS_WORDS;
     const Axis axis = {AT(axes, first + AXIS_PIXELS), AT(axes, first + AXIS_SHIFT),
-                       AT(axes, first + AXIS_SCALE), AT(axes, first + AXIS_SCALE + 1u),
-                       AT(axes, first + AXIS_BEGINS)};
+                       AT(axes, first + AXIS_SCALE),  AT(axes, first + AXIS_SCALE + 1u),
+                       AT(axes, first + AXIS_BEGINS), AT(axes, first + AXIS_LAST)};
     return axis;
 }
 
@@ -68,7 +69,7 @@ BODY bool has_mask(const Grids grids) {
 }
 
 BODY u32 pixel_of(const Axis axis, const u32 at) {
-    return pixel_at(at, axis.scale_low, axis.scale_high, axis.shift);
+    return pixel_at(at & axis.last, axis.scale_low, axis.scale_high, axis.shift);
 }
 
 BODY u32x4 pixels_under(const Grid grid, const u32x4 box) {
@@ -160,12 +161,14 @@ BODY u32 middle_border(MEMORY const Axis axis, const u32 first, const u32 last) 
 // The x at which to halve a box: at a border of pixels near its middle if the pixels are unlike,
 // otherwise in its middle. 0: not to be cut. `all` describes what lies under the box.
 BODY u32 cut_x(MEMORY const Grids grids, const u32x4 box, const Touched touched, const Under all) {
+    const u32 sheet = box.x & ~grids.field.columns.last;
     u32 cut = 0u;
     if (all.allowed == ALLOWED_SOME)
         cut = middle_border(ON grids.mask.columns, touched.mask.x, touched.mask.y);
     if (cut == 0u && all.is_mixed)
         cut = middle_border(ON grids.field.columns, touched.field.x, touched.field.y);
-    return cut == 0u && box.y > 1u ? box.x + box.y / 2u : cut;
+    if (cut == 0u) return box.y > 1u ? box.x + box.y / 2u : 0u;
+    return sheet | cut;
 }
 
 BODY u32 cut_y(MEMORY const Grids grids, const Touched touched, const Under all) {

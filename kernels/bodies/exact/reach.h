@@ -1,15 +1,16 @@
 // The body of reach: lists each candidate for all blocks that it reaches (plan/first_boxes.h). So
 // all candidates that could conflict with a candidate are in the list of its block. Walks down the
 // tree of blocks, as the cpu's neighbour_lists.cpp does.
-#include "portable/distance.h"
+#include "bodies/exact/factor.h"
+#include "portable/conflict.h"
 
-// Whether a candidate is closer to a box than both its own radius and the greatest under the box.
-BODY bool is_reached(const u32x4 box, const u32 greatest, const u32x4 candidate, const u32 radius,
+// Whether a candidate is closer to a box than both its own radius and the greatest under the box,
+// each times the factor. Its x is on the sheet of the box.
+BODY bool is_reached(const u32x4 box, const u32 greatest, const Sized candidate, const u32 factor,
                      const u32 period_x, const u32 period_y) {
-    u64 reach = min(radius, greatest);
-    reach = reach * reach;
     return squared_length(distance_to_stretch(candidate.x, box.x, box.x + box.y, period_x),
-                          distance_to_stretch(candidate.y, box.z, box.w, period_y)) < reach;
+                          distance_to_stretch(candidate.y, box.z, box.w, period_y)) <
+           squared_limit(candidate.radius, greatest, factor);
 }
 
 // Whether the interval `part` contains everything nearer to `at` than the radius. Nothing lies
@@ -21,13 +22,13 @@ BODY bool is_within(const u32 at, const u32 radius, const u32x2 part, const u32x
     return (at - part.x >= radius || ends_at_begin) && (part.y - at > radius || ends_at_end);
 }
 
-// The smallest node that holds all blocks that a candidate reaches; the root, which is node 0, for
-// a candidate that lies in no block.
-BODY u32 node_around(MEMORY const DrawArguments a, const u32x4 candidate, const u32 radius) {
-    if (candidate.z == NO_SAMPLE) return 0u;
-    const u32x4 all = AT(tree_boxes, 0u);
+// The smallest node of the candidate's sheet that holds all blocks that the candidate reaches
+// there. `root` is the node of the whole sheet.
+BODY u32 node_around(MEMORY const DrawArguments a, const u32x4 candidate, const u32 radius,
+                     const u32 root) {
+    const u32x4 all = AT(tree_boxes, root);
     u32 node = AT(node_of, candidate.z);
-    while (node != 0u) {
+    while (node != root) {
         const u32x4 box = AT(tree_boxes, node);
         if (is_within(candidate.x, radius, U32X2(box.x, box.x + box.y), U32X2(all.x, all.x + all.y),
                       a.g.period_x) &&
@@ -38,20 +39,25 @@ BODY u32 node_around(MEMORY const DrawArguments a, const u32x4 candidate, const 
     return node;
 }
 
-// Lists a candidate for the blocks that it reaches. If the room is too small, the rest is only
-// counted: the host sees the number, makes room and launches again.
-BODY void list_reached(MEMORY const DrawArguments a, const u32 i) {
+// Lists a candidate for the blocks of one sheet that it reaches, and returns the node after the
+// sheet. `root` is the node of the whole sheet.
+BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root) {
     const u32x4 candidate = AT(candidates, i);
-    const u32 radius = AT(candidate_radii, i);
-    const u32 root = node_around(ON a, candidate, radius);
+    const u32 sheet_x = AT(tree_boxes, root).x;
+    const u32 factor = factor_of(ON a.g, candidate.x, sheet_x);
+    const Sized there = {x_beside(candidate.x, sheet_x, a.g.sheet_bits), candidate.y,
+                         AT(candidate_radii, i)};
+    const bool has_block = candidate.z != NO_SAMPLE && there.x == candidate.x;
+    const u32 first =
+        has_block ? node_around(ON a, candidate, times_factor(there.radius, factor), root) : root;
     // Within a part of the domain the way around the torus is never shorter.
-    const u32 period_x = root == 0u ? a.g.period_x : 0u;
-    const u32 period_y = root == 0u ? a.g.period_y : 0u;
-    const u32 end = AT(tree_links, root).y;
-    u32 node = root;
+    const u32 period_x = first == root ? a.g.period_x : 0u;
+    const u32 period_y = first == root ? a.g.period_y : 0u;
+    const u32 end = AT(tree_links, first).y;
+    u32 node = first;
     while (node < end) {
         const u32x4 links = AT(tree_links, node);
-        if (!is_reached(AT(tree_boxes, node), links.x, candidate, radius, period_x, period_y)) {
+        if (!is_reached(AT(tree_boxes, node), links.x, there, factor, period_x, period_y)) {
             node = links.y;
             continue;
         }
@@ -62,6 +68,15 @@ BODY void list_reached(MEMORY const DrawArguments a, const u32 i) {
         const u32 next = ATOMIC_SET(visitor_heads, links.z, number);
         AT(visitors, number) = U32X2(i, next);
     }
+    return AT(tree_links, root).y;
+}
+
+// Lists a candidate for all blocks that it reaches. If the room is too small, the rest is only
+// counted: the host sees the number, makes room and launches again.
+BODY void list_reached(MEMORY const DrawArguments a, const u32 i) {
+    const u32 end = AT(tree_links, 0u).y;
+    u32 root = a.g.sheet_bits == BITS_OF_ONE_SHEET ? 0u : 1u;  // sheets are the parts of node 0
+    while (root < end) root = list_on_sheet(ON a, i, root);
 }
 
 // Does not list covered and rejected candidates. If a round has one part, only the survivors are

@@ -80,26 +80,27 @@ TEST_P(Faults, InExactAreNoticed) {
     // The last 5 % are left out: they take many refinements, and some faults add boxes in each.
     Plan nearly_all = exact_;
     nearly_all.limit = nearly_all.expected_samples * 19 / 20;
-    expect_noticed(nearly_all,
-                   {{"bodies/exact/locate_in_boxes.h", "box.z + draw.y,", "box.z,"},
-                    {"bodies/lines/limit.h", "? candidate.x",
-                     "? candidate.x / a.g.strip_width * a.g.strip_width"},
-                    {"bodies/exact/covered_in_grid.h", "return covered != 0u;", "return false;"},
-                    {"bodies/exact/covered_in_grid.h", "k < columns.count", "k < 1u"},
-                    {"bodies/common/insert.h", "AT(grid_y, cell) = admitted.y",
-                     "AT(grid_y, cell) = admitted.x"},
-                    {"bodies/lines/subtract.h", "g.period_x) + g.chord_margin", "g.period_x)"},
-                    {"bodies/exact/unfold.h", "begin, end);", "begin, span.y);"},
-                    {"bodies/exact/grid.h", "i < near.columns.count", "i < 1u"},
-                    {"bodies/exact/pieces.h", "is_at_edge ? 3u : 1u", "false ? 3u : 1u"},
-                    {"bodies/exact/pieces.h",
-                     "squared_length(cut_distance(a.g, strip, neighbour.x), dy) <", "0u <"},
-                    {"bodies/exact/pieces.h", "g.period_x) + middle;", "g.period_x);"},
-                    {"bodies/exact/grid.h", "= box.w - box.z;", "= 1u;"},
-                    {"bodies/common/scan.h", "AT(sums, item) = sum;", "AT(sums, item) = 0u;"},
-                    {"bodies/common/find_bin_begins.h", "a.g.strip_width < line",
-                     "a.g.strip_width < line / 2u"},
-                    {"portable/stretch.h", ": end + reach;", ": end;"}});
+    expect_noticed(
+        nearly_all,
+        {{"bodies/exact/locate_in_boxes.h", "box.z + draw.y,", "box.z,"},
+         {"bodies/lines/limit.h", "? candidate.x",
+          "? candidate.x / a.g.strip_width * a.g.strip_width"},
+         {"bodies/exact/covered_in_grid.h", "return covered != 0u;", "return false;"},
+         {"bodies/exact/covered_in_grid.h", "k < columns.count", "k < 1u"},
+         {"bodies/common/insert.h", "AT(grid_y, cell) = admitted.y",
+          "AT(grid_y, cell) = admitted.x"},
+         {"bodies/lines/subtract.h", "g.period_x) + g.chord_margin", "g.period_x)"},
+         {"bodies/exact/unfold.h", "begin, end);", "begin, span.y);"},
+         {"bodies/exact/grid.h", "i < near.columns.count", "i < 1u"},
+         {"bodies/exact/pieces.h", "(is_at_edge || has_classes) ? 3u", "false ? 3u"},
+         {"bodies/exact/pieces.h",
+          "squared_length(cut_distance(a.g, strip, x_of(a, neighbour, strip)), dy) <", "0u <"},
+         {"bodies/exact/pieces.h", "g.period_x) + middle;", "g.period_x);"},
+         {"bodies/exact/grid.h", "= box.w - box.z;", "= 1u;"},
+         {"bodies/common/scan.h", "AT(sums, item) = sum;", "AT(sums, item) = 0u;"},
+         {"bodies/common/find_bin_begins.h", "a.g.strip_width < line",
+          "a.g.strip_width < line / 2u"},
+         {"portable/stretch.h", ": end + reach;", ": end;"}});
 }
 
 TEST_P(Faults, InCellsAreNoticed) {
@@ -163,10 +164,10 @@ TEST_P(Faults, WithARadiusFieldAreNoticed) {
          {"bodies/exact/covered_in_lists.h", "if (radius == 0u) return true;", ""},
          {"bodies/exact/covered_in_lists.h", "entry.y, entry.z};", "entry.y, 0xffffffffu};"},
          {"bodies/exact/reach.h", "if (node != links.y)", "if (node == links.y)"},
-         {"bodies/exact/reach.h", "min(radius, greatest)", "min(radius, greatest) / 2u"},
-         {"bodies/exact/reach.h", "root == 0u ? a.g.period_y : 0u", "0u"},
-         {"bodies/exact/reach.h", "if (candidate.z == NO_SAMPLE) return 0u;",
-          "return AT(node_of, 0u);"},
+         {"bodies/exact/reach.h", "(candidate.radius, greatest,",
+          "(candidate.radius / 2u, greatest,"},
+         {"bodies/exact/reach.h", "first == root ? a.g.period_y : 0u", "0u"},
+         {"bodies/exact/reach.h", "root) : root;", "root) : AT(node_of, 0u);"},
          {"bodies/exact/decide_with_field.h", "other.w >= candidate.w", "other.w <= candidate.w"},
          {"bodies/exact/decide_with_field.h", "AT(candidate_radii, visitor.x)};", "0xffffffffu};"},
          {"bodies/exact/enlist.h", "AT(lists, block) = next;", ""},
@@ -179,27 +180,51 @@ TEST_P(Faults, WithARadiusFieldAreNoticed) {
          {"portable/distance.h", "period - last + at :", "period - begin + at :"}});
 }
 
+// Classes on a field: each sheet sees the others' samples.
+TEST_P(Faults, WithClassesAreNoticed) {
+    const Field field = tests::ramp_field(7, 5);
+    Request request;
+    request.field = &field;
+    request.classes.names = {"one", "two", "three"};
+    request.classes.distances = distances_by_union(std::vector{0.12, 0.06, 0.03});
+    request.boundary = Boundary::torus;
+    request.round_size = 128;
+    Plan plan = make_plan(request);
+    plan.limit = plan.expected_samples / 2;
+    expect_noticed(
+        plan,
+        {{"portable/sheets.h", " | (other_x >> sheet_bits << sheet_bits)", ""},
+         {"portable/sheets.h", ">> FACTOR_BITS", ">> (FACTOR_BITS + 1u)"},
+         {"bodies/exact/factor.h", "sheet_of(x_a, g.sheet_bits) * MOST_CLASSES", "0u"},
+         {"bodies/exact/radius_field.h", "at & axis.last", "at"},
+         {"bodies/exact/reach.h", "a.g.sheet_bits == BITS_OF_ONE_SHEET ? 0u : 1u", "0u"},
+         {"bodies/exact/covered_in_lists.h", "factor_of(ON a.g, entry.x, one.x)", "FACTOR_ONE"},
+         {"bodies/exact/decide_with_field.h", "factor_of(ON a.g, other.x, one.x)", "FACTOR_ONE"},
+         {"bodies/exact/lists.h", "factor_of(ON a.g, neighbour.x, strip.at.x)", "FACTOR_ONE"}});
+}
+
 // In the end boxes are halved before they are cut.
 TEST_P(Faults, InHalvedBoxesWithARadiusFieldAreNoticed) {
-    expect_noticed(radius_field_plan(Boundary::box, 2),
-                   {{"bodies/exact/split.h", "if (y == 0u)", "if (true)"},
-                    {"bodies/exact/split.h", "U32X4(x, left.x,", "U32X4(box.x + box.y, left.x,"},
-                    {"bodies/exact/split.h", "left.y, left.z, right.y", "left.y, left.y, right.y"},
-                    {"bodies/exact/strip.h", ": box.x + left;", ": box.x;"},
-                    {"bodies/exact/measure.h", ".y != 0u)", ".y == 0u)"},
-                    {"bodies/exact/pieces.h",
-                     "squared_length(cut_distance(a.g, strip, neighbour.x), dy) <", "0u <"},
-                    {"bodies/exact/cut.h", "total += count;", "total = count;"},
-                    {"bodies/exact/keep.h", "keep_piece(ON a, number, strip, piece, to)",
-                     "keep_piece(ON a, number, box.whole, piece, to)"},
-                    {"bodies/exact/lists.h", "k % 2u == 0u ? y : whole.w", "false ? y : whole.w"},
-                    {"bodies/exact/lists.h", "is_whole ? strip.radius : 0u", "is_whole ? 1u : 0u"},
-                    {"bodies/exact/lists.h", "if (k > 1u) strip", "if (false) strip"},
-                    {"bodies/exact/radius_field.h", "AT(mask_bits, number / ALLOWED_PER_WORD)",
-                     "AT(mask_bits, 0u)"},
-                    {"bodies/exact/radius_field.h", "i <= pixels.y >> level.shift",
-                     "i == pixels.x >> level.shift"},
-                    {"portable/radius_field.h", "less_a < less_b", "less_a > less_b"}});
+    expect_noticed(
+        radius_field_plan(Boundary::box, 2),
+        {{"bodies/exact/split.h", "if (y == 0u)", "if (true)"},
+         {"bodies/exact/split.h", "U32X4(x, left.x,", "U32X4(box.x + box.y, left.x,"},
+         {"bodies/exact/split.h", "left.y, left.z, right.y", "left.y, left.y, right.y"},
+         {"bodies/exact/strip.h", ": box.x + left;", ": box.x;"},
+         {"bodies/exact/measure.h", ".y != 0u)", ".y == 0u)"},
+         {"bodies/exact/pieces.h",
+          "squared_length(cut_distance(a.g, strip, x_of(a, neighbour, strip)), dy) <", "0u <"},
+         {"bodies/exact/cut.h", "total += count;", "total = count;"},
+         {"bodies/exact/keep.h", "keep_piece(ON a, number, strip, piece, to)",
+          "keep_piece(ON a, number, box.whole, piece, to)"},
+         {"bodies/exact/lists.h", "k % 2u == 0u ? y : whole.w", "false ? y : whole.w"},
+         {"bodies/exact/lists.h", "is_whole ? strip.radius : 0u", "is_whole ? 1u : 0u"},
+         {"bodies/exact/lists.h", "if (k > 1u) strip", "if (false) strip"},
+         {"bodies/exact/radius_field.h", "AT(mask_bits, number / ALLOWED_PER_WORD)",
+          "AT(mask_bits, 0u)"},
+         {"bodies/exact/radius_field.h", "i <= pixels.y >> level.shift",
+          "i == pixels.x >> level.shift"},
+         {"portable/radius_field.h", "less_a < less_b", "less_a > less_b"}});
 }
 
 // Boxes on one large pixel are long, so more chords cut a box in the middle, into two pieces.

@@ -1,0 +1,228 @@
+// Reads classes and the distances between them.
+#include "cli/options/class_options.h"
+
+#include <fmt/core.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "cli/options/options.h"
+#include "drawing/dot_size.h"
+#include "files/parse.h"
+#include "files/read_whole.h"
+#include "files/text_lines.h"
+
+namespace lacuna::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ClassText {
+    std::string name;
+    std::optional<double> radius;
+    double weight = 1;
+};
+
+ClassText read_class(const std::string& text) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == ':')
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    ClassText read_text{parts.front(), {}, 1};
+    if (parts.size() > 3 || read_text.name.empty())
+        throw BadRequest("class", shown(text), "must be NAME:RADIUS or NAME:RADIUS:WEIGHT");
+    if (parts.size() > 1 && !parts[1].empty()) read("class", parts[1], read_text.radius);
+    if (parts.size() > 2) read("class", parts[2], read_text.weight);
+    return read_text;
+}
+
+// A row of numbers with commas or blanks between them.
+std::vector<double> numbers_of(std::string_view line, const std::string& place) {
+    std::vector<double> row;
+    while (!line.empty()) {
+        files::skip_blanks(line);
+        if (line.starts_with(',')) line.remove_prefix(1);
+        files::skip_blanks(line);
+        if (line.empty()) break;
+        double number = 0;
+        if (files::take_number(line, number) != std::errc{})
+            files::refuse(place, fmt::format("{} must be a number", files::excerpt(line)));
+        row.push_back(number);
+    }
+    return row;
+}
+
+std::vector<double> matrix_of_csv(std::string_view bytes, const std::string& name) {
+    std::vector<double> all;
+    std::size_t columns = 0;
+    for (std::size_t number = 1; !bytes.empty(); ++number) {
+        const std::string_view line = files::take_line(bytes);
+        if (files::is_skipped(line)) continue;
+        const std::string place = fmt::format("{}:{}", name, number);
+        const std::vector<double> row = numbers_of(line, place);
+        if (columns != 0 && row.size() != columns)
+            files::refuse(place,
+                          fmt::format("{} numbers: the first row has {}", row.size(), columns));
+        columns = row.size();
+        all.insert(all.end(), row.begin(), row.end());
+    }
+    return all;
+}
+
+std::vector<double> matrix_of_json(const std::string& bytes, const std::string& name) {
+    const nlohmann::json rows = nlohmann::json::parse(bytes, nullptr, false);
+    std::vector<double> all;
+    const auto is_number = [](const auto& one) { return one.is_number(); };
+    if (!rows.is_array()) files::refuse(name, "must be an array of rows, such as [[2, 1], [1, 2]]");
+    for (const auto& row : rows) {
+        if (!row.is_array() || row.size() != rows.size() ||
+            !std::all_of(row.begin(), row.end(), is_number))
+            files::refuse(name, fmt::format("each row must be an array of {} numbers, as many as "
+                                            "there are rows",
+                                            rows.size()));
+        for (const auto& number : row) all.push_back(number.template get<double>());
+    }
+    return all;
+}
+
+std::vector<double> read_matrix(const std::string& path) {
+    const std::string bytes = files::read_whole(path);
+    const std::string name = files::name_of(path);
+    if (path.ends_with(".json")) return matrix_of_json(bytes, name);
+    return matrix_of_csv(files::without_byte_order_mark(bytes), name);
+}
+
+double least_of(const Classes& classes) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const double distance : classes.distances)
+        if (distance > 0) least = std::min(least, distance);
+    return least;
+}
+
+}  // namespace
+
+void add_classes(CLI::App& command, ClassOptions& options) {
+    command
+        .add_option("--class", options.given,
+                    "Points of a class, such as trees:0.05 or trees:0.05:3: its name, its radius, "
+                    "and how often it is drawn (default 1); once for each class")
+        ->type_name("NAME:R[:W]")
+        ->allow_extra_args(false)
+        ->take_all();
+    add_text(
+        command, "between", "RULE", [&options](const std::string& text) { options.between = text; },
+        "The least distance of two classes. sum (default): the sum of their radii, as of objects "
+        "that do not overlap; union: each class alone and all together are evenly distributed; or "
+        "a file of distances, .csv or .json, a row and a column a class, which leaves no R to "
+        "--class");
+}
+
+void append_files(const ClassOptions& options, std::vector<GivenFile>& files) {
+    if (!options.given.empty() && options.has_file())
+        files.push_back({"--between", options.between});
+}
+
+Classes read_classes(const ClassOptions& options) {
+    Classes classes;
+    if (options.given.empty()) {
+        if (options.between != "sum")
+            throw BadRequest("between", shown(options.between),
+                             "is for classes of points: give --class");
+        return classes;
+    }
+    std::vector<double> radii;
+    for (const std::string& text : options.given) {
+        const ClassText one = read_class(text);
+        if (options.has_file() && one.radius)
+            throw BadRequest("class", shown(text),
+                             "must have no radius with distances from a file: give NAME or "
+                             "NAME::WEIGHT");
+        if (!options.has_file() && !one.radius)
+            throw BadRequest("class", shown(text), "needs a radius: give NAME:RADIUS");
+        if (one.radius && !(*one.radius > 0 && std::isfinite(*one.radius)))
+            throw BadRequest("class", shown(text), "its radius must be a finite number over 0");
+        classes.names.push_back(one.name);
+        classes.weights.push_back(one.weight);
+        radii.push_back(one.radius.value_or(0));
+    }
+    classes.distances = options.has_file()           ? read_matrix(options.between)
+                        : options.between == "union" ? distances_by_union(radii)
+                                                     : distances_by_sum(radii);
+    return classes;
+}
+
+std::vector<std::uint8_t> classes_in(const files::SetsOfFile& file, const Classes& classes,
+                                     const std::string& name) {
+    if (file.class_names.empty() && !file.sets.front().empty())
+        throw files::FileError(name +
+                               ": its points have no class: with --class a .csv needs a column "
+                               "class with names, as lacuna writes it");
+    std::vector<std::uint8_t> places;
+    for (const std::string& one : file.class_names) {
+        const auto found = std::find(classes.names.begin(), classes.names.end(), one);
+        if (found == classes.names.end())
+            throw files::FileError(fmt::format(
+                "{}: has points of the class {}, which no --class names", name, shown(one)));
+        places.push_back(static_cast<std::uint8_t>(found - classes.names.begin()));
+    }
+    std::vector<std::uint8_t> of_points;
+    of_points.reserve(file.class_of_point.size());
+    for (const std::uint8_t one : file.class_of_point) of_points.push_back(places[one]);
+    return of_points;
+}
+
+std::vector<files::Layer> layers_of(const Classes& classes, const Result& result) {
+    if (classes.names.empty()) return {};
+    return files::layers_of_classes(classes.names, result.classes);
+}
+
+void give_layers(std::span<const files::Layer> layers, const Result& result, files::PointSet& set) {
+    set.layers = layers;
+    if (layers.empty()) return;
+    set.layer_of_point = result.classes;
+    set.layers_are = files::LayersAre::classes;
+}
+
+std::vector<double> class_diameters(const Request& request, const Result& result) {
+    const std::size_t count = request.classes.names.size();
+    const double size = request.field != nullptr ? result.scale : result.radius;
+    const double scale = size / least_of(request.classes);
+    std::vector<double> diameters;
+    diameters.reserve(result.points.size());
+    for (std::size_t i = 0; i < result.points.size(); ++i) {
+        const double own = request.classes.distances[result.classes[i] * (count + 1)] * scale;
+        const double importance = request.field == nullptr
+                                      ? 1
+                                      : drawing::importance_at(result.points[i], *request.field,
+                                                               request.width, request.height);
+        diameters.push_back(2. / 3 * own / std::sqrt(importance));
+    }
+    return diameters;
+}
+
+Json json_of(const Classes& classes) {
+    Json json = Json::object();
+    if (classes.names.empty()) return json;
+    Json rows = Json::array();
+    const std::size_t count = classes.names.size();
+    for (std::size_t i = 0; i < count; ++i)
+        rows.push_back(std::vector<double>(
+            classes.distances.begin() + static_cast<std::ptrdiff_t>(i * count),
+            classes.distances.begin() + static_cast<std::ptrdiff_t>((i + 1) * count)));
+    json["class_names"] = classes.names;
+    json["distances"] = rows;
+    json["weights"] = classes.weights;
+    return json;
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,201 @@
+// Distances and weights of classes in whole numbers, and the checks of both.
+#include "plan/sheets.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "plan/plan.h"
+
+namespace lacuna {
+namespace {
+
+// The greatest distance is at most so many times the least: then factors fit into 32 bits.
+constexpr double kMostRatio = 4000;
+constexpr double kMostWeight = 65536;
+// A class of a smaller share of the greatest weight counts as one of this share.
+constexpr double kLeastShareOfWeight = 1 / kMostWeight;
+
+// The classes' names go into files, and some of these have no quotes.
+bool is_name(const std::string& name) {
+    return !name.empty() && std::none_of(name.begin(), name.end(), [](unsigned char c) {
+        return c <= ' ' || c == ',' || c == ':' || c == ';' || c == '"' || c == '\'' || c == '<' ||
+               c == '>' || c == '&' || c == '/' || c == '\\' || c == 127;
+    });
+}
+
+void check_names(const Classes& classes) {
+    const std::size_t count = classes.names.size();
+    if (count > MOST_CLASSES)
+        throw BadRequest("class", std::to_string(count) + " classes",
+                         "must be at most " + std::to_string(MOST_CLASSES));
+    for (auto name = classes.names.begin(); name != classes.names.end(); ++name) {
+        if (!is_name(*name))
+            throw BadRequest(
+                "class", "'" + *name + "'",
+                "must be a name without spaces and without , : ; / \\ < > & or quotes");
+        if (std::find(classes.names.begin(), name, *name) != name)
+            throw BadRequest("class", *name, "is given twice");
+    }
+}
+
+void check_weights(const Classes& classes) {
+    if (classes.weights.empty()) return;
+    if (classes.weights.size() != classes.names.size())
+        throw BadRequest(
+            "class", std::to_string(classes.weights.size()) + " weights",
+            "must be one for each of the " + std::to_string(classes.names.size()) + " classes");
+    for (std::size_t i = 0; i < classes.weights.size(); ++i)
+        if (!std::isfinite(classes.weights[i]) || classes.weights[i] < 0)
+            throw BadRequest("class", classes.names[i],
+                             "its weight is " + shortest(classes.weights[i]) +
+                                 ": must be a finite number of at least 0");
+    if (std::all_of(classes.weights.begin(), classes.weights.end(),
+                    [](double weight) { return weight == 0; }))
+        throw BadRequest("class", "all", "have the weight 0: one must be greater");
+}
+
+void check_distances(const Classes& classes) {
+    const std::size_t count = classes.names.size();
+    const auto pair_of = [&](std::size_t i) {
+        const std::string& a = classes.names[i / count];
+        const std::string& b = classes.names[i % count];
+        return a == b ? a : a + " and " + b;
+    };
+    const auto refuse = [&](std::size_t i, const std::string& allowed) {
+        throw BadRequest("between", pair_of(i), allowed);
+    };
+    if (classes.distances.size() != count * count)
+        throw BadRequest("between", std::to_string(classes.distances.size()) + " distances",
+                         "must be a matrix of " + std::to_string(count) + " x " +
+                             std::to_string(count) + ", for as many classes");
+    double least = std::numeric_limits<double>::infinity(), greatest = 0;
+    for (std::size_t i = 0; i < count * count; ++i) {
+        const double distance = classes.distances[i];
+        const bool is_own = i / count == i % count;
+        if (!std::isfinite(distance) || distance < 0 || (is_own && distance == 0))
+            refuse(i, "keep " + shortest(distance) + ": must be a finite number " +
+                          (is_own ? "greater than 0" : "of at least 0"));
+        if (distance != classes.distances[i % count * count + i / count])
+            refuse(i, "keep " + shortest(distance) + " and " +
+                          shortest(classes.distances[i % count * count + i / count]) +
+                          ": must be the same both ways");
+        if (distance > 0) least = std::min(least, distance);
+        greatest = std::max(greatest, distance);
+    }
+    if (greatest > kMostRatio * least)
+        throw BadRequest("between",
+                         "distances from " + shortest(least) + " to " + shortest(greatest),
+                         "the greatest must be at most " + shortest(kMostRatio) +
+                             " times the least that is not 0");
+}
+
+}  // namespace
+
+Sheets::Sheets(std::uint32_t count, std::span<const double> distances,
+               std::span<const double> weights)
+    : count_(count),
+      bits_(count == 1 ? BITS_OF_ONE_SHEET
+                       : 32 - static_cast<std::uint32_t>(std::bit_width(std::max(count, 4U) - 1))),
+      factors_(MOST_CLASSES * std::size_t{MOST_CLASSES}) {
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < count; ++j)
+            factors_[i * MOST_CLASSES + j] =
+                static_cast<std::uint32_t>(std::ceil(distances[i * count + j] * FACTOR_ONE));
+    const double greatest = *std::max_element(weights.begin(), weights.end());
+    for (const double weight : weights) {
+        const double share = std::max(weight / greatest, kLeastShareOfWeight);
+        weights_.push_back(weight == 0 ? 0 : static_cast<std::uint32_t>(share * kMostWeight + 0.5));
+    }
+}
+
+std::uint32_t Sheets::greatest_factor(std::uint32_t sheet) const {
+    const auto row = factors_.begin() + static_cast<std::ptrdiff_t>(sheet * MOST_CLASSES);
+    return *std::max_element(row, row + static_cast<std::ptrdiff_t>(count_));
+}
+
+double least_distance_of(const Request& request) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const double distance : request.classes.distances)
+        if (distance > 0) least = std::min(least, distance);
+    return least;
+}
+
+std::vector<double> distances_of(const Request& request) {
+    if (request.classes.names.empty()) return {1};
+    const double least = least_distance_of(request);
+    std::vector<double> distances;
+    for (const double distance : request.classes.distances) distances.push_back(distance / least);
+    return distances;
+}
+
+Sheets sheets_of(const Request& request) {
+    if (request.classes.names.empty()) return {};
+    std::vector<double> weights = request.classes.weights;
+    weights.resize(request.classes.names.size(), weights.empty() ? 1.0 : 0.0);
+    return {static_cast<std::uint32_t>(weights.size()), distances_of(request), weights};
+}
+
+Request settled(const Request& request) {
+    Request all = request;
+    if (all.classes.names.empty()) return all;
+    std::optional<double>& size = all.field != nullptr ? all.scale : all.radius;
+    if (!size && !all.count) size = least_distance_of(all);
+    if (all.classes.names.size() > 1) return all;
+    all.classes = {};
+    all.keep_classes = {};
+    return all;
+}
+
+void check_classes(const Request& request) {
+    const Classes& classes = request.classes;
+    const std::string mode = "with mode " + std::string(name_of(request.mode));
+    if (classes.names.empty()) {
+        if (!classes.distances.empty() || !classes.weights.empty())
+            throw BadRequest("between", "distances or weights",
+                             "are for classes, which lack names");
+        if (!request.keep_classes.empty())
+            throw BadRequest("keep", "classes of points", "are for requests with classes");
+        return;
+    }
+    if (request.mode != Mode::exact) throw BadRequest("class", mode, "is for mode exact");
+    check_names(classes);
+    check_weights(classes);
+    check_distances(classes);
+    if (request.keep_classes.size() != request.keep.size())
+        throw BadRequest("keep", std::to_string(request.keep.size()) + " points",
+                         "with classes each needs a class, but " +
+                             std::to_string(request.keep_classes.size()) + " have one");
+    for (const std::uint8_t of_point : request.keep_classes)
+        if (of_point >= classes.names.size())
+            throw BadRequest("keep", "class " + std::to_string(of_point),
+                             "must be less than " + std::to_string(classes.names.size()) +
+                                 ", the number of classes");
+}
+
+std::vector<double> distances_by_sum(std::span<const double> radii) {
+    std::vector<double> distances;
+    for (const double a : radii)
+        for (const double b : radii) distances.push_back(a + b);
+    return distances;
+}
+
+// Wei 2010, as docs/placement.md has it.
+std::vector<double> distances_by_union(std::span<const double> radii) {
+    std::vector<double> distances;
+    for (const double& a : radii) {
+        for (const double& b : radii) {
+            double density = 0;  // of all classes that are no denser than the denser one of the two
+            for (const double radius : radii)
+                if (radius >= std::min(a, b)) density += 1 / (radius * radius);
+            distances.push_back(&a == &b ? a : 1 / std::sqrt(density));
+        }
+    }
+    return distances;
+}
+
+}  // namespace lacuna

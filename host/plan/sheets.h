@@ -1,0 +1,69 @@
+// The classes of a plan's samples: on which sheet each lies, which distances they keep, and how
+// often each is drawn. The arithmetic is in portable/sheets.h.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "portable/conflict.h"
+
+namespace lacuna {
+
+class Sheets {
+public:
+    // One class, and one sheet: the domain.
+    Sheets() : Sheets(1, {1}, {1}) {}
+    // `distances` is a matrix, as distances_of() returns it.
+    Sheets(std::uint32_t count, std::span<const double> distances, std::span<const double> weights);
+    Sheets(std::uint32_t count, std::initializer_list<double> distances,
+           std::initializer_list<double> weights)
+        : Sheets(count, std::span(distances.begin(), distances.size()),
+                 std::span(weights.begin(), weights.size())) {}
+
+    std::uint32_t count() const { return count_; }
+    bool are_several() const { return count_ > 1; }
+    std::uint32_t bits() const { return bits_; }
+    std::uint32_t of(std::uint32_t x) const { return portable::sheet_of(x, bits_); }
+    std::uint32_t begin_of(std::uint32_t sheet) const { return count_ == 1 ? 0 : sheet << bits_; }
+    // All bits that x may have on one sheet.
+    std::uint32_t last() const { return (std::uint32_t{1} << bits_) - 1; }
+    std::uint32_t x_on_sheet(std::uint32_t x) const { return x & last(); }
+    std::uint32_t x_on(std::uint32_t sheet, std::uint32_t x) const {
+        return x_on_sheet(x) + begin_of(sheet);
+    }
+
+    // The factor with which samples of two classes keep their distance.
+    std::uint32_t factor(std::uint32_t a, std::uint32_t b) const {
+        return factors_[a * std::size_t{MOST_CLASSES} + b];
+    }
+    // The greatest factor of a class with any other.
+    std::uint32_t greatest_factor(std::uint32_t sheet) const;
+    const std::vector<std::uint32_t>& factors() const { return factors_; }
+
+    // A class is drawn in proportion to its weight and its free area. One of weight 0 is never
+    // drawn: its samples are kept points.
+    std::uint32_t weight(std::uint32_t sheet) const { return weights_[sheet]; }
+
+private:
+    std::uint32_t count_;
+    std::uint32_t bits_;
+    std::vector<std::uint32_t> factors_;  // MOST_CLASSES to a row
+    std::vector<std::uint32_t> weights_;  // the greatest is 2^16, others are at least 1, or 0
+};
+
+// The sheets of a request, which was checked. Without classes there is one.
+Sheets sheets_of(const Request& request);
+
+// The least distances of a request's classes, class by class in rows, as shares of the least that
+// is not 0. Without classes there is one distance.
+std::vector<double> distances_of(const Request& request);
+// The least distance in the request's unit, which Request::radius or scale stand for.
+double least_distance_of(const Request& request);
+
+// Checks the names, radii, weights and distances of classes. Throws BadRequest.
+void check_classes(const Request& request);
+
+}  // namespace lacuna

@@ -1,0 +1,147 @@
+"""Classes of points: what sample, sample_many, verify and save make of them."""
+
+from __future__ import annotations
+
+import csv
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lacuna
+
+KINDS = {"trees": 0.06, "bushes": (0.025, 2.0), "grass": 0.01}
+
+
+def test_classes_have_names_places_and_distances() -> None:
+    made = lacuna.sample(classes=KINDS, between="union", torus=True, seed=1)
+    assert made.classes == ("trees", "bushes", "grass")
+    assert made.class_of is not None and made.class_of.dtype == np.uint8
+    assert made.class_of.shape == (len(made),) and not made.class_of.flags.writeable
+    assert made.distances is not None
+    assert np.allclose(np.diag(made.distances), [0.06, 0.025, 0.01])
+    assert np.isclose(made.distances[0, 1], (0.06**-2 + 0.025**-2) ** -0.5)
+    counts = np.bincount(made.class_of)
+    assert counts[0] < counts[1] < counts[2]
+
+
+def test_two_of_each_two_classes_keep_their_distance() -> None:
+    made = lacuna.sample(classes=KINDS, seed=2)
+    assert made.class_of is not None and made.distances is not None
+    apart = np.linalg.norm(made.points[:, None] - made.points[None], axis=-1)
+    np.fill_diagonal(apart, np.inf)
+    assert (apart >= made.distances[made.class_of][:, made.class_of]).all()
+
+
+def test_a_set_without_classes_has_none() -> None:
+    made = lacuna.sample(0.1, seed=1)
+    assert made.classes == () and made.class_of is None and made.distances is None
+    one = lacuna.sample(classes={"all": 0.1}, between="union", seed=1)
+    assert (one.points == made.points).all()
+    assert one.class_of is not None and not one.class_of.any()
+
+
+def test_verify_proves_a_set_from_its_own_classes_or_those_given() -> None:
+    made = lacuna.sample(classes=KINDS, between="union", torus=True, seed=3)
+    assert lacuna.verify(made).maximal
+    assert made.class_of is not None
+    names = [made.classes[one] for one in made.class_of]
+    given = lacuna.verify(
+        made.points, classes=KINDS, between="union", class_of=names, torus=True
+    )
+    assert given.maximal and given.largest_gap_class is not None
+    less = lacuna.verify(
+        made.points[:-1], classes=KINDS, between="union", class_of=names[:-1], torus=True
+    )
+    assert less.kept and not less.covered and less.largest_gap_class == names[-1]
+    changed = made.class_of.copy()
+    changed[changed == 2] = 0
+    assert not lacuna.verify(
+        made.points, classes=KINDS, between="union", class_of=changed, torus=True
+    ).kept
+
+
+def test_verify_takes_a_field_with_classes() -> None:
+    ramp = np.linspace(0.2, 1, 16) * np.ones((16, 1))
+    made = lacuna.sample(field=ramp, classes=KINDS, seed=4)
+    assert made.scale is not None
+    assert lacuna.verify(made, field=ramp).maximal
+
+
+def test_a_matrix_says_all_distances() -> None:
+    matrix = [[0.1, 0.0], [0.0, 0.05]]
+    made = lacuna.sample(classes={"a": None, "b": (None, 2)}, between=matrix, torus=True, seed=1)
+    alone = lacuna.sample(0.05, torus=True, seed=1)
+    assert made.class_of is not None
+    assert 0.8 < (made.class_of == 1).sum() / len(alone) < 1.2
+    assert lacuna.verify(made).maximal
+
+
+def test_kept_points_have_classes_by_name_or_place() -> None:
+    keep = [(0.2, 0.2), (0.8, 0.8)]
+    by_name = lacuna.sample(
+        classes=KINDS, keep=keep, keep_classes=["trees", "grass"], seed=5
+    )
+    by_place = lacuna.sample(classes=KINDS, keep=keep, keep_classes=[0, 2], seed=5)
+    assert (by_name.points == by_place.points).all()
+    assert by_name.class_of is not None and by_name.class_of[:2].tolist() == [0, 2]
+
+
+def test_many_sets_have_classes() -> None:
+    sets = lacuna.sample_many(range(3), classes=KINDS, between="union")
+    one = lacuna.sample(classes=KINDS, between="union", seed=2)
+    assert (sets[2].points == one.points).all()
+    assert sets[2].class_of is not None and (sets[2].class_of == one.class_of).all()
+
+
+def test_files_are_those_of_the_command(tmp_path: Path) -> None:
+    made = lacuna.sample(classes=KINDS, torus=True, seed=6)
+    for extension in ("csv", "npy", "ply", "png"):
+        made.save(tmp_path / f"own.{extension}")
+    command = ["build/lacuna", "sample", "--class", "trees:0.06", "--class", "bushes:0.025:2"]
+    command += ["--class", "grass:0.01", "--torus", "--seed", "6", "--quiet"]
+    for extension in ("csv", "npy", "ply", "png"):
+        command += ["-o", str(tmp_path / f"its.{extension}")]
+    subprocess.run(command, check=True)
+    for extension in ("csv", "npy", "ply", "png"):
+        own, its = tmp_path / f"own.{extension}", tmp_path / f"its.{extension}"
+        assert own.read_bytes() == its.read_bytes(), extension
+    with open(tmp_path / "own.csv", encoding="ascii") as file:
+        rows = list(csv.DictReader(file))
+    assert made.class_of is not None
+    assert [row["class"] for row in rows] == [made.classes[one] for one in made.class_of]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"classes": {"a": 0}}, "classes a: its radius is 0.0: must be a finite number over 0"),
+        ({"classes": {"a": None}}, "classes: each needs a radius unless between is a matrix"),
+        ({"classes": {"a": 1, "b": 1}, "between": "near"}, "between 'near': must be 'sum', "),
+        ({"classes": {"a": 1}, "between": [[1]]}, "classes: need no radius, for between has all"),
+        ({"classes": {"a": None}, "between": [1]}, r"between of shape \(1,\): must be 1 x 1"),
+        ({"classes": {"a": 1}, "radius": 1}, "radius 1: is not for classes, which have radii"),
+        ({"radius": 1, "between": "union"}, "between 'union': is for classes"),
+        ({"radius": 1, "keep_classes": [0]}, "keep_classes: is for keep with classes"),
+        ({"classes": KINDS, "relax": 1}, "relax 1: cannot be used with classes"),
+        (
+            {"classes": KINDS, "keep": [(0.5, 0.5)], "keep_classes": ["rocks"]},
+            "keep_classes 'rocks': must be one of trees, bushes, grass",
+        ),
+        (
+            {"classes": KINDS, "keep": [(0.5, 0.5)], "keep_classes": []},
+            "keep_classes: has 0 classes for 1 points",
+        ),
+    ],
+)
+def test_what_is_wrong_is_named(arguments: dict[str, object], message: str) -> None:
+    with pytest.raises(lacuna.BadRequest, match=message):
+        lacuna.sample(**arguments)  # type: ignore[arg-type]
+
+
+def test_points_of_classes_need_a_class_to_be_verified() -> None:
+    with pytest.raises(lacuna.BadRequest, match="class_of missing: give the class of each point"):
+        lacuna.verify([(0.5, 0.5)], classes=KINDS)
+    with pytest.raises(TypeError, match="classes must be a dict of names and radii"):
+        lacuna.sample(classes=["trees"])  # type: ignore[arg-type]

@@ -1,0 +1,414 @@
+// Classes of points, seen from outside: distances and room in double, by a judge of this file's own
+// and by prove(); what is kept, limited and counted; refusals in one line.
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+#include <lacuna/many.h>
+#include <lacuna/verify.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "backends/radius_field_requests.h"
+#include "refusal.h"
+
+namespace {
+
+using namespace lacuna;
+using tests::FieldRequest;
+
+using Random = std::mt19937_64;
+
+double share(Random& random) {
+    return static_cast<double>(random() >> 11) * 0x1p-53;
+}
+
+Request request_of(std::vector<double> distances, std::vector<double> weights = {}) {
+    Request request;
+    const auto count = static_cast<std::size_t>(std::lround(std::sqrt(distances.size())));
+    for (std::size_t i = 0; i < count; ++i)
+        request.classes.names.push_back("class-" + std::to_string(i));
+    request.classes.distances = std::move(distances);
+    request.classes.weights = std::move(weights);
+    request.backend = "cpu";
+    return request;
+}
+
+Claim claim_of(const Request& request, const Result& result) {
+    Claim claim;
+    claim.width = request.width;
+    claim.height = request.height;
+    claim.boundary = request.boundary;
+    claim.border = request.border;
+    claim.field = request.field;
+    claim.mask = request.mask;
+    claim.keep = request.keep;
+    claim.classes = request.classes;
+    claim.class_of_points = result.classes;
+    (request.field != nullptr ? claim.scale : claim.radius) =
+        request.field != nullptr ? result.scale : result.radius;
+    return claim;
+}
+
+// A user's computation, pair by pair.
+class Judge {
+public:
+    Judge(const Request& request, const Result& result) : request_(request), result_(result) {
+        for (const Point& point : result.points) sizes_.push_back(size_at(point));
+    }
+
+    double distance(Point a, Point b) const {
+        double dx = std::abs(a.x - b.x);
+        double dy = std::abs(a.y - b.y);
+        if (request_.boundary == Boundary::torus) {
+            dx = std::min(dx, request_.width - dx);
+            dy = std::min(dy, request_.height - dy);
+        }
+        return std::hypot(dx, dy);
+    }
+    // What a distance at importance 1 becomes at a spot; nothing where no point may lie.
+    std::optional<double> size_at(Point p) const {
+        if (request_.mask != nullptr && value_at(*request_.mask, request_.mask->allowed, p) == 0)
+            return std::nullopt;
+        if (request_.field == nullptr) return 1;
+        const double importance = value_at(*request_.field, request_.field->importance, p);
+        if (importance == 0) return std::nullopt;
+        return 1 / std::sqrt(importance);
+    }
+    double limit(std::size_t a, std::size_t b) const {
+        return request_.classes.distances[a * request_.classes.names.size() + b];
+    }
+
+    // The first two points that are too close, if there are any.
+    std::string conflict() const {
+        for (std::size_t i = 0; i < result_.points.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const double least = limit(result_.classes[i], result_.classes[j]) *
+                                     std::min(sizes_[i].value_or(0), sizes_[j].value_or(0));
+                if (distance(result_.points[i], result_.points[j]) < least)
+                    return std::to_string(j) + " and " + std::to_string(i);
+            }
+        return "";
+    }
+    bool has_room(Point spot, std::size_t kind, double tolerance) const {
+        const std::optional<double> size = size_at(spot);
+        if (!size) return false;
+        for (std::size_t i = 0; i < result_.points.size(); ++i) {
+            const double least =
+                limit(result_.classes[i], kind) * std::min(*size, sizes_[i].value_or(0));
+            if (distance(spot, result_.points[i]) < least + tolerance && least > 0) return false;
+        }
+        return true;
+    }
+    // Spots at random at which a point of some class has room.
+    int gaps(Random& random, int spots) const {
+        const std::vector<double>& weights = request_.classes.weights;
+        int gaps = 0;
+        for (int k = 0; k < spots; ++k) {
+            const Point spot{share(random) * request_.width, share(random) * request_.height};
+            for (std::size_t kind = 0; kind < request_.classes.names.size(); ++kind)
+                if (weights.empty() || weights[kind] != 0) gaps += has_room(spot, kind, 1e-6);
+        }
+        return gaps;
+    }
+
+private:
+    template <typename Pixels, typename Values>
+    double value_at(const Pixels& pixels, const Values& values, Point p) const {
+        const auto along = [](double at, std::uint32_t count) {
+            return static_cast<std::uint32_t>(std::clamp(std::floor(at * count), 0.0, count - 1.0));
+        };
+        const std::uint32_t column = along(p.x / request_.width, pixels.columns);
+        const std::uint32_t row = pixels.rows - 1 - along(p.y / request_.height, pixels.rows);
+        return static_cast<double>(values[std::size_t{row} * pixels.columns + column]);
+    }
+
+    const Request& request_;
+    const Result& result_;
+    std::vector<std::optional<double>> sizes_;
+};
+
+// Classes as nobody would ask for them: two to sixteen, with distances up to a thousand times the
+// least, classes that do not know of each other or leave each other no room, and weights of 0.
+FieldRequest hostile_request(Random& random) {
+    FieldRequest made;
+    Request& request = made.request;
+    const std::size_t count = 2 + random() % (random() % 3 == 0 ? 15 : 3);
+    const double ratio = random() % 4 == 0 ? 1000 : 8;
+    std::vector<double> radii;
+    for (std::size_t i = 0; i < count; ++i) radii.push_back(0.03 * std::pow(ratio, share(random)));
+    std::vector<double> distances =
+        random() % 2 == 0 ? distances_by_sum(radii) : distances_by_union(radii);
+    if (random() % 3 == 0)
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t j = 0; j <= i; ++j) {
+                const bool is_unknown = i != j && random() % 4 == 0;
+                distances[i * count + j] = distances[j * count + i] =
+                    is_unknown ? 0 : 0.02 * std::pow(ratio, share(random));
+            }
+    std::vector<double> weights(count, 1);
+    if (random() % 3 == 0)
+        for (std::size_t i = 1; i < count; ++i) weights[i] = random() % 4 == 0 ? 0 : share(random);
+    request = request_of(std::move(distances), std::move(weights));
+    request.seed = random();
+    request.boundary = random() % 2 == 0 ? Boundary::torus : Boundary::box;
+    if (random() % 2 == 0) request.width = 1.7;
+    const auto side = [&] { return 1 + static_cast<std::uint32_t>(random() % 6); };
+    if (random() % 3 == 0) {
+        Field field{side(), side(), {}};
+        for (std::size_t i = 0; i < std::size_t{field.columns} * field.rows; ++i)
+            field.importance.push_back(random() % 7 == 0 ? 0 : std::pow(100, share(random) - 0.7));
+        field.importance.front() = 1;
+        made.field = std::make_shared<const Field>(std::move(field));
+        request.field = made.field.get();
+    }
+    if (random() % 3 == 0) {
+        made.mask = std::make_shared<const Mask>(tests::noise_mask(side(), side(), random()));
+        request.mask = made.mask.get();
+    }
+    return made;
+}
+
+TEST(Classes, KeepTheirDistancesAndLeaveNoRoomWhateverTheyAre) {
+    Random random(43);
+    int refuted = 0, changed = 0;
+    for (int set = 0; set < 1200; ++set) {
+        const FieldRequest made = hostile_request(random);
+        SCOPED_TRACE("set " + std::to_string(set));
+        const Result result = sample(made.request);
+        ASSERT_TRUE(result.maximal);
+        ASSERT_EQ(result.classes.size(), result.points.size());
+        const Judge judge(made.request, result);
+        ASSERT_EQ(judge.conflict(), "");
+        ASSERT_EQ(judge.gaps(random, 100), 0);
+        Claim claim = claim_of(made.request, result);
+        const Proof proof = prove(result.points, claim);
+        ASSERT_TRUE(proof.kept) << proof.first << " and " << proof.second;
+        ASSERT_TRUE(proof.covered) << "class " << proof.largest_gap_class << " at "
+                                   << proof.largest_gap.x << ", " << proof.largest_gap.y;
+
+        // One point less leaves room for it.
+        const std::size_t taken = random() % result.points.size();
+        Result less = result;
+        less.points.erase(less.points.begin() + static_cast<std::ptrdiff_t>(taken));
+        less.classes.erase(less.classes.begin() + static_cast<std::ptrdiff_t>(taken));
+        claim.class_of_points = less.classes;
+        const Proof without = prove(less.points, claim);
+        ASSERT_FALSE(without.covered);
+        ASSERT_TRUE(
+            Judge(made.request, less).has_room(result.points[taken], result.classes[taken], 0));
+        ++refuted;
+
+        // A point of another class is too close to some point, or leaves room, unless the classes
+        // keep the same distances.
+        Result other = result;
+        other.classes[taken] = static_cast<std::uint8_t>((result.classes[taken] + 1U) %
+                                                         made.request.classes.names.size());
+        claim.class_of_points = other.classes;
+        const Proof of_other = prove(result.points, claim);
+        const bool is_wrong = Judge(made.request, other).conflict() != "";
+        ASSERT_EQ(!of_other.kept, is_wrong);
+        changed += !of_other.kept || !of_other.covered;
+    }
+    EXPECT_EQ(refuted, 1200);
+    EXPECT_GE(changed, 1000);
+}
+
+TEST(Classes, KeepByUnionTheRadiusOfEachAndTheDistanceOfAll) {
+    const std::vector<double> radii{0.04, 0.02, 0.01};
+    const std::vector<double> distances = distances_by_union(radii);
+    EXPECT_DOUBLE_EQ(distances[0], 0.04);
+    EXPECT_DOUBLE_EQ(distances[1], 1 / std::sqrt(1 / 0.0016 + 1 / 0.0004));
+    EXPECT_DOUBLE_EQ(distances[2], 1 / std::sqrt(1 / 0.0016 + 1 / 0.0004 + 1 / 0.0001));
+    EXPECT_DOUBLE_EQ(distances[5], distances[2]);
+    EXPECT_EQ(distances[8], 0.01);
+    EXPECT_EQ(distances_by_sum(radii),
+              (std::vector<double>{0.08, 0.06, 0.05, 0.06, 0.04, 0.03, 0.05, 0.03, 0.02}));
+
+    // The points of each class, as a share of a set of its own: 0.73, 0.70 and 0.86 in 40 sets.
+    Request request = request_of(distances);
+    request.boundary = Boundary::torus;
+    std::vector<double> counts(3);
+    constexpr int kSets = 8;
+    for (request.seed = 0; request.seed < kSets; ++request.seed)
+        for (const std::uint8_t one : sample(request).classes) counts[one] += 1.0 / kSets;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double alone = expected_count(1, 1, Boundary::torus, radii[i]);
+        EXPECT_GT(counts[i], 0.65 * alone) << i;
+        EXPECT_LT(counts[i], 0.95 * alone) << i;
+    }
+}
+
+// A class with a weight has more points at first; the one that is drawn more often wins more room.
+TEST(Classes, AreDrawnByTheirWeights) {
+    const std::vector<double> same{0.02, 0.02, 0.02, 0.02};
+    std::vector<double> shares;
+    for (const double weight : {1.0, 9.0}) {
+        Request request = request_of(same, {1, weight});
+        request.boundary = Boundary::torus;
+        double second = 0, all = 0;
+        for (request.seed = 0; request.seed < 20; ++request.seed) {
+            const Result result = sample(request);
+            second += static_cast<double>(
+                std::count(result.classes.begin(), result.classes.end(), std::uint8_t{1}));
+            all += static_cast<double>(result.points.size());
+        }
+        shares.push_back(second / all);
+    }
+    // Whatever is free is free for both, so the shares are those of the weights. A count of 34,000
+    // points has a standard deviation of 0.003.
+    EXPECT_NEAR(shares[0], 0.5, 0.01);
+    EXPECT_NEAR(shares[1], 0.9, 0.01);
+}
+
+TEST(Classes, AreOneSetWithoutClassesIfThereIsOne) {
+    Request plain;
+    plain.radius = 0.02;
+    plain.backend = "cpu";
+    Request one = request_of({0.02});
+    const Result expected = sample(plain);
+    const Result got = sample(one);
+    EXPECT_EQ(got.points, expected.points);
+    EXPECT_EQ(got.radius, 0.02);
+    EXPECT_EQ(got.classes, std::vector<std::uint8_t>(got.points.size(), 0));
+    const std::vector<Point> keep{{0.5, 0.5}};
+    const std::vector<std::uint8_t> of_keep{0};
+    plain.keep = one.keep = keep;
+    one.keep_classes = of_keep;
+    EXPECT_EQ(sample(one).points, sample(plain).points);
+}
+
+TEST(Classes, AreTheFirstPointsOfTheSameSetWithALimit) {
+    Request request = request_of(distances_by_sum(std::vector{0.02, 0.008}));
+    const Result all = sample(request);
+    request.limit = 300;
+    const Result some = sample(request);
+    ASSERT_EQ(some.points.size(), 300U);
+    EXPECT_FALSE(some.maximal);
+    EXPECT_TRUE(std::equal(some.points.begin(), some.points.end(), all.points.begin()));
+    EXPECT_TRUE(std::equal(some.classes.begin(), some.classes.end(), all.classes.begin()));
+}
+
+TEST(Classes, FillTheSpaceAroundKeptPointsOfTheirClass) {
+    Request request = request_of(distances_by_union(std::vector{0.06, 0.02}));
+    request.boundary = Boundary::torus;
+    Result first = sample(request);
+    first.points.resize(100);
+    first.classes.resize(100);
+    Request more = request;
+    more.seed = 9;
+    more.keep = first.points;
+    more.keep_classes = first.classes;
+    const Result result = sample(more);
+    EXPECT_TRUE(std::equal(first.points.begin(), first.points.end(), result.points.begin()));
+    EXPECT_TRUE(std::equal(first.classes.begin(), first.classes.end(), result.classes.begin()));
+    EXPECT_TRUE(prove(result.points, claim_of(more, result)).maximal);
+    EXPECT_EQ(Judge(more, result).conflict(), "");
+}
+
+TEST(Classes, HaveACountAtDistancesInProportion) {
+    Request request = request_of(distances_by_sum(std::vector{5.0, 1.0}));
+    request.count = 2000;
+    const Result result = sample(request);
+    ASSERT_EQ(result.points.size(), 2000U);
+    ASSERT_EQ(result.classes.size(), 2000U);
+    Claim claim = claim_of(request, result);
+    claim.distances_only = true;
+    EXPECT_TRUE(prove(result.points, claim).kept);
+    // The least distance is that of the small ones, 2, and two large ones keep 10.
+    for (double& distance : request.classes.distances) distance *= result.radius / 2;
+    EXPECT_EQ(Judge(request, result).conflict(), "");
+}
+
+TEST(Classes, AreProgressive) {
+    Request request = request_of(distances_by_union(std::vector{0.06, 0.02}));
+    request.boundary = Boundary::torus;
+    request.progressive = true;
+    const Result result = sample(request);
+    ASSERT_GE(result.levels.size(), 9U);
+    ASSERT_EQ(result.classes.size(), result.points.size());
+    for (const Level& level : result.levels) {
+        Claim claim = claim_of(request, result);
+        claim.radius = level.size;
+        claim.class_of_points = std::span(result.classes).first(level.points);
+        EXPECT_TRUE(prove(std::span(result.points).first(level.points), claim).maximal)
+            << level.points;
+    }
+}
+
+TEST(Classes, AreTheSameInABatchOfSeeds) {
+    Request request = request_of(distances_by_sum(std::vector{0.05, 0.02}));
+    const std::vector<std::uint64_t> seeds{3, 4, 5};
+    sample_many(request, seeds, [&](std::uint64_t seed, const Result& set) {
+        Request one = request;
+        one.seed = seed;
+        const Result expected = sample(one);
+        EXPECT_EQ(set.points, expected.points);
+        EXPECT_EQ(set.classes, expected.classes);
+    });
+}
+
+TEST(Classes, AreRefusedInOneLine) {
+    const auto refusal = [](const Request& request) {
+        return tests::refusal_of([&] { sample(request); });
+    };
+    Request request = request_of({1, 2, 3, 4});
+    EXPECT_EQ(refusal(request),
+              "between class-0 and class-1: keep 2 and 3: must be the same both ways");
+    request.classes.distances = {1, 2, 2};
+    EXPECT_EQ(refusal(request),
+              "between 3 distances: must be a matrix of 2 x 2, for as many classes");
+    request.classes.distances = {1, -1, -1, 1};
+    EXPECT_EQ(refusal(request),
+              "between class-0 and class-1: keep -1: must be a finite number of at least 0");
+    request.classes.distances = {0, 1, 1, 1};
+    EXPECT_EQ(refusal(request), "between class-0: keep 0: must be a finite number greater than 0");
+    request.classes.distances = {0.01, 100, 100, 1};
+    EXPECT_EQ(refusal(request),
+              "between distances from 0.01 to 100: the greatest must be at most 4000 times the "
+              "least that is not 0");
+    request = request_of({1, 1, 1, 1}, {0, 0});
+    EXPECT_EQ(refusal(request), "class all: have the weight 0: one must be greater");
+    request.classes.weights = {1, -2};
+    EXPECT_EQ(refusal(request),
+              "class class-1: its weight is -2: must be a finite number of at least 0");
+    request.classes.weights = {1};
+    EXPECT_EQ(refusal(request), "class 1 weights: must be one for each of the 2 classes");
+    request.classes.weights = {};
+    request.classes.names[1] = request.classes.names[0];
+    EXPECT_EQ(refusal(request), "class class-0: is given twice");
+    request.classes.names[1] = "two words";
+    EXPECT_EQ(refusal(request),
+              "class 'two words': must be a name without spaces and without , : ; / \\ < > & or "
+              "quotes");
+    request = request_of(std::vector<double>(17 * 17, 1));
+    EXPECT_EQ(refusal(request), "class 17 classes: must be at most 16");
+    request = request_of({1, 1, 1, 1});
+    request.mode = Mode::lines;
+    EXPECT_EQ(refusal(request), "class with mode lines: is for mode exact");
+    request.mode = Mode::exact;
+    const std::vector<Point> keep{{0.5, 0.5}, {0.6, 0.5}};
+    request.keep = keep;
+    EXPECT_EQ(refusal(request), "keep 2 points: with classes each needs a class, but 0 have one");
+    const std::vector<std::uint8_t> of_keep{0, 2};
+    request.keep_classes = of_keep;
+    EXPECT_EQ(refusal(request), "keep class 2: must be less than 2, the number of classes");
+    const std::vector<std::uint8_t> right{0, 1};
+    request.keep_classes = right;
+    EXPECT_EQ(refusal(request),
+              "keep point 0 at (0.5, 0.5) and point 1 at (0.6, 0.5): are 0.09999999999999998 "
+              "apart: must be at least 1, the distance of their classes");
+    request.keep_classes = {};
+    request.classes = {};
+    request.radius = 0.01;
+    request.keep_classes = right;
+    EXPECT_EQ(refusal(request), "keep classes of points: are for requests with classes");
+}
+
+}  // namespace
