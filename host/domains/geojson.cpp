@@ -21,7 +21,7 @@ constexpr int kDeepestCollections = 64;
 
 class Reader {
 public:
-    explicit Reader(const std::string& name) : name_(name) {}
+    Reader(const std::string& name, Take take) : name_(name), take_(take) {}
 
     void read(const Json& object, const std::string& place, int depth = 0) {
         if (depth > kDeepestCollections)
@@ -40,6 +40,14 @@ public:
             const Json& all = array(member(object, "coordinates", place), place + "coordinates");
             for (std::size_t i = 0; i < all.size(); ++i)
                 read_polygon(all[i], fmt::format("{}coordinates[{}]", place, i));
+        } else if (take_ == Take::lines && (type == "Point" || type == "LineString")) {
+            read_line(object, type == "Point", place);
+        } else if (take_ == Take::lines && (type == "MultiPoint" || type == "MultiLineString")) {
+            const std::string inner = place + "coordinates";
+            const Json& all = array(member(object, "coordinates", place), inner);
+            for (std::size_t i = 0; i < all.size(); ++i)
+                add_line(type == "MultiPoint" ? Json::array({all[i]}) : all[i],
+                         fmt::format("{}[{}]", inner, i));
         } else if (type != "Point" && type != "MultiPoint" && type != "LineString" &&
                    type != "MultiLineString") {
             refuse(place + "type", fmt::format("{}: must be a type of GeoJSON, such as Polygon",
@@ -94,6 +102,19 @@ private:
             read_ring(rings[i], fmt::format("{}[{}]", place, i));
     }
 
+    void read_line(const Json& object, bool is_point, const std::string& place) {
+        const Json& coordinates = member(object, "coordinates", place);
+        add_line(is_point ? Json::array({coordinates}) : coordinates, place + "coordinates");
+    }
+
+    void add_line(const Json& positions, const std::string& place) {
+        array(positions, place);
+        PolygonRing line;
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            line.push_back(point_of(positions[i], place, i));
+        if (!line.empty()) polygons_.rings.push_back(there_and_back(std::move(line)));
+    }
+
     void read_ring(const Json& positions, const std::string& place) {
         array(positions, place);
         PolygonRing ring;
@@ -120,12 +141,13 @@ private:
     }
 
     const std::string& name_;
+    Take take_;
     Polygons polygons_;
 };
 
 }  // namespace
 
-Polygons decode_geojson(std::string_view bytes, const std::string& name) {
+Polygons decode_geojson(std::string_view bytes, const std::string& name, Take take) {
     bytes = files::without_byte_order_mark(bytes);
     Json json;
     try {
@@ -137,7 +159,7 @@ Polygons decode_geojson(std::string_view bytes, const std::string& name) {
     } catch (const Json::out_of_range&) {
         files::refuse(name, "a number that no double can hold: coordinates must be finite");
     }
-    Reader reader(name);
+    Reader reader(name, take);
     reader.read(json, "");
     return reader.finish();
 }

@@ -44,14 +44,20 @@ void Outline::add(Point point) {
 }
 
 void Outline::move_to(Point to) {
-    close();
+    end();
     current_ = begin_ = to;
 }
 
-// A path that ends without being closed is closed, too.
+// A path that ends without being closed is closed, too, unless it is a line.
+void Outline::end() {
+    const bool is_closed = ring_.size() > 1 && ring_.front() == ring_.back();
+    if (take_ == Take::lines && !is_closed) ring_ = there_and_back(std::move(ring_));
+    close();
+}
+
 void Outline::close() {
     open(ring_);
-    if (ring_.size() >= 3)
+    if (ring_.size() >= 3 || (take_ == Take::lines && !ring_.empty()))
         rings_.push_back(std::move(ring_));
     else
         points_ -= ring_.size();
@@ -60,7 +66,7 @@ void Outline::close() {
 }
 
 std::vector<PolygonRing> Outline::take_rings() {
-    close();
+    end();
     return std::move(rings_);
 }
 

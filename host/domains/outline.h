@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "domains/rings.h"
+
 namespace lacuna::domains {
 
 // Maps (x, y) to (xx x + xy y + x0, yx x + yy y + y0).
@@ -38,7 +40,7 @@ class Outline {
 public:
     // Lines are at most `tolerance` away from their curve. Only a curve so large that it would take
     // over 2^14 lines is less accurate.
-    explicit Outline(double tolerance) : tolerance_(tolerance) {}
+    Outline(double tolerance, Take take) : tolerance_(tolerance), take_(take) {}
 
     void set_transform(const Affine& transform) { transform_ = transform; }
 
@@ -48,7 +50,8 @@ public:
     void quadratic_to(Point control, Point to);
     void cubic_to(Point first, Point second, Point to);
     void arc_to(Ellipse ellipse, bool is_large, bool is_positive, Point to);
-    // Closes the ring. A ring of fewer than three points encloses nothing and is dropped.
+    // Closes the ring. A ring of fewer than three points encloses nothing and is dropped, unless
+    // lines are taken.
     void close();
 
     Point current() const { return current_; }
@@ -63,7 +66,10 @@ private:
     std::size_t pieces(double bend) const;
     void quarter_to(const Affine& circle, Point from, Point to, int halvings);
 
+    void end();  // of a path that is not closed
+
     double tolerance_;
+    Take take_;
     Affine transform_;
     Point current_{0, 0};
     Point begin_{0, 0};

@@ -20,7 +20,7 @@ constexpr std::string_view kAllowed = "must end in .svg, .geojson, .json or .txt
 
 struct Known {
     std::string_view name;
-    Polygons (*decode)(std::string_view bytes, const std::string& name);
+    Polygons (*decode)(std::string_view bytes, const std::string& name, domains::Take take);
 };
 
 constexpr std::array<Known, 4> kFormats{{{"svg", domains::decode_svg},
@@ -45,6 +45,18 @@ const Known* find(std::string_view format) {
 
 }  // namespace
 
+namespace {
+
+Polygons decode(std::string_view bytes, std::string_view format, const std::string& name,
+                domains::Take take) {
+    const Known* const known = find(format);
+    if (known == nullptr)
+        throw BadRequest("format", fmt::format("{:?}", format), "must be svg, geojson or txt");
+    return known->decode(bytes, name, take);
+}
+
+}  // namespace
+
 Polygons read_polygons(const std::string& path) {
     const std::string format = extension_of(path);
     if (find(format) == nullptr) throw BadRequest("inside", path, std::string(kAllowed));
@@ -52,13 +64,22 @@ Polygons read_polygons(const std::string& path) {
 }
 
 Polygons decode_polygons(std::string_view bytes, std::string_view format, const std::string& name) {
-    const Known* const known = find(format);
-    if (known == nullptr)
-        throw BadRequest("format", fmt::format("{:?}", format), "must be svg, geojson or txt");
-    Polygons polygons = known->decode(bytes, name);
+    Polygons polygons = decode(bytes, format, name, domains::Take::insides);
     if (polygons.rings.empty())
         files::refuse(name, "no polygon: there must be at least one, of three points or more");
     return polygons;
+}
+
+Polygons read_lines(const std::string& path) {
+    const std::string format = extension_of(path);
+    if (find(format) == nullptr) throw BadRequest("avoid", path, std::string(kAllowed));
+    return decode_lines(files::read_whole(path), format, files::name_of(path));
+}
+
+Polygons decode_lines(std::string_view bytes, std::string_view format, const std::string& name) {
+    Polygons lines = decode(bytes, format, name, domains::Take::lines);
+    if (lines.rings.empty()) files::refuse(name, "no line and no outline: there must be one");
+    return lines;
 }
 
 std::vector<PolygonRing> fitted(Polygons polygons, double width, double height) {

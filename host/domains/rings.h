@@ -26,8 +26,18 @@ inline void open(PolygonRing& ring) {
     while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
 }
 
-Polygons decode_svg(std::string_view bytes, const std::string& name);
-Polygons decode_geojson(std::string_view bytes, const std::string& name);
-Polygons decode_rings(std::string_view bytes, const std::string& name);
+// What a reader takes from a file: what lies within its outlines, or the outlines themselves as
+// lines, also where they are open.
+enum class Take { insides, lines };
+
+// The ring that goes along a line and back.
+inline PolygonRing there_and_back(PolygonRing line) {
+    for (std::size_t i = line.size(); i > 2; --i) line.push_back(line[i - 2]);
+    return line;
+}
+
+Polygons decode_svg(std::string_view bytes, const std::string& name, Take take);
+Polygons decode_geojson(std::string_view bytes, const std::string& name, Take take);
+Polygons decode_rings(std::string_view bytes, const std::string& name, Take take);
 
 }  // namespace lacuna::domains

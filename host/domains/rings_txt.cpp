@@ -16,7 +16,7 @@ namespace {
 // Collects rings, and remembers the line at which each began.
 class Rings {
 public:
-    explicit Rings(const std::string& name) : name_(name) {}
+    Rings(const std::string& name, Take take) : name_(name), take_(take) {}
 
     void add(Point point, std::size_t line) {
         if (!is_fair(point))
@@ -28,7 +28,13 @@ public:
 
     void end_ring() {
         if (ring_.empty()) return;
+        const bool is_closed = ring_.size() > 1 && ring_.front() == ring_.back();
         open(ring_);
+        if (take_ == Take::lines) {
+            if (!is_closed) ring_ = there_and_back(std::move(ring_));
+            polygons_.rings.push_back(std::exchange(ring_, {}));
+            return;
+        }
         if (ring_.size() < 3)
             files::refuse(fmt::format("{}:{}", name_, begin_),
                           fmt::format("a ring of {} point{}: must be at least 3", ring_.size(),
@@ -43,6 +49,7 @@ public:
 
 private:
     const std::string& name_;
+    Take take_;
     Polygons polygons_;
     PolygonRing ring_;
     std::size_t begin_ = 0;
@@ -50,9 +57,9 @@ private:
 
 }  // namespace
 
-Polygons decode_rings(std::string_view bytes, const std::string& name) {
+Polygons decode_rings(std::string_view bytes, const std::string& name, Take take) {
     bytes = files::without_byte_order_mark(bytes);
-    Rings rings(name);
+    Rings rings(name, take);
     for (std::size_t number = 1; !bytes.empty(); ++number) {
         const std::string_view line = files::take_line(bytes);
         if (files::is_skipped(line)) {

@@ -60,8 +60,11 @@ std::optional<double> pixels_of(std::string_view text) {
 
 class Drawing {
 public:
-    Drawing(const std::string& name, pugi::xml_node root, const Page& page)
-        : name_(name), page_(page), outline_(kTolerance * std::max(page.width, page.height)) {
+    Drawing(const std::string& name, pugi::xml_node root, const Page& page, Take take)
+        : name_(name),
+          page_(page),
+          take_(take),
+          outline_(kTolerance * std::max(page.width, page.height), take) {
         remember(root);
     }
 
@@ -115,12 +118,13 @@ private:
         if (++elements_ > kMostElements)
             refuse(node, fmt::format("more than {} elements, with those in use", kMostElements));
         const std::string_view kind = local_name(node.name());
+        const bool is_line = kind == "line" && take_ == Take::lines;
         const bool is_group = kind == "g" || kind == "a" || kind == "switch";
         if (kind == "svg" || (kind == "symbol" && depth_of_use_ > 0))
             refuse(node,
                    "is not read within another drawing: its outlines must stand in the outer "
                    "one, or in a group");
-        if (!is_group && kind != "use" && !is_shape(kind)) return;
+        if (!is_group && kind != "use" && !is_shape(kind) && !is_line) return;
         Affine transform = outer;
         check(node, read_transform(node.attribute("transform").value(), transform));
         if (is_group) return draw_children(node, transform, depth + 1);
@@ -177,6 +181,10 @@ private:
     }
 
     void draw_shape(pugi::xml_node node, std::string_view kind) {
+        if (kind == "line") {
+            outline_.move_to({number(node, "x1", 0), number(node, "y1", 0)});
+            return outline_.line_to({number(node, "x2", 0), number(node, "y2", 0)});
+        }
         if (kind == "path") return check(node, draw_path(node.attribute("d").value(), outline_));
         if (kind == "rect") return draw_rect(node);
         if (kind == "circle") {
@@ -185,6 +193,7 @@ private:
         }
         if (kind == "ellipse") return draw_ellipse(node, size(node, "rx", 0), size(node, "ry", 0));
         check(node, draw_points(node.attribute("points").value(), outline_));
+        if (kind == "polygon") outline_.close();
     }
 
     void draw_ellipse(pugi::xml_node node, double rx, double ry) {
@@ -221,6 +230,7 @@ private:
 
     const std::string& name_;
     Page page_;
+    Take take_;
     Outline outline_;
     std::map<std::string_view, pugi::xml_node> by_id_;
     std::size_t elements_ = 0;
@@ -255,7 +265,7 @@ Page page_of(pugi::xml_node svg, const std::string& name) {
 
 }  // namespace
 
-Polygons decode_svg(std::string_view bytes, const std::string& name) {
+Polygons decode_svg(std::string_view bytes, const std::string& name, Take take) {
     pugi::xml_document document;
     const pugi::xml_parse_result parsed = document.load_buffer(bytes.data(), bytes.size());
     if (!parsed)
@@ -265,7 +275,7 @@ Polygons decode_svg(std::string_view bytes, const std::string& name) {
     if (local_name(svg.name()) != "svg")
         files::refuse(name, fmt::format("the outermost element is <{}>: must be <svg>",
                                         files::excerpt(svg.name())));
-    return Drawing(name, svg, page_of(svg, name)).draw(svg);
+    return Drawing(name, svg, page_of(svg, name), take).draw(svg);
 }
 
 }  // namespace lacuna::domains

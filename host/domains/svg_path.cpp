@@ -206,7 +206,6 @@ std::optional<std::string> draw_points(std::string_view points, Outline& outline
             outline.line_to({*x, *y});
         is_first = false;
     }
-    outline.close();
     return std::nullopt;
 }
 

@@ -33,7 +33,7 @@ RadiusField::RadiusField(const Domain& domain, const FieldParts& parts)
       edge_tolerance_(parts.edge_tolerance),
       border_(parts.border) {
     if (parts.mask != nullptr) mask_.emplace(domain, MaskLeaves{parts.mask});
-    if (!parts.polygons.empty()) region_.emplace(parts.polygons);
+    if (!parts.polygons.empty()) region_.emplace(parts.polygons, parts.edge_tolerance);
 }
 
 Under RadiusField::under(const Cell& cell, const Under& outer) const {

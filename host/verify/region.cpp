@@ -6,20 +6,22 @@
 
 namespace lacuna::verify {
 
-Region::Region(std::span<const PolygonSet> sets) {
-    for (const PolygonSet& set : sets)
-        (set.forbidden ? forbidden_ : allowed_).emplace_back(set.rings);
+Region::Region(std::span<const PolygonSet> sets, double tolerance) {
+    for (const PolygonSet& set : sets) {
+        const double distance = set.distance > 0 ? set.distance + tolerance : 0;
+        (set.forbidden ? forbidden_ : allowed_).push_back({Outline(set.rings), distance});
+    }
 }
 
 Openness Region::under(const Cell& cell, double clearance) const {
     Openness all{.has_open = allowed_.empty(), .has_closed = !allowed_.empty()};
-    for (const Outline& outline : allowed_) {
-        const Openness one = outline.under(cell, clearance);
+    for (const auto& [outline, distance] : allowed_) {
+        const Openness one = outline.under(cell, clearance + distance);
         all.has_open |= one.has_open;
         all.has_closed &= one.has_closed;
     }
-    for (const Outline& outline : forbidden_) {
-        const Openness one = outline.under(cell, clearance, Side::outside);
+    for (const auto& [outline, distance] : forbidden_) {
+        const Openness one = outline.under(cell, clearance + distance, Side::outside);
         all.has_open &= one.has_open;
         all.has_closed |= one.has_closed;
     }
@@ -29,8 +31,10 @@ Openness Region::under(const Cell& cell, double clearance) const {
 double Region::depth_of(Point place) const {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     double depth = allowed_.empty() ? kFar : -kFar;
-    for (const Outline& outline : allowed_) depth = std::max(depth, outline.depth_of(place));
-    for (const Outline& outline : forbidden_) depth = std::min(depth, -outline.depth_of(place));
+    for (const auto& [outline, distance] : allowed_)
+        depth = std::max(depth, outline.depth_of(place) - distance);
+    for (const auto& [outline, distance] : forbidden_)
+        depth = std::min(depth, -outline.depth_of(place) - distance);
     return depth;
 }
 

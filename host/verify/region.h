@@ -13,7 +13,9 @@ namespace lacuna::verify {
 
 class Region {
 public:
-    explicit Region(std::span<const PolygonSet> sets);
+    // The edges of the polygons may be off by `tolerance`, those with a distance by twice as much
+    // to the safe side.
+    Region(std::span<const PolygonSet> sets, double tolerance);
 
     // Whether a cell has open places, which lie deeper in the region than `clearance`, and closed
     // places. As Outline::under(): near edges the answer may include a kind that there is not.
@@ -25,8 +27,12 @@ public:
     double depth_of(Point place) const;
 
 private:
-    std::vector<Outline> allowed_;  // none: samples may lie everywhere
-    std::vector<Outline> forbidden_;
+    struct Kept {
+        Outline outline;
+        double distance;  // that samples keep from it
+    };
+    std::vector<Kept> allowed_;  // none: samples may lie everywhere
+    std::vector<Kept> forbidden_;
 };
 
 }  // namespace lacuna::verify

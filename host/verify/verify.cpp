@@ -45,8 +45,9 @@ void check_field(const Field& field) {
 void check_polygons(const Claim& claim) {
     for (const PolygonSet& set : claim.polygons) {
         const char* const option = set.forbidden ? "outside" : "inside";
+        check_at_least_0("border", set.distance);
         for (const PolygonRing& ring : set.rings) {
-            if (ring.size() < 3)
+            if (ring.size() < 3 && !(set.distance > 0 && !ring.empty()))
                 throw BadRequest(option, "a ring of " + std::to_string(ring.size()) + " points",
                                  "must have at least 3");
             for (const Point& point : ring)

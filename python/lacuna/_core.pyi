@@ -173,9 +173,9 @@ def write_points(
     classes: list[str],
     class_of: npt.NDArray[np.uint8] | None,
 ) -> None: ...
-def read_polygons(path: bytes) -> dict[str, Any]: ...
+def read_polygons(path: bytes, as_lines: bool) -> dict[str, Any]: ...
 def draw_mask(
-    sets: list[tuple[list[npt.NDArray[np.float64]], bool]],
+    sets: list[tuple[list[npt.NDArray[np.float64]], bool, float]],
     width: float,
     height: float,
     edge: float,
@@ -186,7 +186,7 @@ def verify(
     claim: Claim,
     field: Field | None,
     mask: Mask | None,
-    polygons: list[tuple[list[npt.NDArray[np.float64]], bool]],
+    polygons: list[tuple[list[npt.NDArray[np.float64]], bool, float]],
     keep: npt.NDArray[np.float64] | None,
     class_of: npt.NDArray[np.uint8] | None,
 ) -> dict[str, Any]: ...

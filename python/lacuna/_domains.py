@@ -1,4 +1,4 @@
-"""read_polygons and draw_mask: polygons in which points may lie."""
+"""read_polygons, read_lines and draw_mask: polygons in which points may lie, and obstacles."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Iterable, SupportsFloat, SupportsIndex
 import numpy as np
 
 from . import _core
-from ._arguments import pair, path_bytes, points_array, real, shown, whole
+from ._arguments import flag, pair, path_bytes, points_array, real, shown, whole
 from ._errors import BadRequest
 from ._runs import MOST_64
 
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     Floats = npt.NDArray[np.float64]
+    # Lines and the distance that points keep from them.
+    Obstacles = list[tuple["Polygons | Iterable[npt.ArrayLike]", float]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,12 +78,53 @@ def read_polygons(path: str | bytes | os.PathLike[Any]) -> Polygons:
     (True, True)
     >>> folder.cleanup()
     """
+    return _read(path, as_lines=False)
+
+
+def _read(path: str | bytes | os.PathLike[Any], as_lines: bool) -> Polygons:
     try:
-        found = _core.read_polygons(path_bytes("path", path))
+        found = _core.read_polygons(path_bytes("path", path), as_lines)
     except BadRequest as error:
         raise error.called("path") from None
     width, height = found["width"], found["height"]
     return Polygons(tuple(found["rings"]), (width, height) if width > 0 else None)
+
+
+def read_lines(path: str | bytes | os.PathLike[Any]) -> Polygons:
+    """Read lines and outlines from a file, for ``avoid`` of ``draw_mask`` and ``verify``.
+
+    A line becomes a ring that goes there and back, and a point a ring of one point: nothing lies
+    inside of these.
+
+    Parameters
+    ----------
+    path : str, bytes or os.PathLike
+        A .svg, whose open paths are lines and whose closed ones are outlines; a .geojson with
+        points, lines and polygons; or a .txt with lines.
+
+    Returns
+    -------
+    Polygons
+
+    Raises
+    ------
+    FileError, BadRequest, TypeError
+        As ``read_polygons``.
+
+    Examples
+    --------
+    >>> import lacuna, pathlib, tempfile
+    >>> folder = tempfile.TemporaryDirectory()
+    >>> path = pathlib.Path(folder.name, "fence.txt")
+    >>> _ = path.write_text("0.2 0.5\\n0.8 0.5\\n")
+    >>> mask = lacuna.draw_mask(None, 0.002, avoid=[(lacuna.read_lines(path), 0.1)])
+    >>> made = lacuna.sample(0.03, mask=mask, seed=1)
+    >>> beside = made.points[abs(made.points[:, 0] - 0.5) < 0.3]
+    >>> bool((abs(beside[:, 1] - 0.5) >= 0.1).all())
+    True
+    >>> folder.cleanup()
+    """
+    return _read(path, as_lines=True)
 
 
 def rings_on(name: str, rings: object, domain: tuple[float, float]) -> list[Floats]:
@@ -98,15 +141,45 @@ def rings_on(name: str, rings: object, domain: tuple[float, float]) -> list[Floa
 
 
 def sets_on(
-    name: str, given: object, domain: tuple[float, float], forbidden: bool = False
-) -> list[tuple[list[Floats], bool]]:
+    name: str,
+    given: object,
+    domain: tuple[float, float],
+    forbidden: bool = False,
+    distance: float = 0.0,
+) -> list[tuple[list[Floats], bool, float]]:
     """One set of polygons, or one for each Polygons of a list."""
     if given is None:
         return []
     several = [given]
     if isinstance(given, (list, tuple)) and given and isinstance(given[0], Polygons):
         several = list(given)
-    return [(rings_on(name, one, domain), forbidden) for one in several]
+    return [(rings_on(name, one, domain), forbidden, distance) for one in several]
+
+
+def obstacles_on(
+    avoid: object, domain: tuple[float, float], torus: bool = False
+) -> list[tuple[list[Floats], bool, float]]:
+    """A set for each pair of lines and their distance; on a torus with its images."""
+    if avoid is None:
+        return []
+    if not isinstance(avoid, (list, tuple)) or not all(
+        isinstance(one, (list, tuple)) and len(one) == 2 for one in avoid
+    ):
+        raise TypeError(
+            f"avoid must be a list of pairs of lines and their distance, not {shown(avoid)}"
+        )
+    sets = []
+    for lines, distance in avoid:
+        rings = rings_on("avoid", lines, domain)
+        if torus:
+            around = (-1.0, 0.0, 1.0)
+            images = [np.multiply((i, j), domain) for i in around for j in around]
+            rings = [ring + image for ring in rings for image in images]
+        width = real("avoid", distance)
+        if not 0 < width < np.inf:
+            raise BadRequest(f"avoid {width}: a distance must be a finite number over 0", "avoid")
+        sets.append((rings, True, width))
+    return sets
 
 
 def page_of(*given: object) -> tuple[float, float] | None:
@@ -123,6 +196,9 @@ def draw_mask(
     edge: SupportsFloat,
     *,
     outside: Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None = None,
+    avoid: Obstacles | None = None,
+    border: SupportsFloat = 0,
+    torus: bool = False,
     domain: tuple[SupportsFloat, SupportsFloat] | None = None,
     memory_limit: SupportsIndex | None = None,
 ) -> npt.NDArray[np.bool_]:
@@ -140,8 +216,16 @@ def draw_mask(
         may lie in any. None: everywhere.
     outside : as ``rings``, optional
         Polygons in which no pixel is True.
+    avoid : list of (Polygons or iterable of array_like, float), optional
+        Obstacles: lines, outlines and points, and the distance in which no pixel is True.
+        ``read_lines`` reads them; an array of one row is a point.
+    border : float
+        The least distance of pixels that are True to the outlines of ``rings`` and ``outside``.
+    torus : bool
+        Whether ``avoid`` reaches around the edges of the domain.
     edge : float
-        How far the outline may be off. The command takes a sixteenth of the least radius.
+        How far the outline may be off. With a distance it may be off by twice as much, but never
+        so that a pixel is too near. The command takes a sixteenth of the least radius.
     domain : tuple of float, optional
         Width and height, which must be passed to ``sample`` too. By default the page of Polygons,
         else (1, 1). A page is stretched over it.
@@ -174,8 +258,10 @@ def draw_mask(
     page = page_of(rings, outside) or (1.0, 1.0)
     width, height = pair("domain", domain if domain is not None else page)
     most = 0 if memory_limit is None else whole("memory_limit", memory_limit, 1, MOST_64)
-    sets = sets_on("rings", rings, (width, height))
-    sets += sets_on("outside", outside, (width, height), forbidden=True)
+    size, distance = (width, height), real("border", border)
+    sets = sets_on("rings", rings, size, distance=distance)
+    sets += sets_on("outside", outside, size, forbidden=True, distance=distance)
+    sets += obstacles_on(avoid, size, flag("torus", torus))
     try:
         mask = _core.draw_mask(sets, width, height, real("edge", edge), most)
     except BadRequest as error:

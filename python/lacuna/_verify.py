@@ -10,7 +10,7 @@ import numpy as np
 from . import _core, _plots
 from ._arguments import field_of, flag, mask_of, points_array, real, shown
 from ._classes import class_numbers, classes_of
-from ._domains import Polygons, page_of, sets_on
+from ._domains import Polygons, obstacles_on, page_of, sets_on
 from ._errors import BadRequest
 from ._judging import domain_of
 from ._results import PointSet
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ._classes import ClassSizes
+    from ._domains import Obstacles
 
     Floats = npt.NDArray[np.float64]
 
@@ -174,6 +175,7 @@ def verify(
     mask: npt.ArrayLike | None = None,
     inside: Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None = None,
     outside: Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None = None,
+    avoid: Obstacles | None = None,
     edge: SupportsFloat = 0,
     border: SupportsFloat = 0,
     keep: npt.ArrayLike | None = None,
@@ -204,11 +206,14 @@ def verify(
     inside, outside : Polygons, iterable of array_like, or list of Polygons, optional
         Polygons in which points must lie, and must not lie, as of ``draw_mask``. They are used as
         they are, not drawn onto a mask.
+    avoid : list of (Polygons or iterable of array_like, float), optional
+        Obstacles and the distance that points keep from them, as of ``draw_mask``.
     edge : float
         How far the polygons' edges may be off: a point may lie outside by up to ``edge``, and a
         spot that is inside by up to ``edge`` need not be covered.
     border : float
-        As of ``sample``: no point may be closer to the domain's edges.
+        No point may be closer to the domain's edges, nor to the outlines of ``inside`` and
+        ``outside``.
     keep : array_like, shape (N, 2), optional
         The first of the points must be equal to these, to the last bit.
     classes, between
@@ -278,8 +283,10 @@ def verify(
     claim.distances_only = flag("distances_only", distances_only)
     if tolerance is not None:
         claim.tolerance = real("tolerance", tolerance)
-    sets = sets_on("inside", inside, (claim.width, claim.height))
-    sets += sets_on("outside", outside, (claim.width, claim.height), forbidden=True)
+    size = (claim.width, claim.height)
+    sets = sets_on("inside", inside, size, distance=claim.border)
+    sets += sets_on("outside", outside, size, forbidden=True, distance=claim.border)
+    sets += obstacles_on(avoid, size, claim.torus)
     kept = None if keep is None else points_array("keep", keep)
     found = _core.verify(array, claim, importance, allowed, sets, kept, of_points)
     in_place = all(found[name] is None for name in ("outside", "moved", "forbidden"))

@@ -30,12 +30,12 @@ Truths truths_of(Mask& mask) {
     return Truths(mask.allowed.data(), {mask.rows, mask.columns}, nb::find(mask));
 }
 
-nb::dict polygons_of(const nb::bytes& bytes) {
+nb::dict polygons_of(const nb::bytes& bytes, bool as_lines) {
     const std::string path(bytes.c_str(), bytes.size());
     Polygons polygons;
     {
         const nb::gil_scoped_release no_gil;
-        polygons = read_polygons(path);
+        polygons = as_lines ? read_lines(path) : read_polygons(path);
     }
     nb::list rings;
     for (PolygonRing& ring : polygons.rings) rings.append(array_of(std::move(ring)));

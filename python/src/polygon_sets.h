@@ -1,4 +1,5 @@
-// Sets of polygons from python/lacuna: a list of (rings, forbidden), each ring an array.
+// Sets of polygons from python/lacuna: a list of (rings, forbidden, distance), each ring
+// an array.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -18,11 +19,12 @@ public:
     // Needs the GIL.
     explicit PolygonSets(const nb::list& sets) {
         for (const nb::handle set : sets) {
-            const auto pair = nb::cast<nb::tuple>(set);
-            auto& [arrays, forbidden] = given_.emplace_back();
-            for (const nb::handle ring : nb::cast<nb::list>(pair[0]))
-                arrays.push_back(nb::cast<PointArray>(ring));
-            forbidden = nb::cast<bool>(pair[1]);
+            const auto parts = nb::cast<nb::tuple>(set);
+            Given& given = given_.emplace_back();
+            for (const nb::handle ring : nb::cast<nb::list>(parts[0]))
+                given.arrays.push_back(nb::cast<PointArray>(ring));
+            given.forbidden = nb::cast<bool>(parts[1]);
+            given.distance = nb::cast<double>(parts[2]);
         }
     }
 
@@ -32,14 +34,19 @@ public:
         sets_.clear();
         rings_.resize(given_.size());
         for (std::size_t i = 0; i < given_.size(); ++i) {
-            for (const PointArray& array : given_[i].first) rings_[i].push_back(points_of(array));
-            sets_.push_back({rings_[i], given_[i].second});
+            for (const PointArray& array : given_[i].arrays) rings_[i].push_back(points_of(array));
+            sets_.push_back({rings_[i], given_[i].forbidden, given_[i].distance});
         }
         return sets_;
     }
 
 private:
-    std::vector<std::pair<std::vector<PointArray>, bool>> given_;
+    struct Given {
+        std::vector<PointArray> arrays;
+        bool forbidden = false;
+        double distance = 0;
+    };
+    std::vector<Given> given_;
     std::vector<std::vector<PolygonRing>> rings_;
     std::vector<PolygonSet> sets_;
 };

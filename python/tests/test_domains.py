@@ -424,3 +424,29 @@ def test_several_polygons_are_joined_and_others_left_out(
     assert 0.97 < everywhere.mean() < 0.98
     with pytest.raises(lacuna.BadRequest, match="outside"):
         lacuna.draw_mask(None, 0.01, outside=[[(0, 0), (1, 0), (1, 1), (0, 1)]])
+
+
+def test_obstacles_and_borders_keep_their_distance(tmp_path: Path) -> None:
+    path = tmp_path / "fence.txt"
+    path.write_text("0.2 0.5\n0.8 0.5\n")
+    fence = lacuna.read_lines(path)
+    assert [ring.tolist() for ring in fence.rings] == [[[0.2, 0.5], [0.8, 0.5]]]
+    rock = [np.array([[0.5, 0.02]])]
+    avoid = [(fence, 0.05), (rock, 0.1)]
+    square = [np.array([(0.05, 0.0), (0.95, 0.0), (0.95, 1.0), (0.05, 1.0)])]
+    mask = lacuna.draw_mask(square, 0.001, avoid=avoid, border=0.03, torus=True)
+    made = lacuna.sample(0.02, mask=mask, torus=True, seed=1)
+    x, y = made.points.T
+    assert x.min() >= 0.08 and x.max() <= 0.92 and y.min() >= 0.03
+    across = np.minimum(abs(y - 0.02), 1 - abs(y - 0.02))
+    assert np.hypot(x - 0.5, across).min() >= 0.1
+    assert (abs(y - 0.5)[(x > 0.2) & (x < 0.8)]).min() >= 0.05
+    with pytest.raises(lacuna.BadRequest, match="border 0.03: is not for a torus"):
+        lacuna.verify(made, inside=square, avoid=avoid, border=0.03, edge=0.001)
+    on_box = lacuna.draw_mask(square, 0.001, avoid=avoid, border=0.03)
+    boxed = lacuna.sample(0.02, mask=on_box, border=0.03, seed=1)
+    assert lacuna.verify(boxed, inside=square, avoid=avoid, border=0.03, edge=0.001).maximal
+    with pytest.raises(TypeError, match="avoid must be a list of pairs"):
+        lacuna.draw_mask(square, 0.01, avoid=fence)  # type: ignore[arg-type]
+    with pytest.raises(lacuna.BadRequest, match="avoid -1.0: a distance must be a finite number"):
+        lacuna.draw_mask(square, 0.01, avoid=[(fence, -1)])

@@ -53,7 +53,7 @@ std::unique_ptr<Backend> cpu::make_field_backend(const Plan&, const Placement&) 
 }
 
 // Claims of the page have no polygons, so these are never called.
-verify::Region::Region(std::span<const PolygonSet>) {}
+verify::Region::Region(std::span<const PolygonSet>, double) {}
 verify::Openness verify::Region::under(const Cell&, double) const {
     refuse();
 }

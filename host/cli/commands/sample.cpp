@@ -43,6 +43,7 @@ Examples:
   lacuna sample --field density.png --scale 0.004 -o points.npy   dense where it is dark
   lacuna sample --inside lakes.svg --border 2 --radius 3 -o fish.svg   points within polygons
   lacuna sample --inside park.svg --outside pond.svg --radius 3 -o trees.svg   and not in others
+  lacuna sample --avoid rocks.csv --avoid path.svg:2 --radius 1 -o plants.csv   around obstacles
   lacuna sample --keep trees.csv --radius 0.02 -o more.csv   fills the space around given points
   lacuna sample --class trees:0.03 --class grass:0.006 -o wood.csv   kinds of points
   lacuna sample --count 256 --torus --seeds 0..999 -o 'tiles/{seed}.npy'   a thousand small tiles
@@ -78,8 +79,8 @@ void check_relax(const SampleCommand& all) {
         refuse("cannot be used with --progressive: it moves the points");
     if (all.seeds) refuse("cannot be used with --seeds: relax each file with lacuna relax");
     if (!all.domain.mask.empty() || !all.domain.inside.empty() || !all.domain.outside.empty() ||
-        !all.domain.keep.empty() || all.common.request.border != 0)
-        refuse("cannot be used with --mask, --inside, --outside, --border or --keep");
+        !all.domain.avoid.empty() || !all.domain.keep.empty() || all.common.request.border != 0)
+        refuse("cannot be used with --mask, --inside, --outside, --avoid, --border or --keep");
     if (!all.domain.classes.given.empty())
         refuse("cannot be used with --class: it keeps no distances");
 }

@@ -145,7 +145,7 @@ SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Given& 
     claim.rings = rings_of(request, given.files);
     if (!claim.rings.empty())
         claim.edge_tolerance = given.files.edge =
-            edge_of(options.domain, request, sets_of(options.domain, claim.rings), given.files);
+            edge_of(options.domain, request, sets_of(given.files.kinds, claim.rings), given.files);
     claim.given = json_of(options.domain, request, given.files);
     claim.tolerance = options.tolerance;
     claim.tolerance = verify::tolerance_of(claim);
@@ -225,7 +225,7 @@ void run(const CLI::App& command, const VerifyCommand& options) {
     bool all_hold = true;
     for (SetClaim& claim : claims) {
         // Now that `claims` does not move its elements any more.
-        claim.sets = sets_of(claim.options, claim.rings);
+        claim.sets = sets_of(given.files.kinds, claim.rings);
         claim.polygons = claim.sets;
         claim.class_of_points = claim.own_classes;
         claim.proof = prove(claim.points, claim);

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/options/obstacles.h"
 #include "cli/options/options.h"
 #include "cli/reports/report.h"
 #include "files/parse.h"
@@ -81,33 +82,40 @@ double least_radius(const Request& request, std::span<const PolygonSet> sets,
     return std::sqrt(density * area / static_cast<double>(*request.count) / greatest);
 }
 
-// Throws BadRequest unless the polygons lie within the default domain. Without this check, most or
-// all of a map in metres would be cut off at 1x1.
+struct Extent {
+    Point least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    Point most{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+    void add(std::span<const PolygonRing> rings) {
+        for (const PolygonRing& ring : rings)
+            for (const Point& point : ring) {
+                least = {std::min(least.x, point.x), std::min(least.y, point.y)};
+                most = {std::max(most.x, point.x), std::max(most.y, point.y)};
+            }
+    }
+    bool is_within(double width, double height) const {
+        return least.x >= 0 && least.y >= 0 && most.x <= width && most.y <= height;
+    }
+    // Whether a domain that begins at 0, 0 is at most twice as wide and high as needed.
+    bool begins_near_0() const {
+        return least.x >= 0 && least.y >= 0 && least.x <= most.x - least.x &&
+               least.y <= most.y - least.y;
+    }
+};
+
+// Throws BadRequest unless the polygons lie within the domain. Without this check, all of a map in
+// metres that begins far from 0, 0 would be cut off.
 void check_within_default(const std::string& path, const std::vector<PolygonRing>& rings,
                           const Request& request) {
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    Point least{kFar, kFar}, most{-kFar, -kFar};
-    for (const PolygonRing& ring : rings)
-        for (const Point& point : ring) {
-            least = {std::min(least.x, point.x), std::min(least.y, point.y)};
-            most = {std::max(most.x, point.x), std::max(most.y, point.y)};
-        }
-    if (least.x >= 0 && least.y >= 0 && most.x <= request.width && most.y <= request.height) return;
-    const double width = most.x - least.x, height = most.y - least.y;
-    const bool begins_near_0 =
-        least.x >= 0 && least.y >= 0 && least.x <= width && least.y <= height;
-    const std::string remedy =
-        begins_near_0 ? fmt::format("give --domain {:.10g}x{:.10g}", most.x, most.y)
-                      : fmt::format(
-                            "subtract ({:.10g}, {:.10g}) from all points and give --domain "
-                            "{:.10g}x{:.10g}",
-                            least.x, least.y, width, height);
+    Extent all;
+    all.add(rings);
+    if (all.is_within(request.width, request.height)) return;
+    const auto& [least, most] = all;
     throw BadRequest(
         "domain", "missing",
-        fmt::format("the polygons of {} lie in [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}], which is "
-                    "not within the default, {:.10g}x{:.10g}: {}",
-                    shown(path), least.x, most.x, least.y, most.y, request.width, request.height,
-                    remedy));
+        fmt::format("the polygons of {} lie in [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}], far from "
+                    "0, 0, where a domain begins: subtract ({:.10g}, {:.10g}) from all points",
+                    shown(path), least.x, most.x, least.y, most.y, least.x, least.y));
 }
 
 // The radius or scale of classes is their least distance, unless one is given or there is a count.
@@ -116,6 +124,19 @@ void give_size_of_classes(Request& request) {
     if (request.classes.names.empty() || request.count || size) return;
     for (const double distance : request.classes.distances)
         if (distance > 0 && (!size || distance < *size)) size = distance;
+}
+
+// Adds the images of the rings around a torus.
+void repeat(const Request& request, std::vector<PolygonRing>& rings) {
+    const std::vector<PolygonRing> own = rings;
+    for (const int across : {-1, 0, 1})
+        for (const int up : {-1, 0, 1})
+            for (const PolygonRing& ring : own) {
+                if (across == 0 && up == 0) continue;
+                PolygonRing& image = rings.emplace_back(ring);
+                for (Point& point : image)
+                    point = {point.x + across * request.width, point.y + up * request.height};
+            }
 }
 
 }  // namespace
@@ -138,11 +159,21 @@ void add_domain(CLI::App& command, DomainOptions& options, Request& request) {
         "and points then lie inside of any");
     add_files(command, "--outside", options.outside,
               "Polygons that points must not lie in, as for --inside; may be given several times");
+    command
+        .add_option("--avoid", options.avoid,
+                    "Obstacles that points stay away from: points of a .csv, by its column radius, "
+                    "or lines and outlines of a .svg, .geojson or .txt, within WIDTH; may be given "
+                    "several times")
+        ->type_name("FILE[:WIDTH]")
+        ->allow_extra_args(false)
+        ->take_all();
     add_number(command, "edge", "E", options.edge,
                "How far the outline of polygons may be off (default: a sixteenth of the least "
                "radius)");
-    add_number(command, "border", "D", request.border,
-               "Least distance of points to the domain's edges (default 0)");
+    add_number(
+        command, "border", "D", request.border,
+        "Least distance of points to the domain's edges, and to the outlines of --inside and "
+        "--outside (default 0)");
     add_path(command, "--keep", "FILE", options.keep,
              "Points that are there already: they come first, unmoved, and new points fill the "
              "space around them");
@@ -156,6 +187,8 @@ std::vector<GivenFile> files_of(const DomainOptions& options) {
         if (!path->empty()) files.push_back({name, *path});
     for (const std::string& path : options.inside) files.push_back({"--inside", path});
     for (const std::string& path : options.outside) files.push_back({"--outside", path});
+    for (const std::string& text : options.avoid)
+        files.push_back({"--avoid", path_of_obstacles(text)});
     append_files(options.classes, files);
     return files;
 }
@@ -168,14 +201,15 @@ void check_domain(const CLI::App& command, const DomainOptions& options) {
             if (command.count(name) > 0)
                 throw BadRequest(std::string(name).substr(2), "without --field",
                                  "says how a field is read: give its picture too");
-    const bool has_polygons = !options.inside.empty() || !options.outside.empty();
+    const bool has_polygons =
+        !options.inside.empty() || !options.outside.empty() || !options.avoid.empty();
     if (options.edge && !has_polygons)
         throw BadRequest("edge", fmt::format("{}", *options.edge),
-                         "is for the polygons of --inside: give their file too");
+                         "is for the outlines of --inside, --outside and --avoid: give a file too");
     if (!options.mask.empty() && has_polygons)
         throw BadRequest(
             "mask", shown(options.mask),
-            "cannot be used with --inside or --outside: draw the polygons into the picture");
+            "cannot be used with --inside, --outside or --avoid: draw these into the picture");
 }
 
 void read_given_files(const CLI::App& command, const DomainOptions& options, Request& request,
@@ -198,8 +232,23 @@ void read_given_files(const CLI::App& command, const DomainOptions& options, Req
     for (const std::vector<std::string>* paths : {&options.inside, &options.outside})
         for (const std::string& path : *paths) {
             const Polygons& polygons = files.polygons.emplace_back(read_polygons(path));
+            files.kinds.push_back({{}, paths == &options.outside, request.border});
             if (polygons.width > 0) give_shape(polygons.width, polygons.height);
         }
+    for (const std::string& text : options.avoid)
+        for (Obstacles& obstacles : read_obstacles(text)) {
+            if (obstacles.lines.width > 0)
+                give_shape(obstacles.lines.width, obstacles.lines.height);
+            files.polygons.push_back(std::move(obstacles.lines));
+            files.kinds.push_back({{}, true, obstacles.distance});
+        }
+    // The domain of polygons without a page reaches from 0, 0 to their farthest corner, unless they
+    // lie within 1x1 already.
+    Extent inside;
+    for (std::size_t i = 0; i < options.inside.size(); ++i) inside.add(files.polygons[i].rings);
+    if (!options.inside.empty() && !inside.is_within(request.width, request.height) &&
+        inside.begins_near_0())
+        give_shape(inside.most.x, inside.most.y);
     if (!options.mask.empty()) {
         files.mask = read_mask(options.mask);
         const double longer = std::max(files.mask->columns, files.mask->rows);
@@ -223,16 +272,18 @@ void read_given_files(const CLI::App& command, const DomainOptions& options, Req
 
 std::vector<std::vector<PolygonRing>> rings_of(const Request& request, const DomainFiles& files) {
     std::vector<std::vector<PolygonRing>> rings;
-    for (const Polygons& polygons : files.polygons)
+    for (const Polygons& polygons : files.polygons) {
         rings.push_back(fitted(polygons, request.width, request.height));
+        const bool is_obstacle = files.kinds[rings.size() - 1].distance > 0;
+        if (is_obstacle && request.boundary == Boundary::torus) repeat(request, rings.back());
+    }
     return rings;
 }
 
-std::vector<PolygonSet> sets_of(const DomainOptions& options,
+std::vector<PolygonSet> sets_of(std::span<const PolygonSet> kinds,
                                 std::span<const std::vector<PolygonRing>> rings) {
-    std::vector<PolygonSet> sets;
-    for (const std::vector<PolygonRing>& of_file : rings)
-        sets.push_back({of_file, sets.size() >= options.inside.size()});
+    std::vector<PolygonSet> sets(kinds.begin(), kinds.end());
+    for (std::size_t i = 0; i < sets.size(); ++i) sets[i].rings = rings[i];
     return sets;
 }
 
@@ -255,7 +306,7 @@ void read_domain_files(const CLI::App& command, const DomainOptions& options, Re
     if (!has_page && command.count("--domain") == 0)
         for (std::size_t i = 0; i < options.inside.size(); ++i)
             check_within_default(options.inside[i], rings[i], request);
-    const std::vector<PolygonSet> sets = sets_of(options, rings);
+    const std::vector<PolygonSet> sets = sets_of(files.kinds, rings);
     files.edge = edge_of(options, request, sets, files);
     files.mask =
         draw_mask(sets, request.width, request.height, files.edge, request.memory_limit_bytes);
@@ -275,6 +326,7 @@ Json json_of(const DomainOptions& options, const Request& request, const DomainF
     };
     add_paths("inside", options.inside);
     add_paths("outside", options.outside);
+    add_paths("avoid", options.avoid);
     if (!files.polygons.empty()) json["edge"] = files.edge;
     json.update(json_of(request.classes));
     if (request.border != 0) json["border"] = request.border;

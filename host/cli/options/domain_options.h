@@ -26,6 +26,7 @@ struct DomainOptions {
     std::string mask;
     std::vector<std::string> inside;
     std::vector<std::string> outside;
+    std::vector<std::string> avoid;  // FILE or FILE:WIDTH
     std::optional<double> edge;
     std::string keep;
     ClassOptions classes;
@@ -34,15 +35,17 @@ struct DomainOptions {
 // The contents of the files. The request points into it.
 struct DomainFiles {
     std::optional<Field> field;
-    std::optional<Mask> mask;        // read from --mask, or drawn from the polygons
-    std::vector<Polygons> polygons;  // of --inside, then of --outside
+    std::optional<Mask> mask;  // read from --mask, or drawn from the polygons
+    // Of --inside, then of --outside, then of --avoid; and what is forbidden, and how near.
+    std::vector<Polygons> polygons;
+    std::vector<PolygonSet> kinds;  // of each: all but the rings
     std::vector<Point> keep;
     std::vector<std::uint8_t> keep_classes;
     double edge = 0;  // how far the polygons' outline may be off
 };
 
 // Adds --field, --scale, the options of add_importance(), --class, --between, --mask, --inside,
-// --outside, --edge, --border and --keep.
+// --outside, --avoid, --edge, --border and --keep.
 void add_domain(CLI::App& command, DomainOptions& options, Request& request);
 
 // The files that are read, which no output may overwrite.
@@ -60,7 +63,7 @@ void read_given_files(const CLI::App& command, const DomainOptions& options, Req
 // The rings of each file of polygons on the request's domain, and the sets that they are. The rings
 // must outlive the sets.
 std::vector<std::vector<PolygonRing>> rings_of(const Request& request, const DomainFiles& files);
-std::vector<PolygonSet> sets_of(const DomainOptions& options,
+std::vector<PolygonSet> sets_of(std::span<const PolygonSet> kinds,
                                 std::span<const std::vector<PolygonRing>> rings);
 // How far the polygons' outline may be off: --edge, or a sixteenth of the least radius, which for a
 // count is estimated.

@@ -77,6 +77,7 @@ std::string places(const SetClaim& claim) {
     };
     append_polygons("inside", given.inside);
     append_polygons("outside", given.outside);
+    append_polygons("avoid", given.avoid);
     if (claim.border != 0) append("border", fmt::format("{}", claim.border));
     if (!given.keep.empty())
         append("kept", fmt::format("{}, {} points", printable(given.keep), claim.keep.size()));
@@ -91,8 +92,9 @@ std::string reason(const SetClaim& claim) {
             return "where the mask lets none lie";
         case Proof::Closed::polygons:
             return fmt::format("{}, by more than {}",
-                               claim.options.outside.empty() ? "outside the polygons"
-                                                             : "where the polygons let none lie",
+                               claim.options.outside.empty() && claim.options.avoid.empty()
+                                   ? "outside the polygons"
+                                   : "where the polygons let none lie",
                                claim.edge_tolerance);
         case Proof::Closed::border:
             break;

@@ -31,7 +31,7 @@
 namespace lacuna {
 
 struct Polygons {
-    std::vector<PolygonRing> rings;  // of at least three points each, y upwards
+    std::vector<PolygonRing> rings;  // of at least three points each, or lines; y upwards
     // The page is [0, width) x [0, height). Both are 0 for files without a page.
     double width = 0;
     double height = 0;
@@ -60,6 +60,14 @@ Polygons read_polygons(const std::string& path);
 // The same for bytes that have been read, of the format "svg", "geojson" or "txt".
 Polygons decode_polygons(std::string_view bytes, std::string_view format, const std::string& name);
 
+// Lines for obstacles: rings that enclose nothing, for a PolygonSet with a distance. Of an .svg the
+// outlines of its shapes, each open path as a line; of a .geojson its Points, LineStrings and the
+// rings of its polygons; of a .txt lines, where a ring repeats its first point. Throws as
+// read_polygons.
+Polygons read_lines(const std::string& path);
+// The same for bytes that have been read.
+Polygons decode_lines(std::string_view bytes, std::string_view format, const std::string& name);
+
 // The rings of `polygons` for a domain of this size. A page is stretched over the domain; without a
 // page the coordinates do not change.
 std::vector<PolygonRing> fitted(Polygons polygons, double width, double height);
@@ -71,7 +79,9 @@ std::vector<PolygonRing> fitted(Polygons polygons, double width, double height);
 // a quarter of the machine's memory).
 Mask draw_mask(std::span<const PolygonRing> rings, double width, double height, double edge,
                std::uint64_t memory_limit_bytes = 0);
-// The same for several sets of polygons: a pixel is allowed if its centre is where samples may lie.
+// The same for several sets of polygons: a pixel is allowed if its centre is where samples may lie
+// and, for sets with a distance, no point of the pixel is nearer to their rings. Their outline is
+// off by up to twice `edge`, to the safe side.
 Mask draw_mask(std::span<const PolygonSet> sets, double width, double height, double edge,
                std::uint64_t memory_limit_bytes = 0);
 

@@ -71,10 +71,13 @@ using PolygonRing = std::vector<Point>;
 
 // Polygons that belong together: a place is inside if an odd number of rings goes around it (the
 // even-odd rule), so a ring within a ring is a hole. Samples may lie inside of any set of polygons
-// that is not `forbidden`, if there is one, but in none that is.
+// that is not `forbidden`, if there is one, but in none that is. And they keep a distance from the
+// set's rings, on either side. A line is a ring that goes there and back, and a point is a ring of
+// one point: nothing is inside of these.
 struct PolygonSet {
     std::span<const PolygonRing> rings;
     bool forbidden = false;
+    double distance = 0;
 };
 
 // Kinds of points in one set, such as trees, bushes and grass. Every two kinds have a least

@@ -17,7 +17,8 @@
 //     may lie need not be covered. The edges of polygons may be off by Claim::edge_tolerance: a
 //     point may lie outside by up to that much. A spot that is inside of every set of polygons by
 //     less than that, plus 4e-12 of the longer side, need not be covered. A line that two rings
-//     share is an edge of both.
+//     share is an edge of both. Edges from which a set keeps a distance may be off by twice the
+//     tolerance, but never so that a point is nearer than that distance.
 //   - Samplers round the borders of pixels to the lines of a grid. So a point that is within 2^-28
 //     of the longer side of such a border counts as lying on both pixels. Its distances are checked
 //     with the smaller radius, and the spots that it covers with the larger one. It is allowed if

@@ -1,0 +1,258 @@
+// Classes of points and obstacles, as a user of the command meets them: options, files, proofs and
+// refusals.
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "files/read_points.h"
+#include "files/read_whole.h"
+#include "program.h"
+
+namespace {
+
+using namespace lacuna;
+using namespace lacuna::test;
+using Names = std::vector<std::string>;
+using Json = nlohmann::json;
+
+const Names kWood{"--class", "trees:0.05", "--class", "bushes:0.02:2", "--class", "grass:0.006"};
+
+Names with(Names first, const Names& more) {
+    first.insert(first.end(), more.begin(), more.end());
+    return first;
+}
+
+Outcome sample_with(const Names& arguments) {
+    return test::run(with({"sample", "--quiet"}, arguments));
+}
+
+Outcome verify_with(const Names& arguments) {
+    return test::run(with({"verify"}, arguments));
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+TEST(Classes, AreNamedInFilesAndProvenFromThem) {
+    const Folder folder;
+    const std::string csv = folder.path("a.csv"), json = folder.path("a.json");
+    const std::string svg = folder.path("a.svg"), ply = folder.path("a.ply");
+    ASSERT_EQ(sample_with(with(kWood, {"--between", "union", "--torus", "-o", csv, "-o", json, "-o",
+                                       svg, "-o", ply}))
+                  .exit_code,
+              0);
+    std::vector<std::string> lines = lines_of(files::read_whole(csv));
+    ASSERT_EQ(lines.front(), "x,y,class");
+    std::map<std::string, std::size_t> counts;
+    for (std::size_t i = 1; i < lines.size(); ++i)
+        ++counts[lines[i].substr(lines[i].rfind(',') + 1)];
+    ASSERT_EQ(counts.size(), 3U);
+    EXPECT_LT(counts["trees"], counts["bushes"]);
+    EXPECT_LT(counts["bushes"], counts["grass"]);
+
+    const Json set = Json::parse(files::read_whole(json));
+    EXPECT_EQ(set["classes"][1]["name"], "bushes");
+    EXPECT_EQ(set["classes"][1]["count"], counts["bushes"]);
+    EXPECT_EQ(set["class"].size(), lines.size() - 1);
+    EXPECT_EQ(set["command"],
+              "lacuna sample --class trees:0.05 --class bushes:0.02:2 --class grass:0.006 "
+              "--between union --torus");
+    EXPECT_NE(files::read_whole(svg).find("inkscape:label=\"2 bushes\""), std::string::npos);
+    EXPECT_NE(files::read_whole(ply).find("property uchar class\n"), std::string::npos);
+
+    // A .json says what was asked for, a .csv needs the options.
+    EXPECT_EQ(verify_with({json}).exit_code, 0);
+    const Names options = with({csv, "--between", "union", "--torus"}, kWood);
+    const Outcome proven = verify_with(options);
+    EXPECT_EQ(proven.exit_code, 0) << proven.out;
+    EXPECT_NE(proven.out.find("a maximal Poisson-disk set of 3 classes"), std::string::npos);
+
+    // A point less, or one of another class, is refuted, and named.
+    const std::string first = lines[1];
+    lines.erase(lines.begin() + 1);
+    std::string less;
+    for (const std::string& line : lines) less += line + "\n";
+    write_file(csv, less);
+    const Outcome lacking = verify_with(options);
+    EXPECT_EQ(lacking.exit_code, 1);
+    EXPECT_NE(lacking.out.find("there is room for a point of class " +
+                               first.substr(first.rfind(',') + 1) + " at "),
+              std::string::npos)
+        << lacking.out;
+    write_file(csv, less + first.substr(0, first.rfind(',')) + ",trees\n");
+    const Outcome changed = verify_with(options);
+    EXPECT_EQ(changed.exit_code, 1);
+    EXPECT_NE(changed.out.find("of class trees, are closer than"), std::string::npos)
+        << changed.out;
+}
+
+TEST(Classes, TakeAMatrixFromAFileAndKeepPointsOfTheirClass) {
+    const Folder folder;
+    const std::string csv = folder.path("a.csv"), matrix = folder.path("m.csv");
+    write_file(matrix, "# near, far\n0.05, 0.08\n0.08, 0.1\n");
+    write_file(folder.path("m.json"), "[[0.05, 0.08], [0.08, 0.1]]");
+    const Names options{"--class", "near", "--class", "far::3", "--between"};
+    const auto made = [&](const Names& more) {
+        const Outcome outcome = sample_with(with(with(options, more), {"-o", csv}));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return files::read_whole(csv);
+    };
+    const std::string by_csv = made({matrix});
+    EXPECT_EQ(by_csv, made({folder.path("m.json")}));
+    EXPECT_EQ(verify_with(with(with({csv}, options), {matrix})).exit_code, 0);
+
+    const std::string kept = folder.path("kept.csv");
+    write_file(kept, "x,y,class\n0.25,0.5,far\n0.75,0.5,near\n");
+    const std::string around = made({matrix, "--keep", kept});
+    EXPECT_TRUE(around.starts_with("x,y,class\n0.25,0.5,far\n0.75,0.5,near\n")) << around;
+    EXPECT_EQ(verify_with(with(with({csv}, options), {matrix, "--keep", kept})).exit_code, 0);
+}
+
+TEST(Classes, AreInEveryFileOfSeeds) {
+    const Folder folder;
+    ASSERT_EQ(
+        sample_with(with(kWood, {"--seeds", "3..4", "-o", folder.path("{seed}.csv")})).exit_code,
+        0);
+    ASSERT_EQ(sample_with(with(kWood, {"--seed", "4", "-o", folder.path("own.csv")})).exit_code, 0);
+    EXPECT_EQ(files::read_whole(folder.path("4.csv")), files::read_whole(folder.path("own.csv")));
+    EXPECT_NE(files::read_whole(folder.path("3.csv")), files::read_whole(folder.path("own.csv")));
+}
+
+TEST(Classes, AreRefusedInOneLine) {
+    const Folder folder;
+    const auto refusal = [](const Names& arguments) {
+        const Outcome outcome = sample_with(arguments);
+        EXPECT_NE(outcome.exit_code, 0);
+        return outcome.err;
+    };
+    EXPECT_EQ(refusal({"--class", "trees"}),
+              "lacuna: --class trees: needs a radius: give NAME:RADIUS\n");
+    EXPECT_EQ(refusal({"--class", "a:1:1:1"}),
+              "lacuna: --class a:1:1:1: must be NAME:RADIUS or NAME:RADIUS:WEIGHT\n");
+    EXPECT_EQ(refusal({"--class", "a:0"}),
+              "lacuna: --class a:0: its radius must be a finite number over 0\n");
+    EXPECT_EQ(refusal({"--radius", "1", "--between", "union"}),
+              "lacuna: --between union: is for classes of points: give --class\n");
+    write_file(folder.path("m.csv"), "1,2\n2\n");
+    EXPECT_EQ(refusal({"--class", "a", "--class", "b", "--between", folder.path("m.csv")}),
+              "lacuna: " + folder.path("m.csv") + ":2: 1 numbers: the first row has 2\n");
+    EXPECT_EQ(refusal({"--class", "a:1", "--between", folder.path("m.csv")}),
+              "lacuna: --class a:1: must have no radius with distances from a file: give NAME or "
+              "NAME::WEIGHT\n");
+    write_file(folder.path("kept.csv"), "x,y\n0.5,0.5\n");
+    EXPECT_EQ(refusal(with(kWood, {"--keep", folder.path("kept.csv")})),
+              "lacuna: " + folder.path("kept.csv") +
+                  ": its points have no class: with --class a .csv needs a column class with "
+                  "names, as lacuna writes it\n");
+    write_file(folder.path("kept.csv"), "x,y,class\n0.5,0.5,rocks\n");
+    EXPECT_EQ(refusal(with(kWood, {"--keep", folder.path("kept.csv")})),
+              "lacuna: " + folder.path("kept.csv") +
+                  ": has points of the class rocks, which no --class names\n");
+    EXPECT_EQ(refusal(with(kWood, {"--relax", "3"})),
+              "lacuna: --relax 3: cannot be used with --class: it keeps no distances\n");
+}
+
+TEST(Obstacles, ArePointsWithRadiiAndLinesWithAWidth) {
+    const Folder folder;
+    const std::string rocks = folder.path("rocks.csv"), path = folder.path("path.svg");
+    write_file(rocks, "radius,x,y\n0.1,0.3,0.3\n0.2,0.9,1.1\n0,0.5,0.5\n");
+    write_file(path, "<svg viewBox='0 0 2 1'><polyline points='0,0.2 1,0.5 2,0.4'/></svg>");
+    const std::string csv = folder.path("a.csv");
+    const Names options{"--avoid",  rocks, "--avoid",  path + ":0.05",
+                        "--domain", "2x1", "--radius", "0.02"};
+    ASSERT_EQ(sample_with(with(options, {"-o", csv})).exit_code, 0);
+    const std::vector<Point> points = files::read_points(csv);
+    EXPECT_GT(points.size(), 2000U);
+    double nearest_rock = 1, nearest_path = 1;
+    for (const Point& p : points) {
+        nearest_rock = std::min(nearest_rock, std::hypot(p.x - 0.3, p.y - 0.3) - 0.1);
+        nearest_rock = std::min(nearest_rock, std::hypot(p.x - 0.9, p.y - 1.1) - 0.2);
+        // The line from (0, 0.8) to (1, 0.5), y upwards.
+        if (p.x < 0.9)
+            nearest_path =
+                std::min(nearest_path, std::abs(0.3 * p.x + p.y - 0.8) / std::hypot(0.3, 1) - 0.05);
+    }
+    EXPECT_GE(nearest_rock, 0);
+    EXPECT_LT(nearest_rock, 0.01);
+    EXPECT_GE(nearest_path, 0);
+    EXPECT_LT(nearest_path, 0.01);
+    const Outcome proven = verify_with(with({csv}, options));
+    EXPECT_EQ(proven.exit_code, 0) << proven.out;
+
+    write_file(csv, files::read_whole(csv) + "0.31,0.3\n");
+    const Outcome refuted = verify_with(with({csv}, options));
+    EXPECT_EQ(refuted.exit_code, 1);
+    EXPECT_NE(refuted.out.find("where the polygons let none lie"), std::string::npos)
+        << refuted.out;
+}
+
+TEST(Obstacles, ReachAroundATorus) {
+    const Folder folder;
+    const std::string rocks = folder.path("rocks.csv"), csv = folder.path("a.csv");
+    write_file(rocks, "x,y\n0.01,0.5\n");
+    ASSERT_EQ(sample_with({"--avoid", rocks + ":0.2", "--torus", "--radius", "0.03", "-o", csv})
+                  .exit_code,
+              0);
+    for (const Point& p : files::read_points(csv)) {
+        const double dx = std::min(std::abs(p.x - 0.01), 1 - std::abs(p.x - 0.01));
+        ASSERT_GE(std::hypot(dx, p.y - 0.5), 0.2);
+    }
+    EXPECT_EQ(
+        verify_with({csv, "--avoid", rocks + ":0.2", "--torus", "--radius", "0.03"}).exit_code, 0);
+}
+
+TEST(Obstacles, AreRefusedInOneLine) {
+    const Folder folder;
+    const auto refusal = [](const Names& arguments) {
+        const Outcome outcome = sample_with(with(arguments, {"--radius", "0.1"}));
+        EXPECT_NE(outcome.exit_code, 0);
+        return outcome.err;
+    };
+    const std::string rocks = folder.path("rocks.csv");
+    write_file(rocks, "x,y\n0.5,0.5\n");
+    EXPECT_EQ(refusal({"--avoid", rocks}),
+              "lacuna: --avoid " + rocks +
+                  ": has no column radius: give FILE:WIDTH, the distance to keep\n");
+    EXPECT_EQ(refusal({"--avoid", rocks + ":-1"}),
+              "lacuna: --avoid " + rocks + ":-1: the width must be a finite number over 0\n");
+    write_file(folder.path("a.txt"), "0 0\n1 1\n");
+    EXPECT_EQ(refusal({"--avoid", folder.path("a.txt")}),
+              "lacuna: --avoid " + folder.path("a.txt") +
+                  ": needs a width, as in FILE:2.5: how far points stay from its lines\n");
+    write_file(rocks, "x,y,radius\n0.5,0.5,big\n");
+    EXPECT_EQ(refusal({"--avoid", rocks}),
+              "lacuna: " + rocks + ":2: column 3 is \"big\": must be a number\n");
+}
+
+TEST(Borders, CountFromOutlinesToo) {
+    const Folder folder;
+    const std::string csv = folder.path("a.csv"), square = folder.path("square.txt");
+    write_file(square, "2 2\n8 2\n8 8\n2 8\n");
+    const Names options{"--inside", square, "--border", "1",
+                        "--radius", "0.2",  "--domain", "10x10"};
+    ASSERT_EQ(sample_with(with(options, {"-o", csv})).exit_code, 0);
+    double least = 10, most = 0;
+    for (const Point& p : files::read_points(csv)) {
+        least = std::min({least, p.x, p.y});
+        most = std::max({most, p.x, p.y});
+    }
+    EXPECT_GE(least, 3);
+    EXPECT_LT(least, 3.05);
+    EXPECT_LE(most, 7);
+    EXPECT_GT(most, 6.95);
+    EXPECT_EQ(verify_with(with({csv}, options)).exit_code, 0);
+}
+
+}  // namespace
