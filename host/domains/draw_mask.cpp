@@ -133,7 +133,8 @@ Mask near_rings(std::span<const PolygonRing> rings, double reach, Point scale, M
     std::sort(bands.begin(), bands.end(),
               [](const Band& a, const Band& b) { return a.first_row < b.first_row; });
     std::vector<Band> open;
-    std::vector<std::int32_t> begins(near.columns + std::size_t{1});  // less those that end
+    std::vector<std::int32_t> begins(near.columns +
+                                     std::size_t{1});  // bands that begin, minus bands that end
     std::size_t next = 0;
     for (std::uint32_t row = 0; row < near.rows; ++row) {
         std::erase_if(open, [row](const Band& band) { return band.end_row <= row; });

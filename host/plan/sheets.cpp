@@ -14,7 +14,7 @@
 namespace lacuna {
 namespace {
 
-// The greatest distance is at most so many times the least: then factors fit into 32 bits.
+// The largest ratio of two distances. Factors then fit into 32 bits.
 constexpr double kMostRatio = 4000;
 constexpr double kMostWeight = 65536;
 // A class of a smaller share of the greatest weight counts as one of this share.

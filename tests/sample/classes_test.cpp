@@ -261,8 +261,8 @@ TEST(Classes, AreDrawnByTheirWeights) {
         }
         shares.push_back(second / all);
     }
-    // Whatever is free is free for both, so the shares are those of the weights. A count of 34,000
-    // points has a standard deviation of 0.003.
+    // Every free place is free for both classes, so their shares are those of the weights. With
+    // 34,000 points a share has a standard deviation of 0.003.
     EXPECT_NEAR(shares[0], 0.5, 0.01);
     EXPECT_NEAR(shares[1], 0.9, 0.01);
 }
@@ -321,7 +321,7 @@ TEST(Classes, HaveACountAtDistancesInProportion) {
     Claim claim = claim_of(request, result);
     claim.distances_only = true;
     EXPECT_TRUE(prove(result.points, claim).kept);
-    // The least distance is that of the small ones, 2, and two large ones keep 10.
+    // Two small points keep 2, which is the least distance, and two large ones 10.
     for (double& distance : request.classes.distances) distance *= result.radius / 2;
     EXPECT_EQ(Judge(request, result).conflict(), "");
 }

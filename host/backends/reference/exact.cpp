@@ -254,7 +254,7 @@ private:
     const RadiusField* field_;  // null where there is one radius
     Sheets sheets_;
     std::vector<Samples> samples_;  // of each sheet
-    std::vector<Samples> recent_;   // those that have not cut the bins yet
+    std::vector<Samples> recent_;   // the samples that have not cut the bins yet
     FreeSpans spans_;
     std::vector<Box> boxes_;
     std::vector<std::uint32_t> lengths_;

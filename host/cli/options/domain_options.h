@@ -36,9 +36,10 @@ struct DomainOptions {
 struct DomainFiles {
     std::optional<Field> field;
     std::optional<Mask> mask;  // read from --mask, or drawn from the polygons
-    // Of --inside, then of --outside, then of --avoid; and what is forbidden, and how near.
+    // The polygons of --inside, then of --outside, then the lines of --avoid. `kinds` has what else
+    // a PolygonSet says of each: whether it is forbidden, and the distance to keep.
     std::vector<Polygons> polygons;
-    std::vector<PolygonSet> kinds;  // of each: all but the rings
+    std::vector<PolygonSet> kinds;
     std::vector<Point> keep;
     std::vector<std::uint8_t> keep_classes;
     double edge = 0;  // how far the polygons' outline may be off

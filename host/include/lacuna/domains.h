@@ -60,10 +60,11 @@ Polygons read_polygons(const std::string& path);
 // The same for bytes that have been read, of the format "svg", "geojson" or "txt".
 Polygons decode_polygons(std::string_view bytes, std::string_view format, const std::string& name);
 
-// Lines for obstacles: rings that enclose nothing, for a PolygonSet with a distance. Of an .svg the
-// outlines of its shapes, each open path as a line; of a .geojson its Points, LineStrings and the
-// rings of its polygons; of a .txt lines, where a ring repeats its first point. Throws as
-// read_polygons.
+// Reads lines and points from which samples keep a distance: the rings of a PolygonSet with one.
+//   .svg             the outlines of its shapes; an open path is a line
+//   .geojson .json   points, lines, and the rings of polygons
+//   .txt             lines; a line that ends at its first point is closed
+// Throws what read_polygons throws.
 Polygons read_lines(const std::string& path);
 // The same for bytes that have been read.
 Polygons decode_lines(std::string_view bytes, std::string_view format, const std::string& name);
