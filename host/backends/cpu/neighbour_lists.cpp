@@ -70,7 +70,8 @@ bool NeighbourLists::sticks_out(const There& there, std::uint32_t root) const {
 bool NeighbourLists::is_within(const There& there, std::uint32_t node, std::uint32_t root) const {
     const Box& all = first_.nodes[root].box;
     const Box& box = first_.nodes[node].box;
-    const auto& [sample, factor, reach] = there;
+    const Sized& sample = there.sample;
+    const std::uint32_t reach = there.reach;
     const auto is_along = [&](std::uint32_t at, std::uint32_t begin, std::uint32_t end,
                               std::uint32_t all_begin, std::uint32_t all_end) {
         return (at - begin >= reach || begin == all_begin) && (end - at > reach || end == all_end);
