@@ -105,7 +105,8 @@ TEST(Refused, OfSampleAreBadOptions) {
          "lacuna: --border 0.5: must be at least 0 and under half of the domain's shorter side, "
          "0.5\n"},
         {"--edge 0.1", 2,
-         "lacuna: --edge 0.1: is for the polygons of --inside: give their file too\n"},
+         "lacuna: --edge 0.1: is for the outlines of --inside, --outside and --avoid: give a file "
+         "too\n"},
         {"--invert", 2,
          "lacuna: --invert without --field: says how a field is read: give its picture too\n"},
     };
