@@ -8,13 +8,12 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <variant>
 #include <vector>
 
 #include "base/threads.h"
+#include "verify/classes.h"
 #include "verify/closest.h"
-#include "verify/closest_unlike.h"
 #include "verify/largest_gap.h"
 #include "verify/radius_field.h"
 #include "verify/verify.h"
@@ -114,97 +113,23 @@ void prove_on_field(std::span<const Point> points, const Claim& claim,
         });
 }
 
-// Classes: the samples of each, and the distances as shares of the least one that is not 0.
-class Kinds {
-public:
-    Kinds(const Claim& claim, const Samples& samples) : distances_(shares_of(claim)) {
-        const std::size_t count = claim.classes.names.size();
-        of_class_.resize(count);
-        for (std::size_t i = 0; i < samples.least.size(); ++i)
-            of_class_[claim.class_of_points[i]].push_back(i);
-    }
-
-    std::size_t count() const { return of_class_.size(); }
-    double share(std::size_t a, std::size_t b) const { return distances_[a * count() + b]; }
-    const std::vector<std::size_t>& samples_of(std::size_t kind) const { return of_class_[kind]; }
-
-    // The samples of one class, with the radii that they have beside another.
-    std::vector<Disk> beside(std::size_t kind, std::size_t other,
-                             std::span<const Disk> samples) const {
-        std::vector<Disk> disks;
-        disks.reserve(of_class_[kind].size());
-        const double factor = share(kind, other);
-        for (const std::size_t i : of_class_[kind])
-            disks.push_back({samples[i].at, samples[i].radius * factor, factor});
-        return disks;
-    }
-
-private:
-    std::vector<double> distances_;
-    std::vector<std::vector<std::size_t>> of_class_;
-};
-
-// The closest pair of all classes: within each, and between each two.
-Pair closest_of_kinds(const Domain& domain, const Kinds& kinds, std::span<const Disk> samples,
-                      const Patience& patience) {
-    Pair closest;
-    const auto take = [&](Pair pair, std::size_t first, std::size_t second) {
-        if (!(pair.ratio < closest.ratio)) return;
-        std::tie(pair.first, pair.second) = std::minmax({first, second});
-        closest = pair;
-    };
-    for (std::size_t a = 0; a < kinds.count(); ++a) {
-        const std::vector<std::size_t>& ones = kinds.samples_of(a);
-        const Pair own = closest_pair(domain, kinds.beside(a, a, samples), patience, kHopeless);
-        if (ones.size() > 1) take(own, ones[own.first], ones[own.second]);
-        for (std::size_t b = a + 1; b < kinds.count(); ++b) {
-            const std::vector<std::size_t>& others = kinds.samples_of(b);
-            if (kinds.share(a, b) == 0 || ones.empty() || others.empty()) continue;
-            const Pair pair = closest_unlike(domain, kinds.beside(a, b, samples),
-                                             kinds.beside(b, a, samples), closest.ratio, patience);
-            if (pair.limit > 0) take(pair, ones[pair.first], others[pair.second]);
-        }
-    }
-    return closest;
-}
-
-// Asks for each class that is drawn where one more of its samples would have most room.
-void tell_of_gaps(const Claim& claim, const RadiusField& radius_field, const Kinds& kinds,
-                  std::span<const Disk> samples, double tolerance, const Patience& patience,
-                  Proof& proof) {
-    std::optional<Gap> largest;
-    for (std::size_t kind = 0; kind < kinds.count(); ++kind) {
-        if (!claim.classes.weights.empty() && claim.classes.weights[kind] == 0) continue;
-        std::vector<Disk> disks;
-        for (std::size_t other = 0; other < kinds.count(); ++other) {
-            if (kinds.share(other, kind) == 0) continue;
-            const std::vector<Disk> more = kinds.beside(other, kind, samples);
-            disks.insert(disks.end(), more.begin(), more.end());
-        }
-        const Gap gap = largest_gap(radius_field, disks, tolerance, patience);
-        if (largest && gap.over <= largest->over) continue;
-        largest = gap;
-        proof.largest_gap_class = kind;
-    }
-    if (largest)
-        tell_of(*largest, tolerance + radius_field.domain().rounding(), largest->limit, proof);
-}
-
 void prove_on_classes(std::span<const Point> points, const Claim& claim,
                       const RadiusField& radius_field, double tolerance, const Patience& patience,
                       Proof& proof) {
+    const Domain& domain = radius_field.domain();
     const Samples samples = samples_of(points, radius_field, proof);
     if (proof.forbidden) return;
-    const Kinds kinds(claim, samples);
     ask(
         claim,
         [&] {
-            const Pair pair =
-                closest_of_kinds(radius_field.domain(), kinds, samples.least, patience);
+            const Pair pair = closest_of_classes(domain, claim, samples.least, patience);
             tell_of(pair, pair.limit, proof);
         },
         [&] {
-            tell_of_gaps(claim, radius_field, kinds, samples.most, tolerance, patience, proof);
+            const auto [gap, of_class] =
+                largest_gap_of_classes(radius_field, claim, samples.most, tolerance, patience);
+            tell_of(gap, tolerance + domain.rounding(), gap.limit, proof);
+            proof.largest_gap_class = of_class;
         });
 }
 

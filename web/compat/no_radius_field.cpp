@@ -1,11 +1,16 @@
 // Replaces the code for sets with a radius field (fields in mode exact, masks, borders, kept
-// points and progressive orders), which the page does not offer.
+// points, progressive orders and classes), which the page does not offer.
+#include <cstdint>
 #include <memory>
+#include <span>
 
 #include "backends/cpu/make_backend.h"
 #include "plan/kept.h"
 #include "plan/plan.h"
 #include "plan/radius_field.h"
+#include "plan/sheets.h"
+#include "rounds/sheet_shares.h"
+#include "verify/classes.h"
 #include "verify/region.h"
 
 namespace lacuna {
@@ -13,8 +18,8 @@ namespace {
 
 [[noreturn]] void refuse() {
     throw Unavailable(
-        "fields in mode exact, masks, borders, kept points and progressive orders are not for "
-        "the page");
+        "fields in mode exact, masks, borders, kept points, progressive orders and classes are "
+        "not for the page");
 }
 
 }  // namespace
@@ -48,11 +53,38 @@ std::uint32_t RadiusField::cut_y(const Box&) const {
     refuse();
 }
 
+// Without classes a request is settled, and the domain is the only sheet.
+void check_classes(const Request& request) {
+    if (!request.classes.names.empty()) refuse();
+}
+Request settled(const Request& request) {
+    return request;
+}
+Sheets::Sheets(std::uint32_t, std::span<const double>, std::span<const double>)
+    : count_(1), bits_(BITS_OF_ONE_SHEET), factors_{FACTOR_ONE}, weights_{1} {}
+std::uint32_t Sheets::greatest_factor(std::uint32_t) const {
+    refuse();
+}
+SheetShares::SheetShares(std::span<const std::uint64_t>, std::span<const std::uint32_t>) {
+    refuse();
+}
+std::uint64_t SheetShares::area_at(std::uint64_t) const {
+    refuse();
+}
+
 std::unique_ptr<Backend> cpu::make_field_backend(const Plan&, const Placement&) {
     refuse();
 }
 
-// Claims of the page have no polygons, so these are never called.
+// Claims of the page have no polygons and no classes, so these are never called.
+verify::Pair verify::closest_of_classes(const Domain&, const Claim&, std::span<const Disk>,
+                                        const Patience&) {
+    refuse();
+}
+verify::GapOfClass verify::largest_gap_of_classes(const RadiusField&, const Claim&,
+                                                  std::span<const Disk>, double, const Patience&) {
+    refuse();
+}
 verify::Region::Region(std::span<const PolygonSet>, double) {}
 verify::Openness verify::Region::under(const Cell&, double) const {
     refuse();
