@@ -11,7 +11,7 @@ import pytest
 
 import lacuna
 
-KINDS = {"trees": 0.06, "bushes": (0.025, 2.0), "grass": 0.01}
+KINDS: dict[str, float | tuple[float, float]] = {"trees": 0.06, "bushes": (0.025, 2.0), "grass": 0.01}
 
 
 def test_classes_have_names_places_and_distances() -> None:

@@ -120,7 +120,7 @@ def test_a_set_on_all_of_a_domain_is_the_commands(
 def test_polygons_are_the_commands(command: Command) -> None:
     page = lacuna.read_polygons(LAKES)
     assert page.domain is not None and len(page) == len(page.rings) > 1
-    mask = lacuna.draw_mask(page, 0.1)
+    mask = lacuna.draw_mask(page, 0.1, border=1)
     expected = command("sample", "--inside", LAKES, "--edge", 0.1, "--radius", 2, "--border", 1)
     made = lacuna.sample(2, mask=mask, domain=page.domain, border=1, seed=0)
     assert made.points.tobytes() == expected.tobytes()

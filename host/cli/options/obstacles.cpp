@@ -120,6 +120,7 @@ std::vector<Obstacles> read_disks(const FileAndWidth& given) {
             columns.read(fields, number, by_radius);
     }
     std::vector<Obstacles> all;
+    all.reserve(by_radius.size());
     for (auto& [radius, rings] : by_radius) all.push_back({{std::move(rings), 0, 0}, radius});
     return all;
 }
