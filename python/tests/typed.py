@@ -62,6 +62,19 @@ axes.set_title("a tile")
 
 field: Floats = np.ones((4, 6))
 lake: lacuna.PointSet = lacuna.sample(0.2, mask=field > 0, border=0.1, keep=[(0.5, 0.5)])
+wood: lacuna.PointSet = lacuna.sample(
+    classes={"trees": 0.2, "grass": (0.05, 2.0)},
+    between="union",
+    keep=[(0.5, 0.5)],
+    keep_classes=["trees"],
+)
+kinds: npt.NDArray[np.uint8] | None = wood.class_of
+between: Floats | None = wood.distances
+names: tuple[str, ...] = wood.classes
+rare: str | None = lacuna.verify(wood).largest_gap_class
+around: npt.NDArray[np.bool_] = lacuna.draw_mask(
+    None, 0.01, avoid=[([[(0.5, 0.5)]], 0.1), ([[(0, 0.2), (1, 0.2)]], 0.05)]
+)
 on_a_field: lacuna.PointSet = lacuna.sample(field=field, scale=0.2, mode="exact")
 dense: lacuna.PointSet = lacuna.sample(
     field=field, scale=0.2, mode="cells", metric="max", relax=1
