@@ -37,7 +37,7 @@ public:
     // Boxes that are appended from here on are cut by these samples.
     void cut_by(const SizedSpan& near) {
         near_ = all_near_ = near;
-        if (sheets_.are_several() && even_radius_ != 0) see_with(even_radius_);
+        if (has_classes_ && even_radius_ != 0) see_with(even_radius_);
     }
 
     void append_halves(const Box& box) {
@@ -66,7 +66,7 @@ public:
     }
     // Whether append_all can be called for the block.
     bool can_append_all(bool halve) const {
-        return !wraps_ && ((!halve && !sheets_.are_several()) || even_radius_ != 0);
+        return !wraps_ && ((!halve && !has_classes_) || even_radius_ != 0);
     }
 
 private:
@@ -94,13 +94,13 @@ private:
     }
     // The radius of a box that near_ does not know of yet.
     std::uint32_t own_radius(std::uint32_t radius) const {
-        return sheets_.are_several() ? kAnyRadius : radius;
+        return has_classes_ ? kAnyRadius : radius;
     }
 
     // A chord spans the whole width of the box. Its radius is the smaller of the sample's and the
     // box's, so that the sample conflicts with every point in it.
     void append(const Box& box, std::uint32_t least) {
-        if (sheets_.are_several() && even_radius_ == 0) see_with(least);
+        if (has_classes_ && even_radius_ == 0) see_with(least);
         const std::uint32_t radius = own_radius(least);
         chords_.resize(std::max(chords_.size(), 3 * near_.count + kVectorPadding));
         const std::size_t count =
@@ -209,6 +209,7 @@ private:
 
     const FieldState& state_;
     const Sheets& sheets_;
+    const bool has_classes_ = sheets_.are_several();
     const Vectors& vectors_ = *all_vectors().front();
     bool is_at_edge_;  // the region lies at an edge of a torus
     std::vector<FieldState::BlockBox>& left_;
