@@ -109,12 +109,14 @@ Sheets::Sheets(std::uint32_t count, std::span<const double> distances,
     const double greatest = *std::max_element(weights.begin(), weights.end());
     for (const double weight : weights) {
         const double share = std::max(weight / greatest, kLeastShareOfWeight);
-        weights_.push_back(weight == 0 ? 0 : static_cast<std::uint32_t>(share * kMostWeight + 0.5));
+        weights_.push_back(
+            weight == 0 ? 0 : static_cast<std::uint32_t>(std::lround(share * kMostWeight)));
     }
 }
 
 std::uint32_t Sheets::greatest_factor(std::uint32_t sheet) const {
-    const auto row = factors_.begin() + static_cast<std::ptrdiff_t>(sheet * MOST_CLASSES);
+    const auto row =
+        factors_.begin() + static_cast<std::ptrdiff_t>(std::size_t{sheet} * MOST_CLASSES);
     return *std::max_element(row, row + static_cast<std::ptrdiff_t>(count_));
 }
 
