@@ -59,8 +59,9 @@ public:
         if (first_.nodes.size() > node) first_.sheets.push_back(static_cast<std::uint32_t>(node));
     }
 
-    // Boxes are as long as the distance within the class allows. If samples of another class may lie
-    // far closer together, boxes are shorter, so that a block has at most some hundred neighbours.
+    // Boxes are as long as the distance within the class allows. If samples of another class may
+    // lie far closer together, boxes are shorter, so that a block has at most some hundred
+    // neighbours.
     std::uint32_t factor_of(std::uint32_t sheet) const {
         constexpr std::uint32_t kMostTimes = 2;
         std::uint32_t factor = sheets_.factor(sheet, sheet);

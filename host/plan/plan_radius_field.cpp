@@ -145,8 +145,8 @@ void check_size(const Request& request, const std::string& option, const std::st
     refuse_more_memory(request, option, value, bytes);
 }
 
-// The expected number of samples in all classes, if each were alone, over the number of a class that
-// keeps the least distance.
+// The expected number of samples in all classes, if each were alone, over the number of a class
+// that keeps the least distance.
 double crowd_of(const Request& request) {
     const std::vector<double> distances = distances_of(request);
     const std::size_t count = std::max<std::size_t>(request.classes.names.size(), 1);

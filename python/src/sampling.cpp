@@ -42,8 +42,8 @@ Values values_of(Field& field) {
 nb::dict dict_of(Result result) {
     nb::dict made;
     made["points"] = array_of(std::move(result.points));
-    made["class_of"] = result.classes.empty() ? nb::object(nb::none())
-                                              : array_of(std::move(result.classes));
+    made["class_of"] =
+        result.classes.empty() ? nb::object(nb::none()) : array_of(std::move(result.classes));
     made["radius"] = result.radius;
     made["scale"] = result.scale;
     made["lines_per_radius"] = result.lines_per_radius;
