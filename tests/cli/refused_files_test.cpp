@@ -78,11 +78,10 @@ TEST(Refused, OfSampleAreFilesThatSayWherePointsMayLie) {
     };
     const Refusals refusals{
         {"--mask half.pgm --inside triangle.txt", 2,
-         "lacuna: --mask half.pgm: cannot be used with --inside or --outside: draw the polygons "
-         "into the "
-         "picture\n"},
+         "lacuna: --mask half.pgm: cannot be used with --inside, --outside or --avoid: draw these "
+         "into the picture\n"},
         {"--mask half.pgm --relax 3", 2,
-         "lacuna: --relax 3: cannot be used with --mask, --inside, --outside, --border or "
+         "lacuna: --relax 3: cannot be used with --mask, --inside, --outside, --avoid, --border or "
          "--keep\n"},
         {"--inside triangle.txt --edge 1e-9", 2,
          "lacuna: --edge 1e-09: takes a mask of 707106782 x 7"},
