@@ -15,13 +15,9 @@ namespace lacuna {
 class Sheets {
 public:
     // One class, and one sheet: the domain.
-    Sheets() : Sheets(1, {1}, {1}) {}
+    Sheets() : Sheets(1, std::vector{1.0}, std::vector{1.0}) {}
     // `distances` is a matrix, as distances_of() returns it.
     Sheets(std::uint32_t count, std::span<const double> distances, std::span<const double> weights);
-    Sheets(std::uint32_t count, std::initializer_list<double> distances,
-           std::initializer_list<double> weights)
-        : Sheets(count, std::span(distances.begin(), distances.size()),
-                 std::span(weights.begin(), weights.size())) {}
 
     std::uint32_t count() const { return count_; }
     bool are_several() const { return count_ > 1; }
