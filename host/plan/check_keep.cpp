@@ -175,30 +175,24 @@ std::vector<double> times(std::span<const double> radii, double factor) {
     return all;
 }
 
-// The share of the least distance that two kept points must keep.
-double share_of(const Request& request, std::uint32_t a, std::uint32_t b) {
-    if (request.classes.names.empty()) return 1;
-    const std::size_t row = request.keep_classes[a] * request.classes.names.size();
-    return request.classes.distances[row + request.keep_classes[b]] / least_distance_of(request);
+std::size_t class_of_kept(const Request& request, std::uint32_t index) {
+    return request.classes.names.empty() ? 0 : request.keep_classes[index];
 }
 
 // Looks for two kept points that are too close, in each class and in each pair of classes. The
 // points of the sparser class are put into the cells, so that few of them share one.
 std::optional<Pair> find_too_close(const Request& request, std::span<const double> radii) {
+    const std::vector<double> shares = distances_of(request);
     const std::size_t count = std::max<std::size_t>(request.classes.names.size(), 1);
     std::vector<std::vector<std::uint32_t>> of_class(count);
     for (std::uint32_t i = 0; i < radii.size(); ++i)
-        of_class[request.classes.names.empty() ? 0 : request.keep_classes[i]].push_back(i);
+        of_class[class_of_kept(request, i)].push_back(i);
     for (std::size_t a = 0; a < count; ++a)
         for (std::size_t b = 0; b < count; ++b) {
-            const auto own = [&](std::size_t one) {
-                const auto& all = of_class[one];
-                return all.empty() ? 0 : share_of(request, all.front(), all.front());
-            };
-            const bool is_sparser = own(a) > own(b) || (own(a) == own(b) && a <= b);
-            if (of_class[a].empty() || of_class[b].empty() || !is_sparser) continue;
-            const double share = share_of(request, of_class[a].front(), of_class[b].front());
-            if (share == 0) continue;
+            const double own_a = shares[a * (count + 1)], own_b = shares[b * (count + 1)];
+            const bool is_sparser = own_a > own_b || (own_a == own_b && a <= b);
+            const double share = shares[a * count + b];
+            if (!is_sparser || share == 0) continue;
             const auto pair =
                 find_too_close(request, times(radii, share), of_class[a], of_class[b]);
             if (pair) return pair;
@@ -248,14 +242,18 @@ void check_kept_distances(const Request& request) {
     if (!pair) return;
     const auto a = std::min(pair->first, pair->second), b = std::max(pair->first, pair->second);
     const bool has_classes = !request.classes.names.empty();
-    throw BadRequest(
-        "keep", text_of(a, request.keep[a]) + " and " + text_of(b, request.keep[b]),
-        "are " + shortest(distance_between(request, request.keep[a], request.keep[b])) +
-            " apart: must be at least " +
-            shortest(std::min(radii[a], radii[b]) * share_of(request, a, b)) + ", the " +
-            (has_classes                ? "distance of their classes"
-             : request.field == nullptr ? "radius"
-                                        : "smaller of their radii"));
+    const double share =
+        distances_of(request)[class_of_kept(request, a) *
+                                  std::max<std::size_t>(request.classes.names.size(), 1) +
+                              class_of_kept(request, b)];
+    throw BadRequest("keep", text_of(a, request.keep[a]) + " and " + text_of(b, request.keep[b]),
+                     "are " +
+                         shortest(distance_between(request, request.keep[a], request.keep[b])) +
+                         " apart: must be at least " +
+                         shortest(std::min(radii[a], radii[b]) * share) + ", the " +
+                         (has_classes                ? "distance of their classes"
+                          : request.field == nullptr ? "radius"
+                                                     : "smaller of their radii"));
 }
 
 }  // namespace lacuna

@@ -98,57 +98,51 @@ public:
     FirstBoxes take() {
         most_in_region_ = std::max(kFewBoxes, boxes() / kRegions);
         first_.blocks.push_back({boxes(), 0, 0});
-        if (sheets_.are_several() && !first_.sheets.empty()) {
-            cut_zone(first_.sheets);
-            for (std::size_t sheet = 0; sheet < first_.sheets.size(); ++sheet)
-                for (FirstBoxes::Zone& zone : first_.zones)
-                    find_regions(zone.nodes[sheet],
-                                 [&](std::uint32_t region) { zone.regions.push_back(region); });
-        } else if (!first_.nodes.empty()) {
-            find_regions(0, [&](std::uint32_t region) {
-                first_.zones.push_back({{first_.regions.back()}, {region}});
-            });
-        }
+        if (!first_.sheets.empty()) cut_zone(first_.sheets);
+        for (std::size_t sheet = 0; sheet < first_.sheets.size(); ++sheet)
+            for (FirstBoxes::Zone& zone : first_.zones) find_regions(zone.nodes[sheet], zone);
         first_.begins.push_back(boxes());
         return std::move(first_);
     }
 
 private:
-    template <typename Found>
-    void find_regions(std::uint32_t root, Found found) {
+    // A zone of one class is small enough to be a region, unless other classes ended its cutting.
+    void find_regions(std::uint32_t root, FirstBoxes::Zone& zone) {
         const std::uint32_t all = first_.nodes[root].next;
         for (std::uint32_t i = root; i < all;) {
-            if (boxes_in(i) > most_in_region_ && has_parts(i)) {
+            if (boxes_in(i) > most_in_region_ && i + 1 < first_.nodes[i].next) {
                 ++i;
                 continue;
             }
+            zone.regions.push_back(static_cast<std::uint32_t>(first_.regions.size()));
             first_.begins.push_back(first_.blocks[first_.nodes[i].first].first);
             first_.regions.push_back(i);
-            found(static_cast<std::uint32_t>(first_.regions.size()) - 1);
             i = first_.nodes[i].next;
         }
     }
 
     // `nodes` is the same part of the domain on each sheet. It is cut where one of the nodes is
-    // more than a region, and all have the same two parts.
+    // more than a region, and all have the same parts.
     void cut_zone(const std::vector<std::uint32_t>& nodes) {
-        std::vector<std::uint32_t> low, high;
-        bool is_large = false, can_be_cut = true;
+        std::vector<std::vector<std::uint32_t>> parts;  // of the domain, each on all sheets
+        bool is_large = false, are_like = true;
         for (const std::uint32_t node : nodes) {
             is_large |= boxes_in(node) > most_in_region_;
-            can_be_cut &= has_parts(node) && first_.nodes[node + 1].next < first_.nodes[node].next;
-            if (!can_be_cut) break;
-            low.push_back(node + 1);
-            high.push_back(first_.nodes[node + 1].next);
-            can_be_cut &=
-                are_alike(low.front(), low.back()) && are_alike(high.front(), high.back());
+            std::size_t count = 0;
+            for (std::uint32_t i = node + 1; i < first_.nodes[node].next; ++count) {
+                if (node == nodes.front()) parts.emplace_back();
+                are_like &= count < parts.size();
+                if (!are_like) break;
+                parts[count].push_back(i);
+                are_like &= are_alike(parts[count].front(), i);
+                i = first_.nodes[i].next;
+            }
+            are_like &= count == parts.size() && count != 0;
         }
-        if (!is_large || !can_be_cut) {
+        if (is_large && are_like)
+            for (const std::vector<std::uint32_t>& part : parts) cut_zone(part);
+        else
             first_.zones.push_back({nodes, {}});
-            return;
-        }
-        cut_zone(low);
-        cut_zone(high);
     }
 
     bool are_alike(std::uint32_t a, std::uint32_t b) const {
@@ -158,7 +152,6 @@ private:
         };
         return on_domain(first_.nodes[a].box) == on_domain(first_.nodes[b].box);
     }
-    bool has_parts(std::uint32_t node) const { return node + 1 < first_.nodes[node].next; }
     std::uint32_t boxes_in(std::uint32_t index) const {
         const FirstBoxes::Node& node = first_.nodes[index];
         return first_.blocks[block_after(node)].first - first_.blocks[node.first].first;

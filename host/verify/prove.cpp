@@ -101,33 +101,20 @@ void prove_on_field(std::span<const Point> points, const Claim& claim,
     const Domain& domain = radius_field.domain();
     const Samples samples = samples_of(points, radius_field, proof);
     if (proof.forbidden) return;
+    const bool has_classes = !claim.classes.names.empty();
     ask(
         claim,
         [&] {
-            const Pair pair = closest_pair(domain, samples.least, patience, kHopeless);
-            tell_of(pair, pair.limit, proof);
-        },
-        [&] {
-            const Gap gap = largest_gap(radius_field, samples.most, tolerance, patience);
-            tell_of(gap, tolerance + domain.rounding(), gap.limit, proof);
-        });
-}
-
-void prove_on_classes(std::span<const Point> points, const Claim& claim,
-                      const RadiusField& radius_field, double tolerance, const Patience& patience,
-                      Proof& proof) {
-    const Domain& domain = radius_field.domain();
-    const Samples samples = samples_of(points, radius_field, proof);
-    if (proof.forbidden) return;
-    ask(
-        claim,
-        [&] {
-            const Pair pair = closest_of_classes(domain, claim, samples.least, patience);
+            const Pair pair = has_classes
+                                  ? closest_of_classes(domain, claim, samples.least, patience)
+                                  : closest_pair(domain, samples.least, patience, kHopeless);
             tell_of(pair, pair.limit, proof);
         },
         [&] {
             const auto [gap, of_class] =
-                largest_gap_of_classes(radius_field, claim, samples.most, tolerance, patience);
+                has_classes
+                    ? largest_gap_of_classes(radius_field, claim, samples.most, tolerance, patience)
+                    : GapOfClass{largest_gap(radius_field, samples.most, tolerance, patience), 0};
             tell_of(gap, tolerance + domain.rounding(), gap.limit, proof);
             proof.largest_gap_class = of_class;
         });
@@ -164,9 +151,7 @@ Proof prove(std::span<const Point> points, const Claim& claim,
     check_least_radius(claim, radius_field.least_radius());
     proof.outside = first_outside(points, domain);
     if (proof.outside) return proof;
-    if (!claim.classes.names.empty()) {
-        prove_on_classes(points, claim, radius_field, tolerance, patience, proof);
-    } else if (is_uniform(claim)) {
+    if (is_uniform(claim)) {
         prove_uniform(points, claim, domain, tolerance, patience, proof);
     } else {
         prove_on_field(points, claim, radius_field, tolerance, patience, proof);

@@ -29,12 +29,10 @@ void find_candidates(const SpanState& state, std::uint32_t index, std::size_t sl
     found = {{state.column_begins[index * std::size_t{state.columns} / slabs],
               state.column_begins[(index + std::size_t{1}) * state.columns / slabs]}};
 }
-// The same with a radius field: a slab is all or a zone.
-void find_candidates(const FieldState& state, std::uint32_t index, std::size_t slabs,
+// The same with a radius field: a slab is a zone.
+void find_candidates(const FieldState& state, std::uint32_t index, std::size_t,
                      std::vector<Span>& found) {
     found.clear();
-    if (slabs == 1) found = {{0, state.column_begins.back()}};
-    if (slabs == 1) return;
     for (const std::uint32_t region : state.first.zones[index].regions)
         found.push_back({state.column_begins[region], state.column_begins[region + 1]});
 }
@@ -219,7 +217,7 @@ template <typename DartState>
 void Darts::throw_in(DartState& state, std::uint32_t index) {
     thread_local Scratch of_thread;
     Scratch& scratch = of_thread;  // looked up once, see subtract.cpp
-    find_candidates(state, index, put_off_.size(), scratch.candidates);
+    if (slabs() > 1) find_candidates(state, index, put_off_.size(), scratch.candidates);
     list_turns(state, scratch);
     const std::vector<std::uint32_t>& thrown = scratch.thrown;
     auto board = board_of(state, index, put_off_.size());
