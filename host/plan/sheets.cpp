@@ -120,16 +120,16 @@ std::uint32_t Sheets::greatest_factor(std::uint32_t sheet) const {
     return *std::max_element(row, row + static_cast<std::ptrdiff_t>(count_));
 }
 
-double least_distance_of(const Request& request) {
+double least_distance_of(const Classes& classes) {
     double least = std::numeric_limits<double>::infinity();
-    for (const double distance : request.classes.distances)
+    for (const double distance : classes.distances)
         if (distance > 0) least = std::min(least, distance);
     return least;
 }
 
 std::vector<double> distances_of(const Request& request) {
     if (request.classes.names.empty()) return {1};
-    const double least = least_distance_of(request);
+    const double least = least_distance_of(request.classes);
     std::vector<double> distances;
     for (const double distance : request.classes.distances) distances.push_back(distance / least);
     return distances;
@@ -146,7 +146,7 @@ Request settled(const Request& request) {
     Request all = request;
     if (all.classes.names.empty()) return all;
     std::optional<double>& size = all.field != nullptr ? all.scale : all.radius;
-    if (!size && !all.count) size = least_distance_of(all);
+    if (!size && !all.count) size = least_distance_of(all.classes);
     if (all.classes.names.size() > 1) return all;
     all.classes = {};
     all.keep_classes = {};

@@ -56,8 +56,9 @@ Sheets sheets_of(const Request& request);
 // The least distances of a request's classes, class by class in rows, as shares of the least that
 // is not 0. Without classes there is one distance.
 std::vector<double> distances_of(const Request& request);
-// The least distance in the request's unit, which Request::radius or scale stand for.
-double least_distance_of(const Request& request);
+// The least distance that is not 0, in the request's unit, which Request::radius or scale stand
+// for. Infinite if there is none.
+double least_distance_of(const Classes& classes);
 
 // Checks the names, radii, weights and distances of classes. Throws BadRequest.
 void check_classes(const Request& request);

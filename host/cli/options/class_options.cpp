@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
@@ -18,6 +17,7 @@
 #include "files/parse.h"
 #include "files/read_whole.h"
 #include "files/text_lines.h"
+#include "plan/sheets.h"
 
 namespace lacuna::cli {
 namespace {
@@ -100,13 +100,6 @@ std::vector<double> read_matrix(const std::string& path) {
     const std::string name = files::name_of(path);
     if (path.ends_with(".json")) return matrix_of_json(bytes, name);
     return matrix_of_csv(files::without_byte_order_mark(bytes), name);
-}
-
-double least_of(const Classes& classes) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const double distance : classes.distances)
-        if (distance > 0) least = std::min(least, distance);
-    return least;
 }
 
 }  // namespace
@@ -196,7 +189,7 @@ void give_layers(std::span<const files::Layer> layers, const Result& result, fil
 std::vector<double> class_diameters(const Request& request, const Result& result) {
     const std::size_t count = request.classes.names.size();
     const double size = request.field != nullptr ? result.scale : result.radius;
-    const double scale = size / least_of(request.classes);
+    const double scale = size / least_distance_of(request.classes);
     std::vector<double> diameters;
     diameters.reserve(result.points.size());
     for (std::size_t i = 0; i < result.points.size(); ++i) {

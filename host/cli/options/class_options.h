@@ -40,8 +40,8 @@ std::vector<std::uint8_t> classes_in(const files::SetsOfFile& file, const Classe
 std::vector<files::Layer> layers_of(const Classes& classes, const Result& result);
 void give_layers(std::span<const files::Layer> layers, const Result& result, files::PointSet& set);
 
-// The diameters of dots in classes: two thirds of the distance that two of a class keep, at a scale
-// at which the least distance of all is `least`.
+// The diameters of dots in classes: two thirds of the distance that two points of that class
+// keep in this result.
 std::vector<double> class_diameters(const Request& request, const Result& result);
 
 nlohmann::ordered_json json_of(const Classes& classes);

@@ -26,6 +26,7 @@
 #include "files/read_sets.h"
 #include "files/read_whole.h"
 #include "pictures/importance.h"
+#include "plan/sheets.h"
 
 namespace lacuna::cli {
 namespace {
@@ -122,8 +123,7 @@ void check_within_default(const std::string& path, const std::vector<PolygonRing
 void give_size_of_classes(Request& request) {
     std::optional<double>& size = request.field != nullptr ? request.scale : request.radius;
     if (request.classes.names.empty() || request.count || size) return;
-    for (const double distance : request.classes.distances)
-        if (distance > 0 && (!size || distance < *size)) size = distance;
+    size = least_distance_of(request.classes);
 }
 
 // Adds the images of the rings around a torus.
