@@ -28,7 +28,7 @@ BODY u32 node_around(MEMORY const DrawArguments a, const u32x4 candidate, const 
                      const u32 root) {
     const u32x4 all = AT(tree_boxes, root);
     u32 node = AT(node_of, candidate.z);
-    while (node != root) {
+    while (node > root) {  // a part has a higher number than what it is a part of
         const u32x4 box = AT(tree_boxes, node);
         if (is_within(candidate.x, radius, U32X2(box.x, box.x + box.y), U32X2(all.x, all.x + all.y),
                       a.g.period_x) &&
