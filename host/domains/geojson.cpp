@@ -1,12 +1,16 @@
 // Reads polygons from GeoJSON (RFC 7946).
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "domains/join.h"
 #include "domains/rings.h"
 #include "files/parse.h"
 #include "files/text_lines.h"
@@ -55,7 +59,9 @@ public:
         }
     }
 
-    Polygons finish() { return std::move(polygons_); }
+    Polygons finish() {
+        return {take_ == Take::lines ? std::move(lines_) : join(std::move(polygons_))};
+    }
 
 private:
     [[noreturn]] void refuse(const std::string& place, const std::string& why) const {
@@ -98,8 +104,13 @@ private:
 
     void read_polygon(const Json& rings, const std::string& place) {
         array(rings, place);
+        Polygon polygon;
         for (std::size_t i = 0; i < rings.size(); ++i)
-            read_ring(rings[i], fmt::format("{}[{}]", place, i));
+            polygon.rings.push_back(ring_of(rings[i], fmt::format("{}[{}]", place, i)));
+        if (take_ == Take::lines)
+            std::move(polygon.rings.begin(), polygon.rings.end(), std::back_inserter(lines_));
+        else
+            polygons_.push_back(std::move(polygon));
     }
 
     void read_line(const Json& object, bool is_point, const std::string& place) {
@@ -112,10 +123,10 @@ private:
         PolygonRing line;
         for (std::size_t i = 0; i < positions.size(); ++i)
             line.push_back(point_of(positions[i], place, i));
-        if (!line.empty()) polygons_.rings.push_back(there_and_back(std::move(line)));
+        if (!line.empty()) lines_.push_back(there_and_back(std::move(line)));
     }
 
-    void read_ring(const Json& positions, const std::string& place) {
+    PolygonRing ring_of(const Json& positions, const std::string& place) const {
         array(positions, place);
         PolygonRing ring;
         ring.reserve(positions.size());
@@ -125,7 +136,7 @@ private:
         if (ring.size() < 3)
             refuse(place, fmt::format("a ring of {} point{}: must be at least 3", ring.size(),
                                       ring.size() == 1 ? "" : "s"));
-        polygons_.rings.push_back(std::move(ring));
+        return ring;
     }
 
     Point point_of(const Json& position, const std::string& place, std::size_t index) const {
@@ -142,7 +153,8 @@ private:
 
     const std::string& name_;
     Take take_;
-    Polygons polygons_;
+    std::vector<Polygon> polygons_;
+    std::vector<PolygonRing> lines_;
 };
 
 }  // namespace

@@ -66,8 +66,8 @@ void Outline::close() {
 }
 
 std::vector<PolygonRing> Outline::take_rings() {
-    end();
-    return std::move(rings_);
+    move_to({0, 0});
+    return std::exchange(rings_, {});
 }
 
 void Outline::line_to(Point to) {

@@ -59,6 +59,7 @@ public:
     std::size_t points() const { return points_; }
     // Whether all coordinates were finite, and none too large.
     bool is_fair() const { return is_fair_; }
+    // Ends the shape: the next one begins at (0, 0).
     std::vector<PolygonRing> take_rings();
 
 private:

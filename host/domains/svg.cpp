@@ -6,13 +6,16 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "domains/join.h"
 #include "domains/outline.h"
 #include "domains/rings.h"
 #include "domains/svg_path.h"
@@ -58,6 +61,22 @@ std::optional<double> pixels_of(std::string_view text) {
     return std::nullopt;
 }
 
+// What an element hands on to those within it.
+struct Inherited {
+    Affine transform;
+    Fill fill;
+};
+
+// A property, from the attribute `style` or one of its own; without blanks.
+std::string property(pugi::xml_node node, const std::string& name) {
+    std::string style = fmt::format(";{};", node.attribute("style").value());
+    std::erase(style, ' ');
+    const std::size_t at = style.rfind(";" + name + ":");
+    if (at == std::string::npos) return node.attribute(name.c_str()).value();
+    const std::size_t begin = at + name.size() + 2;
+    return style.substr(begin, style.find(';', begin) - begin);
+}
+
 class Drawing {
 public:
     Drawing(const std::string& name, pugi::xml_node root, const Page& page, Take take)
@@ -71,9 +90,9 @@ public:
     Polygons draw(pugi::xml_node root) {
         // The y axis is reversed, because y points down on an SVG page.
         const Affine upright{1, 0, 0, -1, -page_.left, page_.top + page_.height};
-        draw_children(root, upright, 0);
-        Polygons polygons{outline_.take_rings(), page_.width, page_.height};
-        return polygons;
+        draw_children(root, {upright, fill_of(root, Fill::nonzero)}, 0);
+        return {take_ == Take::lines ? std::move(lines_) : join(std::move(polygons_)), page_.width,
+                page_.height};
     }
 
 private:
@@ -99,19 +118,18 @@ private:
         root.traverse(walker);
     }
 
-    void draw_children(pugi::xml_node parent, const Affine& transform, int depth) {
-        for (const pugi::xml_node node : parent.children()) draw_node(node, transform, depth);
+    void draw_children(pugi::xml_node parent, const Inherited& inherited, int depth) {
+        for (const pugi::xml_node node : parent.children()) draw_node(node, inherited, depth);
     }
 
-    static bool is_hidden(pugi::xml_node node) {
-        if (std::string_view(node.attribute("display").value()) == "none") return true;
-        std::string style = node.attribute("style").value();
-        style.erase(std::remove(style.begin(), style.end(), ' '), style.end());
-        return (";" + style + ";").find(";display:none;") != std::string::npos;
+    static Fill fill_of(pugi::xml_node node, Fill inherited) {
+        const std::string rule = property(node, "fill-rule");
+        if (rule == "evenodd") return Fill::even_odd;
+        return rule == "nonzero" ? Fill::nonzero : inherited;
     }
 
-    void draw_node(pugi::xml_node node, const Affine& outer, int depth) {
-        if (node.type() != pugi::node_element || is_hidden(node)) return;
+    void draw_node(pugi::xml_node node, const Inherited& outer, int depth) {
+        if (node.type() != pugi::node_element || property(node, "display") == "none") return;
         if (depth > kDeepest)
             refuse(node, fmt::format("more than {} elements within each other, or a use of itself",
                                      kDeepest));
@@ -125,19 +143,27 @@ private:
                    "is not read within another drawing: its outlines must stand in the outer "
                    "one, or in a group");
         if (!is_group && kind != "use" && !is_shape(kind) && !is_line) return;
-        Affine transform = outer;
-        check(node, read_transform(node.attribute("transform").value(), transform));
-        if (is_group) return draw_children(node, transform, depth + 1);
-        if (kind == "use") return draw_used(node, transform, depth);
-        outline_.set_transform(transform);
+        Inherited here{outer.transform, fill_of(node, outer.fill)};
+        check(node, read_transform(node.attribute("transform").value(), here.transform));
+        if (is_group) return draw_children(node, here, depth + 1);
+        if (kind == "use") return draw_used(node, here, depth);
+        outline_.set_transform(here.transform);
         draw_shape(node, kind);
-        outline_.move_to({0, 0});  // ends a path that is still open
+        take_shape(here.fill);
         if (!outline_.is_fair())
             refuse(node,
                    "reaches too far: coordinates must be finite numbers between -1e100 and "
                    "1e100");
         if (outline_.points() > kMostPoints)
             refuse(node, fmt::format("more than {} points, with those of curves", kMostPoints));
+    }
+
+    void take_shape(Fill fill) {
+        std::vector<PolygonRing> rings = outline_.take_rings();
+        if (take_ == Take::lines)
+            std::move(rings.begin(), rings.end(), std::back_inserter(lines_));
+        else if (!rings.empty())
+            polygons_.push_back({std::move(rings), fill});
     }
 
     static bool is_shape(std::string_view kind) {
@@ -150,7 +176,7 @@ private:
         if (wrong) refuse(node, *wrong);
     }
 
-    void draw_used(pugi::xml_node node, const Affine& outer, int depth) {
+    void draw_used(pugi::xml_node node, Inherited inherited, int depth) {
         std::string_view link = node.attribute("href").value();
         if (link.empty()) link = node.attribute("xlink:href").value();
         const auto found = link.starts_with('#') ? by_id_.find(link.substr(1)) : by_id_.end();
@@ -158,8 +184,9 @@ private:
             refuse(node, fmt::format("uses {}: must be # and the id of an element of this file",
                                      files::excerpt(link)));
         const Affine moved{1, 0, 0, 1, number(node, "x", 0), number(node, "y", 0)};
+        inherited.transform = inherited.transform.after(moved);
         ++depth_of_use_;
-        draw_node(found->second, outer.after(moved), depth + 1);
+        draw_node(found->second, inherited, depth + 1);
         --depth_of_use_;
     }
 
@@ -232,6 +259,8 @@ private:
     Page page_;
     Take take_;
     Outline outline_;
+    std::vector<Polygon> polygons_;
+    std::vector<PolygonRing> lines_;
     std::map<std::string_view, pugi::xml_node> by_id_;
     std::size_t elements_ = 0;
     int depth_of_use_ = 0;

@@ -48,7 +48,8 @@ def read_polygons(path: str | bytes | os.PathLike[Any]) -> Polygons:
     path : path
         ``.svg``: the outlines of its shapes, in user units of the page. ``.geojson``, ``.json``:
         polygons, with unchanged coordinates. ``.txt``: ``x y`` on each line, and a blank line
-        between rings. docs/domains.md lists what is read and what is skipped.
+        between rings. Polygons of one file that overlap are joined, each filled by its own rule.
+        docs/domains.md lists what is read and what is skipped.
 
     Returns
     -------

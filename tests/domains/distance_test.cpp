@@ -208,9 +208,10 @@ TEST(Lines, AreReadFromEveryFormat) {
     EXPECT_EQ(of_svg("<line x1='1' y1='1' x2='3' y2='1'/>"),
               (std::vector<PolygonRing>{{{1, 9}, {3, 9}}}));
     // Outlines are closed where their inside is asked for, and lines have none.
-    EXPECT_EQ(decode_polygons("<svg viewBox='0 0 10 10'><polyline points='1,1 3,1 3,2'/>"
-                              "<line x1='1' x2='3'/></svg>",
-                              "svg", "a.svg")
+    EXPECT_EQ(decode_polygons(
+                  "<svg viewBox='0 0 10 10' fill-rule='evenodd'><polyline points='1,1 3,1 3,2'/>"
+                  "<line x1='1' x2='3'/></svg>",
+                  "svg", "a.svg")
                   .rings,
               closed);
 }

@@ -28,7 +28,7 @@ std::string refusal_of(std::string_view bytes) {
 }
 
 std::string svg(std::string_view elements) {
-    return "<svg viewBox=\"0 0 8 10\" xmlns=\"http://www.w3.org/2000/svg\">" +
+    return "<svg viewBox=\"0 0 8 10\" fill-rule=\"evenodd\" xmlns=\"http://www.w3.org/2000/svg\">" +
            std::string(elements) + "</svg>";
 }
 
@@ -58,7 +58,8 @@ TEST(AnSvg, IsReadAsItIsSeen) {
 TEST(AnSvg, HasThePageOfItsViewBoxOrOfItsSize) {
     const auto page = [](const std::string& attributes) {
         const Polygons read = decode_polygons(
-            "<svg " + attributes + "><rect width='1' height='1'/></svg>", "svg", "file");
+            "<svg fill-rule='evenodd' " + attributes + "><rect width='1' height='1'/></svg>", "svg",
+            "file");
         return std::vector<double>{read.width, read.height, read.rings[0][0].x, read.rings[0][0].y};
     };
     EXPECT_EQ(page("viewBox='-2 -3 8 10' width='800' height='5mm'"),
@@ -138,8 +139,7 @@ TEST(ACurve, OfAnArcTakesTheSideThatItsFlagsTell) {
     const double small = 25 * std::acos(0.6) - 12;
     const double large = 25 * std::acos(-1.0) - small;
     const auto area = [](const std::string& flags) {
-        const Rings rings =
-            rings_of("<svg viewBox='0 0 30 30'><path d='M10 10A5 5 0 " + flags + " 18 10'/></svg>");
+        const Rings rings = rings_of_svg("<path d='M10 10A5 5 0 " + flags + " 18 10'/>");
         return area_of(rings.at(0));
     };
     // From left to right on a page, whose y points down. With sweep the arc goes over the chord,
@@ -199,16 +199,17 @@ TEST(ATransform, IsOneAfterTheOther) {
 TEST(AnSvg, ShowsWhatIsUsedAndHidesWhatIsOnlyDefined) {
     const PolygonRing triangle{{0, 10}, {1, 10}, {1, 8}};
     const PolygonRing moved{{3, 9}, {4, 9}, {4, 7}};
-    EXPECT_EQ(rings_of_svg("<defs><g id='g'><path id='p' d='M0 0h1v2z'/></g></defs>"
-                           "<use href='#p'/><use xlink:href='#g' x='3' y='1'/>"),
-              (Rings{triangle, moved}));
+    const std::string defined = "<defs><g id='g'><path id='p' d='M0 0h1v2z'/></g></defs>";
+    EXPECT_EQ(rings_of_svg(defined + "<use href='#p'/>"), (Rings{triangle}));
+    EXPECT_EQ(rings_of_svg(defined + "<use xlink:href='#g' x='3' y='1'/>"), (Rings{moved}));
+    EXPECT_EQ(rings_of_svg(defined + "<use href='#p'/><use href='#g' x='3' y='1'/>").size(), 2U);
     EXPECT_EQ(rings_of_svg("<clipPath><path d='M5 5h1v2z'/></clipPath><text>no</text>"
                            "<g display='none'><path d='M5 5h1v2z'/></g>"
                            "<path style='fill: red; display : none' d='M5 5h1v2z'/>"
                            "<path fill='none' stroke='red' d='M0 0h1v2z'/><circle r='0'/>"),
               (Rings{triangle}));
-    EXPECT_EQ(rings_of("<s:svg xmlns:s='http://www.w3.org/2000/svg' viewBox='0 0 8 10'>"
-                       "<s:path d='M0 0h1v2z'/></s:svg>"),
+    EXPECT_EQ(rings_of("<s:svg xmlns:s='http://www.w3.org/2000/svg' viewBox='0 0 8 10' "
+                       "fill-rule='evenodd'><s:path d='M0 0h1v2z'/></s:svg>"),
               (Rings{triangle}));
 }
 
@@ -247,7 +248,7 @@ TEST(AnSvg, IsRefusedByElementAndValue) {
             R"(<svg id="a">: is not read within another drawing: its outlines must stand in the )"
             "outer one, or in a group");
     refused("<path d='M1 1h'/>",
-            "byte 60: <path>: a number is expected before the end, at character 5");
+            "byte 80: <path>: a number is expected before the end, at character 5");
     refused("<path d='M1 1h1'/>",
             "no polygon: there must be at least one, of three points or more");
 }

@@ -155,8 +155,8 @@ void add_domain(CLI::App& command, DomainOptions& options, Request& request) {
     add_files(
         command, "--inside", options.inside,
         "Polygons that points must lie in: .svg, .geojson or .txt (`x y` on each line, a blank "
-        "line between polygons); a polygon within another is a hole; may be given several times, "
-        "and points then lie inside of any");
+        "line between rings); polygons that overlap are joined, each filled by its own rule; may "
+        "be given several times, and points then lie inside of any");
     add_files(command, "--outside", options.outside,
               "Polygons that points must not lie in, as for --inside; may be given several times");
     command

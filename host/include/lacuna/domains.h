@@ -2,9 +2,10 @@
 // mask. Link lacuna::extras.
 //
 // What is promised
-//   - A point is inside if an odd number of rings of a file goes around it (the even-odd rule): a
+//   - A point is inside of rings if an odd number of them goes around it (the even-odd rule): a
 //     ring within a ring is a hole. It does not matter which way a ring goes, where it begins, or
 //     whether it crosses itself or others.
+//   - Polygons of one file that overlap are joined, and a hole is one of its own polygon alone.
 //   - The same rings give the same mask, byte for byte, on every machine.
 //   - Files are not trusted: a broken one is refused. The message is one line that names the file,
 //     the line or element, what was found and what is allowed.
@@ -48,13 +49,17 @@ Mask decode_mask(std::string_view bytes, const std::string& name);
 // The polygons of a file, by its extension:
 //   .svg             the outlines of paths, polygons, polylines, rects, circles and ellipses,
 //                    filled or not, with their transforms, also in groups and by `use`. Elements
-//                    that are not drawn (in defs, display none) are skipped. Coordinates are user
+//                    that are not drawn (in defs, display none) are skipped. Each shape is filled
+//                    by its fill-rule, nonzero unless the file says evenodd. Coordinates are user
 //                    units of the page, which is the viewBox, or width x height in px (96 an inch).
 //                    The page's lower left corner is (0, 0). Curves become lines with an error of
 //                    at most 2^-20 of the page's longer side.
 //   .geojson .json   Polygon, MultiPolygon, Feature, FeatureCollection and GeometryCollection;
 //                    coordinates are not converted; other geometries are skipped
-//   .txt             `x y` on each line; a blank line, or one that begins with #, ends a ring
+//   .txt             `x y` on each line; a blank line, or one that begins with #, ends a ring. All
+//                    rings are one polygon, by the even-odd rule.
+// Polygons of .svg and .geojson become the rings of their union: none runs where two overlap or
+// touch. Corners are rounded to 2^-51 of the largest coordinate.
 // Throws FileError, also where there is no ring, and BadRequest for another extension.
 Polygons read_polygons(const std::string& path);
 // The same for bytes that have been read, of the format "svg", "geojson" or "txt".
