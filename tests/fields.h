@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <numeric>
 #include <random>
+#include <utility>
 #include <vector>
 
 #ifdef LACUNA_RACCOON
@@ -24,6 +25,32 @@ Field made_field(std::uint32_t columns, std::uint32_t rows, Of of) {
         for (std::uint32_t column = 0; column < columns; ++column)
             field.importance.push_back(of((column + 0.5) / columns, 1 - (row + 0.5) / rows));
     return field;
+}
+
+// The field with ellipses: of(x, y) is the stretch at the middle of each pixel.
+template <typename Of>
+Field stretched(Field field, Of of) {
+    for (std::uint32_t row = 0; row < field.rows; ++row)
+        for (std::uint32_t column = 0; column < field.columns; ++column)
+            field.stretches.push_back(
+                of((column + 0.5) / field.columns, 1 - (row + 0.5) / field.rows));
+    return field;
+}
+
+// Ellipses that turn around the middle.
+inline Field swirled(Field field, double ratio) {
+    return stretched(std::move(field), [&](double x, double y) {
+        return Stretch{ratio, std::atan2(y - 0.5, x - 0.5) + 1.2};
+    });
+}
+
+// Ratios from 1 to `ratio`, at all angles, pixel by pixel.
+inline Field stretched_at_random(Field field, double ratio, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    return stretched(std::move(field), [&](double, double) {
+        const double power = static_cast<double>(random() % 1000) / 1000;
+        return Stretch{std::pow(ratio, power), static_cast<double>(random() % 6283) / 1000 - 3};
+    });
 }
 
 inline Field constant_field(std::uint32_t columns, std::uint32_t rows, double value = 1) {

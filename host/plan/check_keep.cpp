@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "plan/ellipse.h"
 #include "plan/kept.h"
 #include "plan/plan.h"
 
@@ -47,6 +48,36 @@ double greatest_importance_at(const Request& request, Point point) {
     return greatest;
 }
 
+double radius_at(const Request& request, Point point) {
+    if (request.field == nullptr) return *request.radius;
+    return *request.scale / std::sqrt(greatest_importance_at(request, point));
+}
+
+// The longest radius of the ellipses at a point, or that of its disk.
+double longest_at(const Request& request, Point point) {
+    double longest = radius_at(request, point);
+    if (request.field == nullptr || request.field->stretches.empty()) return longest;
+    const Field& field = *request.field;
+    for_pixels_at(request, point, field.columns, field.rows, [&](std::size_t pixel) {
+        const double radius = *request.scale / std::sqrt(field.importance[pixel]);
+        if (std::isfinite(radius))
+            longest = std::max(longest, stretched(radius, field.stretches[pixel]).longer);
+    });
+    return longest;
+}
+
+// Whether all ellipses at a point hold the way from it.
+bool holds_way(const Request& request, Point point, Point way) {
+    const Field& field = *request.field;
+    bool holds = true;
+    for_pixels_at(request, point, field.columns, field.rows, [&](std::size_t pixel) {
+        const double radius = *request.scale / std::sqrt(field.importance[pixel]);
+        if (std::isfinite(radius))
+            holds &= form_of(stretched(radius, field.stretches[pixel])).holds(way.x, way.y);
+    });
+    return holds;
+}
+
 bool is_allowed(const Request& request, Point point) {
     const Mask& mask = *request.mask;
     bool allowed = false;
@@ -60,14 +91,16 @@ std::string text_of(std::size_t index, Point point) {
            shortest(point.y) + ")";
 }
 
-double distance_between(const Request& request, Point a, Point b) {
-    double dx = std::abs(a.x - b.x);
-    double dy = std::abs(a.y - b.y);
-    if (request.boundary == Boundary::torus) {
-        dx = std::min(dx, request.width - dx);
-        dy = std::min(dy, request.height - dy);
-    }
-    return std::sqrt(dx * dx + dy * dy);
+// The shortest way from a to b.
+Point way_between(const Request& request, Point a, Point b) {
+    const auto along = [&](double way, double length) {
+        return request.boundary == Boundary::torus ? way - length * std::round(way / length) : way;
+    };
+    return {along(b.x - a.x, request.width), along(b.y - a.y, request.height)};
+}
+
+double length_of(Point way) {
+    return std::sqrt(way.x * way.x + way.y * way.y);
 }
 
 // Holds the points whose radius is at least `least`, in cells at least twice that wide. Points that
@@ -125,10 +158,15 @@ private:
         const auto first = first_.find(row * columns_ + column);
         if (first == first_.end()) return std::nullopt;
         for (std::uint32_t other = first->second; other != kNone; other = next_[other])
-            if (distance_between(request_, request_.keep[other], request_.keep[index]) <
-                std::min(radii_[other], radii_[index]))
-                return other;
+            if (are_too_close(other, index)) return other;
         return std::nullopt;
+    }
+    bool are_too_close(std::uint32_t a, std::uint32_t b) const {
+        const Point way = way_between(request_, request_.keep[a], request_.keep[b]);
+        if (!(length_of(way) < std::min(radii_[a], radii_[b]))) return false;
+        if (request_.field == nullptr || request_.field->stretches.empty()) return true;
+        return holds_way(request_, request_.keep[a], way) &&
+               holds_way(request_, request_.keep[b], way);
     }
 
     const Request& request_;
@@ -205,10 +243,7 @@ std::optional<Pair> find_too_close(const Request& request, std::span<const doubl
 std::vector<double> radii_of_kept(const Request& request) {
     std::vector<double> radii;
     radii.reserve(request.keep.size());
-    for (const Point point : request.keep)
-        radii.push_back(request.field == nullptr
-                            ? *request.radius
-                            : *request.scale / std::sqrt(greatest_importance_at(request, point)));
+    for (const Point point : request.keep) radii.push_back(longest_at(request, point));
     return radii;
 }
 
@@ -246,14 +281,14 @@ void check_kept_distances(const Request& request) {
         distances_of(request)[class_of_kept(request, a) *
                                   std::max<std::size_t>(request.classes.names.size(), 1) +
                               class_of_kept(request, b)];
-    throw BadRequest("keep", text_of(a, request.keep[a]) + " and " + text_of(b, request.keep[b]),
-                     "are " +
-                         shortest(distance_between(request, request.keep[a], request.keep[b])) +
-                         " apart: must be at least " +
-                         shortest(std::min(radii[a], radii[b]) * share) + ", the " +
-                         (has_classes                ? "distance of their classes"
-                          : request.field == nullptr ? "radius"
-                                                     : "smaller of their radii"));
+    throw BadRequest(
+        "keep", text_of(a, request.keep[a]) + " and " + text_of(b, request.keep[b]),
+        "are " + shortest(length_of(way_between(request, request.keep[a], request.keep[b]))) +
+            " apart: must be at least " + shortest(std::min(radii[a], radii[b]) * share) +
+            ", the " +
+            (has_classes                ? "distance of their classes"
+             : request.field == nullptr ? "radius"
+                                        : "smaller of their radii"));
 }
 
 }  // namespace lacuna

@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kLargestAspect = 1000.0;
 constexpr std::uint32_t kMostLinesPerRadius = 1000;
+constexpr double kMostRatio = 1000;                               // of an ellipse's radii
+constexpr double kMostAngle = 1000;                               // radians
 constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 31;     // of mode stratified
 constexpr std::uint64_t kMostRoundSize = std::uint64_t{1} << 31;  // draws have 32-bit numbers
 
@@ -43,6 +45,30 @@ void check_round_size(const Request& request) {
                        kBytesPerDraw * static_cast<double>(request.round_size));
 }
 
+void check_stretches(const Request& request) {
+    const std::vector<Stretch>& stretches = request.field->stretches;
+    if (stretches.empty()) return;
+    if (stretches.size() != request.field->importance.size())
+        throw BadRequest("stretches", std::to_string(stretches.size()) + " values",
+                         "there must be one for each pixel of the field, " +
+                             std::to_string(request.field->importance.size()));
+    for (std::size_t i = 0; i < stretches.size(); ++i)
+        if (const auto& [ratio, angle] = stretches[i];
+            !(ratio >= 1 && ratio <= kMostRatio) || !(std::abs(angle) <= kMostAngle))
+            throw BadRequest("stretches",
+                             shortest(ratio) + " at an angle of " + shortest(angle) + " at row " +
+                                 std::to_string(i / request.field->columns) + ", column " +
+                                 std::to_string(i % request.field->columns),
+                             "ratios must lie between 1 and " + shortest(kMostRatio) +
+                                 ", angles between -" + shortest(kMostAngle) + " and " +
+                                 shortest(kMostAngle));
+    if (request.mode != Mode::exact)
+        throw BadRequest("stretches", "with mode " + std::string(name_of(request.mode)),
+                         "are for mode exact");
+    if (!request.classes.names.empty())
+        throw BadRequest("class", "with ellipses", "classes have disks");
+}
+
 // Checks the options of a request with a field, except scale and count.
 void check_field(const Request& request) {
     const std::string mode(name_of(request.mode));
@@ -61,6 +87,7 @@ void check_field(const Request& request) {
         throw BadRequest("metric", std::string(name_of(request.metric)),
                          "is for mode cells; mode exact knows min");
     check_importance(*request.field);
+    check_stretches(request);
 }
 
 // Points along a curve keep no distance, and a part of them is a part of the domain.

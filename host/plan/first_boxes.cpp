@@ -83,7 +83,7 @@ public:
             cut_block(box, under);
             if (boxes() > first)
                 first_.blocks.push_back(
-                    {first, under.is_even ? under.least : 0, static_cast<std::uint32_t>(node)});
+                    {first, under.is_even ? under.greatest : 0, static_cast<std::uint32_t>(node)});
         } else {
             cut_in_two(box, under, [&](const Box& part) { cut(part, node); });
         }

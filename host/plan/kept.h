@@ -14,7 +14,7 @@ namespace lacuna {
 void check_kept_place(const Request& request, std::size_t index, const char* option = "keep");
 
 // The radius of each kept point: the request's or, with a field, its scale over the root of the
-// greatest importance at the point.
+// greatest importance at the point; with ellipses the longest radius.
 std::vector<double> radii_of_kept(const Request& request);
 
 // Whether no two kept points are closer than the smaller of their radii. The request was checked

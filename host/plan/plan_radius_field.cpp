@@ -75,7 +75,8 @@ RadiusField::Shape shape_of(const Request& request, std::uint32_t width, std::ui
     };
     return {width,
             height,
-            std::min(unit_x, unit_y),
+            unit_x,
+            unit_y,
             low(unit_x),
             high(unit_x, width, request.width),
             low(unit_y),
@@ -97,7 +98,7 @@ std::uint32_t radius_of_kept(const RadiusField& radius_field, Sample at) {
         };
         radius = radius_field.radii()
                      .over(around(radius_field.columns(), at.x), around(radius_field.rows(), at.y))
-                     .least;
+                     .greatest();
     }
     return radius;
 }
@@ -143,6 +144,22 @@ void check_size(const Request& request, const std::string& option, const std::st
     if (request.mask != nullptr)
         bytes += static_cast<double>(request.mask->allowed.size()) * kBytesPerMaskPixel;
     refuse_more_memory(request, option, value, bytes);
+}
+
+// On a torus two samples see each other along the shorter way, which must be the only one in their
+// ellipses.
+void check_lengths(const Request& request, const RadiusField& radius_field) {
+    const auto& [width, height] =
+        std::pair(radius_field.shape().width, radius_field.shape().height);
+    if (request.boundary == Boundary::box || !radius_field.has_ellipses()) return;
+    const std::uint64_t length =
+        2 * std::uint64_t{radius_field.under({0, width, 0, height}).greatest};
+    if (length > std::min(width, height))
+        throw BadRequest("torus",
+                         "with an ellipse of length " +
+                             rounded(static_cast<double>(length) * radius_field.shape().unit(), 6),
+                         "must be at most the domain's shorter side, " +
+                             shortest(std::min(request.width, request.height)));
 }
 
 // The expected number of samples in all classes, if each were alone, over the number of a class
@@ -210,6 +227,7 @@ Plan make_radius_field_plan(const Request& request, const Poll& poll,
         shape_of(request, plan.width, plan.height, field.sheets.last());
     field.radius_field =
         std::make_shared<const RadiusField>(request.field, scale, request.mask, shape, poll);
+    check_lengths(request, *field.radius_field);
     field.kept = kept_on(*field.radius_field, field.sheets, request);
     for (const Sample sample : samples)
         field.kept.push_back(

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "plan/ellipse.h"
 #include "portable/radius_field.h"
 
 namespace lacuna {
@@ -43,20 +44,31 @@ RadiusField::Radii RadiusField::merge_radii(Radii a, Radii b) {
 }
 
 std::vector<RadiusField::Radii> RadiusField::radii_of(const Field* field, double scale,
-                                                      const Shape& shape, const Poll& poll) {
+                                                      const Poll& poll) {
     // A radius beyond the diagonal covers everything, so it is cut there. It is rounded up by at
     // least 2^-10 units, more than doubles lose when converted back; and by two more units if there
     // are kept samples, because their coordinates may be off by a unit along both axes.
-    const double most = std::ceil(std::hypot(shape.width, shape.height));
-    const std::uint32_t more = shape.has_kept ? 3 : 1;
+    const double most = std::ceil(std::hypot(shape_.width, shape_.height));
+    const std::uint32_t more = shape_.has_kept ? 3 : 1;
+    const double unit = shape_.unit();
     const auto radius_of = [&](double importance) -> Radii {
         if (importance <= 0) return {0, HAS_ZEROS};
-        const double units = std::min(scale / std::sqrt(importance) / shape.unit, most);
+        const double units = std::min(scale / std::sqrt(importance) / unit, most);
         const std::uint32_t radius = static_cast<std::uint32_t>(units + 1.0 / 1024) + more;
         return {radius, radius};
     };
     if (field == nullptr) return {radius_of(1)};
     std::vector<Radii> radii(field->importance.size());
+    const std::vector<Stretch>& stretches = field->stretches;
+    ellipses_.resize(stretches.size());
+    const GridOfEllipses grid{shape_.unit_x, shape_.unit_y, more, most};
+    const auto stretched = [&](double importance, const Stretch& stretch, std::size_t pixel) {
+        if (importance <= 0) return Radii{0, HAS_ZEROS};
+        const RoundedEllipse found =
+            rounded(lacuna::stretched(scale / std::sqrt(importance), stretch), grid);
+        ellipses_[pixel] = found.ellipse;
+        return Radii{found.inner, found.outer};
+    };
     // Columns in a tile: the values that are written stay in the cache from row to row.
     constexpr std::uint32_t kTile = 64;
     const std::uint32_t columns = field->columns;
@@ -65,9 +77,14 @@ std::vector<RadiusField::Radii> RadiusField::radii_of(const Field* field, double
         const std::uint32_t first = static_cast<std::uint32_t>(tile) * kTile;
         const std::uint32_t end = std::min(first + kTile, columns);
         for (std::uint32_t row = 0; row < rows; ++row) {
-            const double* const line = &field->importance[std::size_t{rows - 1 - row} * columns];
-            for (std::uint32_t column = first; column < end; ++column)
-                radii[std::size_t{column} * rows + row] = radius_of(line[column]);
+            const std::size_t line = std::size_t{rows - 1 - row} * columns;
+            for (std::uint32_t column = first; column < end; ++column) {
+                const std::size_t pixel = std::size_t{column} * rows + row;
+                const double importance = field->importance[line + column];
+                radii[pixel] = stretches.empty()
+                                   ? radius_of(importance)
+                                   : stretched(importance, stretches[line + column], pixel);
+            }
         }
     };
     for_each_polled((columns + kTile - 1) / kTile, poll, fill_tile, std::size_t{kTile} * rows);
@@ -79,7 +96,8 @@ RadiusField::RadiusField(const Field* field, double scale, const Mask* mask, con
     : shape_(shape),
       columns_(shape.width, field == nullptr ? 1 : field->columns),
       rows_(shape.height, field == nullptr ? 1 : field->rows),
-      radii_(columns_.pixels(), rows_.pixels(), radii_of(field, scale, shape, poll), poll) {
+      radii_(columns_.pixels(), rows_.pixels(), radii_of(field, scale, poll), poll) {
+    border_ellipses();
     if (mask != nullptr) {
         mask_columns_.emplace(shape.width, mask->columns);
         mask_rows_.emplace(shape.height, mask->rows);
@@ -103,16 +121,32 @@ RadiusField::RadiusField(const Field* field, double scale, const Mask* mask, con
     ++least_radius_;
 }
 
+// Where no sample may lie, a kept one may, at the border to another pixel.
+void RadiusField::border_ellipses() {
+    const auto columns = std::int64_t{columns_.pixels()}, rows = std::int64_t{rows_.pixels()};
+    const std::vector<portable::Ellipse> own = ellipses_;
+    for (std::int64_t pixel = 0; pixel < static_cast<std::int64_t>(own.size()); ++pixel) {
+        portable::Ellipse& ellipse = ellipses_[static_cast<std::size_t>(pixel)];
+        for (std::int64_t i = 0; i < 9 && ellipse.s == 0; ++i) {
+            const std::int64_t column = pixel / rows + i / 3 - 1, row = pixel % rows + i % 3 - 1;
+            if (column >= 0 && column < columns && row >= 0 && row < rows)
+                ellipse = own[static_cast<std::size_t>(column * rows + row)];
+        }
+    }
+}
+
 Under RadiusField::under(const Box& on_sheet) const {
     const Box box = on_domain(on_sheet);
     const std::uint32_t end = box.x + box.width;
-    const Radii radii =
-        radii_.over(pixels_of(columns_, box.x, end), pixels_of(rows_, box.begin, box.end));
+    const PixelRange columns = pixels_of(columns_, box.x, end);
+    const PixelRange rows = pixels_of(rows_, box.begin, box.end);
+    const Radii radii = radii_.over(columns, rows);
+    const bool is_one = columns.first == columns.last && rows.first == rows.last;
     const std::uint8_t allowed = mask_ ? mask_->over(pixels_of(*mask_columns_, box.x, end),
                                                      pixels_of(*mask_rows_, box.begin, box.end))
                                        : kAll;
     if (allowed == kNone) return {0, 0, true};
-    return {radii.least, radii.greatest(), !radii.are_mixed() && allowed == kAll};
+    return {radii.least, radii.greatest(), (is_one || !radii.are_mixed()) && allowed == kAll};
 }
 
 bool RadiusField::is_mask_mixed(const Box& box) const {

@@ -10,6 +10,7 @@
 
 #include "base/polling.h"
 #include "plan/pixels.h"
+#include "portable/ellipse.h"
 
 namespace lacuna {
 
@@ -23,11 +24,12 @@ inline constexpr std::uint32_t kRadiusFieldUnits = std::uint32_t{1} << 30;
 // show; and 1000 lines a radius need 2 units each.
 inline constexpr double kSmallestRadius = 1.0 / (1 << 20);  // of the longer side
 
-// What lies under a rectangle, and perhaps a little around it.
+// What lies under a rectangle, and perhaps a little around it. With ellipses the least radius is
+// that of a circle which all of them hold, and the greatest that of a circle which holds all.
 struct Under {
     std::uint32_t least;     // least radius where samples may lie; 0: nowhere
     std::uint32_t greatest;  // greatest radius where samples may lie
-    bool is_even;            // samples may lie everywhere, with one radius
+    bool is_even;            // samples may lie everywhere, with one radius, or one ellipse
 };
 
 class RadiusField {
@@ -51,12 +53,14 @@ public:
     struct Shape {
         std::uint32_t width;  // of the domain
         std::uint32_t height;
-        double unit;          // the user's units for one grid unit, the smaller one
+        double unit_x;  // the user's units for one grid unit
+        double unit_y;
         std::uint32_t low_x;  // samples lie in [low_x, high_x) times [low_y, high_y)
         std::uint32_t high_x;
         std::uint32_t low_y;
         std::uint32_t high_y;
         bool has_kept;  // whether there are kept points, whose coordinates are not in whole units
+        double unit() const { return unit_x < unit_y ? unit_x : unit_y; }
         // All bits that x may have on one sheet (plan/sheets.h). The field is the same on all.
         std::uint32_t last_on_sheet = ~std::uint32_t{0} >> 1;
     };
@@ -69,14 +73,27 @@ public:
     // The least radius where samples may lie.
     std::uint32_t least_radius() const { return least_radius_; }
 
-    // The radius at a position; 0 if no sample may lie there.
+    // The radius at a position; 0 if no sample may lie there. With ellipses that of a circle which
+    // holds the ellipse.
     std::uint32_t radius_at(std::uint32_t x, std::uint32_t y) const {
         const std::uint32_t at = x & shape_.last_on_sheet;
         if (mask_ && mask_->at(mask_columns_->pixel_of(at), mask_rows_->pixel_of(y)) == kNone)
             return 0;
-        return radii_.at(columns_.pixel_of(at), rows_.pixel_of(y)).least;
+        return radii_.at(columns_.pixel_of(at), rows_.pixel_of(y)).greatest();
     }
     Under under(const Box& box) const;
+
+    // Whether samples have ellipses, and the ellipse at a position.
+    bool has_ellipses() const { return !ellipses_.empty(); }
+    const portable::Ellipse& ellipse_at(std::uint32_t x, std::uint32_t y) const {
+        return ellipses_[std::size_t{columns_.pixel_of(x & shape_.last_on_sheet)} * rows_.pixels() +
+                         rows_.pixel_of(y)];
+    }
+    // An ellipse that all samples in the box have, or a circle that lies in all their ellipses.
+    portable::Ellipse ellipse_under(const Box& box) const {
+        const Under found = under(box);
+        return found.is_even ? ellipse_at(box.x, box.begin) : portable::circle_of(found.least);
+    }
 
     // Where to halve a box: at a border of pixels near its middle if it lies on unlike pixels,
     // otherwise in the middle along x. 0 means that the box is not cut on this axis.
@@ -90,10 +107,11 @@ public:
     const PixelAxis* mask_columns() const { return mask_columns_ ? &*mask_columns_ : nullptr; }
     const PixelAxis* mask_rows() const { return mask_rows_ ? &*mask_rows_ : nullptr; }
     const Allowed* mask() const { return mask_ ? &*mask_ : nullptr; }
+    const std::vector<portable::Ellipse>& ellipses() const { return ellipses_; }
 
 private:
-    static std::vector<Radii> radii_of(const Field* field, double scale, const Shape& shape,
-                                       const Poll& poll);
+    std::vector<Radii> radii_of(const Field* field, double scale, const Poll& poll);
+    void border_ellipses();
     Box on_domain(const Box& box) const {
         return {box.x & shape_.last_on_sheet, box.width, box.begin, box.end};
     }
@@ -103,6 +121,7 @@ private:
     Shape shape_;
     PixelAxis columns_;
     PixelAxis rows_;
+    std::vector<portable::Ellipse> ellipses_;  // of the pixels, column by column; empty: disks
     RadiusPyramid radii_;
     std::optional<PixelAxis> mask_columns_;
     std::optional<PixelAxis> mask_rows_;

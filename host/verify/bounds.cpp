@@ -6,62 +6,56 @@
 #include <limits>
 #include <utility>
 
+#include "verify/ellipse_bounds.h"
+
 namespace lacuna::verify {
 namespace {
 
 // The samples of a cell are thinned out only if they are more than this. Most cells have far fewer.
 constexpr std::size_t kCrowd = 64;
 
-// The squared distances from a point to the corners of a cell. If one point is nearer to all four
-// corners than another point, then it is nearer to all spots of the cell.
-using ToCorners = std::array<double, 4>;
-
-ToCorners to_corners(const Cell& cell, Point p) {
-    const double left = square(p.x - cell.left);
-    const double right = square(p.x - cell.right);
-    const double bottom = square(p.y - cell.bottom);
-    const double top = square(p.y - cell.top);
-    return {left + bottom, right + bottom, left + top, right + top};
-}
-
 }  // namespace
 
-void thin_out(const Cell& cell, const Bounds& bounds, std::size_t before,
-              std::vector<Disk>& samples, std::size_t begin) {
+template <typename Sample>
+void thin_out(const Cell& cell, const Bounds<Sample>& bounds, std::size_t before,
+              std::vector<Sample>& samples, std::size_t begin) {
     const std::size_t count = samples.size() - begin;
-    if (count <= kCrowd || 8 * count <= 7 * before) return;
-    // For each corner the nearest sample, and the sample that covers it best.
-    std::array<std::size_t, 8> chosen{};
-    std::array<double, 8> least;
+    if (count <= kCrowd || 8 * count <= 7 * before || !bounds.can_thin_out()) return;
+    // For each score the sample that has the least one.
+    decltype(bounds.scores(bounds.to_corners(cell, samples[begin]), samples[begin])) least;
     least.fill(std::numeric_limits<double>::infinity());
-    const auto choose = [&](std::size_t k, double value, std::size_t i) {
-        if (value < std::exchange(least[k], std::min(least[k], value))) chosen[k] = i;
-    };
+    std::array<std::size_t, least.size()> chosen{};
     for (std::size_t i = begin; i < samples.size(); ++i) {
-        const ToCorners squares = to_corners(cell, samples[i].at);
-        for (std::size_t k = 0; k < 4; ++k) {
-            const double distance = std::sqrt(squares[k]);
-            choose(k, distance, i);
-            choose(k + 4, distance - bounds.effective(samples[i]), i);
-        }
+        const auto scores = bounds.scores(bounds.to_corners(cell, samples[i]), samples[i]);
+        for (std::size_t k = 0; k < least.size(); ++k)
+            if (scores[k] < std::exchange(least[k], std::min(least[k], scores[k]))) chosen[k] = i;
     }
-    std::array<Disk, 8> standing{};
-    for (std::size_t k = 0; k < 8; ++k) standing[k] = samples[chosen[k]];
+    struct Standing {
+        Sample sample;
+        decltype(bounds.to_corners(cell, samples[begin])) corners;
+    };
+    std::array<Standing, least.size()> standing{};
+    for (std::size_t k = 0; k < least.size(); ++k)
+        standing[k] = {samples[chosen[k]], bounds.to_corners(cell, samples[chosen[k]])};
     std::size_t top = begin;
     for (std::size_t i = begin; i < samples.size(); ++i) {
-        const Disk disk = samples[i];
-        const ToCorners mine = to_corners(cell, disk.at);
-        const auto replaces_it = [&](const Disk& other) {
-            const ToCorners others = to_corners(cell, other.at);
-            return bounds.effective(other) >= bounds.effective(disk) &&
-                   other.factor >= disk.factor &&
-                   std::equal(others.begin(), others.end(), mine.begin(), std::less_equal<>());
+        const Sample sample = samples[i];
+        const auto mine = bounds.to_corners(cell, sample);
+        const auto replaces_it = [&](const Standing& other) {
+            return bounds.covers_as_much(other.sample, sample) &&
+                   std::equal(mine.begin(), mine.end(), other.corners.begin(),
+                              std::greater_equal<>());
         };
         const bool is_chosen = std::find(chosen.begin(), chosen.end(), i) != chosen.end();
         if (is_chosen || std::none_of(standing.begin(), standing.end(), replaces_it))
-            samples[top++] = disk;
+            samples[top++] = sample;
     }
     samples.resize(top);
 }
+
+template void thin_out(const Cell&, const Bounds<Disk>&, std::size_t, std::vector<Disk>&,
+                       std::size_t);
+template void thin_out(const Cell&, const Bounds<Ellipse>&, std::size_t, std::vector<Ellipse>&,
+                       std::size_t);
 
 }  // namespace lacuna::verify

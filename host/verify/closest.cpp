@@ -1,9 +1,10 @@
 // The closest pair by divide and conquer (Shamos & Hoey 1975), then across the edges of a torus.
 //
-// Radii may differ. Let q be the ratio of the closest pair found until now. Two samples are a
-// closer pair only if their distance is at most q times the radius of either of them. So each
-// sample has its own reach, q times its radius. Within a half that was searched, samples of similar
-// radius are at least their reach apart, so a strip along the cut has few of them near any sample.
+// Radii may differ, and are the longer ones of ellipses. Let q be the ratio of the closest pair
+// found until now. Two samples are a closer pair only if their distance is at most q times the
+// radius of either of them. So each sample has its own reach, q times its radius. Within a half
+// that was searched, samples of similar radius are at least their reach apart, so a strip along the
+// cut has few of them near any sample.
 #include "verify/closest.h"
 
 #include <algorithm>
@@ -30,9 +31,30 @@ bool is_below(const Located& a, const Located& b) {
     return a.at.y < b.at.y;
 }
 
+// The distance and the limit of two samples.
+Pair measured(const Domain& domain, const Disk& a, const Disk& b) {
+    Pair pair{.distance = domain.distance(a.at, b.at), .limit = std::min(a.radius, b.radius)};
+    pair.ratio = pair.distance / pair.limit;
+    return pair;
+}
+
+Pair measured(const Domain& domain, const BlurredEllipse& a, const BlurredEllipse& b) {
+    const Point way = domain.way(a.at, b.at);
+    Pair pair{.distance = std::sqrt(way.x * way.x + way.y * way.y),
+              .limit = std::numeric_limits<double>::infinity(),
+              .ratio = 0};
+    for (const auto& shapes : {a.shapes, b.shapes})
+        for (const EllipseShape* shape : shapes) {
+            pair.limit = std::min(pair.limit, shape->radius_along(way));
+            pair.ratio = std::max(pair.ratio, shape->length_of(way) / shape->shorter);
+        }
+    return pair;
+}
+
+template <typename Sample>
 class ClosestPair {
 public:
-    ClosestPair(const Domain& domain, std::span<const Disk> samples, const Patience& patience)
+    ClosestPair(const Domain& domain, std::span<const Sample> samples, const Patience& patience)
         : domain_(domain), samples_(samples), patience_(patience) {}
 
     // Looks at all pairs of `located` that could be closer than the closest pair found until now.
@@ -95,16 +117,15 @@ private:
 
     void compare(std::size_t a, std::size_t b) {
         if (a == b) return;
-        Pair pair{std::min(a, b), std::max(a, b), domain_.distance(samples_[a].at, samples_[b].at),
-                  std::min(samples_[a].radius, samples_[b].radius)};
-        pair.ratio = pair.distance / pair.limit;
+        Pair pair = measured(domain_, samples_[a], samples_[b]);
+        std::tie(pair.first, pair.second) = std::minmax(a, b);
         if (std::tie(pair.ratio, pair.first, pair.second) <
             std::tie(closest_.ratio, closest_.first, closest_.second))
             closest_ = pair;
     }
 
     const Domain& domain_;
-    std::span<const Disk> samples_;
+    std::span<const Sample> samples_;
     const Patience& patience_;
     double blur_ = 0;
     Pair closest_;
@@ -113,8 +134,9 @@ private:
 
 // The samples within reach of the domain's edges, and their images beyond the opposite edges. If
 // the closest pair of a torus lies across an edge, it is a pair of these.
-std::vector<Located> near_edges(const Domain& domain, std::span<const Disk> samples,
-                                const ClosestPair& search) {
+template <typename Sample>
+std::vector<Located> near_edges(const Domain& domain, std::span<const Sample> samples,
+                                const ClosestPair<Sample>& search) {
     std::vector<Located> located;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const auto [x, y] = samples[i].at;
@@ -135,11 +157,12 @@ std::vector<Located> near_edges(const Domain& domain, std::span<const Disk> samp
     return located;
 }
 
-Pair least_ratio(const Domain& domain, std::span<const Disk> samples, const Patience& patience) {
+template <typename Sample>
+Pair least_ratio(const Domain& domain, std::span<const Sample> samples, const Patience& patience) {
     std::vector<Located> located(samples.size());
     for (std::size_t i = 0; i < samples.size(); ++i)
         located[i] = {samples[i].at, samples[i].radius, i};
-    ClosestPair search(domain, samples, patience);
+    ClosestPair<Sample> search(domain, samples, patience);
     search.search(std::move(located), 0);
     // Across an edge, distances have errors of up to rounding(): no closer pair can be found there.
     if (domain.torus && samples.size() > 1 && search.closest().distance > domain.rounding())
@@ -149,18 +172,19 @@ Pair least_ratio(const Domain& domain, std::span<const Disk> samples, const Pati
 
 // Sorts the samples from the largest radius to the smallest, finds the shortest prefix that has a
 // pair with a ratio below `hopeless`, and returns the closest pair of that prefix.
-Pair first_hopeless(const Domain& domain, std::span<const Disk> samples, const Patience& patience,
+template <typename Sample>
+Pair first_hopeless(const Domain& domain, std::span<const Sample> samples, const Patience& patience,
                     double hopeless) {
     std::vector<std::size_t> order(samples.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return samples[a].radius > samples[b].radius;
     });
-    std::vector<Disk> walk;
+    std::vector<Sample> walk;
     walk.reserve(samples.size());
     for (const std::size_t index : order) walk.push_back(samples[index]);
     const auto closest_of = [&](std::size_t count) {
-        return least_ratio(domain, std::span(walk).first(count), patience);
+        return least_ratio(domain, std::span<const Sample>(walk).first(count), patience);
     };
     std::size_t without = 1;
     std::size_t with = walk.size();
@@ -173,19 +197,30 @@ Pair first_hopeless(const Domain& domain, std::span<const Disk> samples, const P
     return pair;
 }
 
+template <typename Sample>
+Pair closest_pair_of(const Domain& domain, std::span<const Sample> samples,
+                     const Patience& patience, double hopeless) {
+    const Pair pair = least_ratio(domain, samples, patience);
+    return pair.ratio < hopeless ? first_hopeless(domain, samples, patience, hopeless) : pair;
+}
+
 }  // namespace
 
 Pair closest_pair(const Domain& domain, std::span<const Disk> samples, const Patience& patience,
                   double hopeless) {
-    const Pair pair = least_ratio(domain, samples, patience);
-    return pair.ratio < hopeless ? first_hopeless(domain, samples, patience, hopeless) : pair;
+    return closest_pair_of(domain, samples, patience, hopeless);
+}
+
+Pair closest_pair(const Domain& domain, std::span<const BlurredEllipse> samples,
+                  const Patience& patience, double hopeless) {
+    return closest_pair_of(domain, samples, patience, hopeless);
 }
 
 Pair closest_pair(const Domain& domain, std::span<const Point> points, const Patience& patience) {
     std::vector<Disk> samples;
     samples.reserve(points.size());
     for (const Point& point : points) samples.push_back({point, 1});
-    return closest_pair(domain, samples, patience);
+    return closest_pair(domain, std::span<const Disk>(samples), patience);
 }
 
 }  // namespace lacuna::verify

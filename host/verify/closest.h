@@ -8,6 +8,7 @@
 #include <span>
 
 #include "verify/domain.h"
+#include "verify/ellipse.h"
 #include "verify/patience.h"
 
 namespace lacuna::verify {
@@ -17,7 +18,7 @@ struct Pair {
     std::size_t first = 0;  // less than `second`
     std::size_t second = 0;
     double distance = std::numeric_limits<double>::infinity();  // infinite for fewer than 2 samples
-    double limit = 0;
+    double limit = 0;  // with ellipses: the smaller radius along the way between the two
     double ratio = std::numeric_limits<double>::infinity();  // distance / limit
 };
 
@@ -32,6 +33,12 @@ constexpr double kHopeless = 1e-6;
 // All samples must lie in the domain, and all radii are positive. Never compares all pairs, however
 // crowded the samples are and whatever their radii.
 Pair closest_pair(const Domain& domain, std::span<const Disk> samples,
+                  const Patience& patience = {}, double hopeless = 0);
+
+// The same with ellipses. The ratio is the length of the way from one sample to the other, in units
+// of the ellipse's radius along it: the largest one of all ellipses that the two may have. On a
+// torus no ellipse is longer than the shorter side.
+Pair closest_pair(const Domain& domain, std::span<const BlurredEllipse> samples,
                   const Patience& patience = {}, double hopeless = 0);
 
 // The same for one radius everywhere: the two points at the least distance. Their limit is 1.

@@ -44,6 +44,17 @@ struct Domain {
         return torus ? std::min(straight, side - straight) : straight;
     }
 
+    // The way from one coordinate to another along a side, the shorter one around a torus' edges.
+    double way_along(double from, double to, double side) const {
+        const double straight = to - from;
+        if (!torus || std::abs(straight) <= side - std::abs(straight)) return straight;
+        return straight > 0 ? straight - side : straight + side;
+    }
+
+    Point way(Point from, Point to) const {
+        return {way_along(from.x, to.x, width), way_along(from.y, to.y, height)};
+    }
+
     double distance(Point a, Point b) const {
         const double dx = along(a.x, b.x, width);
         const double dy = along(a.y, b.y, height);

@@ -7,17 +7,28 @@
 #include <utility>
 
 #include "verify/bounds.h"
+#include "verify/ellipse_bounds.h"
 
 namespace lacuna::verify {
 namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-// The two parts of a cell, in the order to visit them. The part that is farther from the sample
-// that covers the centre best comes first. Otherwise the search would climb towards a gap in the
-// smallest steps, with a new record at each step.
-std::pair<Cell, Cell> parts_of(const Cell& cell, const Cut& cut, const Frame& frame, Point best) {
-    const bool is_high_farther = cut.is_of_x ? best.x < frame.centre.x : best.y < frame.centre.y;
+// Where a spot's distance from the sample that covers it best grows fastest.
+Point uphill(const Disk& best, Point spot, const EllipseShape*) {
+    return {spot.x - best.at.x, spot.y - best.at.y};
+}
+Point uphill(const Ellipse& best, Point spot, const EllipseShape* of_spot) {
+    const Point way{spot.x - best.at.x, spot.y - best.at.y};
+    const bool is_of_spot = of_spot != nullptr && of_spot->over(way) > best.shape->over(way);
+    return (is_of_spot ? of_spot : best.shape)->slope(way);
+}
+
+// The two parts of a cell, in the order to visit them. The part that lies in the direction uphill
+// comes first. Otherwise the search would climb towards a gap in the smallest steps, with a new
+// record at each step.
+std::pair<Cell, Cell> parts_of(const Cell& cell, const Cut& cut, Point direction) {
+    const bool is_high_farther = cut.is_of_x ? direction.x > 0 : direction.y > 0;
     if (is_high_farther) return {cut.high(cell), cut.low(cell)};
     return {cut.low(cell), cut.high(cell)};
 }
@@ -29,13 +40,15 @@ bool drops_few(std::size_t samples, std::size_t kept) {
     return samples > kMany && kept > samples / 4 * 3;
 }
 
-Gap GapSearch::run(const Cell& cell, const Under& under, std::vector<Disk> samples) {
+template <typename Sample>
+Gap GapSearch<Sample>::run(const Cell& cell, const Under& under, std::vector<Sample> samples) {
     stack_ = std::move(samples);
     visit(cell, under, 0);
     return gap_;
 }
 
-void GapSearch::visit(const Cell& cell, const Under& outer, std::size_t begin) {
+template <typename Sample>
+void GapSearch<Sample>::visit(const Cell& cell, const Under& outer, std::size_t begin) {
     constexpr std::uint32_t kVisitsPerLook = 1U << 10U;
     if (++visits_ % kVisitsPerLook == 0) question_.patience.look();
     const Under under = question_.radius_field.under(cell, outer);
@@ -44,17 +57,17 @@ void GapSearch::visit(const Cell& cell, const Under& outer, std::size_t begin) {
     const bool is_a_spot = std::max(frame.half_width, frame.half_height) < question_.finest / 4;
     if (under.is_closed() || is_a_spot || decided == kEndless) return;
 
-    const Bounds bounds(frame, under);
+    const Bounds<Sample> bounds(frame, under);
     const std::size_t end = stack_.size();
     double most_over = kEndless;
     for (std::size_t i = begin; i < end; ++i) {
         if (bounds.is_at_most(stack_[i], decided - question_.rounding)) return;
         bounds.lower_to_most_over(stack_[i], most_over);
     }
-    Point best = frame.centre;
-    const std::size_t best_index = look_from(frame.centre, under, begin);
+    Point direction{0, 0};
+    const std::size_t best_index = look_from(cell, frame.centre, under, begin);
     if (begin < end) {
-        best = stack_[best_index].at;
+        direction = uphill(stack_[best_index], frame.centre, under.shape);
         // The best sample goes first, because it is likely to cover one of the parts.
         std::swap(stack_[begin], stack_[best_index]);
     }
@@ -63,16 +76,17 @@ void GapSearch::visit(const Cell& cell, const Under& outer, std::size_t begin) {
     if (are_few_dropped) stack_.resize(end);
     const std::size_t begin_of_parts = are_few_dropped ? begin : end;
     const std::size_t top = stack_.size();
-    const auto [first, second] =
-        parts_of(cell, question_.radius_field.cut(cell, under), frame, best);
+    const auto [first, second] = parts_of(cell, question_.radius_field.cut(cell, under), direction);
     visit(first, under, begin_of_parts);
     stack_.resize(top);
     visit(second, under, begin_of_parts);
     stack_.resize(end);
 }
 
-void GapSearch::push_those_that_matter(const Cell& cell, const Bounds& bounds, double most_over,
-                                       std::size_t begin, std::size_t end) {
+template <typename Sample>
+void GapSearch<Sample>::push_those_that_matter(const Cell& cell, const Bounds<Sample>& bounds,
+                                               double most_over, std::size_t begin,
+                                               std::size_t end) {
     const double reach = most_over + question_.rounding;
     stack_.resize(end + (end - begin));
     std::size_t top = end;
@@ -84,7 +98,9 @@ void GapSearch::push_those_that_matter(const Cell& cell, const Bounds& bounds, d
     thin_out(cell, bounds, end - begin, stack_, end);
 }
 
-std::size_t GapSearch::look_from(Point centre, const Under& under, std::size_t begin) {
+template <>
+std::size_t GapSearch<Disk>::look_from(const Cell&, Point centre, const Under& under,
+                                       std::size_t begin) {
     // In a plain cell all spots have one radius, and mask and polygons need not be looked at.
     std::optional<double> radius =
         under.is_plain() ? under.radii.least : question_.radius_field.radius_at(centre);
@@ -113,7 +129,31 @@ std::size_t GapSearch::look_from(Point centre, const Under& under, std::size_t b
     return best;
 }
 
-double GapSearch::decided_from() const {
+template <>
+std::size_t GapSearch<Ellipse>::look_from(const Cell& cell, Point centre, const Under& under,
+                                          std::size_t begin) {
+    const bool is_known = under.is_plain() && under.shape != nullptr;
+    const EllipseShape* const shape =
+        is_known ? under.shape : question_.radius_field.shape_at(centre, cell);
+    std::size_t best = begin;
+    double least = kEndless;
+    for (std::size_t i = begin; i < stack_.size(); ++i) {
+        const Ellipse& ellipse = stack_[i];
+        const double over = ellipse.over(centre, shape != nullptr ? *shape : *ellipse.shape);
+        if (over >= least) continue;
+        least = over;
+        best = i;
+    }
+    if (shape != nullptr && least > gap_.over) {
+        gap_.at = centre;
+        gap_.shape = shape;
+        gap_.over = least;
+    }
+    return best;
+}
+
+template <typename Sample>
+double GapSearch<Sample>::decided_from() const {
     const double over = gap_.over;
     const double larger = over * (1 + question_.precision);
     const double tolerance = question_.tolerance;
@@ -123,5 +163,8 @@ double GapSearch::decided_from() const {
                                                      : tolerance;
     return std::max(over + question_.finest, decided);
 }
+
+template class GapSearch<Disk>;
+template class GapSearch<Ellipse>;
 
 }  // namespace lacuna::verify

@@ -32,30 +32,32 @@ struct Question {
 // so each cut would list them once more.
 bool drops_few(std::size_t samples, std::size_t kept);
 
+// `Sample` is Disk or Ellipse.
+template <typename Sample>
 class GapSearch {
 public:
     GapSearch(const Question& question, const Gap& start) : question_(question), gap_(start) {}
 
     // The largest gap found in the cell, or the start if no gap is larger; see largest_gap.
-    Gap run(const Cell& cell, const Under& under, std::vector<Disk> samples);
+    Gap run(const Cell& cell, const Under& under, std::vector<Sample> samples);
 
 private:
     // The samples that matter to the cell are on the stack, from index `begin` to its end.
     void visit(const Cell& cell, const Under& outer, std::size_t begin);
     // Pushes the samples in [begin, end) of the stack that matter to the cell, where no spot is
     // over its limit by more than `most_over`.
-    void push_those_that_matter(const Cell& cell, const Bounds& bounds, double most_over,
+    void push_those_that_matter(const Cell& cell, const Bounds<Sample>& bounds, double most_over,
                                 std::size_t begin, std::size_t end);
     // Keeps the gap at the cell's centre if it is larger than any other found until now. Returns
     // the index of the sample that covers the centre best.
-    std::size_t look_from(Point centre, const Under& under, std::size_t begin);
+    std::size_t look_from(const Cell& cell, Point centre, const Under& under, std::size_t begin);
     // A cell needs no cutting if none of its spots is over its limit by more than this.
     double decided_from() const;
 
     const Question& question_;
     Gap gap_;
     std::uint32_t visits_ = 0;
-    std::vector<Disk> stack_;  // the samples of each cell from the first one to the one visited
+    std::vector<Sample> stack_;  // the samples of each cell from the first one to the one visited
 };
 
 }  // namespace lacuna::verify

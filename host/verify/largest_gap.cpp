@@ -12,140 +12,105 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "verify/bounds.h"
+#include "verify/ellipse_bounds.h"
 #include "verify/gap_search.h"
+#include "verify/images.h"
+#include "verify/tiles.h"
 
 namespace lacuna::verify {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// How the work is shared out. These numbers decide which of several nearly equal gaps is named.
-struct Tiling {
-    int along_longer_side;   // number of tiles along the longer side of the bounds
-    bool ends_exactly;       // the last tile ends on the bounds, or up to a rounding beside them
-    std::size_t scout_step;  // one tile in this many is searched first, and its gap spares the
-                             // other tiles most of their work
-    int cuts_for_threads;    // how often a tile may be cut in two parts for two threads
-};
-// A set of one radius has about as many samples in one tile as in another. The end of its last tile
-// matters only to sharpened(), which looks up to the bounds.
-constexpr Tiling kTilingOfOneRadius{16, false, 16, 0};
-// A set on a radius field may have most of its samples in one tile.
-constexpr Tiling kTilingOfField{4, true, 4, 12};
 // A part of a tile with fewer samples near it is searched by one thread: it is little work.
 constexpr std::size_t kFewestToCut = 4096;
 
-std::vector<Cell> tiles_within(const Cell& bounds, const Tiling& tiling) {
-    if (bounds.right < bounds.left || bounds.top < bounds.bottom) return {};
-    const double width = bounds.right - bounds.left;
-    const double height = bounds.top - bounds.bottom;
-    if (width == 0 && height == 0) return {bounds};
-    const auto tiles_along = [&](double side) {
-        const double share = side / std::max(width, height);
-        return std::max(1, static_cast<int>(std::ceil(tiling.along_longer_side * share)));
-    };
-    const int columns = tiles_along(width);
-    const int rows = tiles_along(height);
-    const auto cut = [&](double low, double high, int i, int count) {
-        return i == count && tiling.ends_exactly ? high : low + (high - low) * i / count;
-    };
-    std::vector<Cell> tiles;
-    for (int i = 0; i < columns; ++i)
-        for (int j = 0; j < rows; ++j)
-            tiles.push_back({cut(bounds.left, bounds.right, i, columns),
-                             cut(bounds.left, bounds.right, i + 1, columns),
-                             cut(bounds.bottom, bounds.top, j, rows),
-                             cut(bounds.bottom, bounds.top, j + 1, rows)});
-    return tiles;
+// The sample at another place.
+template <typename Sample>
+Sample moved(Sample sample, Point at) {
+    sample.at = at;
+    return sample;
 }
-
-// The images of a sample on a torus that can be the nearest one to some spot of an interval.
-struct Images {
-    double first;
-    double second;  // the same as `first` if there is only one
-
-    Images(bool torus, double at, double middle, double half, double side) : first(at), second(at) {
-        if (!torus) return;
-        const double turns = (at - middle) / side;
-        if (std::abs(turns) >= 0.5) first = turns > 0 ? at - side : at + side;
-        const double offset = first - middle;
-        second = first;
-        if (std::abs(offset) > side / 2 - half) second = offset > 0 ? first - side : first + side;
-    }
-};
 
 // The samples that matter to a cell; seen(sample) is the sample or its nearest image. The bound of
 // how far spots are over their limits is taken from every `step`-th sample.
-template <typename Seen>
-std::vector<Disk> that_matter(const Bounds& bounds, double rounding, std::span<const Disk> samples,
-                              std::size_t step, Seen seen) {
+template <typename Sample, typename SomeBounds, typename Seen>
+std::vector<Sample> that_matter(const SomeBounds& bounds, double rounding,
+                                std::span<const Sample> samples, std::size_t step, Seen seen) {
     double most_over = kInfinity;
     for (std::size_t i = 0; i < samples.size(); i += step)
         bounds.lower_to_most_over(seen(samples[i]), most_over);
-    std::vector<Disk> near(samples.size());
+    std::vector<Sample> near(samples.size());
     std::size_t count = 0;
-    for (const Disk& disk : samples) {
-        near[count] = disk;
-        count += bounds.may_matter(seen(disk), most_over + rounding) ? 1U : 0U;
+    for (const Sample& sample : samples) {
+        near[count] = sample;
+        count += bounds.may_matter(seen(sample), most_over + rounding) ? 1U : 0U;
     }
     near.resize(count);
     return near;
 }
 
+// Bounds that depend on distances along x and y only, whatever their sign.
+template <typename Sample>
+using BoundsByDistance =
+    std::conditional_t<std::is_same_v<Sample, Disk>, Bounds<Disk>, CircleBounds>;
+
 // The samples that matter to a cell themselves or by an image.
-std::vector<Disk> samples_near(const Question& question, const Cell& cell, const Under& under,
-                               std::span<const Disk> samples) {
+template <typename Sample>
+std::vector<Sample> samples_near(const Question& question, const Cell& cell, const Under& under,
+                                 std::span<const Sample> samples) {
     const Domain& domain = question.radius_field.domain();
     const Frame frame(cell);
-    // The bounds use only distances from the centre along x and y, so the sign does not matter.
-    const auto nearest_image = [&](const Disk& disk) {
-        const double dx = domain.along(disk.at.x, frame.centre.x, domain.width);
-        const double dy = domain.along(disk.at.y, frame.centre.y, domain.height);
-        return Disk{{frame.centre.x + dx, frame.centre.y + dy}, disk.radius, disk.factor};
+    const auto nearest_image = [&](const Sample& sample) {
+        const double dx = domain.along(sample.at.x, frame.centre.x, domain.width);
+        const double dy = domain.along(sample.at.y, frame.centre.y, domain.height);
+        return moved(sample, {frame.centre.x + dx, frame.centre.y + dy});
     };
     // About this many samples give a bound that is good enough.
     constexpr std::size_t kEnough = 256;
-    return that_matter(Bounds(frame, under), question.rounding, samples,
+    return that_matter(BoundsByDistance<Sample>(frame, under), question.rounding, samples,
                        1 + samples.size() / kEnough, nearest_image);
 }
 
 // The samples, and on a torus their images, that matter to a cell. With one radius they are in the
 // order of x, whatever the order of the samples.
-std::vector<Disk> images_near(const Question& question, const Cell& cell, const Under& under,
-                              std::span<const Disk> samples) {
+template <typename Sample>
+std::vector<Sample> images_near(const Question& question, const Cell& cell, const Under& under,
+                                std::span<const Sample> samples) {
     const Domain& domain = question.radius_field.domain();
     const Frame frame(cell);
-    const Bounds bounds(frame, under);
-    const auto images_of = [&](const Disk& disk) {
+    const Bounds<Sample> bounds(frame, under);
+    const auto images_of = [&](const Sample& sample) {
         return std::pair{
-            Images(domain.torus, disk.at.x, frame.centre.x, frame.half_width, domain.width),
-            Images(domain.torus, disk.at.y, frame.centre.y, frame.half_height, domain.height)};
+            Images(domain.torus, sample.at.x, frame.centre.x, frame.half_width, domain.width),
+            Images(domain.torus, sample.at.y, frame.centre.y, frame.half_height, domain.height)};
     };
     double most_over = kInfinity;
-    for (const Disk& disk : samples) {
-        const auto [x, y] = images_of(disk);
-        bounds.lower_to_most_over({{x.first, y.first}, disk.radius, disk.factor}, most_over);
+    for (const Sample& sample : samples) {
+        const auto [x, y] = images_of(sample);
+        bounds.lower_to_most_over(moved(sample, {x.first, y.first}), most_over);
     }
-    std::vector<Disk> near;
-    const auto append = [&](double x, double y, const Disk& disk) {
-        const Disk image{{x, y}, disk.radius, disk.factor};
+    std::vector<Sample> near;
+    const auto append = [&](double x, double y, const Sample& sample) {
+        const Sample image = moved(sample, {x, y});
         if (bounds.may_matter(image, most_over + question.rounding)) near.push_back(image);
     };
-    for (const Disk& disk : samples) {
-        auto [x, y] = images_of(disk);
+    for (const Sample& sample : samples) {
+        auto [x, y] = images_of(sample);
         if (question.names_any_gap && y.second < y.first) std::swap(y.first, y.second);
-        append(x.first, y.first, disk);
-        if (x.second != x.first) append(x.second, y.first, disk);
-        if (y.second != y.first) append(x.first, y.second, disk);
-        if (x.second != x.first && y.second != y.first) append(x.second, y.second, disk);
+        append(x.first, y.first, sample);
+        if (x.second != x.first) append(x.second, y.first, sample);
+        if (y.second != y.first) append(x.first, y.second, sample);
+        if (x.second != x.first && y.second != y.first) append(x.second, y.second, sample);
     }
     if (question.names_any_gap && domain.torus)
         std::stable_sort(near.begin(), near.end(),
-                         [](const Disk& a, const Disk& b) { return a.at.x < b.at.x; });
+                         [](const Sample& a, const Sample& b) { return a.at.x < b.at.x; });
     thin_out(cell, bounds, samples.size(), near, 0);
     return near;
 }
@@ -156,17 +121,19 @@ const Gap& larger(const Gap& a, const Gap& b) {
 
 // The two halves are searched without what the other one finds. Otherwise the gap would depend on
 // which thread comes first.
+template <typename Sample>
 Gap search_with_threads(const Question& question, const Gap& start, const Cell& cell,
-                        const Under& under, std::vector<Disk> samples, int cuts) {
+                        const Under& under, std::vector<Sample> samples, int cuts) {
     question.patience.look();
     if (cuts == 0 || samples.size() < kFewestToCut || under.is_closed())
-        return GapSearch(question, start).run(cell, under, std::move(samples));
+        return GapSearch<Sample>(question, start).run(cell, under, std::move(samples));
     const Cut cut = question.radius_field.cut(cell, under);
     const auto search = [&](const Cell& half) {
         const Under below = question.radius_field.under(half, under);
-        const Bounds bounds(Frame(half), below);
-        std::vector<Disk> near = that_matter(bounds, question.rounding, samples, 1,
-                                             [](const Disk& disk) { return disk; });
+        const Bounds<Sample> bounds(Frame(half), below);
+        std::vector<Sample> near =
+            that_matter(bounds, question.rounding, std::span<const Sample>(samples), 1,
+                        [](const Sample& sample) { return sample; });
         thin_out(half, bounds, samples.size(), near, 0);
         return search_with_threads(question, start, half, below, std::move(near), cuts - 1);
     };
@@ -176,17 +143,10 @@ Gap search_with_threads(const Question& question, const Gap& start, const Cell& 
     return larger(low, high);
 }
 
-Cell hull_of(std::span<const Cell> tiles) {
-    Cell hull = tiles.front();
-    for (const Cell& tile : tiles)
-        hull = {std::min(hull.left, tile.left), std::max(hull.right, tile.right),
-                std::min(hull.bottom, tile.bottom), std::max(hull.top, tile.top)};
-    return hull;
-}
-
 // Halves the list of tiles until one tile is left, so that a tile need not look at all samples.
+template <typename Sample>
 void search_tiles(const Question& question, const Gap& start, const Tiling& tiling,
-                  std::span<const Cell> tiles, std::span<const Disk> samples,
+                  std::span<const Cell> tiles, std::span<const Sample> samples,
                   std::span<Gap> found) {
     question.patience.look();
     if (tiles.empty()) return;
@@ -199,9 +159,9 @@ void search_tiles(const Question& question, const Gap& start, const Tiling& tili
                                             tiling.cuts_for_threads);
         return;
     }
-    std::vector<Disk> listed = samples_near(question, hull, under, samples);
+    std::vector<Sample> listed = samples_near(question, hull, under, samples);
     if (drops_few(samples.size(), listed.size())) listed = {};
-    const std::span<const Disk> near = listed.empty() ? samples : listed;
+    const std::span<const Sample> near = listed.empty() ? samples : listed;
     const std::size_t half = tiles.size() / 2;
     oneapi::tbb::parallel_invoke(
         [&] { search_tiles(question, start, tiling, tiles.first(half), near, found.first(half)); },
@@ -210,8 +170,9 @@ void search_tiles(const Question& question, const Gap& start, const Tiling& tili
         });
 }
 
+template <typename Sample>
 Gap search_all(const Question& question, const Gap& start, const Tiling& tiling,
-               std::span<const Disk> samples) {
+               std::span<const Sample> samples) {
     const std::vector<Cell> tiles = tiles_within(question.radius_field.bounds(), tiling);
     std::vector<Cell> scouts, others;
     for (std::size_t i = 0; i < tiles.size(); ++i)
@@ -235,6 +196,18 @@ void measure(const Domain& domain, std::span<const Disk> samples, Gap& gap) {
         gap.over = distance - limit;
         gap.distance = distance;
         gap.limit = limit;
+    }
+}
+
+void measure(const Domain& domain, std::span<const Ellipse> samples, Gap& gap) {
+    gap.over = kInfinity;
+    for (const Ellipse& ellipse : samples) {
+        const Point way = domain.way(ellipse.at, gap.at);
+        const double over = std::max(ellipse.shape->over(way), gap.shape->over(way));
+        if (over >= gap.over) continue;
+        gap.over = over;
+        gap.distance = std::sqrt(square(way.x) + square(way.y));
+        gap.limit = std::min(ellipse.shape->radius_along(way), gap.shape->radius_along(way));
     }
 }
 
@@ -270,7 +243,7 @@ Gap sharpened(Question question, const Gap& gap, std::span<const Disk> samples) 
     question.precision = 0;
     question.tolerance = gap.over + 2 * reach;
     const Under under = question.radius_field.under(around, {});
-    return GapSearch(question, gap)
+    return GapSearch<Disk>(question, gap)
         .run(around, under, images_near(question, around, under, samples));
 }
 
@@ -284,13 +257,29 @@ Gap largest_gap(const RadiusField& radius_field, std::span<const Disk> samples, 
     return gap;
 }
 
+// Where ellipses are long, gaps grow slowly along some direction that is neither that of x nor that
+// of y. At once at the finest precision, the search would climb there in the smallest steps.
+Gap largest_gap(const RadiusField& radius_field, std::span<const Ellipse> samples, double tolerance,
+                const Patience& patience) {
+    Question question = question_of(radius_field, tolerance, false, patience);
+    Gap gap;
+    for (const double precision : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, kGapPrecision}) {
+        question.precision = precision;
+        gap = search_all(question, gap, kTilingOfField, samples);
+        if (gap.over <= tolerance + question.rounding) break;
+    }
+    if (gap.over > -kInfinity) measure(radius_field.domain(), samples, gap);
+    return gap;
+}
+
 Gap largest_gap(const Domain& domain, std::span<const Point> points, double reach,
                 const Patience& patience) {
     if (points.empty()) return {.at = {domain.width / 2, domain.height / 2}, .over = kInfinity};
     const Field one_pixel{1, 1, {1}};
     const RadiusField no_radii(domain, {&one_pixel, 0, nullptr, {}});
     const Question question = question_of(no_radii, reach, true, patience);
-    const std::vector<Disk> samples = in_order(points, patience);
+    const std::vector<Disk> in_order_of_x = in_order(points, patience);
+    const std::span<const Disk> samples(in_order_of_x);
     Gap gap = search_all(question, {.over = 0}, kTilingOfOneRadius, samples);
     gap = sharpened(question, gap, samples);
     measure(domain, samples, gap);

@@ -22,10 +22,11 @@ struct Gap {
     // The radius at the spot. It is taken from the cell whose centre the spot is. The spot itself
     // may be on the next pixel, because rounding may put a very narrow cell's centre on a side.
     double radius = 0;
+    const EllipseShape* shape = nullptr;  // the same with ellipses: the one at the spot
     // The distance and the limit to the sample that covers the spot best, if there is a sample.
     double distance = std::numeric_limits<double>::infinity();
     double limit = 0;
-    // distance - limit; -infinity if no sample may lie anywhere.
+    // distance - limit, with ellipses Ellipse::over; -infinity if no sample may lie anywhere.
     double over = -std::numeric_limits<double>::infinity();
 };
 
@@ -35,6 +36,12 @@ struct Gap {
 //   - Otherwise no spot is over by more than `tolerance`, with an error of kFinest of the side.
 // All samples must lie in the domain. Where every spot is covered, any spot is returned.
 Gap largest_gap(const RadiusField& radius_field, std::span<const Disk> samples, double tolerance,
+                const Patience& patience = {});
+
+// The same with ellipses. A spot is over its limit by Ellipse::over, and the limit is the smaller
+// radius of the two ellipses along the way from the sample to the spot. On a torus no ellipse is
+// longer than the shorter side. A sample may be given several times, with different ellipses.
+Gap largest_gap(const RadiusField& radius_field, std::span<const Ellipse> samples, double tolerance,
                 const Patience& patience = {});
 
 // The same for one radius everywhere, with limits of 0: `over` is the distance to the nearest

@@ -16,7 +16,7 @@
 
 namespace lacuna::verify {
 
-// The radii that some pixels have.
+// The radii that some pixels have. An ellipse has all radii from its shorter to its longer one.
 struct RadiusRange {
     double least = std::numeric_limits<double>::infinity();
     double most = 0;
@@ -93,10 +93,13 @@ struct FieldLeaves {
     std::uint32_t rows() const { return field->rows; }
     RadiusRange at(std::uint32_t column, std::uint32_t row) const {
         const std::size_t from_top = field->rows - 1 - row;
-        const double importance = field->importance[from_top * field->columns + column];
+        const std::size_t pixel = from_top * field->columns + column;
+        const double importance = field->importance[pixel];
         if (importance == 0) return {.has_none = true};
         const double radius = scale / std::sqrt(importance);
-        return {.least = radius, .most = radius};
+        if (field->stretches.empty()) return {.least = radius, .most = radius};
+        const double root = std::sqrt(field->stretches[pixel].ratio);
+        return {.least = radius / root, .most = radius * root};
     }
 };
 

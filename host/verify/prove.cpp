@@ -14,6 +14,7 @@
 #include "base/threads.h"
 #include "verify/classes.h"
 #include "verify/closest.h"
+#include "verify/ellipse_samples.h"
 #include "verify/largest_gap.h"
 #include "verify/radius_field.h"
 #include "verify/verify.h"
@@ -120,6 +121,25 @@ void prove_on_field(std::span<const Point> points, const Claim& claim,
         });
 }
 
+void prove_on_ellipses(std::span<const Point> points, const Claim& claim,
+                       const RadiusField& radius_field, double tolerance, const Patience& patience,
+                       Proof& proof) {
+    const Domain& domain = radius_field.domain();
+    const EllipseSamples samples(points, radius_field, proof);
+    if (proof.forbidden) return;
+    ask(
+        claim,
+        [&] {
+            const Pair pair = closest_pair(domain, samples.blurred(), patience, kHopeless);
+            tell_of(pair, pair.limit, proof);
+            proof.kept = pair.ratio >= 1;
+        },
+        [&] {
+            const Gap gap = largest_gap(radius_field, samples.each(), tolerance, patience);
+            tell_of(gap, tolerance + domain.rounding(), gap.limit, proof);
+        });
+}
+
 // The radius, or with a field the scale; with classes the least distance, unless the claim has one.
 double size_of(const Claim& claim) {
     const double size = claim.field != nullptr ? claim.scale : claim.radius;
@@ -149,10 +169,13 @@ Proof prove(std::span<const Point> points, const Claim& claim,
                  .edge_tolerance = claim.edge_tolerance,
                  .border = claim.border});
     check_least_radius(claim, radius_field.least_radius());
+    if (radius_field.has_ellipses()) check_longest_ellipse(claim, radius_field.most_radius());
     proof.outside = first_outside(points, domain);
     if (proof.outside) return proof;
     if (is_uniform(claim)) {
         prove_uniform(points, claim, domain, tolerance, patience, proof);
+    } else if (radius_field.has_ellipses()) {
+        prove_on_ellipses(points, claim, radius_field, tolerance, patience, proof);
     } else {
         prove_on_field(points, claim, radius_field, tolerance, patience, proof);
     }

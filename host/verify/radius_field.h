@@ -4,6 +4,7 @@
 #include <lacuna/lacuna.h>
 #include <lacuna/verify.h>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <variant>
@@ -11,6 +12,7 @@
 
 #include "verify/cell.h"
 #include "verify/domain.h"
+#include "verify/ellipse.h"
 #include "verify/pixels.h"
 #include "verify/region.h"
 
@@ -38,11 +40,14 @@ struct Under {
     RadiusRange radii;  // also of places where mask or polygons allow no sample
     Openness mask{true, true};
     Openness inside{true, true};
+    const EllipseShape* shape = nullptr;  // the ellipse, if the cell lies on one pixel that has one
 
     // No sample may lie anywhere under the cell.
     bool is_closed() const { return !radii.has_any() || !mask.has_open || !inside.has_open; }
+    // All spots that have a radius have the same one, or the same ellipse.
+    bool is_even() const { return radii.is_one() || shape != nullptr; }
     // Samples may lie everywhere, with one radius. So this also describes all parts of the cell.
-    bool is_plain() const { return radii.is_one() && !mask.has_closed && !inside.has_closed; }
+    bool is_plain() const { return is_even() && !mask.has_closed && !inside.has_closed; }
 };
 
 // Where a cell is cut in two.
@@ -72,6 +77,8 @@ public:
 
     const Domain& domain() const { return domain_; }
     double least_radius() const { return radii_.all().least; }
+    double most_radius() const { return radii_.all().most; }
+    bool has_ellipses() const { return !shapes_.empty(); }
 
     // The rectangle outside of which no sample may lie. It is empty if its right side is left of
     // its left side.
@@ -93,13 +100,27 @@ public:
     // every pixel that is no farther away than kBorderBlur.
     std::variant<SampleRadii, Proof::Closed> radii_of_sample(Point at) const;
 
+    // The same with ellipses. A spot of a cell has the ellipse of a pixel under the cell, even if
+    // it is rounded to a border; null if it need not be covered. A sample may have several.
+    const EllipseShape* shape_at(Point spot, const Cell& cell) const;
+    std::variant<std::vector<const EllipseShape*>, Proof::Closed> shapes_of_sample(Point at) const;
+
 private:
     // How deep inside the polygons a spot must lie to need a sample. The small term is for the
     // rounding of doubles.
     double clearance() const { return edge_tolerance_ + 4 * kFinest * domain_.longer_side(); }
 
+    // Whether mask or polygons say that a spot need not be covered.
+    bool is_closed(Point spot) const;
+    // What forbids a sample, other than importance.
+    std::optional<Proof::Closed> closed_to_sample(Point at) const;
+    double blur() const { return kBorderBlur * domain_.longer_side(); }
+    const EllipseShape* shape_of(std::uint32_t column, std::uint32_t row) const;
+    const EllipseShape* only_shape_under(const Cell& cell) const;
+
     const Domain domain_;
     Pixels<FieldLeaves> radii_;
+    std::vector<EllipseShape> shapes_;  // of the pixels, as in the field; empty: disks
     std::optional<Pixels<MaskLeaves>> mask_;
     std::optional<Region> region_;
     double edge_tolerance_;

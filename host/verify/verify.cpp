@@ -14,6 +14,7 @@ namespace {
 constexpr double kSmallestSide = 1e-100;
 constexpr double kLargestSide = 1e100;
 constexpr double kLargestAspect = 1000;
+constexpr double kLargestRatio = 1000;  // of an ellipse's radii
 
 void check_positive(const char* option, double value) {
     if (!std::isfinite(value) || value <= 0)
@@ -40,6 +41,21 @@ void check_field(const Field& field) {
         if (!std::isfinite(importance) || importance < 0)
             throw BadRequest("field", text(importance),
                              "importance must be a finite number of at least 0");
+}
+
+void check_stretches(const Claim& claim) {
+    const std::vector<Stretch>& stretches = claim.field->stretches;
+    if (stretches.empty()) return;
+    if (stretches.size() != claim.field->importance.size())
+        throw BadRequest("stretches", std::to_string(stretches.size()) + " values",
+                         "must be " + std::to_string(claim.field->importance.size()) +
+                             ", one for each pixel of the field");
+    for (const auto& [ratio, angle] : stretches)
+        if (!(ratio >= 1 && ratio <= kLargestRatio) || !std::isfinite(angle))
+            throw BadRequest("stretches", text(ratio) + " at an angle of " + text(angle),
+                             "ratios must lie between 1 and 1000, and angles must be finite");
+    if (!claim.classes.names.empty())
+        throw BadRequest("class", "with ellipses", "classes have disks");
 }
 
 void check_polygons(const Claim& claim) {
@@ -134,6 +150,7 @@ void check_claim(const Claim& claim, std::size_t points, double tolerance) {
     const bool has_classes = !claim.classes.names.empty();
     if (claim.field != nullptr) {
         check_field(*claim.field);
+        check_stretches(claim);
         if (!has_classes || claim.scale != 0) check_positive("scale", claim.scale);
     } else if (!has_classes || claim.radius != 0) {
         check_positive("radius", claim.radius);
@@ -158,6 +175,14 @@ void check_least_radius(const Claim& claim, double least_radius) {
                      text(claim.field != nullptr ? claim.scale : claim.radius),
                      found + "must be at least " + text(smallest) +
                          ", the longer side / 2^32, or doubles run out of digits");
+}
+
+void check_longest_ellipse(const Claim& claim, double longest_radius) {
+    const double shorter_side = std::min(claim.width, claim.height);
+    constexpr double kSlack = 1 + 1e-12;  // for the rounding of the radius
+    if (claim.boundary == Boundary::box || 2 * longest_radius <= shorter_side * kSlack) return;
+    throw BadRequest("torus", "with an ellipse of length " + text(2 * longest_radius),
+                     "must be at most the domain's shorter side, " + text(shorter_side));
 }
 
 bool is_uniform(const Claim& claim) {

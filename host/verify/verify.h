@@ -38,6 +38,10 @@ void check_claim(const Claim& claim, std::size_t points, double tolerance);
 // Throws BadRequest if the smallest radius that the claim asks for is below kSmallestRadius.
 void check_least_radius(const Claim& claim, double least_radius);
 
+// Throws BadRequest if an ellipse is longer than the shorter side of a torus. There two points have
+// several ways between them, and more than one might lie in the ellipse.
+void check_longest_ellipse(const Claim& claim, double longest_radius);
+
 // The least distance of two classes that is not 0, and all as shares of it.
 double least_distance(const Classes& classes);
 std::vector<double> shares_of(const Claim& claim);

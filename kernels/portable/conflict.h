@@ -9,6 +9,7 @@
 #define LACUNA_PORTABLE_CONFLICT_H
 #include "chord.h"
 #include "distance.h"
+#include "ellipse.h"
 #include "sheets.h"
 
 LACUNA_BEGIN
@@ -37,6 +38,24 @@ LACUNA_FN bool conflicts(Sized a, Sized b, u32 factor, u32 period_x, u32 period_
 // distance dx from the sample.
 LACUNA_FN u32 chord(Sized neighbour, u32 dx, u32 box_radius, u32 factor) {
     return chord_reach(dx, squared_limit(neighbour.radius, box_radius, factor));
+}
+
+// The same with ellipses. Two samples conflict if each lies in the other's.
+LACUNA_FN bool ellipses_conflict(Sized a, Ellipse of_a, Sized b, Ellipse of_b, u32 period_x,
+                                 u32 period_y) {
+    i64 dx = way_to(to_i64(a.x), to_i64(b.x), period_x);
+    i64 dy = way_to(to_i64(a.y), to_i64(b.y), period_y);
+    return holds(of_a, dx, dy) && holds(of_b, dx, dy);
+}
+
+// The heights that a sample at x takes from the columns [first, first + width) of a box, as offsets
+// from its own height. `of_box` is the ellipse of all samples in the box, or a circle that lies in
+// all their ellipses.
+LACUNA_FN Interval ellipse_chord(u32 x, Ellipse of_sample, u32 first, u32 width, Ellipse of_box,
+                                 u32 period_x) {
+    i64 reach = to_i64(width / 2u);
+    i64 dx = way_to(to_i64(x), to_i64(first) + reach, period_x);
+    return common_part(chord_around(of_sample, dx, reach), chord_around(of_box, dx, reach));
 }
 
 LACUNA_END

@@ -16,6 +16,12 @@ LACUNA_BEGIN
 #define OR_ZERO
 #endif
 
+// What conflicts: two candidates on a line; samples in each other's disks; in each other's
+// ellipses. Mode cells has a rule of its own.
+#define RULE_OF_LINES 0u
+#define RULE_OF_DISKS 1u
+#define RULE_OF_ELLIPSES 2u
+
 // The part of the plan that kernels need.
 struct Geometry {
     u64 radius_squared;
@@ -28,7 +34,7 @@ struct Geometry {
     u32 strip_width;
     u32 columns;
     u32 capacity;  // most spans of a line, or the number of words of its bits
-    u32 is_exact;  // 1 in mode exact, otherwise 0
+    u32 rule;      // what conflicts: RULE_OF_LINES and so on
     u32 chord_margin;
     u32 grid_side;  // width of the sample grid's cells, see plan/plan.h
     u32 grid_columns;
@@ -190,7 +196,7 @@ LACUNA_END
     B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32, lists)  \
     B(3, READ, u32x4, entries) B(4, BOTH, u32, statuses) B(5, WRITE, u32x2, samples)            \
     B(6, WRITE, u32, survivors) B(7, SHARED, u32, survivor_count) B(8, SHARED, u32, failure) \
-    B(9, READ, u32, factors)
+    B(9, READ, u32, factors) B(10, READ, u32, axes) B(11, READ, u32x4, ellipses)
 #define REACH_BINDINGS(B)                                                                    \
     B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32, statuses)    \
     B(3, READ, u32x4, tree_boxes) B(4, READ, u32x4, tree_links) B(5, READ, u32, node_of)    \
@@ -200,7 +206,8 @@ LACUNA_END
 #define ADMIT_WITH_FIELD_BINDINGS(B)                                                          \
     B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, SHARED, u32, statuses)  \
     B(3, READ, u32, visitor_heads) B(4, READ, u32x2, visitors) B(5, SHARED, u32, undecided)  \
-    B(6, WRITE, u32x2, samples) B(7, SHARED, u32, failure) B(8, READ, u32, factors)
+    B(6, WRITE, u32x2, samples) B(7, SHARED, u32, failure) B(8, READ, u32, factors)           \
+    B(9, READ, u32, axes) B(10, READ, u32x4, ellipses)
 #define ENLIST_BINDINGS(B)                                                                   \
     B(0, READ, u32, undecided) B(1, READ, u32x4, candidates)                                 \
     B(2, READ, u32, candidate_radii) B(3, READ, u32, statuses) B(4, READ, u32, visitor_heads)   \
@@ -214,9 +221,10 @@ LACUNA_END
     B(0, READ, u32, undecided) B(1, READ, u32x4, boxes) B(2, READ, u32x2, origins)           \
     B(3, READ, u32, lists) B(4, READ, u32x4, entries) B(5, READ, u32x4, borders)             \
     B(6, READ, u32x4, strip_radii) B(7, SHARED, u32, failure) B(8, BOTH, u32, counts)        \
-    B(9, BOTH, u32x2, strip_pieces) B(10, WRITE, u32x2, new_origins) B(11, READ, u32, factors)
+    B(9, BOTH, u32x2, strip_pieces) B(10, WRITE, u32x2, new_origins) B(11, READ, u32, factors) \
+    B(12, READ, u32, axes) B(13, READ, u32x4, ellipses)
 #define KEEP_WITH_FIELD_BINDINGS(B)                                                          \
-    CUT_WITH_FIELD_BINDINGS(B) B(12, READ, u32, sums) B(13, WRITE, u32x4, new_boxes)
+    CUT_WITH_FIELD_BINDINGS(B) B(14, READ, u32, sums) B(15, WRITE, u32x4, new_boxes)
 #define MEASURE_BINDINGS(B)                                                                  \
     B(0, READ, u32, undecided) B(1, READ, u32, axes) B(2, READ, u32x2, radius_bounds)        \
     B(3, READ, u32, mask_bits) B(4, READ, u32x4, new_boxes) B(5, BOTH, u32x2, new_origins)   \
@@ -236,6 +244,7 @@ LACUNA_END
     B(u32x4, borders) B(u32x4, strip_radii) B(u32x4, tree_boxes) B(u32x4, tree_links) B(u32, node_of)    \
     B(u32, visitor_count) B(u32, visitor_heads) B(u32x2, visitors) B(u32, lists)                  \
     B(u32x4, entries) B(u32, entry_count) B(u32, survivors) B(u32, survivor_count) B(u32, factors) \
+    B(u32x4, ellipses)                                                                            \
     LACUNA_RELAX_BUFFERS(B)
 
 // All kernels: name, arguments, bindings.

@@ -28,6 +28,9 @@ inline i32 to_i32(u32 a) {
 inline i64 to_i64(u64 a) {
     return static_cast<i64>(a);
 }
+inline u64 to_u64(i64 a) {
+    return static_cast<u64>(a);
+}
 inline i64 sign_extended(u32 a) {
     return static_cast<std::int32_t>(a);
 }
@@ -54,6 +57,7 @@ typedef int i32;
 typedef long i64;
 #define to_i32(a) ((i32)(a))
 #define to_i64(a) ((i64)(a))
+#define to_u64(a) ((u64)(a))
 #define sign_extended(a) ((i64)(int)(a))
 #define to_u32(a) ((u32)(a))
 #define count_bits(a) popcount(a)
@@ -78,6 +82,7 @@ typedef long i64;
 #define i64 int64_t
 #define to_i32(a) int(a)
 #define to_i64(a) int64_t(a)
+#define to_u64(a) uint64_t(a)
 #define sign_extended(a) int64_t(int(a))
 #define to_u32(a) uint(a)
 #define count_bits(a) uint(bitCount(a))

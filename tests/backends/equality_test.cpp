@@ -83,25 +83,28 @@ TEST_P(Equality, OnEveryKindOfRequestInCells) {
     }
 }
 
-TEST_P(Equality, OnEveryKindOfRequestWithARadiusField) {
-    const std::vector<tests::FieldRequest> requests = tests::radius_field_requests();
-    ASSERT_GE(requests.size(), 60u);
+void expect_equal_on(const std::vector<tests::FieldRequest>& requests, const std::string& backend) {
     for (const tests::FieldRequest& made : requests) {
-        SCOPED_TRACE(made.name);
-        const Plan plan = make_plan(made.request);
-        ASSERT_TRUE(same(made.request, plan, run(made.request, plan, "reference"),
-                         run(made.request, plan, GetParam())));
-    }
-}
-
-TEST_P(Equality, OnEveryKindOfRequestWithClasses) {
-    for (const tests::FieldRequest& made : tests::class_requests()) {
         SCOPED_TRACE(made.name);
         const Plan plan = make_plan(made.request);
         const Outcome expected = run(made.request, plan, "reference");
         ASSERT_FALSE(expected.samples.empty());
-        ASSERT_TRUE(same(made.request, plan, expected, run(made.request, plan, GetParam())));
+        ASSERT_TRUE(same(made.request, plan, expected, run(made.request, plan, backend)));
     }
+}
+
+TEST_P(Equality, OnEveryKindOfRequestWithARadiusField) {
+    const std::vector<tests::FieldRequest> requests = tests::radius_field_requests();
+    ASSERT_GE(requests.size(), 60u);
+    expect_equal_on(requests, GetParam());
+}
+
+TEST_P(Equality, OnEveryKindOfRequestWithClasses) {
+    expect_equal_on(tests::class_requests(), GetParam());
+}
+
+TEST_P(Equality, OnEveryKindOfRequestWithEllipses) {
+    expect_equal_on(tests::ellipse_requests(), GetParam());
 }
 
 TEST_P(Equality, OnEveryKindOfRequestInLines) {

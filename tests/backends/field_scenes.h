@@ -36,6 +36,7 @@ inline std::vector<Scene> field_scenes() {
     std::vector<Scene> scenes;
     std::vector<FieldRequest> all = special_radius_field_requests();
     for (const FieldRequest& made : class_requests()) all.push_back(made);
+    for (const FieldRequest& made : ellipse_requests()) all.push_back(made);
     for (const FieldRequest& made : all) {
         const auto number = static_cast<std::uint32_t>(scenes.size());
         Scene scene = field_scene(made, number % 5, number);

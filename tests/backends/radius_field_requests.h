@@ -182,6 +182,49 @@ inline std::vector<FieldRequest> special_radius_field_requests() {
     };
 }
 
+// Requests with ellipses, for the same tests.
+inline std::vector<FieldRequest> ellipse_requests() {
+    const Boundary box = Boundary::box;
+    const Boundary torus = Boundary::torus;
+    FieldRequest threads = radius_field_request("ellipses that threads share",
+                                                swirled(ramp_field(40, 30), 6), 9000, box, 4, 3);
+    threads.request.threads = 3;
+    FieldRequest coarse = radius_field_request(
+        "ellipses in long first boxes", stretched_at_random(ramp_field(3, 2), 8, 5), 300, box);
+    coarse.request.lines_per_radius = 4;
+    FieldRequest small_rounds = radius_field_request(
+        "ellipses in rounds of ten", stretched_at_random(noise_field(5, 4, 3), 12, 4), 60, box);
+    small_rounds.request.round_size = 10;
+    return {
+        threads,
+        coarse,
+        small_rounds,
+        radius_field_request("one ellipse", swirled(constant_field(1, 1), 5), 300, torus),
+        radius_field_request("circles that count as ellipses", swirled(constant_field(3, 3), 1),
+                             200, torus),
+        radius_field_request("a swirl", swirled(constant_field(16, 16), 9), 500, box),
+        radius_field_request("a swirl on a torus", swirled(constant_field(12, 8), 4), 600, torus,
+                             1.5, 1),
+        radius_field_request("ellipses at random",
+                             stretched_at_random(noise_field(20, 15, 6), 32, 1), 400, box),
+        radius_field_request("ellipses at random in few pixels",
+                             stretched_at_random(constant_field(3, 3), 16, 2), 500, torus),
+        radius_field_request("ellipses beside holes of many pixels",
+                             stretched_at_random(white_holes_field(40, 30), 6, 4), 300, box),
+        radius_field_request("ellipses longer than the domain",
+                             stretched_at_random(constant_field(2, 2), 900, 3), 3, box),
+        with_mask(
+            radius_field_request("ellipses on a mask", swirled(ramp_field(7, 9), 5), 300, torus),
+            noise_mask(13, 9, 8)),
+        with_border(radius_field_request("ellipses inside a border",
+                                         stretched_at_random(ramp_field(6, 6), 5, 9), 200, box),
+                    0.1),
+        with_keep(radius_field_request("ellipses and kept points",
+                                       stretched_at_random({4, 1, {1, 0, 0.3, 0}}, 4, 7), 150, box),
+                  {{0.25 + 0x1p-29, 0.2}, {0.75 + 0x1.8p-29, 0.6}, {0.1, 0.9}}),
+    };
+}
+
 // Requests with classes, for the same tests.
 inline std::vector<FieldRequest> class_requests() {
     const Boundary box = Boundary::box;

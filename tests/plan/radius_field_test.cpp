@@ -46,7 +46,7 @@ TEST(ARadiusField, TellsTheLeastAndTheGreatestRadiusUnderARectangle) {
         const Mask mask = tests::noise_mask(1 + below(9), 1 + below(9), random());
         const std::uint32_t side = 60;
         const RadiusField radius_field(&field, 5, turn % 2 == 0 ? &mask : nullptr,
-                                       {side, side, 1.0, 0, side, 0, side, false});
+                                       {side, side, 1.0, 1.0, 0, side, 0, side, false});
         for (int k = 0; k < 50; ++k) {
             const std::uint32_t x = below(side);
             const std::uint32_t begin = below(side);

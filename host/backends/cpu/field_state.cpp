@@ -104,9 +104,50 @@ private:
         const std::uint32_t radius = own_radius(least);
         chords_.resize(std::max(chords_.size(), 3 * near_.count + kVectorPadding));
         const std::size_t count =
-            wraps_ ? find_chords_around(box, radius)
-                   : vectors_.find_sized_chords(near_, box, radius, chords_.data());
+            has_ellipses_ ? find_ellipse_chords(box, least)
+            : wraps_      ? find_chords_around(box, radius)
+                          : vectors_.find_sized_chords(near_, box, radius, chords_.data());
         if (count != Vectors::kAll) append_pieces(box, count);
+    }
+
+    std::size_t find_ellipse_chords(const Box& box, std::uint32_t least) {
+        if (least == 0) return 0;  // no sample may lie there: dropped when it is halved
+        const portable::Ellipse of_box = state_.radius_field.ellipse_under(box);
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < near_.count && count != Vectors::kAll; ++i)
+            count = add_ellipse_chord(box, of_box, near_[i], count);
+        return count;
+    }
+
+    // Whether a chord of the ellipse does not reach the box, as most do not.
+    static bool misses_box(const portable::Ellipse& ellipse, Sized sample, const Box& box) {
+        const auto reach = std::int64_t{box.width / 2};
+        const std::int64_t dx = std::int64_t{box.x} + reach - sample.x;
+        const std::int64_t low = std::int64_t{box.begin} - sample.y;
+        const std::int64_t high = std::int64_t{box.end} - 1 - sample.y;
+        return portable::misses(ellipse, dx - reach, low, high) ||
+               portable::misses(ellipse, dx + reach, low, high);
+    }
+
+    // Writes a sample's chord after the first `count` chords, and returns how many there are then;
+    // kAll if it covers the box.
+    std::size_t add_ellipse_chord(const Box& box, const portable::Ellipse& of_box, Sized sample,
+                                  std::size_t count) {
+        const Plan& plan = state_.plan;
+        const portable::Ellipse& of_sample = state_.radius_field.ellipse_at(sample.x, sample.y);
+        if (!wraps_ && (misses_box(of_sample, sample, box) || misses_box(of_box, sample, box)))
+            return count;
+        const portable::Interval chord = portable::ellipse_chord(
+            sample.x, of_sample, box.x, box.width, of_box, wraps_ ? plan.period_x : 0);
+        if (chord.begin >= chord.end) return count;
+        const auto y = std::int64_t{sample.y};
+        for (std::uint32_t window = 0; window < (wraps_ ? 3U : 1U); ++window) {
+            const Span there{portable::height_in_window(window, y + chord.begin, plan.height),
+                             portable::height_in_window(window, y + chord.end, plan.height)};
+            if (there.begin <= box.begin && there.end >= box.end) return Vectors::kAll;
+            if (there.begin < there.end) chords_[count++] = there;
+        }
+        return count;
     }
 
     // Appends the pieces between the first `count` chords.
@@ -156,7 +197,8 @@ private:
         const unsigned covered = vectors_.find_touching(
             near_, batch_.data(), is_even ? own_radius(even_radius_) : kAnyRadius,
             touching_.data());
-        const unsigned left = ((1U << batched_) - 1) & (is_even ? ~covered : ~0U);
+        const bool is_told = is_even && !has_ellipses_;  // which boxes are covered
+        const unsigned left = ((1U << batched_) - 1) & (is_told ? ~covered : ~0U);
         std::array<std::size_t, Vectors::kBoxes> counts{};
         for (std::size_t k = 0; k < near_.count; ++k)
             for (unsigned bits = touching_[k] & left; bits != 0; bits &= bits - 1) {
@@ -175,6 +217,7 @@ private:
 
     void append_touched(std::size_t i, std::size_t samples) {
         const Box& box = batch_[i];
+        if (has_ellipses_) return append_touched_by_ellipses(i, samples);
         const std::uint32_t radius = own_radius(least_under(box));
         const std::uint32_t half = box.width / 2;
         chords_.resize(std::max(chords_.size(), samples));
@@ -188,6 +231,17 @@ private:
                 chords_[count++] = {sample.y + 1 - std::min(sample.y + 1, reach), sample.y + reach};
         }
         append_pieces(box, count);
+    }
+
+    void append_touched_by_ellipses(std::size_t i, std::size_t samples) {
+        const Box& box = batch_[i];
+        if (least_under(box) == 0) return left_.push_back({box, block_});
+        const portable::Ellipse of_box = state_.radius_field.ellipse_under(box);
+        chords_.resize(std::max(chords_.size(), samples));
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < samples && count != Vectors::kAll; ++k)
+            count = add_ellipse_chord(box, of_box, near_[touched_by_[k][i]], count);
+        if (count != Vectors::kAll) append_pieces(box, count);
     }
 
     static std::uint32_t middle_of(const Box& box) {
@@ -210,6 +264,7 @@ private:
     const FieldState& state_;
     const Sheets& sheets_;
     const bool has_classes_ = sheets_.are_several();
+    const bool has_ellipses_ = state_.radius_field.has_ellipses();
     const Vectors& vectors_ = *all_vectors().front();
     bool is_at_edge_;  // the region lies at an edge of a torus
     std::vector<FieldState::BlockBox>& left_;

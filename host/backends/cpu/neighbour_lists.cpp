@@ -38,6 +38,7 @@ NeighbourLists::NeighbourLists(const Plan& plan)
     : plan_(plan),
       first_(*plan.field().first_boxes),
       sheets_(plan.field().sheets),
+      radius_field_(*plan.field().radius_field),
       vectors_(*all_vectors().front()),
       few_(0),
       long_(first_.block_count()),
@@ -149,6 +150,23 @@ bool NeighbourLists::is_any_seen_closer(const SizedSpan& near, Sample at,
     seen.see(sheets_, sheets_.of(at.x), near, radius);
     return vectors_.is_any_sized_closer(seen.span(), at, kAnyRadius,
                                         {plan_.period_x, plan_.period_y});
+}
+
+// Most samples are too far away for any ellipse, which a vector instruction tells of several.
+bool NeighbourLists::is_any_ellipse_closer(const SizedSpan& near, Sample at,
+                                           std::uint32_t radius) const {
+    if (!vectors_.is_any_sized_closer(near, at, radius, {plan_.period_x, plan_.period_y}))
+        return false;
+    const Sized candidate{at.x, at.y, radius};
+    const portable::Ellipse& own = radius_field_.ellipse_at(at.x, at.y);
+    for (std::size_t i = 0; i < near.count; ++i) {
+        const Sized sample = near[i];
+        if (portable::conflicts(sample, candidate, FACTOR_ONE, plan_.period_x, plan_.period_y) &&
+            portable::ellipses_conflict(sample, radius_field_.ellipse_at(sample.x, sample.y),
+                                        candidate, own, plan_.period_x, plan_.period_y))
+            return true;
+    }
+    return false;
 }
 
 void NeighbourLists::push(const Sized& sample, std::uint32_t block) {

@@ -18,6 +18,7 @@
 #include "plan/first_boxes.h"
 #include "plan/pixels.h"
 #include "plan/plan.h"
+#include "plan/radius_field.h"
 
 namespace lacuna::cpu {
 
@@ -49,6 +50,7 @@ public:
         const Few& few = few_[block];
         const SizedSpan near = few.is_long ? long_part(block, at) : few.span();
         if (sheets_.are_several()) return is_any_seen_closer(near, at, radius);
+        if (radius_field_.has_ellipses()) return is_any_ellipse_closer(near, at, radius);
         return vectors_.is_any_sized_closer(near, at, radius, {plan_.period_x, plan_.period_y});
     }
 
@@ -125,6 +127,7 @@ private:
                            SizedList& scratch) const;
     SizedSpan long_part(std::uint32_t block, Sample at) const;
     bool is_any_seen_closer(const SizedSpan& near, Sample at, std::uint32_t radius) const;
+    bool is_any_ellipse_closer(const SizedSpan& near, Sample at, std::uint32_t radius) const;
     bool reaches(const Sized& sample, const Box& box, std::uint32_t greatest) const;
     void push(const Sized& sample, std::uint32_t block);
     void push_long(const Sized& sample, std::uint32_t block);
@@ -156,6 +159,7 @@ private:
     const Plan& plan_;
     const FirstBoxes& first_;
     const Sheets& sheets_;
+    const RadiusField& radius_field_;
     const Vectors& vectors_;
     ZeroedArray<Few> few_;
     std::vector<std::unique_ptr<List>> long_;

@@ -115,6 +115,7 @@ private:
         m.axes = round_.copy_of(tables.axes);
         m.mask_bits = round_.copy_of(tables.mask_bits);
         m.factors = round_.copy_of(round_.plan.field().sheets.factors());
+        put_ellipses();
         using Radii = RadiusField::Radii;
         static_assert(sizeof(Radii) == 2 * kWord);
         const RadiusField::RadiusPyramid& radii = round_.plan.field().radius_field->radii();
@@ -127,6 +128,17 @@ private:
             first += level.size();
         });
         round_.queue.wait();
+    }
+
+    void put_ellipses() {
+        using portable::Ellipse;
+        static_assert(sizeof(Ellipse) == 4 * kWord);
+        const std::vector<Ellipse>& ellipses = round_.plan.field().radius_field->ellipses();
+        const Ellipse none{};
+        const auto all = ellipses.empty() ? std::span(&none, 1) : std::span(ellipses);
+        round_.make_room(round_.memory.ellipses, 4 * all.size());
+        round_.put(round_.memory.ellipses, all, 0);
+        round_.queue.wait();  // `none` ends here
     }
 
     void put_first_boxes() {
@@ -146,7 +158,8 @@ private:
         std::uint32_t radius = even_radius | IS_EVEN;
         if (even_radius == 0) {
             const Under under = round_.plan.field().radius_field->under(box);
-            radius = under.least | (under.is_even && under.least != 0 ? IS_EVEN : 0);
+            const bool is_even = under.is_even && under.least != 0;
+            radius = is_even ? under.greatest | IS_EVEN : under.least;
         }
         origins.insert(origins.end(), {block, radius});
     }

@@ -24,6 +24,15 @@ std::vector<Slab> share_out(std::uint32_t lines, std::uint32_t capacity,
     return slabs;
 }
 
+namespace {
+
+std::uint32_t rule_of(const Plan& plan) {
+    if (plan.has_field() && plan.field().radius_field->has_ellipses()) return RULE_OF_ELLIPSES;
+    return plan.is_exact() ? RULE_OF_DISKS : RULE_OF_LINES;
+}
+
+}  // namespace
+
 portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uint32_t capacity) {
     return {.radius_squared = plan.radius_squared,
             .radius = plan.radius,
@@ -35,7 +44,7 @@ portable::Geometry geometry_of(const Plan& plan, std::uint32_t columns, std::uin
             .strip_width = plan.strip_width,
             .columns = columns,
             .capacity = capacity,
-            .is_exact = plan.is_exact() ? 1u : 0u,
+            .rule = rule_of(plan),
             .chord_margin = plan.chord_margin(),
             .grid_side = plan.grid().side,
             .grid_columns = plan.grid().columns,

@@ -131,8 +131,11 @@ public:
         bool covered = false;
         samples_[sheets_.of(candidate.x)].for_each_near(
             {sized.x, 1, sized.y, sized.y + 1}, [&](const Neighbour& near) {
-                covered |= portable::conflicts(near.sized, sized, near.factor, plan_.period_x,
-                                               plan_.period_y);
+                covered |= has_ellipses() ? portable::ellipses_conflict(
+                                                near.sized, ellipse_of(near.sized), sized,
+                                                ellipse_of(sized), plan_.period_x, plan_.period_y)
+                                          : portable::conflicts(near.sized, sized, near.factor,
+                                                                plan_.period_x, plan_.period_y);
             });
         return !covered;
     }
@@ -162,6 +165,10 @@ private:
 
     std::uint32_t radius_at(Sample at) const {
         return field_ == nullptr ? plan_.radius : field_->radius_at(at.x, at.y);
+    }
+    bool has_ellipses() const { return field_ != nullptr && field_->has_ellipses(); }
+    const portable::Ellipse& ellipse_of(const Sized& sample) const {
+        return field_->ellipse_at(sample.x, sample.y);
     }
     std::uint32_t least_under(const Box& box) const {
         return field_ == nullptr ? plan_.radius : field_->under(box).least;
@@ -223,6 +230,17 @@ private:
         return {{box.x, box.width, box.begin, cut}, {box.x, box.width, cut, box.end}};
     }
 
+    // With ellipses. The sample conflicts with every point of the box on the chord.
+    void append_chord(const Box& box, const Sized& near, std::vector<Span>& chords) const {
+        const portable::Interval chord = portable::ellipse_chord(
+            near.x, ellipse_of(near), box.x, box.width, field_->ellipse_under(box), plan_.period_x);
+        const auto y = std::int64_t{near.y};
+        for (std::uint32_t window = 0; window < (plan_.period_y == 0 ? 1U : 3U); ++window)
+            if (chord.begin < chord.end)
+                chords.push_back({portable::height_in_window(window, y + chord.begin, plan_.height),
+                                  portable::height_in_window(window, y + chord.end, plan_.height)});
+    }
+
     // Appends the pieces of the box after the samples' chords are cut from it. A chord covers the
     // box's whole width: it is cut at the far edge. Its radius is the smaller of the sample's and
     // the least one under the box, so that the sample conflicts with every point in it.
@@ -234,6 +252,8 @@ private:
         std::vector<Span> chords;
         samples[sheets_.of(box.x)].for_each_near(
             {x, box.width, box.begin, box.end}, [&](const Neighbour& near) {
+                if (has_ellipses() && radius != 0) append_chord(box, near.sized, chords);
+                if (has_ellipses()) return;
                 const std::uint32_t dx =
                     portable::axis_distance(near.sized.x, x + half, plan_.period_x) + half;
                 for_each_window(plan_, near.sized.y,

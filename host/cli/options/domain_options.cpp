@@ -146,8 +146,9 @@ void add_domain(CLI::App& command, DomainOptions& options, Request& request) {
              "A picture that says where points are wanted: many where it is dark, none where it is "
              "white");
     add_number(command, "scale", "G", request.scale,
-               "With a field, instead of --radius: the radius where the picture is black");
+               "With --field, instead of --radius: the radius where the picture is black");
     add_importance(command, options.field);
+    add_ellipses(command, options.ellipses);
     add_classes(command, options.classes);
     add_path(command, "--mask", "IMAGE", options.mask,
              "A picture that says where points may lie: on pixels that are neither black nor "
@@ -185,6 +186,7 @@ std::vector<GivenFile> files_of(const DomainOptions& options) {
          std::array{std::pair{"--field", &options.field.path}, std::pair{"--mask", &options.mask},
                     std::pair{"--keep", &options.keep}})
         if (!path->empty()) files.push_back({name, *path});
+    if (!options.ellipses.path.empty()) files.push_back({"--ellipses", options.ellipses.path});
     for (const std::string& path : options.inside) files.push_back({"--inside", path});
     for (const std::string& path : options.outside) files.push_back({"--outside", path});
     for (const std::string& text : options.avoid)
@@ -198,9 +200,14 @@ void check_domain(const CLI::App& command, const DomainOptions& options) {
     if (options.field.path.empty())
         for (const char* name : {"--invert", "--black", "--white", "--auto-levels", "--gamma",
                                  "--min-importance", "--scale"})
-            if (command.count(name) > 0)
+            if (command.count(name) > 0 &&
+                (name != std::string_view("--scale") || !options.ellipses.are_given()))
                 throw BadRequest(std::string(name).substr(2), "without --field",
                                  "says how a field is read: give its picture too");
+    check(options.ellipses);
+    if (options.ellipses.are_given() && !options.field.path.empty())
+        throw BadRequest("field", shown(options.field.path),
+                         "cannot be used with --ellipses or --stretch, which give all radii");
     const bool has_polygons =
         !options.inside.empty() || !options.outside.empty() || !options.avoid.empty();
     if (options.edge && !has_polygons)
@@ -228,6 +235,14 @@ void read_given_files(const CLI::App& command, const DomainOptions& options, Req
         files.field = read_field(options.field, shape);
         give_shape(shape.width, shape.height);
         request.field = &*files.field;
+    }
+    if (options.ellipses.are_given()) {
+        files.field = read_ellipses(options.ellipses);
+        const double longer = std::max(files.field->columns, files.field->rows);
+        if (!options.ellipses.path.empty())
+            give_shape(files.field->columns / longer, files.field->rows / longer);
+        request.field = &*files.field;
+        if (!request.scale && !request.count) request.scale = 1;
     }
     for (const std::vector<std::string>* paths : {&options.inside, &options.outside})
         for (const std::string& path : *paths) {
@@ -315,7 +330,8 @@ void read_domain_files(const CLI::App& command, const DomainOptions& options, Re
 
 Json json_of(const DomainOptions& options, const Request& request, const DomainFiles& files) {
     Json json = Json::object();
-    if (files.field) {
+    json.update(json_of(options.ellipses));
+    if (!options.field.path.empty()) {
         json["field"] = options.field.path;
         json.update(json_of_importance(options.field.importance));
     }

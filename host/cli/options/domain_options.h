@@ -14,6 +14,7 @@
 
 #include "cli/app_fwd.h"
 #include "cli/options/class_options.h"
+#include "cli/options/ellipse_options.h"
 #include "cli/options/given_files.h"
 #include "cli/options/picture_field.h"
 #include "drawing/dot_size.h"
@@ -23,6 +24,7 @@ namespace lacuna::cli {
 // The options as given. An empty path means that the option was not given.
 struct DomainOptions {
     Picture field;
+    EllipseOptions ellipses;
     std::string mask;
     std::vector<std::string> inside;
     std::vector<std::string> outside;
@@ -34,8 +36,8 @@ struct DomainOptions {
 
 // The contents of the files. The request points into it.
 struct DomainFiles {
-    std::optional<Field> field;
-    std::optional<Mask> mask;  // read from --mask, or drawn from the polygons
+    std::optional<Field> field;  // read from --field, or of the ellipses
+    std::optional<Mask> mask;    // read from --mask, or drawn from the polygons
     // The polygons of --inside, then of --outside, then the lines of --avoid. `kinds` has what else
     // a PolygonSet says of each: whether it is forbidden, and the distance to keep.
     std::vector<Polygons> polygons;
@@ -45,7 +47,8 @@ struct DomainFiles {
     double edge = 0;  // how far the polygons' outline may be off
 };
 
-// Adds --field, --scale, the options of add_importance(), --class, --between, --mask, --inside,
+// Adds --field, --scale, the options of add_importance(), --ellipses, --stretch, --class,
+// --between, --mask, --inside,
 // --outside, --avoid, --edge, --border and --keep.
 void add_domain(CLI::App& command, DomainOptions& options, Request& request);
 

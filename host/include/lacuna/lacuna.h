@@ -48,12 +48,23 @@ struct Point {
 // What happens at the edges of the domain: they wrap (torus) or they do not (box).
 enum class Boundary { box, torus };
 
+// How a disk is stretched to an ellipse of the same area: its longer radius over its shorter one,
+// and the angle from the x axis to the longer one, counterclockwise in radians.
+struct Stretch {
+    double ratio = 1;  // 1 to 1000
+    double angle = 0;
+};
+
 // Importance over the domain: where samples are wanted, and how densely (section 4.2).
 struct Field {
     std::uint32_t columns = 0;       // pixels
     std::uint32_t rows = 0;          // pixels
     std::vector<double> importance;  // rows * columns values, finite, >= 0 (0: no sample there);
                                      // row by row, row 0 is the top of the picture (largest y)
+    // In mode exact: the stretch of each pixel, in the order of the importance, or empty: disks.
+    // With it each sample has an ellipse instead of a disk, and two samples conflict if each lies
+    // in the other's (section 6). On a torus no ellipse may be longer than its shorter side.
+    std::vector<Stretch> stretches{};
 };
 
 // Where samples may lie, whatever the importance: pixels that are stretched over the domain. A

@@ -13,6 +13,11 @@
 //     two spots is the smaller of their radii. The distance of two points must be at least their
 //     limit. A point covers a spot if their distance is at most their limit. Where the importance
 //     is 0, no point may lie, and no spot need be covered.
+//   - If the field has stretches, each spot has the ellipse of its pixel. The limit of two spots is
+//     the smaller radius of their ellipses along the way between them, so their distance is less
+//     than the limit if each lies in the other's ellipse. For the tolerance an ellipse is enlarged
+//     in proportion, until its shorter radius is longer by the tolerance. On a torus no ellipse may
+//     be longer than the shorter side.
 //   - A mask, polygons and a border say where points may lie, as in Request. A spot where no point
 //     may lie need not be covered. The edges of polygons may be off by Claim::edge_tolerance: a
 //     point may lie outside by up to that much. A spot that is inside of every set of polygons by
@@ -21,8 +26,10 @@
 //     tolerance, but never so that a point is nearer than that distance.
 //   - Samplers round the borders of pixels to the lines of a grid. So a point that is within 2^-28
 //     of the longer side of such a border counts as lying on both pixels. Its distances are checked
-//     with the smaller radius, and the spots that it covers with the larger one. It is allowed if
-//     either pixel allows points. A point may cross Claim::border or polygons by as much.
+//     with the smaller radius, and the spots that it covers with the larger one. With ellipses it
+//     is too close to another point if it is with both ellipses, and covers a spot if it does with
+//     either. It is allowed if either pixel allows points. A point may cross Claim::border or
+//     polygons by as much.
 //   - With classes the limit of two points, or of a point and a spot for one more point of a class,
 //     is multiplied by the distance of their two classes, as a share of the least one.
 //   - Points to keep are the first of the set, in their order, and equal to the last bit.
@@ -56,7 +63,8 @@ struct Claim {
     bool distances_only = false;  // gaps are not looked for, which takes most of the time
 
     // Radii that differ from place to place: the field, stretched over the domain, and the radius
-    // where its importance is 1. The field must outlive the call.
+    // where its importance is 1. Field::stretches makes ellipses of disks, but not with classes.
+    // The field must outlive the call.
     const Field* field = nullptr;
     double scale = 0;  // > 0; with classes it may be 0
 
@@ -101,7 +109,8 @@ struct Proof {
     double least_limit = 0;     // what the two must keep: the radius, or the smaller of theirs
 
     // The largest gap, if there is a point: the spot that is farthest from every point. With a
-    // field it is the spot that is farthest over its limit, or any spot if all are covered.
+    // field it is the spot that is farthest over its limit, or any spot if all are covered. With
+    // ellipses it is the spot that would need the largest tolerance.
     bool covered = false;
     Point largest_gap{0, 0};
     double largest_gap_distance = 0;  // to the nearest point; with a field, to the one whose limit
@@ -111,7 +120,8 @@ struct Proof {
 
     double tolerance = 0;  // how far over its limit a covered spot may be: as claimed, or chosen
     // The set is kept and covered, and the tolerance is at most 1 % of the radius, or of the least
-    // radius of a field. With a larger tolerance a set that lacks points would pass.
+    // radius of a field, with ellipses the least shorter one. With a larger tolerance a set that
+    // lacks points would pass.
     bool maximal = false;
 };
 

@@ -1,7 +1,6 @@
 // What screen asks with a radius field: whether a candidate lies where no sample may lie, or
 // whether a sample in the list of its block covers it.
-#include "bodies/exact/factor.h"
-#include "portable/conflict.h"
+#include "bodies/exact/ellipses.h"
 
 BODY bool is_covered(MEMORY const DrawArguments a, const u32 i) {
     const u32x4 candidate = AT(candidates, i);
@@ -10,9 +9,7 @@ BODY bool is_covered(MEMORY const DrawArguments a, const u32 i) {
     const Sized one = {candidate.x, candidate.y, radius};
     for (u32 number = AT(lists, candidate.z); number != NO_SAMPLE;) {
         const u32x4 entry = AT(entries, number);
-        const Sized other = {x_beside(entry.x, one.x, a.g.sheet_bits), entry.y, entry.z};
-        const u32 factor = factor_of(ON a.g, entry.x, one.x);
-        if (conflicts(other, one, factor, a.g.period_x, a.g.period_y)) return true;
+        if (are_in_conflict(ON a.g, entry.x, entry.y, entry.z, one)) return true;
         number = entry.w;
     }
     return false;

@@ -1,7 +1,6 @@
 // With a radius field: whether an earlier sample of its round conflicts with a candidate. All
 // candidates that could are visitors of the candidate's block (bodies/exact/reach.h).
-#include "bodies/exact/factor.h"
-#include "portable/conflict.h"
+#include "bodies/exact/ellipses.h"
 
 // Returns what decide.h returns.
 BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate) {
@@ -15,10 +14,8 @@ BODY u32 decide(MEMORY const DrawArguments a, const u32 i, const u32x4 candidate
         ++looks;
         const u32x4 other = AT(candidates, visitor.x);
         if (other.w >= candidate.w) continue;
-        const Sized before = {x_beside(other.x, one.x, a.g.sheet_bits), other.y,
-                              AT(candidate_radii, visitor.x)};
-        const u32 factor = factor_of(ON a.g, other.x, one.x);
-        if (!conflicts(before, one, factor, a.g.period_x, a.g.period_y)) continue;
+        const u32 radius = AT(candidate_radii, visitor.x);
+        if (!are_in_conflict(ON a.g, other.x, other.y, radius, one)) continue;
         const u32 status = ATOMIC_OR(statuses, visitor.x, 0u);
         if (status == STATUS_ADMITTED) return STATUS_REJECTED + 4u * looks;
         waits = waits || status == STATUS_UNDECIDED;

@@ -88,6 +88,25 @@ BODY u64 limit_near(MEMORY const StripArguments a, const u32x4 neighbour, const 
     return a.g.radius_squared;
 }
 
+// The part of the strip's whole width that a sample takes, as far up as down from its height.
+struct Chord {
+    u32 y;
+    u32 reach;
+};
+LACUNA_TYPEDEF(Chord)
+
+BODY Chord chord_of(MEMORY const StripArguments a, const Strip strip, const u32x4 neighbour) {
+    const Chord chord = {neighbour.y,
+                         chord_reach(cut_distance(a.g, strip, neighbour.x), a.g.radius_squared)};
+    return chord;
+}
+BODY u32 begin_of_chord(const Geometry g, const Chord chord, const u32 window) {
+    return window_begin(window, chord.y, chord.reach, g.height);
+}
+BODY u32 end_of_chord(const Geometry g, const Chord chord, const u32 window) {
+    return window_end(window, chord.y, chord.reach, g.height);
+}
+
 // x, y and radius of the sample; the fourth word is used in lists.h only.
 BODY u32x4 sample_at(MEMORY const StripArguments a, const Near near, const Walk walk) {
     const u32 cell = cell_of(a.g, near, lowest_bit_of_64(walk.cells));

@@ -1,6 +1,6 @@
 // The neighbour index where radii differ: for each block of first boxes (plan/first_boxes.h) a list
 // of the samples that reach it, the latest first. The other index is grid.h.
-#include "bodies/exact/factor.h"
+#include "bodies/exact/ellipses.h"
 #include "bodies/exact/strip.h"
 #include "portable/conflict.h"
 #include "portable/radius_field.h"
@@ -90,6 +90,48 @@ BODY u32 x_of(const StripArguments a, const u32x4 neighbour, const Strip strip) 
 }
 BODY u64 limit_near(MEMORY const StripArguments a, const u32x4 neighbour, const Strip strip) {
     return squared_limit(neighbour.z, strip.radius, factor_of(ON a.g, neighbour.x, strip.at.x));
+}
+
+// The part of the strip's whole width that a sample takes: as far up as down from its height or,
+// with ellipses, the heights themselves.
+struct Chord {
+    u32 y;
+    u32 reach;
+    Interval heights;
+};
+LACUNA_TYPEDEF(Chord)
+
+BODY Chord chord_of_ellipse(MEMORY const StripArguments a, const Strip strip,
+                            const u32x4 neighbour) {
+    Ellipse of_strip;
+    if (strip.is_even)
+        of_strip = ellipse_at(ON strip.at.x, strip.at.z);
+    else
+        of_strip = circle_of(strip.radius);
+    const Interval found = ellipse_chord(neighbour.x, ellipse_at(ON neighbour.x, neighbour.y),
+                                         strip.at.x, strip.at.y, of_strip, a.g.period_x);
+    const i64 y = to_i64(neighbour.y);
+    const Interval none = {0, 0};
+    const Interval heights = {y + found.begin, y + found.end};
+    Chord chord = {neighbour.y, 0u, none};
+    if (found.begin < found.end) chord.heights = heights;
+    return chord;
+}
+
+BODY Chord chord_of(MEMORY const StripArguments a, const Strip strip, const u32x4 neighbour) {
+    if (a.g.rule == RULE_OF_ELLIPSES) return chord_of_ellipse(ON a, strip, neighbour);
+    const u32 dx = cut_distance(a.g, strip, x_of(a, neighbour, strip));
+    const Interval none = {0, 0};
+    const Chord chord = {neighbour.y, chord_reach(dx, limit_near(ON a, neighbour, strip)), none};
+    return chord;
+}
+BODY u32 begin_of_chord(const Geometry g, const Chord chord, const u32 window) {
+    if (g.rule == RULE_OF_ELLIPSES) return height_in_window(window, chord.heights.begin, g.height);
+    return window_begin(window, chord.y, chord.reach, g.height);
+}
+BODY u32 end_of_chord(const Geometry g, const Chord chord, const u32 window) {
+    if (g.rule == RULE_OF_ELLIPSES) return height_in_window(window, chord.heights.end, g.height);
+    return window_end(window, chord.y, chord.reach, g.height);
 }
 
 // Walks along the list once.

@@ -10,15 +10,8 @@ struct Pieces {
 };
 LACUNA_TYPEDEF(Pieces)
 
-// A chord covers the strip's whole width, so it is cut at the far edge of the strip.
-BODY u32 cut_distance(const Geometry g, const Strip strip, const u32 x) {
-    const u32 middle = strip.at.y / 2u;
-    return axis_distance(x, strip.at.x + middle, g.period_x) + middle;
-}
-
-BODY u32 chord_of(MEMORY const StripArguments a, const Strip strip, const u32x4 neighbour) {
-    return chord_reach(cut_distance(a.g, strip, x_of(a, neighbour, strip)),
-                       limit_near(ON a, neighbour, strip));
+BODY bool has_disks(const Geometry g) {
+    return g.rule != RULE_OF_ELLIPSES;
 }
 
 // On a torus a chord continues at the other edge: see window_begin in chord.h.
@@ -40,11 +33,11 @@ BODY Pieces without_chord(const Pieces all, const u32 begin, const u32 end) {
     return pieces;
 }
 
-// Whether one sample covers all of the strip, as in most halves. Needs no square root.
+// Whether one sample's disk covers all of the strip, as in most halves. Needs no square root.
 BODY bool is_covered_by_one(MEMORY const StripArguments a, const Near near, const Strip strip) {
     bool is_covered = false;
     Walk walk = walk_over(a, near);
-    while (has_sample(a, near, walk) && !is_covered) {
+    while (has_sample(a, near, walk) && !is_covered && has_disks(a.g)) {
         const u32x4 neighbour = sample_at(ON a, near, walk);
         walk = walk_past(near, walk, neighbour);
         const u32 dy =
@@ -82,10 +75,10 @@ BODY Pieces cut_strip(MEMORY const StripArguments a, const Near near, const Stri
     Walk walk = next_touching(ON a, near, strip, walk_over(a, near));
     while (has_sample(a, near, walk) && pieces.low < pieces.high) {
         const u32x4 neighbour = sample_at(ON a, near, walk);
-        const u32 reach = chord_of(ON a, strip, neighbour);
+        const Chord chord = chord_of(ON a, strip, neighbour);
         for (u32 window = 0u; window < windows; ++window)
-            pieces = without_chord(pieces, window_begin(window, neighbour.y, reach, a.g.height),
-                                   window_end(window, neighbour.y, reach, a.g.height));
+            pieces = without_chord(pieces, begin_of_chord(a.g, chord, window),
+                                   end_of_chord(a.g, chord, window));
         walk = next_touching(ON a, near, strip, walk_past(near, walk, neighbour));
     }
     return pieces;
@@ -105,10 +98,10 @@ BODY u32x2 next_piece(MEMORY const StripArguments a, const Near near, const Stri
         while (has_sample(a, near, walk)) {
             const u32x4 neighbour = sample_at(ON a, near, walk);
             walk = walk_past(near, walk, neighbour);
-            const u32 reach = chord_of(ON a, strip, neighbour);
+            const Chord chord = chord_of(ON a, strip, neighbour);
             for (u32 window = 0u; window < windows; ++window) {
-                const u32 chord_begin = window_begin(window, neighbour.y, reach, a.g.height);
-                const u32 chord_end = window_end(window, neighbour.y, reach, a.g.height);
+                const u32 chord_begin = begin_of_chord(a.g, chord, window);
+                const u32 chord_end = end_of_chord(a.g, chord, window);
                 if (chord_begin >= chord_end || chord_end <= begin || chord_begin >= end) continue;
                 has_moved = has_moved || chord_begin <= begin;
                 begin = chord_begin <= begin ? chord_end : begin;

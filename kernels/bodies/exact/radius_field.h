@@ -1,31 +1,14 @@
 // The radius field on a device: the radius of each point, and where samples may lie
 // (plan/radius_field.h). A rectangle is x, width, begin, end; a rectangle of pixels is first
 // column, last column, first row, last row.
-#include "portable/radius_field.h"
+#include "bodies/exact/pixels.h"
 
 struct Under {
-    u32 least;      // least radius except 0; 0 where no sample may lie
-    bool is_mixed;  // whether radii differ
+    u32 least;      // least radius except 0, or that of a single pixel; 0 where no sample may lie
+    bool is_mixed;  // whether radii differ, or ellipses
     u32 allowed;    // what the mask allows
 };
 LACUNA_TYPEDEF(Under)
-
-// An axis of a grid of pixels, see portable/radius_field.h.
-struct Axis {
-    u32 pixels;
-    u32 shift;
-    u32 scale_low;
-    u32 scale_high;
-    u32 begins;
-    u32 last;  // in x, the last unit of a sheet (portable/sheets.h); in y all bits are set
-};
-LACUNA_TYPEDEF(Axis)
-
-struct Grid {
-    Axis columns;
-    Axis rows;
-};
-LACUNA_TYPEDEF(Grid)
 
 // The grids of the field and of the mask. A kernel reads them once: on lavapipe each read of a word
 // costs as much as some steps of arithmetic.
@@ -50,26 +33,8 @@ struct Level {
 };
 LACUNA_TYPEDEF(Level)
 
-BODY Axis axis_of(MEMORY const u32 number) {
-    const u32 first = number * AXIS_WORDS;
-    const Axis axis = {AT(axes, first + AXIS_PIXELS), AT(axes, first + AXIS_SHIFT),
-                       AT(axes, first + AXIS_SCALE),  AT(axes, first + AXIS_SCALE + 1u),
-                       AT(axes, first + AXIS_BEGINS), AT(axes, first + AXIS_LAST)};
-    return axis;
-}
-
-// `columns` is the number of the axis of columns; the axis of rows follows it.
-BODY Grid grid_of(MEMORY const u32 columns) {
-    const Grid grid = {axis_of(ON columns), axis_of(ON columns + 1u)};
-    return grid;
-}
-
 BODY bool has_mask(const Grids grids) {
     return grids.mask.columns.pixels != 0u;
-}
-
-BODY u32 pixel_of(const Axis axis, const u32 at) {
-    return pixel_at(at & axis.last, axis.scale_low, axis.scale_high, axis.shift);
 }
 
 BODY u32x4 pixels_under(const Grid grid, const u32x4 box) {
@@ -128,7 +93,10 @@ BODY u32 allowed_over(MEMORY const Grid mask, const u32x4 pixels) {
 
 BODY Under under(MEMORY const Grids grids, const Touched touched) {
     const u32x2 radii = radii_over(ON grids.field, touched.field);
-    Under found = {radii.x, are_radii_mixed(radii.x, radii.y), ALLOWED_ALL};
+    const bool is_one = touched.field.x == touched.field.y && touched.field.z == touched.field.w;
+    const u32 greatest = radii.y & ~HAS_ZEROS;
+    Under found = {is_one ? greatest : radii.x, !is_one && are_radii_mixed(radii.x, radii.y),
+                   ALLOWED_ALL};
     if (has_mask(grids)) found.allowed = allowed_over(ON grids.mask, touched.mask);
     if (found.allowed == ALLOWED_NONE) found.least = 0u;
     return found;
@@ -144,7 +112,7 @@ BODY u32 radius_under(const Under all) {
 BODY u32 radius_at(MEMORY const Grids grids, const u32 x, const u32 y) {
     const Grid field = grids.field;
     const u32 pixel = pixel_of(field.columns, x) * field.rows.pixels + pixel_of(field.rows, y);
-    const u32 radius = AT(radius_bounds, pixel).x;
+    const u32 radius = AT(radius_bounds, pixel).y & ~HAS_ZEROS;
     if (!has_mask(grids)) return radius;
     const Grid mask = grids.mask;
     const u32 allowed =

@@ -3,11 +3,12 @@
 // A box that is not halved is one strip. A halved box is two strips, its left and its right half.
 // With a radius field, a halved box on unlike pixels is up to four: each half is divided along y,
 // too, where a border of pixels runs through it.
-
+#include "portable/distance.h"
 struct Strip {
     u32x4 at;      // x, width, begin, end; empty (begin == end) where no sample may lie
-    u32 radius;    // the least radius under it
-    bool is_even;  // whether all of it allows samples, and has this radius
+    u32 radius;    // the least radius under it; that of a circle which lies in all ellipses
+    bool is_even;  // whether all of it allows samples, and has this radius; or one ellipse, which
+                   // lies in a circle of this radius
 };
 LACUNA_TYPEDEF(Strip)
 
@@ -27,4 +28,10 @@ BODY u32x4 half_of(const u32x4 box, const u32 k) {
     part.y = k == 0u ? left : box.y - left;
     part.w = part.y == 0u ? box.z : box.w;
     return part;
+}
+
+// A chord covers the strip's whole width, so it is cut at the far edge of the strip.
+BODY u32 cut_distance(const Geometry g, const Strip strip, const u32 x) {
+    const u32 middle = strip.at.y / 2u;
+    return axis_distance(x, strip.at.x + middle, g.period_x) + middle;
 }

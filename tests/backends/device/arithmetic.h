@@ -6,6 +6,7 @@
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
+#include "portable/ellipse.h"
 #include "portable/failure.h"
 #include "portable/isqrt.h"
 #include "portable/metric.h"
@@ -34,6 +35,9 @@ LACUNA_TYPEDEF(Numbers)
 struct Answers {
     u64 root;
     u64 metric_squared;
+    Interval chord;
+    u32 is_held;
+    u32 window_height;
     u32 distance;
     u32 is_conflict;
     u32 reach;
@@ -91,6 +95,18 @@ LACUNA_FN Answers answer(Numbers q) {
     a.bit = bit_of_rank(q.radius, q.by % count_bits(q.radius));
     a.radius_class = radius_class(q.radius);
     a.bound = class_bound(q.radius);
+    // An ellipse of any map, and an offset of at most 2^30.
+    Ellipse ellipse;
+    ellipse.p = q.ax % 0x80000000u;
+    ellipse.q = q.radius;
+    ellipse.s = q.bx % 0x7fffffffu + 1u;
+    ellipse.shift = q.line % 32u;
+    i64 dx = (q.line % 3u == 0u ? -1 : 1) * to_i64(q.ay % 0x40000000u);
+    i64 dy = (q.line % 5u == 0u ? -1 : 1) * to_i64(q.by % 0x40000000u);
+    a.is_held = holds(ellipse, dx, dy) ? 1u : 0u;
+    a.chord = common_part(chord_around(ellipse, dx, to_i64(q.columns % 4u)),
+                          chord_around(circle_of(q.radius % 0x80000000u + 2u), dx, 0));
+    a.window_height = height_in_window(q.line % 3u, way_to(dx, dy, q.period_x), q.height);
     return a;
 }
 

@@ -95,7 +95,7 @@ TEST_P(Faults, InExactAreNoticed) {
          {"bodies/exact/pieces.h", "(is_at_edge || has_classes) ? 3u", "false ? 3u"},
          {"bodies/exact/pieces.h",
           "squared_length(cut_distance(a.g, strip, x_of(a, neighbour, strip)), dy) <", "0u <"},
-         {"bodies/exact/pieces.h", "g.period_x) + middle;", "g.period_x);"},
+         {"bodies/exact/strip.h", "g.period_x) + middle;", "g.period_x);"},
          {"bodies/exact/grid.h", "= box.w - box.z;", "= 1u;"},
          {"bodies/common/scan.h", "AT(sums, item) = sum;", "AT(sums, item) = 0u;"},
          {"bodies/common/find_bin_begins.h", "a.g.strip_width < line",
@@ -162,17 +162,17 @@ TEST_P(Faults, WithARadiusFieldAreNoticed) {
         {{"bodies/exact/locate_with_field.h", "box.z + draw.y;", "box.z;"},
          {"bodies/exact/locate_with_field.h", "(ON grids, x, y);", "(ON grids, x, box.z);"},
          {"bodies/exact/covered_in_lists.h", "if (radius == 0u) return true;", ""},
-         {"bodies/exact/covered_in_lists.h", "entry.y, entry.z};", "entry.y, 0xffffffffu};"},
+         {"bodies/exact/covered_in_lists.h", "entry.y, entry.z,", "entry.y, 0xffffffffu,"},
          {"bodies/exact/reach.h", "if (node != links.y)", "if (node == links.y)"},
          {"bodies/exact/reach.h", "(candidate.radius, greatest,",
           "(candidate.radius / 2u, greatest,"},
          {"bodies/exact/reach.h", "first == root ? a.g.period_y : 0u", "0u"},
          {"bodies/exact/reach.h", "root) : root;", "root) : AT(node_of, 0u);"},
          {"bodies/exact/decide_with_field.h", "other.w >= candidate.w", "other.w <= candidate.w"},
-         {"bodies/exact/decide_with_field.h", "AT(candidate_radii, visitor.x)};", "0xffffffffu};"},
+         {"bodies/exact/decide_with_field.h", "AT(candidate_radii, visitor.x);", "0xffffffffu;"},
          {"bodies/exact/enlist.h", "AT(lists, block) = next;", ""},
          {"portable/conflict.h", "radius_a < radius_b ? radius_a : radius_b", "radius_a"},
-         {"bodies/exact/pieces.h", "g.period_x) + middle", "g.period_x)"},
+         {"bodies/exact/strip.h", "g.period_x) + middle", "g.period_x)"},
          {"bodies/exact/pieces.h", "window < windows;", "window < 1u;"},
          {"bodies/exact/pieces.h", "++pieces.insides;", ""},
          {"bodies/exact/lists.h", "walk.left - 1u,", "0u,"},
@@ -196,11 +196,34 @@ TEST_P(Faults, WithClassesAreNoticed) {
         {{"portable/sheets.h", " | (other_x >> sheet_bits << sheet_bits)", ""},
          {"portable/sheets.h", ">> FACTOR_BITS", ">> (FACTOR_BITS + 1u)"},
          {"bodies/exact/factor.h", "sheet_of(x_a, g.sheet_bits) * MOST_CLASSES", "0u"},
-         {"bodies/exact/radius_field.h", "at & axis.last", "at & axis.last >> 1u"},
+         {"bodies/exact/pixels.h", "at & axis.last", "at & axis.last >> 1u"},
          {"bodies/exact/reach.h", "a.g.sheet_bits == BITS_OF_ONE_SHEET ? 0u : 1u", "0u"},
-         {"bodies/exact/covered_in_lists.h", "factor_of(ON a.g, entry.x, one.x)", "FACTOR_ONE"},
-         {"bodies/exact/decide_with_field.h", "factor_of(ON a.g, other.x, one.x)", "FACTOR_ONE"},
+         {"bodies/exact/ellipses.h", "factor_of(ON g, x, one.x)", "FACTOR_ONE"},
          {"bodies/exact/lists.h", "factor_of(ON a.g, neighbour.x, strip.at.x)", "FACTOR_ONE"}});
+}
+
+TEST_P(Faults, WithEllipsesAreNoticed) {
+    const Field field = tests::stretched_at_random(tests::ramp_field(5, 4), 6, 3);
+    Request request;
+    request.field = &field;
+    request.scale = 0.05;
+    request.boundary = Boundary::torus;
+    request.round_size = 128;
+    // Some faults leave boxes that nothing covers, and with them a set would never be full.
+    Plan plan = make_plan(request);
+    plan.limit = plan.expected_samples * 95 / 100;
+    expect_noticed(
+        plan,
+        {{"portable/ellipse.h", "sign_extended(e.q) * dx + to_i64(e.s) * dy", "to_i64(e.s) * dy"},
+         {"portable/ellipse.h", "-most - aside", "-most + aside"},
+         {"portable/ellipse.h", "window == 1u ? to_i64(height) : 0", "0"},
+         {"portable/ellipse.h", "return way - around;", "return way;"},
+         {"portable/conflict.h", "holds(of_a, dx, dy) && holds", "holds(of_a, dx, dy) || holds"},
+         {"bodies/exact/ellipses.h", "field.rows.pixels + pixel_of(field.rows, y)",
+          "field.rows.pixels"},
+         {"bodies/exact/ellipses.h", "if (g.rule != RULE_OF_ELLIPSES)", "if (true)"},
+         {"bodies/exact/lists.h", "if (strip.is_even)\n", "if (false)\n"},
+         {"bodies/exact/pieces.h", "g.rule != RULE_OF_ELLIPSES", "true"}});
 }
 
 // In the end boxes are halved before they are cut.

@@ -1,0 +1,35 @@
+// Samples with all the ellipses that they may have.
+#pragma once
+
+#include <lacuna/lacuna.h>
+#include <lacuna/verify.h>
+
+#include <span>
+#include <vector>
+
+#include "verify/ellipse.h"
+#include "verify/radius_field.h"
+
+namespace lacuna::verify {
+
+// Refers to the ellipses of the radius field, which must outlive this.
+class EllipseSamples {
+public:
+    // Stops at the first point that lies where no point may, and sets proof.forbidden.
+    EllipseSamples(std::span<const Point> points, const RadiusField& radius_field, Proof& proof);
+    EllipseSamples(const EllipseSamples&) = delete;
+    EllipseSamples& operator=(const EllipseSamples&) = delete;
+
+    // For distances: the samples in the order of the points.
+    std::span<const BlurredEllipse> blurred() const { return blurred_; }
+    // For gaps: a sample covers what it covers with any of its ellipses. So each of these makes a
+    // sample of its own.
+    std::span<const Ellipse> each() const { return each_; }
+
+private:
+    std::vector<const EllipseShape*> shapes_;  // that blurred_ refers to
+    std::vector<BlurredEllipse> blurred_;
+    std::vector<Ellipse> each_;
+};
+
+}  // namespace lacuna::verify

@@ -1,0 +1,105 @@
+// Ellipses, as a user of the command meets them: options, files, proofs and refusals.
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "files/npy.h"
+#include "files/point_files.h"
+#include "files/read_points.h"
+#include "files/read_whole.h"
+#include "program.h"
+
+namespace {
+
+using namespace lacuna;
+using namespace lacuna::test;
+using Names = std::vector<std::string>;
+
+Outcome run_with(const std::string& name, Names first, const Names& more) {
+    first.insert(first.begin(), name);
+    first.insert(first.end(), more.begin(), more.end());
+    return test::run(first);
+}
+
+// An array of rows x columns x 3 doubles.
+std::string npy_of(std::size_t rows, std::size_t columns, const std::vector<double>& values,
+                   const std::string& type = "<f8") {
+    std::string header = "{'descr': '" + type + "', 'fortran_order': False, 'shape': (" +
+                         std::to_string(rows) + ", " + std::to_string(columns) + ", 3), }";
+    header.resize(118, ' ');
+    header.back() = '\n';
+    std::string bytes = std::string(files::kNpyMagic) + std::string("\x01\x00\x76\x00", 4) + header;
+    const auto* const data = reinterpret_cast<const char*>(values.data());
+    return bytes + std::string(data, values.size() * sizeof(double));
+}
+
+TEST(Ellipses, OfAnArrayAreProvenFromIt) {
+    const Folder folder;
+    const std::string array = folder.path("e.npy"), csv = folder.path("a.csv");
+    files::write_whole(array, npy_of(2, 3,
+                                     {0.1, 0.02, 0.3, 0.02, 0.1, 0.3, 0, 0, 0,  //
+                                      0.05, 0.05, 0, 0.03, 0.09, 1, 0.1, 0.03, -2}));
+    ASSERT_EQ(run_with("sample", {"--quiet", "--ellipses", array}, {"-o", csv}).exit_code, 0);
+    const std::vector<Point> points = files::read_points(csv);
+    ASSERT_GT(points.size(), 60U);
+    for (const Point point : points)
+        EXPECT_FALSE(point.x > 2. / 3 && point.y > 1. / 3) << "no sample may lie there";
+    const Outcome proof =
+        run_with("verify", {csv, "--ellipses", array}, {"--domain", "1x0.666666666666666629659"});
+    EXPECT_EQ(proof.exit_code, 0) << proof.out << proof.err;
+    // Half as large ones leave room, and twice as large ones overlap.
+    EXPECT_EQ(run_with("verify", {csv, "--ellipses", array, "--scale", "0.5"}, {}).exit_code, 1);
+    EXPECT_EQ(run_with("verify", {csv, "--ellipses", array, "--scale", "2"}, {}).exit_code, 1);
+}
+
+TEST(OneEllipse, IsTheArrayOfOnePixel) {
+    const Folder folder;
+    const std::string array = folder.path("e.npy");
+    const std::string a = folder.path("a.npy"), b = folder.path("b.npy"),
+                      json = folder.path("c.json");
+    const double angle = std::acos(-1.0) / 6;
+    files::write_whole(array, npy_of(1, 1, {0.05, 0.01, angle}));
+    ASSERT_EQ(run_with("sample", {"--quiet", "--ellipses", array, "--torus"}, {"-o", a}).exit_code,
+              0);
+    ASSERT_EQ(run_with("sample", {"--quiet", "--stretch", "0.05:0.01@30", "--torus"},
+                       {"-o", b, "-o", json})
+                  .exit_code,
+              0);
+    EXPECT_EQ(files::read_whole(a), files::read_whole(b));
+    EXPECT_NE(files::read_whole(json).find("--stretch 0.05:0.01@30"), std::string::npos);
+    EXPECT_EQ(run_with("verify", {b, "--stretch", "0.01:0.05@120", "--torus"}, {}).exit_code, 0);
+}
+
+TEST(Ellipses, AreRefusedInOneLine) {
+    const Folder folder;
+    const std::string array = folder.path("e.npy");
+    const auto refused = [](const Names& arguments) {
+        return run_with("sample", {"--quiet"}, arguments).err;
+    };
+    EXPECT_EQ(refused({"--stretch", "0.1"}),
+              "lacuna: --stretch 0.1: must be two radii and an angle in degrees, such as "
+              "0.02:0.005@30\n");
+    EXPECT_EQ(refused({"--stretch", "0.1:0@30"}),
+              "lacuna: --stretch 0.1:0@30: radii and angle must be finite, radii over 0, one at "
+              "most 1000 times the other\n");
+    EXPECT_EQ(refused({"--stretch", "0.1:0.2@30", "--ellipses", array}),
+              "lacuna: --stretch 0.1:0.2@30: cannot be used with --ellipses\n");
+    files::write_whole(array, npy_of(1, 2, {0.1, 0.1, 0, 0.1, -1, 2}));
+    EXPECT_NE(
+        refused({"--ellipses", array})
+            .find("e.npy: row 0, column 1: radii 0.1 and -1 at an angle of 2: must be finite"),
+        std::string::npos)
+        << refused({"--ellipses", array});
+    files::write_whole(array, npy_of(1, 2, {0.1, 0.1, 0}));
+    EXPECT_NE(refused({"--ellipses", array}).find("24 bytes of data: 48 are announced"),
+              std::string::npos);
+    files::write_whole(array, npy_of(1, 1, {0.1, 0.1, 0}, "<i8"));
+    EXPECT_NE(refused({"--ellipses", array}).find("must be rows x columns x 3 of <f8 or <f4"),
+              std::string::npos);
+}
+
+}  // namespace
