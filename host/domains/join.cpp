@@ -18,7 +18,7 @@ namespace {
 using ClipperLib::Path;
 using ClipperLib::Paths;
 
-// Doubles hold all whole numbers of so many bits, and Clipper computes some in doubles.
+// Coordinates have 52 bits. Clipper computes some of them in doubles, which hold 53.
 constexpr int kBits = 52;
 
 double largest_of(const std::vector<Polygon>& polygons) {

@@ -152,7 +152,7 @@ bool NeighbourLists::is_any_seen_closer(const SizedSpan& near, Sample at,
                                         {plan_.period_x, plan_.period_y});
 }
 
-// Most samples are too far away for any ellipse, which a vector instruction tells of several.
+// A vector instruction tells for several samples at once whether they are too far away. Most are.
 bool NeighbourLists::is_any_ellipse_closer(const SizedSpan& near, Sample at,
                                            std::uint32_t radius) const {
     if (!vectors_.is_any_sized_closer(near, at, radius, {plan_.period_x, plan_.period_y}))

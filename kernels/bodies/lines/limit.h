@@ -3,7 +3,8 @@
 
 // In lines the chord on the candidate's own line counts, so its x is the x of the line.
 BODY u32 place_of(const DrawArguments a, const u32x4 candidate) {
-    return a.g.rule != RULE_OF_LINES ? candidate.x : candidate.z * a.g.strip_width + a.g.strip_width / 2u;
+    const u32 middle = candidate.z * a.g.strip_width + a.g.strip_width / 2u;
+    return a.g.rule != RULE_OF_LINES ? candidate.x : middle;
 }
 
 BODY u32 reach_of(MEMORY const DrawArguments a, const u32x4 candidate) {
