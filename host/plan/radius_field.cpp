@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "plan/ellipse.h"
-#include "portable/radius_field.h"
 
 namespace lacuna {
 namespace {
@@ -28,10 +27,6 @@ PixelAxis::PixelAxis(std::uint32_t length, std::uint32_t pixels) : pixels_(pixel
     for (Wide pixel = 0; pixel < pixels; ++pixel)
         begins_.push_back(static_cast<std::uint32_t>(((pixel << shift_) + scale_ - 1) / scale_));
     begins_.push_back(length);
-}
-
-std::uint32_t RadiusField::Radii::greatest() const {
-    return greatest_and_zeros & ~HAS_ZEROS;
 }
 
 bool RadiusField::Radii::are_mixed() const {

@@ -11,6 +11,7 @@
 #include "base/polling.h"
 #include "plan/pixels.h"
 #include "portable/ellipse.h"
+#include "portable/radius_field.h"
 
 namespace lacuna {
 
@@ -39,7 +40,7 @@ public:
     struct Radii {
         std::uint32_t least;
         std::uint32_t greatest_and_zeros;  // the greatest, and a bit: whether some radii are 0
-        std::uint32_t greatest() const;
+        std::uint32_t greatest() const { return greatest_and_zeros & ~HAS_ZEROS; }
         bool are_mixed() const;
     };
     static Radii merge_radii(Radii a, Radii b);

@@ -9,7 +9,8 @@
 namespace lacuna::verify {
 
 EllipseSamples::EllipseSamples(std::span<const Point> points, const RadiusField& radius_field,
-                               Proof& proof) {
+                               Proof& proof)
+    : radius_field_(radius_field) {
     std::vector<std::size_t> ends;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto found = radius_field.shapes_of_sample(points[i]);
@@ -32,6 +33,14 @@ EllipseSamples::EllipseSamples(std::span<const Point> points, const RadiusField&
         blurred_.push_back({points[i], radius, shapes});
         begin = ends[i];
     }
+}
+
+Pair EllipseSamples::closest_pair(const Patience& patience) const {
+    return verify::closest_pair(radius_field_.domain(), blurred_, patience, kHopeless);
+}
+
+Gap EllipseSamples::largest_gap(double tolerance, const Patience& patience) const {
+    return verify::largest_gap(radius_field_, each_, tolerance, patience);
 }
 
 }  // namespace lacuna::verify

@@ -7,7 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "verify/closest.h"
 #include "verify/ellipse.h"
+#include "verify/largest_gap.h"
+#include "verify/patience.h"
 #include "verify/radius_field.h"
 
 namespace lacuna::verify {
@@ -20,15 +23,16 @@ public:
     EllipseSamples(const EllipseSamples&) = delete;
     EllipseSamples& operator=(const EllipseSamples&) = delete;
 
-    // For distances: the samples in the order of the points.
-    std::span<const BlurredEllipse> blurred() const { return blurred_; }
-    // For gaps: a sample covers what it covers with any of its ellipses. So each of these makes a
-    // sample of its own.
-    std::span<const Ellipse> each() const { return each_; }
+    Pair closest_pair(const Patience& patience) const;
+    Gap largest_gap(double tolerance, const Patience& patience) const;
 
 private:
+    const RadiusField& radius_field_;
     std::vector<const EllipseShape*> shapes_;  // that blurred_ refers to
+    // For distances: the samples in the order of the points.
     std::vector<BlurredEllipse> blurred_;
+    // For gaps: a sample covers what it covers with any of its ellipses. So each of these makes a
+    // sample of its own.
     std::vector<Ellipse> each_;
 };
 

@@ -130,12 +130,12 @@ void prove_on_ellipses(std::span<const Point> points, const Claim& claim,
     ask(
         claim,
         [&] {
-            const Pair pair = closest_pair(domain, samples.blurred(), patience, kHopeless);
+            const Pair pair = samples.closest_pair(patience);
             tell_of(pair, pair.limit, proof);
             proof.kept = pair.ratio >= 1;
         },
         [&] {
-            const Gap gap = largest_gap(radius_field, samples.each(), tolerance, patience);
+            const Gap gap = samples.largest_gap(tolerance, patience);
             tell_of(gap, tolerance + domain.rounding(), gap.limit, proof);
         });
 }

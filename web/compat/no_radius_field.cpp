@@ -1,5 +1,5 @@
 // Replaces the code for sets with a radius field (fields in mode exact, masks, borders, kept
-// points, progressive orders and classes), which the page does not offer.
+// points, progressive orders, classes and ellipses), which the page does not offer.
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -11,6 +11,7 @@
 #include "plan/sheets.h"
 #include "rounds/sheet_shares.h"
 #include "verify/classes.h"
+#include "verify/ellipse_samples.h"
 #include "verify/region.h"
 
 namespace lacuna {
@@ -76,7 +77,18 @@ std::unique_ptr<Backend> cpu::make_field_backend(const Plan&, const Placement&) 
     refuse();
 }
 
-// Claims of the page have no polygons and no classes, so these are never called.
+// Claims of the page have no polygons, no classes and no ellipses, so these are never called.
+verify::EllipseSamples::EllipseSamples(std::span<const Point>, const RadiusField& radius_field,
+                                       Proof&)
+    : radius_field_(radius_field) {
+    refuse();
+}
+verify::Pair verify::EllipseSamples::closest_pair(const Patience&) const {
+    refuse();
+}
+verify::Gap verify::EllipseSamples::largest_gap(double, const Patience&) const {
+    refuse();
+}
 verify::Pair verify::closest_of_classes(const Domain&, const Claim&, std::span<const Disk>,
                                         const Patience&) {
     refuse();
