@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLargestAspect = 1000.0;
 constexpr std::uint32_t kMostLinesPerRadius = 1000;
-constexpr double kMostRatio = 1000;                               // of an ellipse's radii
+constexpr double kMostStretch = 1000;                               // of an ellipse's radii
 constexpr double kMostAngle = 1000;                               // radians
 constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 31;     // of mode stratified
 constexpr std::uint64_t kMostRoundSize = std::uint64_t{1} << 31;  // draws have 32-bit numbers
@@ -54,12 +54,12 @@ void check_stretches(const Request& request) {
                              std::to_string(request.field->importance.size()));
     for (std::size_t i = 0; i < stretches.size(); ++i)
         if (const auto& [ratio, angle] = stretches[i];
-            !(ratio >= 1 && ratio <= kMostRatio) || !(std::abs(angle) <= kMostAngle))
+            !(ratio >= 1 && ratio <= kMostStretch) || !(std::abs(angle) <= kMostAngle))
             throw BadRequest("stretches",
                              shortest(ratio) + " at an angle of " + shortest(angle) + " at row " +
                                  std::to_string(i / request.field->columns) + ", column " +
                                  std::to_string(i % request.field->columns),
-                             "ratios must lie between 1 and " + shortest(kMostRatio) +
+                             "ratios must lie between 1 and " + shortest(kMostStretch) +
                                  ", angles between -" + shortest(kMostAngle) + " and " +
                                  shortest(kMostAngle));
     if (request.mode != Mode::exact)
