@@ -121,9 +121,10 @@ TEST(SampleOnAMask, HasTheShapeOfThePictureUnlessToldAnother) {
 TEST(SampleInsidePolygons, FillsThemUpToTheirEdges) {
     const Folder folder;
     const std::string svg = folder.path("ring.svg");
-    write_file(svg,
-               "<svg viewBox='0 0 20 10'><circle cx='5' cy='5' r='4'/><circle cx='5' cy='5' r='2'/>"
-               "</svg>");
+    write_file(
+        svg,
+        "<svg viewBox='0 0 20 10'><path fill-rule='evenodd' d='M1 5A4 4 0 0 1 9 5A4 4 0 0 1 1 5Z "
+        "M3 5A2 2 0 0 1 7 5A2 2 0 0 1 3 5Z'/></svg>");
     const std::vector<Point> points = points_of(folder, {"--inside", svg, "--radius", "0.5"});
     const auto from_middle = [](Point at) { return distance(at, {5, 5}); };
     const double edge = 0.5 / 16 * (1 + 1e-3);
