@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLargestAspect = 1000.0;
 constexpr std::uint32_t kMostLinesPerRadius = 1000;
-constexpr double kMostStretch = 1000;                               // of an ellipse's radii
+constexpr double kMostStretch = 1000;                             // of an ellipse's radii
 constexpr double kMostAngle = 1000;                               // radians
 constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 31;     // of mode stratified
 constexpr std::uint64_t kMostRoundSize = std::uint64_t{1} << 31;  // draws have 32-bit numbers
