@@ -9,6 +9,14 @@ macro(lacuna_need package debian)
     endif()
 endmacro()
 
+# lacuna_need_module(MODULE DEBIAN) finds what only pkg-config knows: the target PkgConfig::MODULE.
+macro(lacuna_need_module module debian)
+    pkg_check_modules(${module} QUIET IMPORTED_TARGET ${module})
+    if(NOT ${module}_FOUND)
+        message(FATAL_ERROR "Lacuna: ${module} is missing (Debian: ${debian})")
+    endif()
+endmacro()
+
 # lacuna_need_header(VARIABLE HEADER DEBIAN) sets VARIABLE to the folder that has HEADER.
 function(lacuna_need_header variable header debian)
     find_path(${variable} ${header})

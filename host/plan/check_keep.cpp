@@ -53,27 +53,31 @@ double radius_at(const Request& request, Point point) {
     return *request.scale / std::sqrt(greatest_importance_at(request, point));
 }
 
+// Calls `use` with each ellipse that a point may have.
+template <class Use>
+void for_ellipses_at(const Request& request, Point point, const Use& use) {
+    const Field& field = *request.field;
+    for_pixels_at(request, point, field.columns, field.rows, [&](std::size_t pixel) {
+        const double radius = *request.scale / std::sqrt(field.importance[pixel]);
+        if (std::isfinite(radius)) use(stretched(radius, field.stretches[pixel]));
+    });
+}
+
 // The longest radius of the ellipses at a point, or that of its disk.
 double longest_at(const Request& request, Point point) {
     double longest = radius_at(request, point);
     if (request.field == nullptr || request.field->stretches.empty()) return longest;
-    const Field& field = *request.field;
-    for_pixels_at(request, point, field.columns, field.rows, [&](std::size_t pixel) {
-        const double radius = *request.scale / std::sqrt(field.importance[pixel]);
-        if (std::isfinite(radius))
-            longest = std::max(longest, stretched(radius, field.stretches[pixel]).longer);
+    for_ellipses_at(request, point, [&](const EllipseRadii& ellipse) {
+        longest = std::max(longest, ellipse.longer);
     });
     return longest;
 }
 
 // Whether all ellipses at a point hold the way from it.
 bool holds_way(const Request& request, Point point, Point way) {
-    const Field& field = *request.field;
     bool holds = true;
-    for_pixels_at(request, point, field.columns, field.rows, [&](std::size_t pixel) {
-        const double radius = *request.scale / std::sqrt(field.importance[pixel]);
-        if (std::isfinite(radius))
-            holds &= form_of(stretched(radius, field.stretches[pixel])).holds(way.x, way.y);
+    for_ellipses_at(request, point, [&](const EllipseRadii& ellipse) {
+        holds &= form_of(ellipse).holds(way.x, way.y);
     });
     return holds;
 }

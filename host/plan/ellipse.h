@@ -16,7 +16,7 @@ struct EllipseRadii {
     double angle;  // from the x axis to the longer radius, counterclockwise
 };
 
-// The ellipse whose area is that of the disk.
+// The ellipse that a disk of this radius is stretched to. It has the area of the disk.
 EllipseRadii stretched(double radius, const Stretch& stretch);
 
 // The ellipse holds an offset if xx dx^2 + 2 xy dx dy + yy dy^2 < 1.

@@ -91,8 +91,8 @@ public:
                          rows_.pixel_of(y)];
     }
     // An ellipse that all samples in the box have, or a circle that lies in all their ellipses.
-    portable::Ellipse ellipse_under(const Box& box) const {
-        const Under found = under(box);
+    // `found` is under(box), where samples may lie.
+    portable::Ellipse ellipse_under(const Box& box, const Under& found) const {
         return found.is_even ? ellipse_at(box.x, box.begin) : portable::circle_of(found.least);
     }
 

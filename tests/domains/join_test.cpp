@@ -60,7 +60,7 @@ std::string svg(const std::string& elements) {
     return "<svg viewBox='0 0 6 4'>" + elements + "</svg>";
 }
 
-// Corners are whole numbers, so many edges lie on others and meet at corners. Places between them
+// Corners are whole numbers. So many edges lie on others and meet at corners. Places between them
 // are asked for. In each third turn there are many small polygons, of which few overlap.
 TEST(JoinedPolygons, HaveTheInsideOfEachByItsOwnRule) {
     std::mt19937_64 random(20261126);

@@ -100,23 +100,31 @@ private:
     // A chord spans the whole width of the box. Its radius is the smaller of the sample's and the
     // box's, so that the sample conflicts with every point in it.
     void append(const Box& box, std::uint32_t least) {
+        if (has_ellipses_)
+            return append_with_ellipses(box, near_.count, [&](std::size_t i) { return near_[i]; });
         if (has_classes_ && even_radius_ == 0) see_with(least);
         const std::uint32_t radius = own_radius(least);
         chords_.resize(std::max(chords_.size(), 3 * near_.count + kVectorPadding));
         const std::size_t count =
-            has_ellipses_ ? find_ellipse_chords(box, least)
-            : wraps_      ? find_chords_around(box, radius)
-                          : vectors_.find_sized_chords(near_, box, radius, chords_.data());
+            wraps_ ? find_chords_around(box, radius)
+                   : vectors_.find_sized_chords(near_, box, radius, chords_.data());
         if (count != Vectors::kAll) append_pieces(box, count);
     }
 
-    std::size_t find_ellipse_chords(const Box& box, std::uint32_t least) {
-        if (least == 0) return 0;  // no sample may lie there: dropped when it is halved
-        const portable::Ellipse of_box = state_.radius_field.ellipse_under(box);
+    // The same with ellipses, for the samples sample_at(0) to sample_at(samples - 1). A box where
+    // no sample may lie stays whole until it is halved.
+    template <typename SampleAt>
+    void append_with_ellipses(const Box& box, std::size_t samples, SampleAt sample_at) {
+        const RadiusField& field = state_.radius_field;
+        const Under under =
+            even_radius_ != 0 ? Under{even_radius_, even_radius_, true} : field.under(box);
+        if (under.least == 0) return left_.push_back({box, block_});
+        const portable::Ellipse of_box = field.ellipse_under(box, under);
+        chords_.resize(std::max(chords_.size(), 3 * samples));
         std::size_t count = 0;
-        for (std::size_t i = 0; i < near_.count && count != Vectors::kAll; ++i)
-            count = add_ellipse_chord(box, of_box, near_[i], count);
-        return count;
+        for (std::size_t i = 0; i < samples && count != Vectors::kAll; ++i)
+            count = add_ellipse_chord(box, of_box, sample_at(i), count);
+        if (count != Vectors::kAll) append_pieces(box, count);
     }
 
     // Whether a chord of the ellipse does not reach the box, as most do not.
@@ -217,7 +225,9 @@ private:
 
     void append_touched(std::size_t i, std::size_t samples) {
         const Box& box = batch_[i];
-        if (has_ellipses_) return append_touched_by_ellipses(i, samples);
+        if (has_ellipses_)
+            return append_with_ellipses(box, samples,
+                                        [&](std::size_t k) { return near_[touched_by_[k][i]]; });
         const std::uint32_t radius = own_radius(least_under(box));
         const std::uint32_t half = box.width / 2;
         chords_.resize(std::max(chords_.size(), samples));
@@ -231,17 +241,6 @@ private:
                 chords_[count++] = {sample.y + 1 - std::min(sample.y + 1, reach), sample.y + reach};
         }
         append_pieces(box, count);
-    }
-
-    void append_touched_by_ellipses(std::size_t i, std::size_t samples) {
-        const Box& box = batch_[i];
-        if (least_under(box) == 0) return left_.push_back({box, block_});
-        const portable::Ellipse of_box = state_.radius_field.ellipse_under(box);
-        chords_.resize(std::max(chords_.size(), samples));
-        std::size_t count = 0;
-        for (std::size_t k = 0; k < samples && count != Vectors::kAll; ++k)
-            count = add_ellipse_chord(box, of_box, near_[touched_by_[k][i]], count);
-        if (count != Vectors::kAll) append_pieces(box, count);
     }
 
     static std::uint32_t middle_of(const Box& box) {

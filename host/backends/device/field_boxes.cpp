@@ -115,7 +115,7 @@ private:
         m.axes = round_.copy_of(tables.axes);
         m.mask_bits = round_.copy_of(tables.mask_bits);
         m.factors = round_.copy_of(round_.plan.field().sheets.factors());
-        put_ellipses();
+        m.ellipses = round_.copy_of(tables.ellipses);
         using Radii = RadiusField::Radii;
         static_assert(sizeof(Radii) == 2 * kWord);
         const RadiusField::RadiusPyramid& radii = round_.plan.field().radius_field->radii();
@@ -128,17 +128,6 @@ private:
             first += level.size();
         });
         round_.queue.wait();
-    }
-
-    void put_ellipses() {
-        using portable::Ellipse;
-        static_assert(sizeof(Ellipse) == 4 * kWord);
-        const std::vector<Ellipse>& ellipses = round_.plan.field().radius_field->ellipses();
-        const Ellipse none{};
-        const auto all = ellipses.empty() ? std::span(&none, 1) : std::span(ellipses);
-        round_.make_room(round_.memory.ellipses, 4 * all.size());
-        round_.put(round_.memory.ellipses, all, 0);
-        round_.queue.wait();  // `none` ends here
     }
 
     void put_first_boxes() {

@@ -33,6 +33,9 @@ FieldTables tables_of(const RadiusField& radius_field) {
     constexpr std::uint32_t kAny = ~std::uint32_t{0};
     append_axis(radius_field.columns(), COLUMNS_OF_FIELD, last, tables.axes);
     append_axis(radius_field.rows(), ROWS_OF_FIELD, kAny, tables.axes);
+    for (const auto& [p, q, s, shift] : radius_field.ellipses())
+        tables.ellipses.insert(tables.ellipses.end(), {p, q, s, shift});
+    if (!radius_field.has_ellipses()) tables.ellipses.resize(4);
     std::uint32_t number = 0;
     tables.mask_bits = {0};
     if (radius_field.mask() == nullptr) return tables;

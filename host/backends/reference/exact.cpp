@@ -232,8 +232,9 @@ private:
 
     // With ellipses. The sample conflicts with every point of the box on the chord.
     void append_chord(const Box& box, const Sized& near, std::vector<Span>& chords) const {
-        const portable::Interval chord = portable::ellipse_chord(
-            near.x, ellipse_of(near), box.x, box.width, field_->ellipse_under(box), plan_.period_x);
+        const portable::Interval chord =
+            portable::ellipse_chord(near.x, ellipse_of(near), box.x, box.width,
+                                    field_->ellipse_under(box, field_->under(box)), plan_.period_x);
         const auto y = std::int64_t{near.y};
         for (std::uint32_t window = 0; window < (plan_.period_y == 0 ? 1U : 3U); ++window)
             if (chord.begin < chord.end)

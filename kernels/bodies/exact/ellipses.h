@@ -14,7 +14,7 @@ BODY Ellipse ellipse_at(MEMORY const u32 x, const u32 y) {
     return ellipse;
 }
 
-// Whether two samples or candidates conflict. `x` is that of the first one.
+// Whether a sample or candidate at x, y conflicts with another one.
 BODY bool are_in_conflict(MEMORY const Geometry g, const u32 x, const u32 y, const u32 radius,
                           const Sized one) {
     const Sized other = {x_beside(x, one.x, g.sheet_bits), y, radius};

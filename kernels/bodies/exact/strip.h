@@ -4,6 +4,7 @@
 // With a radius field, a halved box on unlike pixels is up to four: each half is divided along y,
 // too, where a border of pixels runs through it.
 #include "portable/distance.h"
+
 struct Strip {
     u32x4 at;      // x, width, begin, end; empty (begin == end) where no sample may lie
     u32 radius;    // the least radius under it; that of a circle which lies in all ellipses
