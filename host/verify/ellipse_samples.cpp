@@ -9,8 +9,7 @@
 namespace lacuna::verify {
 
 EllipseSamples::EllipseSamples(std::span<const Point> points, const RadiusField& radius_field,
-                               Proof& proof)
-    : radius_field_(radius_field) {
+                               Proof& proof) {
     std::vector<std::size_t> ends;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto found = radius_field.shapes_of_sample(points[i]);
@@ -35,12 +34,13 @@ EllipseSamples::EllipseSamples(std::span<const Point> points, const RadiusField&
     }
 }
 
-Pair EllipseSamples::closest_pair(const Patience& patience) const {
-    return verify::closest_pair(radius_field_.domain(), blurred_, patience, kHopeless);
+Pair EllipseSamples::closest_pair(const RadiusField& radius_field, const Patience& patience) const {
+    return verify::closest_pair(radius_field.domain(), blurred_, patience, kHopeless);
 }
 
-Gap EllipseSamples::largest_gap(double tolerance, const Patience& patience) const {
-    return verify::largest_gap(radius_field_, each_, tolerance, patience);
+Gap EllipseSamples::largest_gap(const RadiusField& radius_field, double tolerance,
+                                const Patience& patience) const {
+    return verify::largest_gap(radius_field, each_, tolerance, patience);
 }
 
 }  // namespace lacuna::verify

@@ -15,7 +15,7 @@
 
 namespace lacuna::verify {
 
-// Refers to the ellipses of the radius field, which must outlive this.
+// Refers to the ellipses of the radius field, which must outlive this and is the one to ask with.
 class EllipseSamples {
 public:
     // Stops at the first point that lies where no point may, and sets proof.forbidden.
@@ -23,11 +23,11 @@ public:
     EllipseSamples(const EllipseSamples&) = delete;
     EllipseSamples& operator=(const EllipseSamples&) = delete;
 
-    Pair closest_pair(const Patience& patience) const;
-    Gap largest_gap(double tolerance, const Patience& patience) const;
+    Pair closest_pair(const RadiusField& radius_field, const Patience& patience) const;
+    Gap largest_gap(const RadiusField& radius_field, double tolerance,
+                    const Patience& patience) const;
 
 private:
-    const RadiusField& radius_field_;
     std::vector<const EllipseShape*> shapes_;  // that blurred_ refers to
     // For distances: the samples in the order of the points.
     std::vector<BlurredEllipse> blurred_;

@@ -130,12 +130,12 @@ void prove_on_ellipses(std::span<const Point> points, const Claim& claim,
     ask(
         claim,
         [&] {
-            const Pair pair = samples.closest_pair(patience);
+            const Pair pair = samples.closest_pair(radius_field, patience);
             tell_of(pair, pair.limit, proof);
             proof.kept = pair.ratio >= 1;
         },
         [&] {
-            const Gap gap = samples.largest_gap(tolerance, patience);
+            const Gap gap = samples.largest_gap(radius_field, tolerance, patience);
             tell_of(gap, tolerance + domain.rounding(), gap.limit, proof);
         });
 }

@@ -78,15 +78,13 @@ std::unique_ptr<Backend> cpu::make_field_backend(const Plan&, const Placement&) 
 }
 
 // Claims of the page have no polygons, no classes and no ellipses, so these are never called.
-verify::EllipseSamples::EllipseSamples(std::span<const Point>, const RadiusField& radius_field,
-                                       Proof&)
-    : radius_field_(radius_field) {
+verify::EllipseSamples::EllipseSamples(std::span<const Point>, const RadiusField&, Proof&) {
     refuse();
 }
-verify::Pair verify::EllipseSamples::closest_pair(const Patience&) const {
+verify::Pair verify::EllipseSamples::closest_pair(const RadiusField&, const Patience&) const {
     refuse();
 }
-verify::Gap verify::EllipseSamples::largest_gap(double, const Patience&) const {
+verify::Gap verify::EllipseSamples::largest_gap(const RadiusField&, double, const Patience&) const {
     refuse();
 }
 verify::Pair verify::closest_of_classes(const Domain&, const Claim&, std::span<const Disk>,
