@@ -115,10 +115,14 @@ LACUNA_FN u64 moved_weight(RelaxLattice lattice, u64 weight, u64 mass, u32 point
         most = area / 4u > lattice.lonely_step ? area / 4u : lattice.lonely_step;
         most = most < even ? most : even;
     }
-    u64 moved = weight + step;
-    if (mass < lattice.mean_mass) moved = weight > step ? weight - step : 0u;
-    if (moved < even - most) return even - most;
-    return moved < even + most ? moved : even + most;
+    // In signed numbers: NVIDIA's Vulkan driver 580.159 made wrong weights of unsigned ones that
+    // were cut off at 0.
+    i64 least = to_i64(even - most);
+    i64 greatest = to_i64(even + most);
+    i64 change = to_i64(step);
+    i64 moved = to_i64(weight) + (mass < lattice.mean_mass ? -change : change);
+    moved = moved < least ? least : moved;
+    return to_u64(moved < greatest ? moved : greatest);
 }
 
 LACUNA_END
