@@ -76,6 +76,15 @@ LACUNA_FN bool misses(Ellipse e, i64 dx, i64 low, i64 high) {
            aside + to_i64(e.s) * high <= -most;
 }
 
+// Whether chord_at(e, dx, 1) has dy; this needs no square root.
+LACUNA_FN bool holds_with_slack(Ellipse e, i64 dx, i64 dy) {
+    u64 u = (magnitude(dx) * e.p >> e.shift) + 1u;
+    u64 v = (magnitude(sign_extended(e.q) * dx + to_i64(e.s) * dy) >> e.shift) + 1u;
+    u64 radius = ELLIPSE_RADIUS;
+    if (u >= radius || v >= radius) return false;
+    return u * u + v * v < radius * radius;
+}
+
 // The dy that the ellipse holds at all dx from middle - reach to middle + reach. An ellipse is
 // convex: what it holds at both ends it holds between them.
 LACUNA_FN Interval chord_around(Ellipse e, i64 middle, i64 reach) {
