@@ -13,30 +13,17 @@
 
 #include "plan/ellipse.h"
 #include "plan/kept.h"
+#include "plan/pixels_at.h"
 #include "plan/plan.h"
 
 namespace lacuna {
 namespace {
 
-// Tolerance of a pixel's border, relative to the longer side: a little over the rounding to units.
-constexpr double kRounding = 0x1p-28;
-
 // Calls `use` with the index of every pixel on which the point may be said to lie.
 template <class Use>
 void for_pixels_at(const Request& request, Point point, std::uint32_t columns, std::uint32_t rows,
                    const Use& use) {
-    const double near = kRounding * std::max(request.width, request.height);
-    const auto pixel_of = [](double share, std::uint32_t pixels) {
-        const double last = pixels - 1.0;
-        return static_cast<std::uint32_t>(std::clamp(std::floor(share * pixels), 0.0, last));
-    };
-    const std::uint32_t left = pixel_of((point.x - near) / request.width, columns);
-    const std::uint32_t right = pixel_of((point.x + near) / request.width, columns);
-    const std::uint32_t low = pixel_of((point.y - near) / request.height, rows);
-    const std::uint32_t high = pixel_of((point.y + near) / request.height, rows);
-    for (std::uint32_t up = low; up <= high; ++up)
-        for (std::uint32_t column = left; column <= right; ++column)
-            use(std::size_t{rows - 1 - up} * columns + column);
+    lacuna::for_pixels_at(point, {request.width, request.height}, columns, rows, use);
 }
 
 double greatest_importance_at(const Request& request, Point point) {
@@ -67,18 +54,16 @@ void for_ellipses_at(const Request& request, Point point, const Use& use) {
 double longest_at(const Request& request, Point point) {
     double longest = radius_at(request, point);
     if (request.field == nullptr || request.field->stretches.empty()) return longest;
-    for_ellipses_at(request, point, [&](const EllipseRadii& ellipse) {
-        longest = std::max(longest, ellipse.longer);
-    });
+    for_ellipses_at(request, point,
+                    [&](const Ellipse& ellipse) { longest = std::max(longest, ellipse.a); });
     return longest;
 }
 
 // Whether all ellipses at a point hold the way from it.
 bool holds_way(const Request& request, Point point, Point way) {
     bool holds = true;
-    for_ellipses_at(request, point, [&](const EllipseRadii& ellipse) {
-        holds &= form_of(ellipse).holds(way.x, way.y);
-    });
+    for_ellipses_at(request, point,
+                    [&](const Ellipse& ellipse) { holds &= form_of(ellipse).holds(way.x, way.y); });
     return holds;
 }
 

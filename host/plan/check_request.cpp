@@ -113,6 +113,11 @@ void check_stratified(const Request& request) {
 
 }  // namespace
 
+void check_disks(const Field& field, const char* who) {
+    if (!field.stretches.empty())
+        throw BadRequest("stretches", std::string("for ") + who, "are for mode exact of sample");
+}
+
 void check_importance(const Field& field) {
     if (field.importance.size() != std::size_t{field.columns} * field.rows ||
         field.importance.empty())

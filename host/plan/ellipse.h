@@ -10,14 +10,8 @@
 
 namespace lacuna {
 
-struct EllipseRadii {
-    double longer;
-    double shorter;
-    double angle;  // from the x axis to the longer radius, counterclockwise
-};
-
 // The ellipse that a disk of this radius is stretched to. It has the area of the disk.
-EllipseRadii stretched(double radius, const Stretch& stretch);
+Ellipse stretched(double radius, const Stretch& stretch);
 
 // The ellipse holds an offset if xx dx^2 + 2 xy dx dy + yy dy^2 < 1.
 struct QuadraticForm {
@@ -29,7 +23,7 @@ struct QuadraticForm {
         return xx * dx * dx + 2 * xy * dx * dy + yy * dy * dy < 1;
     }
 };
-QuadraticForm form_of(const EllipseRadii& radii);
+QuadraticForm form_of(const Ellipse& radii);
 
 // An ellipse in grid units that holds that of the radii, and little more. It holds all offsets
 // nearer than `inner`, and none that is not nearer than `outer`.
@@ -48,6 +42,6 @@ struct GridOfEllipses {
     std::uint32_t more;
     double most;
 };
-RoundedEllipse rounded(const EllipseRadii& radii, const GridOfEllipses& grid);
+RoundedEllipse rounded(const Ellipse& radii, const GridOfEllipses& grid);
 
 }  // namespace lacuna

@@ -207,6 +207,8 @@ void check_request(const Request& request);
 // Checks that a field has a value for each pixel, all finite and at least 0, one above 0. Throws
 // BadRequest.
 void check_importance(const Field& field);
+// Throws BadRequest if the field has stretches, for `who`, which knows only disks.
+void check_disks(const Field& field, const char* who);
 
 // Checks where samples may lie (check_where.cpp): the mask, the border and the kept points, but not
 // the points' distances, which depend on the radius. Throws BadRequest.

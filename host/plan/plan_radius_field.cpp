@@ -132,6 +132,7 @@ std::vector<Sized> kept_on(const RadiusField& radius_field, const Sheets& sheets
 void check_size(const Request& request, const std::string& option, const std::string& value,
                 double least_radius, double samples) {
     constexpr double kBytesPerSample = 250, kBytesPerPixel = 12, kBytesPerMaskPixel = 4. / 3;
+    constexpr double kBytesPerEllipse = sizeof(portable::Ellipse);
     const double longer = std::max(request.width, request.height);
     if (!(least_radius >= longer * kSmallestRadius))
         throw BadRequest(option, value,
@@ -140,7 +141,8 @@ void check_size(const Request& request, const std::string& option, const std::st
                              ", the longer side / 2^20, or the grid's units run out");
     double bytes = samples * kBytesPerSample;
     if (request.field != nullptr)
-        bytes += static_cast<double>(request.field->importance.size()) * kBytesPerPixel;
+        bytes += static_cast<double>(request.field->importance.size()) * kBytesPerPixel +
+                 static_cast<double>(request.field->stretches.size()) * kBytesPerEllipse;
     if (request.mask != nullptr)
         bytes += static_cast<double>(request.mask->allowed.size()) * kBytesPerMaskPixel;
     refuse_more_memory(request, option, value, bytes);

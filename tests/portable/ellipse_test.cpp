@@ -24,7 +24,7 @@ double between(Random& random, double least, double most) {
 
 constexpr GridOfEllipses kUnits{1, 1, 1, 1e9};
 
-EllipseRadii any_radii(Random& random, double longest) {
+lacuna::Ellipse any_radii(Random& random, double longest) {
     const double longer = between(random, 4, longest);
     return {longer, std::max(2.0, longer / std::exp(between(random, 0, 3))),
             between(random, -7, 7)};
@@ -34,12 +34,15 @@ TEST(AChordOfAnEllipse, HoldsWhatTheEllipseHolds) {
     Random random(3);
     std::uint64_t held = 0;
     for (int turn = 0; turn < 2000; ++turn) {
-        const Ellipse e = rounded(any_radii(random, 60), kUnits).ellipse;
+        const portable::Ellipse e = rounded(any_radii(random, 60), kUnits).ellipse;
         for (i64 dx = -64; dx <= 64; ++dx) {
             const Interval chord = chord_at(e, dx, 0);
+            const Interval less = chord_at(e, dx, 1);
             for (i64 dy = -64; dy <= 64; ++dy) {
                 const bool is_held = holds(e, dx, dy);
                 ASSERT_EQ(is_held, dy >= chord.begin && dy < chord.end)
+                    << "turn " << turn << " at " << dx << " " << dy;
+                ASSERT_EQ(holds_with_slack(e, dx, dy), dy >= less.begin && dy < less.end)
                     << "turn " << turn << " at " << dx << " " << dy;
                 ASSERT_EQ(is_held, holds(e, -dx, -dy)) << "it is the same from the other sample";
                 held += is_held ? 1 : 0;
@@ -53,7 +56,7 @@ TEST(AChordOverColumns, IsHeldInEachOfThem) {
     Random random(4);
     std::uint64_t places = 0;
     for (int turn = 0; turn < 20'000; ++turn) {
-        const Ellipse e = rounded(any_radii(random, 1000), kUnits).ellipse;
+        const portable::Ellipse e = rounded(any_radii(random, 1000), kUnits).ellipse;
         const auto middle = static_cast<i64>(between(random, -900, 900));
         const auto reach = static_cast<i64>(between(random, 0, 40));
         const Interval chord = chord_around(e, middle, reach);
@@ -70,7 +73,7 @@ TEST(ACircleOfARadius, IsNotLarger) {
     Random random(5);
     for (int turn = 0; turn < 100'000; ++turn) {
         const auto radius = static_cast<u32>(2 + (random() >> (34 + random() % 29)));
-        const Ellipse circle = circle_of(radius);
+        const portable::Ellipse circle = circle_of(radius);
         const double angle = between(random, 0, 7);
         const auto dx = std::llround(std::cos(angle) * radius);
         const auto dy = std::llround(std::sin(angle) * radius);
@@ -90,14 +93,14 @@ TEST(ARoundedEllipse, HoldsTheTrueOneAndLittleMore) {
         const double ratio = std::exp(between(random, 0, std::log(turn % 2 == 0 ? 32 : 1000)));
         const double unit = std::exp(between(random, -20, 20));
         const GridOfEllipses grid{unit, unit * (1 + between(random, 0, 1e-7)), 1, 0x1p30};
-        const EllipseRadii radii{shorter * ratio * unit, shorter * unit, between(random, -7, 7)};
+        const lacuna::Ellipse radii{shorter * ratio * unit, shorter * unit, between(random, -7, 7)};
         const RoundedEllipse found = rounded(radii, grid);
         const QuadraticForm form = form_of(radii);
         // An offset near the true outline.
         const double around = between(random, 0, 7);
         const double share = between(random, 0.9, 1.1);
-        const double along = share * radii.longer * std::cos(around);
-        const double across = share * radii.shorter * std::sin(around);
+        const double along = share * radii.a * std::cos(around);
+        const double across = share * radii.b * std::sin(around);
         const double c = std::cos(radii.angle), s = std::sin(radii.angle);
         const auto dx = std::llround((along * c - across * s) / grid.unit_x);
         const auto dy = std::llround((along * s + across * c) / grid.unit_y);

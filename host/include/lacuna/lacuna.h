@@ -55,6 +55,14 @@ struct Stretch {
     double angle = 0;
 };
 
+// Two radii in the user's units, a >= b, and the angle from the x axis to the radius a,
+// counterclockwise in radians.
+struct Ellipse {
+    double a;
+    double b;
+    double angle;
+};
+
 // Importance over the domain: where samples are wanted, and how densely (section 4.2).
 struct Field {
     std::uint32_t columns = 0;       // pixels
@@ -66,6 +74,11 @@ struct Field {
     // in the other's (section 6). On a torus no ellipse may be longer than its shorter side.
     std::vector<Stretch> stretches{};
 };
+
+// The ellipses of points of width x height on a field that has stretches: r = scale / sqrt(I) is
+// the root of a b. On the border of two pixels, the ellipse of either one.
+std::vector<Ellipse> ellipses_of(std::span<const Point> points, const Field& field, double scale,
+                                 double width, double height);
 
 // Where samples may lie, whatever the importance: pixels that are stretched over the domain. A
 // sample on the border of two pixels lies in the right or the upper one.

@@ -1,0 +1,31 @@
+// The ellipses of points, for those who draw them.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "plan/ellipse.h"
+#include "plan/pixels_at.h"
+
+namespace lacuna {
+
+std::vector<Ellipse> ellipses_of(std::span<const Point> points, const Field& field, double scale,
+                                 double width, double height) {
+    std::vector<Ellipse> ellipses;
+    if (field.stretches.empty()) return ellipses;
+    ellipses.reserve(points.size());
+    for (const Point& point : points) {
+        std::size_t found = 0;
+        double greatest = -1;
+        for_pixels_at(point, {width, height}, field.columns, field.rows, [&](std::size_t pixel) {
+            if (field.importance[pixel] <= greatest) return;
+            greatest = field.importance[pixel];
+            found = pixel;
+        });
+        ellipses.push_back(stretched(scale / std::sqrt(greatest), field.stretches[found]));
+    }
+    return ellipses;
+}
+
+}  // namespace lacuna
