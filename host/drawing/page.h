@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <span>
@@ -56,6 +57,29 @@ void for_each_stroke(const files::PointSet& set, const Style& style, const Strok
         if (i + 1 < order.size() && style.diameters[order[i + 1]] == diameter) continue;
         for_each_stroke(std::span<const Point>(run), diameter, stroke);
         run.clear();
+    }
+}
+
+// A dot of a set of ellipses, on the page: as large as its disk would be, stretched like the
+// point's ellipse.
+struct Oval {
+    double x;
+    double y;
+    double a;  // the longer radius
+    double b;
+    double turn;  // in radians, from right towards the top of the page to a
+};
+
+// Calls `draw(oval)` for each dot of a set of ellipses.
+template <class Draw>
+void for_each_oval(const files::PointSet& set, const Style& style, const Page& page,
+                   const Draw& draw) {
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        const auto& [a, b, angle] = set.ellipses[i];
+        const double diameter = style.diameters.empty() ? dot_diameter(set) : style.diameters[i];
+        const double radius = diameter * page.scale / 2;
+        draw(Oval{page.x_of(set.points[i]), page.y_of(set.points[i]), radius * std::sqrt(a / b),
+                  radius * std::sqrt(b / a), angle});
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <span>
 #include <string>
@@ -65,6 +66,23 @@ void fill_circles(cairo_t* context, const files::PointSet& set, const Style& sty
     });
 }
 
+void fill_ovals(cairo_t* context, const files::PointSet& set, const Style& style,
+                const Page& page) {
+    std::size_t dots = 0;
+    for_each_oval(set, style, page, [&](const Oval& oval) {
+        cairo_save(context);
+        cairo_translate(context, oval.x, oval.y);
+        cairo_rotate(context, -oval.turn);
+        cairo_scale(context, oval.a, oval.b);
+        cairo_new_sub_path(context);
+        cairo_arc(context, 0, 0, 1, 0, 2 * std::numbers::pi);
+        cairo_restore(context);
+        if (++dots % kDotsPerStroke == 0) cairo_fill(context);
+    });
+    cairo_fill(context);
+    check(cairo_status(context));
+}
+
 std::string draw_pdf(const files::PointSet& set, const Style& style) {
     const Page page = page_of(set, style, 1);
     std::string bytes;
@@ -84,7 +102,10 @@ std::string draw_pdf(const files::PointSet& set, const Style& style) {
     {
         const Context context = make_context(surface.get());
         multiply_layers(context.get(), set, style, [&](const auto& part, const Style& its_style) {
-            fill_circles(context.get(), part, its_style, page);
+            if (part.ellipses.empty())
+                fill_circles(context.get(), part, its_style, page);
+            else
+                fill_ovals(context.get(), part, its_style, page);
         });
     }
     // Checked after this call, because cairo writes most of the document only now.
@@ -121,7 +142,10 @@ std::string draw_png(const files::PointSet& set, const Style& style) {
     const Context context = make_context(surface.get());
     if (is_grey) cairo_set_operator(context.get(), CAIRO_OPERATOR_CLEAR);
     multiply_layers(context.get(), set, style, [&](const auto& part, const Style& its_style) {
-        stroke_dots(context.get(), part, its_style, page);
+        if (part.ellipses.empty())
+            stroke_dots(context.get(), part, its_style, page);
+        else
+            fill_ovals(context.get(), part, its_style, page);
     });
     return png_of(surface.get(), style.pixels_per_inch);
 }

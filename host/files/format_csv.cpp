@@ -41,21 +41,18 @@ std::string_view without_other_columns(std::string_view line) {
 }  // namespace
 
 std::string encode_csv(const PointSet& set) {
-    const Dots* const dots = set.dots;
+    const std::vector<Column> columns = columns_of(set);
     const std::vector<std::uint8_t> layers = layers_of_points(set);
+    std::string header = "x,y";
+    for (const Column& column : columns) (header += ',') += column.name;
+    if (!layers.empty()) header += set.layers_are == LayersAre::inks ? ",ink" : ",class";
     std::string bytes =
-        with_room_for(fmt::format("x,y{}{}\n", dots == nullptr ? "" : ",radius,x_mm,y_mm,radius_mm",
-                                  layers.empty()                      ? ""
-                                  : set.layers_are == LayersAre::inks ? ",ink"
-                                                                      : ",class"),
-                      (dots == nullptr ? 1 : 2) * set.points.size());
+        with_room_for(header + '\n', (1 + (columns.size() + 3) / 4) * set.points.size());
     for (std::size_t i = 0; i < set.points.size(); ++i) {
         const Point& point = set.points[i];
         fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{:.17g},{:.17g}"), point.x, point.y);
-        if (dots != nullptr)
-            fmt::format_to(std::back_inserter(bytes), FMT_COMPILE(",{:.9g},{:.9g},{:.9g},{:.9g}"),
-                           dots->radii[i], dots->x_mm(point), dots->y_mm(point),
-                           dots->radius_mm(i));
+        for (const Column& column : columns)
+            fmt::format_to(std::back_inserter(bytes), FMT_COMPILE(",{:.9g}"), column.values[i]);
         if (!layers.empty()) (bytes += ',') += set.layers[layers[i]].ink.name;
         bytes += '\n';
     }

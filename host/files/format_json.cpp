@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 
 #include "files/point_files.h"
@@ -66,6 +67,20 @@ void append_dots(std::string& bytes, const Dots& dots) {
     bytes += "]},\n";
 }
 
+void append_ellipses(std::string& bytes, std::span<const Ellipse> ellipses) {
+    bytes += "\"ellipses\":[";
+    const char* separator = "\n[";
+    for (const Ellipse& ellipse : ellipses) {
+        for (const double value : {ellipse.a, ellipse.b, ellipse.angle}) {
+            bytes += separator;
+            append_json_number(bytes, value);
+            separator = ",";
+        }
+        separator = "],\n[";
+    }
+    bytes += ellipses.empty() ? "],\n" : "]],\n";
+}
+
 void append_layers(std::string& bytes, const PointSet& set) {
     const bool are_inks = set.layers_are == LayersAre::inks;
     bytes += are_inks ? "\"inks\":[" : "\"classes\":[";
@@ -97,6 +112,7 @@ std::string encode_json(const PointSet& set) {
     bytes += fmt::format(",\"count\":{},", set.points.size());
     if (set.origin != nullptr && !set.origin->levels.empty()) append_levels(bytes, *set.origin);
     if (set.dots != nullptr) append_dots(bytes, *set.dots);
+    if (set.writes_ellipses) append_ellipses(bytes, set.ellipses);
     if (!set.layers.empty()) append_layers(bytes, set);
     bytes += "\"points\":[";
     const char* separator = "\n[";

@@ -1,6 +1,8 @@
 // The format .npy of NumPy: an array of N x 2 numbers.
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -16,8 +18,9 @@
 namespace lacuna::files {
 namespace {
 
-constexpr int kColumns = 2;        // x and y
-constexpr int kColumnsOfDots = 6;  // also radius, x_mm, y_mm and radius_mm
+// x and y; with radius, x_mm, y_mm and radius_mm of dots; with a, b and angle of ellipses; with
+// all.
+constexpr std::array<std::uint64_t, 4> kColumns{2, 6, 5, 9};
 
 template <class Number>
 std::vector<Point> load_points(std::string_view data, const NpyHeader& header,
@@ -63,20 +66,16 @@ std::string npy_header(std::size_t count, int columns) {
 }
 
 std::string encode_npy(const PointSet& set) {
-    const Dots* const dots = set.dots;
+    const std::vector<Column> columns = columns_of(set);
     const std::vector<std::uint8_t> layers = layers_of_points(set);
-    const int columns = (dots == nullptr ? kColumns : kColumnsOfDots) + (layers.empty() ? 0 : 1);
-    std::string bytes = npy_header(set.points.size(), columns);
-    bytes.reserve(bytes.size() +
-                  set.points.size() * static_cast<std::size_t>(columns) * sizeof(double));
+    const std::size_t numbers = 2 + columns.size() + (layers.empty() ? 0 : 1);
+    std::string bytes = npy_header(set.points.size(), static_cast<int>(numbers));
+    bytes.reserve(bytes.size() + set.points.size() * numbers * sizeof(double));
     for (std::size_t i = 0; i < set.points.size(); ++i) {
         const Point& point = set.points[i];
         append_little_endian(bytes, point.x);
         append_little_endian(bytes, point.y);
-        if (dots != nullptr)
-            for (const double value :
-                 {dots->radii[i], dots->x_mm(point), dots->y_mm(point), dots->radius_mm(i)})
-                append_little_endian(bytes, value);
+        for (const Column& column : columns) append_little_endian(bytes, column.values[i]);
         if (!layers.empty()) append_little_endian(bytes, static_cast<double>(layers[i]));
     }
     return bytes;
@@ -85,10 +84,10 @@ std::string encode_npy(const PointSet& set) {
 SetsOfFile decode_npy(std::string_view bytes, const std::string& name) {
     const NpyHeader header = take_npy_header(bytes, name);
     if (header.shape.size() != 2 ||
-        (header.shape[1] != kColumns && header.shape[1] != kColumnsOfDots))
-        refuse(name,
-               fmt::format("an array of shape {}: must be N x 2, or N x 6 as --dot-size makes it",
-                           shape_text(header.shape)));
+        std::find(kColumns.begin(), kColumns.end(), header.shape[1]) == kColumns.end())
+        refuse(name, fmt::format("an array of shape {}: must be N x 2, N x 6 as --dot-size makes "
+                                 "it, or N x 5 or N x 9 with --ellipse-columns",
+                                 shape_text(header.shape)));
     if (header.descr == "<f8") return one_set(load_points<double>(bytes, header, name));
     if (header.descr == "<f4") return one_set(load_points<float>(bytes, header, name));
     refuse(name, fmt::format("numbers of type {}: must be '<f8' or '<f4', little-endian floats",

@@ -134,16 +134,14 @@ void skip(Rest& rest, const Element& element, bool is_binary) {
     for (std::uint64_t i = 0; i < element.count; ++i) reader.read(i, values);
 }
 
-constexpr std::string_view kDotProperties =
-    "property double radius\n"
-    "property double x_mm\n"
-    "property double y_mm\n"
-    "property double radius_mm\n";
-
 }  // namespace
 
 std::string encode_ply(const PointSet& set) {
+    const std::vector<Column> columns = columns_of(set);
     const std::vector<std::uint8_t> layers = layers_of_points(set);
+    std::string properties;
+    for (const Column& column : columns)
+        properties += fmt::format("property double {}\n", column.name);
     std::string bytes =
         with_room_for(fmt::format("ply\n"
                                   "format ascii 1.0\n"
@@ -152,7 +150,7 @@ std::string encode_ply(const PointSet& set) {
                                   "property double y\n"
                                   "property double z\n"
                                   "{}{}end_header\n",
-                                  set.points.size(), set.dots == nullptr ? "" : kDotProperties,
+                                  set.points.size(), properties,
                                   layers.empty()                      ? ""
                                   : set.layers_are == LayersAre::inks ? "property uchar ink\n"
                                                                       : "property uchar class\n"),
@@ -161,10 +159,8 @@ std::string encode_ply(const PointSet& set) {
         const Point& point = set.points[i];
         fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{:.17g} {:.17g} 0"), point.x,
                        point.y);
-        if (set.dots != nullptr)
-            fmt::format_to(std::back_inserter(bytes), FMT_COMPILE(" {:.9g} {:.9g} {:.9g} {:.9g}"),
-                           set.dots->radii[i], set.dots->x_mm(point), set.dots->y_mm(point),
-                           set.dots->radius_mm(i));
+        for (const Column& column : columns)
+            fmt::format_to(std::back_inserter(bytes), FMT_COMPILE(" {:.9g}"), column.values[i]);
         if (!layers.empty())
             fmt::format_to(std::back_inserter(bytes), FMT_COMPILE(" {}"), layers[i]);
         bytes += '\n';

@@ -33,7 +33,7 @@ struct Origin {
 };
 
 // The sizes of the dots and their position on the page, for programs that draw them themselves.
-// They are written to .csv, .npy, .ply and .json.
+// They are written to .csv, .npy, .ply and .json, as ellipses are.
 struct Dots {
     std::vector<double> radii;  // radius of each point's dot, in the domain's units
     double millimetres_per_unit = 0;
@@ -66,12 +66,23 @@ struct PointSet {
     double radius = 0;
     const Origin* origin = nullptr;  // null: unknown
     const Dots* dots = nullptr;      // null: not wanted
+    // The ellipse of each point, for sets of ellipses: pictures stretch dots likewise.
+    std::span<const Ellipse> ellipses{};
+    bool writes_ellipses = false;  // to files with columns, too
     // Empty: all dots are black.
     std::span<const Layer> layers{};
     // The layer of each point. Empty: the points of the layers come one layer after the other.
     std::span<const std::uint8_t> layer_of_point{};
     LayersAre layers_are = LayersAre::inks;
 };
+
+// A number for each point, which some formats write after its coordinates.
+struct Column {
+    const char* name;
+    std::vector<double> values;
+};
+// radius, x_mm, y_mm and radius_mm of dots; a, b and angle of ellipses; as far as they are wanted.
+std::vector<Column> columns_of(const PointSet& set);
 
 // The layer of each point, for a set that has layers.
 std::vector<std::uint8_t> layers_of_points(const PointSet& set);
@@ -95,7 +106,9 @@ char lower_case(char c);
 //         "points":[[x,y],...]}
 //   svg, pdf, png   black dots on white, y upwards; longer side 1024 pixels (png) or 512 points
 // With dots, csv, npy and ply have the columns x, y, (z,) radius, x_mm, y_mm and radius_mm, and
-// json has "dots" before the points. With inks, csv and ply have a last column ink (its name or its
+// json has "dots" before the points. With ellipses these have columns a, b and angle (two radii in
+// the domain's unit, and the angle in radians from the x axis to a), and json has "ellipses". With
+// inks, csv and ply have a last column ink (its name or its
 // index), npy too (its index); json has "inks" and, for each point, its index in "ink". With
 // classes these are called class and "classes". Such an npy is not read again, because a third
 // column may be a third coordinate. The same set gives the same bytes on every call. Throws

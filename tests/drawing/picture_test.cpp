@@ -98,6 +98,42 @@ TEST(Png, GivenARadiusThenADotsRadiusIsAThirdOfIt) {
     EXPECT_NEAR(dark_pixels(image), 3.14159 * dot_radius * dot_radius, 200);
 }
 
+// The picture of one dot whose disk would have a radius of 0.1, in an ellipse of ratio 4.
+std::string stretched_dot(Medium medium, double angle) {
+    const std::vector<Point> points{{0.5, 0.5}};
+    const std::vector<Ellipse> ellipses{{0.6, 0.15, angle}};
+    PointSet set{points, 1, 1, 0.3};
+    set.ellipses = ellipses;
+    return drawing::draw(set, medium);
+}
+
+TEST(Png, GivenAnEllipseThenTheDotIsStretchedTurnedAndAsLargeAsADisk) {
+    const Image flat(stretched_dot(Medium::png, 0));
+    EXPECT_EQ(flat.grey(512 + 200, 512), 0);
+    EXPECT_EQ(flat.grey(512 + 209, 512), 255);
+    EXPECT_EQ(flat.grey(512, 512 - 48), 0);
+    EXPECT_EQ(flat.grey(512, 512 - 55), 255);
+    EXPECT_NEAR(dark_pixels(flat), 3.14159 * 102.4 * 102.4, 200);
+    // Counterclockwise by 30 degrees: its end is to the right and above.
+    const Image turned(stretched_dot(Medium::png, 3.14159 / 6));
+    EXPECT_EQ(turned.grey(512 + 173, 512 - 100), 0);
+    EXPECT_EQ(turned.grey(512 + 173, 512 + 100), 255);
+}
+
+TEST(Svg, GivenAnEllipseThenTheDotIsTwoArcsFromEndToEnd) {
+    const std::string svg = stretched_dot(Medium::svg, 3.14159265358979 / 2);
+    EXPECT_TRUE(
+        contains(svg,
+                 "<path fill=\"black\" stroke=\"none\" d=\"M256.0000 358.4000"
+                 "a102.4 25.6 -90 1 0 0.0000 -204.8000a102.4 25.6 -90 1 0 -0.0000 204.8000"))
+        << svg;
+    EXPECT_FALSE(contains(svg, "stroke-width"));
+}
+
+TEST(Pdf, GivenAnEllipseThenItIsAnotherFileThanThatOfADisk) {
+    EXPECT_NE(stretched_dot(Medium::pdf, 0), stretched_dot(Medium::pdf, 1));
+}
+
 TEST(Png, GivenMoreDotsThanOneStrokeHoldsThenEachIsDrawn) {
     const std::vector<Point> points = spread_points(10000);
     const Image image(picture(points, Medium::png, 0.008));

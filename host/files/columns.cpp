@@ -1,0 +1,29 @@
+// Columns that files have besides the coordinates.
+#include <cstddef>
+#include <vector>
+
+#include "files/point_files.h"
+
+namespace lacuna::files {
+
+std::vector<Column> columns_of(const PointSet& set) {
+    std::vector<Column> columns;
+    const auto add = [&](const char* name, const auto& value) {
+        std::vector<double>& values = columns.emplace_back(Column{name, {}}).values;
+        for (std::size_t i = 0; i < set.points.size(); ++i) values.push_back(value(i));
+    };
+    if (const Dots* const dots = set.dots) {
+        add("radius", [&](std::size_t i) { return dots->radii[i]; });
+        add("x_mm", [&](std::size_t i) { return dots->x_mm(set.points[i]); });
+        add("y_mm", [&](std::size_t i) { return dots->y_mm(set.points[i]); });
+        add("radius_mm", [&](std::size_t i) { return dots->radius_mm(i); });
+    }
+    if (set.writes_ellipses) {
+        add("a", [&](std::size_t i) { return set.ellipses[i].a; });
+        add("b", [&](std::size_t i) { return set.ellipses[i].b; });
+        add("angle", [&](std::size_t i) { return set.ellipses[i].angle; });
+    }
+    return columns;
+}
+
+}  // namespace lacuna::files

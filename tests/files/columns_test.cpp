@@ -1,0 +1,73 @@
+// Columns besides the coordinates: of dots and of ellipses, in each format that has columns.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "files/formats.h"
+#include "files/point_files.h"
+#include "files/read_sets.h"
+#include "text.h"
+
+namespace lacuna::files {
+namespace {
+
+using test::contains;
+
+const std::vector<Point> kPoints{{0.25, 0.5}, {0.75, 1}};
+const std::vector<Ellipse> kEllipses{{0.5, 0.125, -1.5}, {0.25, 0.25, 0}};
+
+PointSet set_of_ellipses(const Dots* dots = nullptr) {
+    PointSet set{kPoints};
+    set.ellipses = kEllipses;
+    set.writes_ellipses = true;
+    set.dots = dots;
+    return set;
+}
+
+std::string text(const char* format, const PointSet& set) {
+    return encode(set, *find_format(format));
+}
+
+TEST(EllipseColumns, AreTwoRadiiAndAnAngle) {
+    EXPECT_EQ(text("csv", set_of_ellipses()),
+              "x,y,a,b,angle\n0.25,0.5,0.5,0.125,-1.5\n0.75,1,0.25,0.25,0\n");
+    EXPECT_TRUE(contains(text("ply", set_of_ellipses()),
+                         "property double z\nproperty double a\nproperty double b\n"
+                         "property double angle\nend_header\n0.25 0.5 0 0.5 0.125 -1.5\n"));
+    EXPECT_TRUE(contains(text("json", set_of_ellipses()),
+                         "\"ellipses\":[\n[0.5,0.125,-1.5],\n[0.25,0.25,0.0]],\n\"points\":["));
+    EXPECT_TRUE(contains(text("npy", set_of_ellipses()), "'shape': (2, 5)"));
+    PointSet nobody;
+    nobody.writes_ellipses = true;
+    EXPECT_TRUE(contains(text("json", nobody), "\"ellipses\":[],"));
+}
+
+TEST(EllipseColumns, ComeAfterThoseOfDots) {
+    const Dots dots{{0.125, 0.25}, 100, 10, 20};
+    EXPECT_TRUE(contains(text("csv", set_of_ellipses(&dots)),
+                         "x,y,radius,x_mm,y_mm,radius_mm,a,b,angle\n"
+                         "0.25,0.5,0.125,35,70,12.5,0.5,0.125,-1.5\n"));
+    EXPECT_TRUE(contains(text("npy", set_of_ellipses(&dots)), "'shape': (2, 9)"));
+}
+
+TEST(EllipseColumns, AreSkippedByReaders) {
+    const Dots dots{{0.125, 0.25}, 100, 10, 20};
+    for (const char* const format : {"csv", "npy", "ply", "json"})
+        for (const Dots* const some : {static_cast<const Dots*>(nullptr), &dots}) {
+            const std::string bytes = text(format, set_of_ellipses(some));
+            const SetsOfFile file = find_format(format)->decode(bytes, "file");
+            ASSERT_EQ(file.sets.size(), 1U) << format;
+            EXPECT_EQ(file.sets.front(), kPoints) << format;
+        }
+}
+
+TEST(EllipseColumns, AreOnlyWrittenOnRequest) {
+    PointSet set = set_of_ellipses();
+    set.writes_ellipses = false;
+    EXPECT_TRUE(contains(text("csv", set), "x,y\n"));
+    EXPECT_FALSE(contains(text("json", set), "ellipses"));
+}
+
+}  // namespace
+}  // namespace lacuna::files
