@@ -1,13 +1,16 @@
-// Turns radii into importance and stretches, pixel by pixel.
+// Turns ellipses into importance and stretches, pixel by pixel.
 #include "pictures/ellipses.h"
 
 #include <fmt/core.h>
+#include <lacuna/pictures.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 #include "files/npy.h"
 #include "files/parse.h"
@@ -16,58 +19,67 @@
 namespace lacuna::pictures {
 namespace {
 
-constexpr double kMostRatio = 1000;
-
-bool is_ellipse(const Radii& radii) {
-    const auto& [first, second, angle] = radii;
-    return first > 0 && second > 0 && std::isfinite(first * second) && first * second > 0 &&
-           std::max(first, second) <= kMostRatio * std::min(first, second) && std::isfinite(angle);
+bool is_zero(const Ellipse& ellipse) {
+    return ellipse.a == 0 && ellipse.b == 0;
 }
 
-// A stretch keeps the area: importance is 1 over the product of both radii.
-void append(Field& field, const Radii& radii) {
-    const auto& [first, second, angle] = radii;
-    field.importance.push_back(1 / (first * second));
-    const double turned = first >= second ? angle : angle + std::numbers::pi / 2;
-    field.stretches.push_back({std::max(first, second) / std::min(first, second),
-                               std::remainder(turned, std::numbers::pi)});
+bool are_zero(std::span<const Ellipse> ellipses) {
+    return std::all_of(ellipses.begin(), ellipses.end(), is_zero);
+}
+
+// The place of the first ellipse that is neither allowed nor 0, and what it is.
+struct Fault {
+    std::string place;
+    std::string text;
+};
+std::optional<Fault> fault_in(std::span<const Ellipse> ellipses, std::size_t columns) {
+    const auto found = std::find_if(ellipses.begin(), ellipses.end(), [](const Ellipse& ellipse) {
+        return !is_zero(ellipse) && !is_allowed(ellipse);
+    });
+    if (found == ellipses.end()) return std::nullopt;
+    const auto pixel = static_cast<std::size_t>(found - ellipses.begin());
+    return Fault{
+        fmt::format("row {}, column {}", pixel / columns, pixel % columns),
+        fmt::format("radii {} and {} at an angle of {}", found->a, found->b, found->angle)};
 }
 
 template <class Number>
-void append_all(std::string_view data, const std::string& name, Field& field) {
-    const std::size_t pixels = std::size_t{field.columns} * field.rows;
+std::vector<Ellipse> ellipses_in(std::string_view data, std::size_t pixels,
+                                 const std::string& name) {
     if (data.size() != pixels * 3 * sizeof(Number))
         files::refuse(name, fmt::format("{} bytes of data: {} are announced", data.size(),
                                         pixels * 3 * sizeof(Number)));
     const auto number = [&](std::size_t i) {
         return double{files::load_little_endian<Number>(data.substr(i * sizeof(Number)))};
     };
-    for (std::size_t i = 0; i < pixels; ++i) {
-        const Radii radii{number(3 * i), number(3 * i + 1), number(3 * i + 2)};
-        if (radii.first == 0 && radii.second == 0) {
-            field.importance.push_back(0);
-            field.stretches.push_back({});
-            continue;
-        }
-        if (!is_ellipse(radii))
-            files::refuse(
-                fmt::format("{}: row {}, column {}", name, i / field.columns, i % field.columns),
-                fmt::format("radii {} and {} at an angle of {}: must be finite, both "
-                            "radii over 0 or both 0, one at most {} times the other",
-                            radii.first, radii.second, radii.angle, kMostRatio));
-        append(field, radii);
-    }
+    std::vector<Ellipse> ellipses;
+    ellipses.reserve(pixels);
+    for (std::size_t i = 0; i < pixels; ++i)
+        ellipses.push_back({number(3 * i), number(3 * i + 1), number(3 * i + 2)});
+    return ellipses;
 }
 
 }  // namespace
 
-void add_pixel(Field& field, const Radii& radii, const char* option, const std::string& value) {
-    if (!is_ellipse(radii))
-        throw BadRequest(option, value,
-                         fmt::format("radii and angle must be finite, radii over 0, one at most {} "
-                                     "times the other",
-                                     kMostRatio));
-    append(field, radii);
+bool is_allowed(const Ellipse& ellipse) {
+    constexpr double kMostRatio = 1000;
+    const auto& [first, second, angle] = ellipse;
+    return first > 0 && second > 0 && std::isfinite(first * second) && first * second > 0 &&
+           std::max(first, second) <= kMostRatio * std::min(first, second) && std::isfinite(angle);
+}
+
+// A stretch keeps the area: importance is 1 over the product of both radii.
+Field field_of(std::uint32_t columns, std::uint32_t rows, std::span<const Ellipse> ellipses) {
+    Field field{columns, rows, {}};
+    for (const auto& [first, second, angle] : ellipses) {
+        const double turned = first >= second ? angle : angle + std::numbers::pi / 2;
+        field.importance.push_back(first == 0 ? 0 : 1 / (first * second));
+        field.stretches.push_back(first == 0
+                                      ? Stretch{}
+                                      : Stretch{std::max(first, second) / std::min(first, second),
+                                                std::remainder(turned, std::numbers::pi)});
+    }
+    return field;
 }
 
 Field read_ellipses(const std::string& path) {
@@ -88,17 +100,32 @@ Field read_ellipses(const std::string& path) {
         files::refuse(name, fmt::format("an array of shape {}: rows and columns must lie between 1 "
                                         "and {}",
                                         files::shape_text(header.shape), kMostASide));
-    Field field;
-    field.rows = static_cast<std::uint32_t>(header.shape[0]);
-    field.columns = static_cast<std::uint32_t>(header.shape[1]);
-    if (is_double)
-        append_all<double>(data, name, field);
-    else
-        append_all<float>(data, name, field);
-    if (std::all_of(field.importance.begin(), field.importance.end(),
-                    [](double importance) { return importance == 0; }))
-        files::refuse(name, "radii of 0 everywhere: some must be greater");
-    return field;
+    const std::size_t pixels = header.shape[0] * header.shape[1];
+    const std::vector<Ellipse> ellipses = is_double ? ellipses_in<double>(data, pixels, name)
+                                                    : ellipses_in<float>(data, pixels, name);
+    if (const auto fault = fault_in(ellipses, header.shape[1]))
+        files::refuse(fmt::format("{}: {}", name, fault->place),
+                      fmt::format("{}: {}, or both radii 0", fault->text, kAllowedEllipse));
+    if (are_zero(ellipses)) files::refuse(name, "radii of 0 everywhere: some must be greater");
+    return field_of(static_cast<std::uint32_t>(header.shape[1]),
+                    static_cast<std::uint32_t>(header.shape[0]), ellipses);
 }
 
 }  // namespace lacuna::pictures
+
+namespace lacuna {
+
+Field ellipse_field(std::uint32_t columns, std::uint32_t rows, std::span<const Ellipse> ellipses) {
+    if (columns == 0 || ellipses.size() != std::size_t{columns} * rows)
+        throw BadRequest("ellipses", fmt::format("{}", ellipses.size()),
+                         fmt::format("there must be one for each of {} x {} pixels, at least one",
+                                     rows, columns));
+    if (const auto fault = pictures::fault_in(ellipses, columns))
+        throw BadRequest("ellipses", fmt::format("{}: {}", fault->place, fault->text),
+                         fmt::format("{}, or both radii 0", pictures::kAllowedEllipse));
+    if (pictures::are_zero(ellipses))
+        throw BadRequest("ellipses", "with radii of 0 everywhere", "some must be greater");
+    return pictures::field_of(columns, rows, ellipses);
+}
+
+}  // namespace lacuna

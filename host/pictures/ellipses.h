@@ -1,21 +1,21 @@
-// Fields of ellipses: read from arrays, or the same everywhere.
+// Fields of ellipses, from arrays of them.
 #pragma once
 
 #include <lacuna/lacuna.h>
 
+#include <cstdint>
+#include <span>
 #include <string>
 
 namespace lacuna::pictures {
 
-// The field on which samples have an ellipse of these radii. Its scale is 1: with another one all
-// radii are in proportion. Throws BadRequest for `option` unless both radii are finite and over 0,
-// and the angle, in radians from the x axis counterclockwise, is finite.
-struct Radii {
-    double first;
-    double second;
-    double angle;  // of the first
-};
-void add_pixel(Field& field, const Radii& radii, const char* option, const std::string& value);
+// Whether radii are over 0, one of them is at most 1000 times the other, and all is finite.
+bool is_allowed(const Ellipse& ellipse);
+inline constexpr const char* kAllowedEllipse =
+    "radii and angle must be finite, radii over 0, one at most 1000 times the other";
+
+// ellipse_field() of lacuna/pictures.h for ellipses that are allowed or 0.
+Field field_of(std::uint32_t columns, std::uint32_t rows, std::span<const Ellipse> ellipses);
 
 // Reads an array of rows x columns x 3 numbers (.npy, of type float32 or float64): two radii in the
 // unit of the domain, and the angle of the first one. Two radii of 0 mean that no sample may lie

@@ -62,6 +62,10 @@ void check(const Importance& options) {
     if (!(options.sharpen_amount > 0 && options.sharpen_amount <= kMostAmount))
         throw BadRequest("sharpen", fmt::format("{}:{}", options.sharpen, options.sharpen_amount),
                          fmt::format("the amount must be over 0 and at most {}", kMostAmount));
+    constexpr double kMostAlong = 1000;
+    if (!(options.along >= 1 && options.along <= kMostAlong))
+        throw BadRequest("along", fmt::format("{}", options.along),
+                         fmt::format("must be 1 to {}", kMostAlong));
 }
 
 Levels levels_of(const Image& image, const Importance& options) {
@@ -107,8 +111,11 @@ Field importance_of(Image image, const Importance& options) {
     std::vector<double>& values = image.luminance;
     if (options.min_importance == 0 && is_zero_all_over(values))
         refuse_blank(image.name, options.invert);
+    std::vector<Stretch> stretches;
+    if (options.along != 1)
+        stretches = stretches_along(values, image.columns, image.rows, options.along);
     apply_gamma_and_least(values, image.name, options);
-    return {image.columns, image.rows, std::move(values)};
+    return {image.columns, image.rows, std::move(values), std::move(stretches)};
 }
 
 }  // namespace lacuna::pictures

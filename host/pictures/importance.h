@@ -4,6 +4,7 @@
 #include <lacuna/lacuna.h>
 #include <lacuna/pictures.h>
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,10 @@ bool is_zero_all_over(const std::vector<double>& values);
 [[noreturn]] void refuse_blank(const std::string& name, bool invert);
 void apply_gamma_and_least(std::vector<double>& values, const std::string& name,
                            const Importance& options);
+
+// The stretches along the edges of a picture, up to `ratio`: Tone::along. Row 0 is the top.
+std::vector<Stretch> stretches_along(std::span<const double> darkness, std::size_t columns,
+                                     std::size_t rows, double ratio);
 
 // The importance of each ink (lacuna/pictures.h). Throws as importance_of() does.
 std::vector<Field> separated(Colours colours, std::span<const Ink> inks, const Importance& options,

@@ -186,6 +186,8 @@ std::vector<Field> separated(Colours colours, std::span<const Ink> inks, const I
     check(options);
     if (!(black_ink >= 0 && black_ink <= 1))
         throw BadRequest("black-ink", fmt::format("{}", black_ink), "must be 0 to 1");
+    if (options.along != 1)
+        throw BadRequest("along", fmt::format("{}", options.along), "is not for inks");
     const std::array channels{&colours.red, &colours.green, &colours.blue};
     for (Image* channel : channels) sharpen(*channel, options);
     const Levels levels = levels_of(colours, options);

@@ -36,6 +36,7 @@ void check_inks(std::span<const InkPart> inks) {
     for (const InkPart& ink : inks) {
         if (ink.field == nullptr) throw BadRequest("field", "missing", "each ink must have one");
         check_importance(*ink.field);
+        check_disks(*ink.field, "inks");
         if (ink.dots == 0) throw BadRequest("dots", "0", "an ink must have at least one dot");
         const auto size = [](const Field& field) {
             return std::to_string(field.columns) + "x" + std::to_string(field.rows);

@@ -109,7 +109,10 @@ std::vector<Site> iterate(Iterations& run, RelaxBackend& backend, const RelaxOpt
 Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOptions& options,
               Observer& observer) {
     relaxing::check_options(options);
-    if (field != nullptr) check_importance(*field);
+    if (field != nullptr) {
+        check_importance(*field);
+        check_disks(*field, "relax");
+    }
     Relaxed relaxed;
     relaxed.points.assign(points.begin(), points.end());
     if (points.empty()) return relaxed;

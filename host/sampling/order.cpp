@@ -178,6 +178,7 @@ private:
 std::vector<std::uint32_t> progressive_order(std::span<const Point> points, const Field* field,
                                              const OrderOptions& options) {
     const Request request = checked_request(points, field, options);
+    if (field != nullptr) check_disks(*field, "orders");
     if (points.empty()) return {};
     const std::vector<double> radii = radii_of_kept(request);
     const double smallest = kSmallestRadius * std::max(options.width, options.height) /

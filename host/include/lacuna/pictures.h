@@ -44,6 +44,11 @@ struct Tone {
     // threefold mean over 2 sharpen + 1 pixels (unsharp mask). At most 1000 pixels; 0: none.
     std::uint32_t sharpen = 0;
     double sharpen_amount = 1;  // over 0, at most 100
+    // Over 1, at most 1000: the field has stretches along the picture's edges, for mode exact.
+    // Where all edges nearby have one direction, an ellipse is this many times as long as wide, and
+    // where there are none or all directions, it is a disk (structure tensor; docs/ellipses.md).
+    // Angles are right for a domain of the picture's shape.
+    double along = 1;
 };
 
 // The importance of the picture in the file, or on standard input for "-". Throws FileError, also
@@ -52,6 +57,12 @@ Field read_field(const std::string& path, const Tone& tone = {});
 
 // The same for bytes that have been read. `name` stands for the file in messages.
 Field decode_field(std::string_view bytes, const std::string& name, const Tone& tone = {});
+
+// The field on which samples have these ellipses at scale 1, for Request::field in mode exact: of
+// rows * columns pixels, row 0 on top. Here either radius may be the longer one. Where both are 0
+// no sample may lie. Throws BadRequest for other radii that are not over 0, for radii of which one
+// is over 1000 times the other, for numbers that are not finite, and if all radii are 0.
+Field ellipse_field(std::uint32_t columns, std::uint32_t rows, std::span<const Ellipse> ellipses);
 
 // The inks that a text names: "cmyk", or up to 16 of #rrggbb, NAME=#rrggbb or one of the names
 // black, grey, red, orange, yellow, green, cyan, blue, purple, magenta, pink and brown, separated
