@@ -41,6 +41,32 @@ TEST(Analyze, OfALatticeTellsItsKnownNumbers) {
     expect_has(line_of(outcome.out, "effective Nyquist"), {" 1.0"});
 }
 
+TEST(Analyze, OfAStretchedLatticeTellsTheNumbersOfTheLattice) {
+    const Folder folder;
+    write_file(folder.path("a.txt"), lattice(20));
+    std::ostringstream wide, tall;
+    std::istringstream numbers(lattice(20));
+    for (double x = 0, y = 0; numbers >> x >> y;) {
+        wide << 2 * x << ' ' << y / 2 << '\n';
+        tall << x / 2 << ' ' << 2 * y << '\n';
+    }
+    write_file(folder.path("wide.txt"), wide.str());
+    write_file(folder.path("tall.txt"), tall.str());
+    const std::string plain =
+        run({"analyze", folder.path("a.txt"), "--torus", "--radius", "0.04"}).out;
+    EXPECT_EQ(run({"analyze", folder.path("wide.txt"), "--torus", "--domain", "2x0.5", "--stretch",
+                   "0.08:0.02@0"})
+                  .out,
+              plain);
+    EXPECT_EQ(run({"analyze", folder.path("tall.txt"), "--torus", "--domain", "0.5x2", "--stretch",
+                   "0.08:0.02@-90"})
+                  .out,
+              plain);
+    EXPECT_EQ(run({"analyze", folder.path("a.txt"), "--stretch", "0.08:0.02@30"}).err,
+              "lacuna: --stretch 0.08:0.02@30: the angle must be a multiple of 90 degrees: "
+              "compressed along other axes, the domain would be no rectangle\n");
+}
+
 TEST(Analyze, WritesTheSameNumbersAsJsonWithTheirUnits) {
     const Folder folder;
     write_file(folder.path("a.txt"), lattice(20));

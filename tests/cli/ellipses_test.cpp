@@ -74,6 +74,58 @@ TEST(OneEllipse, IsTheArrayOfOnePixel) {
     EXPECT_EQ(run_with("verify", {b, "--stretch", "0.01:0.05@120", "--torus"}, {}).exit_code, 0);
 }
 
+TEST(Ellipses, AlongTheEdgesOfAPictureAreProvenFromIt) {
+    const Folder folder;
+    const std::string csv = folder.path("a.csv"), dots = folder.path("b.csv");
+    const Names along{"--field", LACUNA_EXAMPLES "/raccoon.png", "--scale", "0.03", "--along", "4"};
+    ASSERT_EQ(run_with("sample", along, {"--quiet", "--ellipse-columns", "-o", csv}).exit_code, 0);
+    EXPECT_TRUE(files::read_whole(csv).starts_with("x,y,a,b,angle\n"));
+    Names claim = along;
+    claim.insert(claim.begin(), csv);
+    EXPECT_EQ(run_with("verify", claim, {}).exit_code, 0);
+    claim.back() = "3";
+    EXPECT_EQ(run_with("verify", claim, {}).exit_code, 1);
+    // stipple makes the same set.
+    ASSERT_EQ(run_with("stipple", {LACUNA_EXAMPLES "/raccoon.png", "--scale", "0.03"},
+                       {"--along", "4", "--quiet", "--ellipse-columns", "-o", dots})
+                  .exit_code,
+              0);
+    EXPECT_EQ(files::read_whole(dots), files::read_whole(csv));
+}
+
+TEST(Ellipses, AreDrawnAsLargeAsTheirRadiiSay) {
+    const Folder folder;
+    const std::string svg = folder.path("a.svg");
+    ASSERT_EQ(run_with("sample", {"--quiet", "--stretch", "0.3:0.03@0"}, {"-o", svg}).exit_code, 0);
+    // A third of the radii: of 512 points.
+    EXPECT_NE(files::read_whole(svg).find("a51.2 5.12 0 1 0 102.4000 0.0000"), std::string::npos)
+        << files::read_whole(svg);
+}
+
+TEST(Along, IsRefusedWhereSetsHaveDisks) {
+    const auto refused = [](const char* name, const Names& arguments) {
+        Names all = arguments;
+        all.insert(all.end(), {"--along", "4", "-o", "never.csv"});
+        return run_with(name, {"--quiet"}, all).err;
+    };
+    const char* const picture = LACUNA_EXAMPLES "/raccoon.png";
+    EXPECT_EQ(refused("stipple", {picture, "--relax", "3"}),
+              "lacuna: --along 4: cannot be used with --relax: relaxing has disks\n");
+    EXPECT_EQ(refused("stipple", {picture, "--inks", "cmyk"}),
+              "lacuna: --along 4: is not for --inks, whose dots are relaxed\n");
+    EXPECT_EQ(refused("stipple", {picture, "--mode", "cells"}),
+              "lacuna: --along 4: is for --mode exact\n");
+    EXPECT_EQ(refused("sample", {"--radius", "0.1"}),
+              "lacuna: --along without --field: says how a field is read: give its picture too\n");
+    EXPECT_EQ(
+        refused("sample", {"--field", picture, "--scale", "0.1", "--relax", "2"}),
+        "lacuna: --relax 2: cannot be used with --ellipses, --stretch or --along: relaxing has "
+        "disks\n");
+    EXPECT_EQ(run_with("sample", {"--radius", "0.1", "--ellipse-columns"}, {}).err,
+              "lacuna: --ellipse-columns without --ellipses, --stretch or --along: is for sets of "
+              "ellipses\n");
+}
+
 TEST(Ellipses, AreRefusedInOneLine) {
     const Folder folder;
     const std::string array = folder.path("e.npy");
@@ -91,7 +143,8 @@ TEST(Ellipses, AreRefusedInOneLine) {
     files::write_whole(array, npy_of(1, 2, {0.1, 0.1, 0, 0.1, -1, 2}));
     EXPECT_NE(
         refused({"--ellipses", array})
-            .find("e.npy: row 0, column 1: radii 0.1 and -1 at an angle of 2: must be finite"),
+            .find(
+                "e.npy: row 0, column 1: radii 0.1 and -1 at an angle of 2: radii and angle must"),
         std::string::npos)
         << refused({"--ellipses", array});
     files::write_whole(array, npy_of(1, 2, {0.1, 0.1, 0}));

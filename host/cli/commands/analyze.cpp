@@ -6,6 +6,7 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 
 #include "analysis/analyse.h"
 #include "analysis/sheet.h"
+#include "cli/options/ellipse_options.h"
 #include "cli/options/given_files.h"
 #include "cli/options/options.h"
 #include "cli/reports/analysis_report.h"
@@ -67,6 +69,7 @@ struct AnalyzeCommand {
     OutputOptions output;
     std::optional<Sides> sides;
     std::optional<double> radius;
+    std::optional<Ellipse> ellipse;
     analysis::Effort effort;
     bool torus = false;
     bool json = false;
@@ -142,7 +145,7 @@ void check_told(const Input& input, const std::vector<std::string>& silent) {
                                        input.sides->height));
 }
 
-Input read(const AnalyzeCommand& options) {
+Input read_input(const AnalyzeCommand& options) {
     Input input;
     std::vector<std::string> silent;  // files that give no domain
     for (const std::string& path : options.files) {
@@ -181,6 +184,29 @@ void check_inside(const Input& input, const analysis::Domain& domain) {
     }
 }
 
+// An ellipse whose axes are those of the domain, so that compressing leaves a rectangle.
+Ellipse upright_ellipse_from(const std::string& text) {
+    const Ellipse ellipse = ellipse_from(text);
+    constexpr double kRounding = 1e-9;
+    if (std::abs(std::sin(2 * ellipse.angle)) > kRounding)
+        throw BadRequest("stretch", shown(text),
+                         "the angle must be a multiple of 90 degrees: compressed along other "
+                         "axes, the domain would be no rectangle");
+    return ellipse;
+}
+
+// Compresses the sets and the domain so that the ellipse becomes a disk of its area.
+void compress(const Ellipse& ellipse, Input& input, analysis::Domain& domain) {
+    const double root = std::sqrt(ellipse.a / ellipse.b);
+    const double x = std::abs(std::cos(ellipse.angle)) > 0.5 ? root : 1 / root;
+    domain.width /= x;
+    domain.height *= x;
+    for (std::vector<Point>& points : input.sets)
+        for (Point& point : points) point = {point.x / x, point.y * x};
+    for (std::optional<double>& radius : input.radii)
+        if (!radius) radius = std::sqrt(ellipse.a * ellipse.b);
+}
+
 analysis::Analysis analyse(const Input& input, const analysis::Domain& domain,
                            const AnalyzeCommand& options) {
     ProgressBar bar(options.quiet);
@@ -196,11 +222,12 @@ analysis::Analysis analyse(const Input& input, const analysis::Domain& domain,
 void run(const AnalyzeCommand& options) {
     const std::vector<Output> outputs = check(options);
     Interruption interruption;
-    const Input input = read(options);
+    Input input = read_input(options);
     const Sides sides = options.sides.value_or(input.sides.value_or(Sides{1, 1}));
-    const analysis::Domain domain{sides.width, sides.height,
-                                  options.torus || input.boundary == Boundary::torus};
+    analysis::Domain domain{sides.width, sides.height,
+                            options.torus || input.boundary == Boundary::torus};
     check_inside(input, domain);
+    if (options.ellipse) compress(*options.ellipse, input, domain);
     const analysis::Analysis analysis = analyse(input, domain, options);
 
     Writing writing(interruption);
@@ -237,6 +264,13 @@ void add_analyze(CLI::App& app) {
         ->disable_flag_override();
     add_number(command, "radius", "R", options->radius,
                "Radius of the sets, to print count * R^2 and distances in radii");
+    command
+        .add_option_function<std::string>(
+            "--stretch",
+            [options](const std::string& text) { options->ellipse = upright_ellipse_from(text); },
+            "For sets of one ellipse, as of lacuna sample --stretch: analyses them compressed, so "
+            "that the ellipse is a disk. The angle must be a multiple of 90")
+        ->type_name("A:B@DEGREES");
     add_number(command, "max-frequency", "F", options->effort.max_frequency,
                "Largest |k| / sqrt(count) of the spectrum (default 2)");
     add_number(command, "threads", "T", options->effort.threads,

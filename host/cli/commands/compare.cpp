@@ -154,8 +154,8 @@ void end(const CompareCommand& options, const Comparison& comparison) {
 // Refuses options that would have no effect.
 void check_kind(const CLI::App& command, const CompareCommand& options) {
     const bool is_picture = !options.picture.path.empty();
-    for (const std::string option :
-         {"metric", "invert", "black", "white", "auto-levels", "gamma", "min-importance"})
+    for (const std::string option : {"metric", "invert", "black", "white", "auto-levels", "sharpen",
+                                     "along", "gamma", "min-importance"})
         if (!is_picture && command.count("--" + option) != 0)
             throw BadRequest(option, "without a picture", "is for pictures only");
     if (options.request.mode == Mode::stratified)
@@ -171,7 +171,7 @@ void run(const CompareCommand& options, const Sampler& sampler) {
     Field field;
     if (!options.picture.path.empty()) {
         field = read_field(options.picture, request);
-        request.mode = Mode::cells;
+        request.mode = field.stretches.empty() ? Mode::cells : Mode::exact;
         if (options.relax != 0 && !options.picture.has_metric) request.metric = Metric::mean;
         request.field = &field;
     }

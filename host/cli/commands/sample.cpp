@@ -12,11 +12,13 @@
 #include <string>
 #include <vector>
 
+#include "cli/commands/made_set.h"
 #include "cli/commands/relaxation.h"
 #include "cli/commands/sample_seeds.h"
 #include "cli/options/common_options.h"
 #include "cli/options/domain_options.h"
 #include "cli/options/drawing.h"
+#include "cli/options/ellipse_options.h"
 #include "cli/options/given_files.h"
 #include "cli/options/options.h"
 #include "cli/options/origin.h"
@@ -55,7 +57,12 @@ struct SampleCommand {
     DrawingOptions drawing;
     std::uint32_t relax = 0;
     std::optional<SeedRange> seeds;
+    bool ellipse_columns = false;
 };
+
+bool has_ellipses(const DomainOptions& options) {
+    return options.ellipses.are_given() || options.field.importance.along != 1;
+}
 
 void read_mode(const std::string& text, Mode& mode) {
     if (text == name_of(Mode::cells))
@@ -83,11 +90,14 @@ void check_relax(const SampleCommand& all) {
         refuse("cannot be used with --mask, --inside, --outside, --avoid, --border or --keep");
     if (!all.domain.classes.given.empty())
         refuse("cannot be used with --class: it keeps no distances");
+    if (has_ellipses(all.domain))
+        refuse("cannot be used with --ellipses, --stretch or --along: relaxing has disks");
 }
 
 void run(const CLI::App& command, const SampleCommand& all) {
     check_relax(all);
     check_domain(command, all.domain);
+    check_ellipse_columns(all.ellipse_columns, has_ellipses(all.domain));
     CommonOptions options = all.common;
     Request& request = options.request;
     if (all.relax != 0 && command.count("--mode") == 0 && request.count &&
@@ -100,9 +110,10 @@ void run(const CLI::App& command, const SampleCommand& all) {
     check_drawing(all.drawing, outputs);
     DomainFiles files;
     read_domain_files(command, all.domain, request, files);
+    const Showing showing{all.ellipse_columns, all.domain.ellipses.are_given()};
     if (all.seeds) {
         sample_seeds(command, options, all.drawing, outputs, *all.seeds,
-                     json_of(all.domain, request, files));
+                     {json_of(all.domain, request, files), showing});
         return;
     }
     const drawing::Style style = style_of(all.drawing, request.width, request.height);
@@ -117,18 +128,14 @@ void run(const CLI::App& command, const SampleCommand& all) {
                     true);
     }
     const files::Origin origin = origin_of(command, request, made.result, decides);
-    files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
-                        &origin};
-    const std::vector<files::Layer> layers = layers_of(request.classes, made.result);
-    give_layers(layers, made.result, set);
-    if (!options.quiet) warn_of_ink(all.drawing, request, request.field, set.points.size(), style);
+    const MadeSet set(request, made.result, origin, showing);
+    const Field* const tone = showing.is_sized_by_radii ? nullptr : request.field;
+    if (!options.quiet) warn_of_ink(all.drawing, request, tone, made.result.points.size(), style);
     Writing writing(interruption);
     if (!options.report.empty())
         writing.add(options.report, [&] { return report_of(request, made, more); });
-    write_set(writing, all.drawing, outputs, set, style, [&] {
-        if (!layers.empty()) return class_diameters(request, made.result);
-        return dots_of(request, set.points,
-                       all.relax != 0 ? drawing::Spread::even : drawing::Spread::random);
+    write_set(writing, all.drawing, outputs, set.points(), style, [&] {
+        return set.diameters(all.relax != 0 ? drawing::Spread::even : drawing::Spread::random);
     });
     const std::size_t kept = request.keep.size();
     sum_up(options, outputs, made, "point",
@@ -198,6 +205,7 @@ void add_sample(CLI::App& app) {
              "; stratified (default with --relax and --count): every part of the domain has its "
              "share of the points");
     add_how_to_draw(command, options->drawing, "two thirds of --radius");
+    add_ellipse_columns(command, options->ellipse_columns);
     add_effort(command, request);
     add_place(command, request);
     add_what_to_write(command, options->common);

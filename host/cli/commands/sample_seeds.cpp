@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/options/domain_options.h"
+#include "cli/commands/made_set.h"
 #include "cli/options/given_files.h"
 #include "cli/options/options.h"
 #include "cli/options/origin.h"
@@ -177,7 +177,7 @@ std::vector<Output> checked_outputs(const CLI::App& command, const CommonOptions
 
 void sample_seeds(const CLI::App& command, const CommonOptions& options,
                   const DrawingOptions& drawing, const std::vector<Output>& outputs,
-                  SeedRange seeds, const Json& more) {
+                  SeedRange seeds, const AllSets& all_sets) {
     const drawing::Style style = style_of(drawing, options.request.width, options.request.height);
     std::vector<std::uint64_t> all(seeds.last - seeds.first + 1);
     std::iota(all.begin(), all.end(), seeds.first);
@@ -196,24 +196,20 @@ void sample_seeds(const CLI::App& command, const CommonOptions& options,
             [&](std::uint64_t seed, Result set) {
                 Request request = options.request;
                 request.seed = seed;
-                const files::Origin origin = origin_of(command, request, set, more);
+                const files::Origin origin = origin_of(command, request, set, all_sets.options);
                 Writing writing(interruption);
-                files::PointSet points{set.points, request.width, request.height, set.radius,
-                                       &origin};
-                const std::vector<files::Layer> layers = layers_of(request.classes, set);
-                give_layers(layers, set, points);
-                write_set(writing, drawing, outputs_of_seed(outputs, seed), points, style, [&] {
-                    if (!layers.empty()) return class_diameters(request, set);
-                    return dots_of(request, set.points, drawing::Spread::random);
-                });
+                const MadeSet files(request, set, origin, all_sets.showing);
+                write_set(writing, drawing, outputs_of_seed(outputs, seed), files.points(), style,
+                          [&] { return files.diameters(drawing::Spread::random); });
                 add(made, std::move(set));
             },
             observers);
     }
     made.seconds = stopwatch.seconds_so_far();
     if (!options.quiet)
-        warn_of_ink(drawing, options.request, options.request.field, made.points / made.sets,
-                    style);
+        warn_of_ink(drawing, options.request,
+                    all_sets.showing.is_sized_by_radii ? nullptr : options.request.field,
+                    made.points / made.sets, style);
     Writing writing(interruption);
     if (!options.report.empty())
         writing.add(options.report, [&] { return many_report(options.request, made); });

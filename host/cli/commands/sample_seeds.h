@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
 #include "cli/app_fwd.h"
+#include "cli/commands/made_set.h"
 #include "cli/options/common_options.h"
 #include "cli/options/drawing.h"
 #include "cli/options/given_files.h"
@@ -29,11 +30,16 @@ void add_seeds(CLI::App& command, std::optional<SeedRange>& seeds);
 std::vector<Output> checked_outputs(const CLI::App& command, const CommonOptions& options,
                                     SeedRange seeds, const std::vector<GivenFile>& read);
 
+// What the files of all sets have in common.
+struct AllSets {
+    nlohmann::ordered_json options;  // merged into the options of their origin
+    Showing showing;
+};
+
 // Makes the sets and writes each to `outputs`, as checked_outputs gives them. Every file has the
-// bytes that --seed alone would give; `more` is merged into the options of its origin. Throws what
-// lacuna::sample and the files throw.
+// bytes that --seed alone would give. Throws what lacuna::sample and the files throw.
 void sample_seeds(const CLI::App& command, const CommonOptions& options,
                   const DrawingOptions& drawing, const std::vector<Output>& outputs,
-                  SeedRange seeds, const nlohmann::ordered_json& more);
+                  SeedRange seeds, const AllSets& all_sets);
 
 }  // namespace lacuna::cli

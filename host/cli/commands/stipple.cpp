@@ -17,6 +17,7 @@
 #include "cli/commands/relaxation.h"
 #include "cli/commands/stipple_work.h"
 #include "cli/options/common_options.h"
+#include "cli/options/ellipse_options.h"
 #include "cli/options/options.h"
 #include "cli/options/origin.h"
 #include "cli/reports/output.h"
@@ -41,6 +42,7 @@ Examples:
   lacuna stipple dim.jpg --auto-levels -o dots.svg -o dots.png   an underexposed photo, two files
   lacuna stipple photo.jpg --inks cmyk -o dots.svg -o dots.png    in four inks, a layer for each
   lacuna stipple photo.jpg --count 2000 --size-by-tone 0.5 --sharpen 8 -o dots.svg   few dots
+  lacuna stipple photo.jpg --along 4 -o hairs.svg             short strokes along the edges
   lacuna stipple photo.jpg --scale 0.003 -o dots.png         as many as there is room for
   lacuna stipple photo.jpg --count 20000 --relax 0 -o dots.pdf        the paper's set, grainy
   lacuna stipple photo.jpg --scale 0.003 --relax 0 --mode exact -o dots.npy   no gap is left
@@ -68,6 +70,9 @@ With --dot-size 0.5mm all dots are equally large, as a pen draws them, and with 
 are larger where it is darker. Without --count there are as many as give the picture's ink. A line
 warns of less than half of that ink or more than twice. Without --dot-size, --size-by-tone lets
 sizes vary.
+
+With --along 4 dots are ellipses, up to four times as long as wide, along the picture's edges: a set
+of --mode exact with --relax 0.
 
 With --inks the picture's colours are separated, in linear light, and the dots of each ink are even,
 and all dots together are. Files have them ink by ink.
@@ -133,6 +138,26 @@ void add_pen_path(CLI::App& command, StippleCommand& options) {
         ->disable_flag_override();
 }
 
+bool has_ellipses(const StippleCommand& options) {
+    return options.picture.importance.along != 1;
+}
+
+// Ellipses are for mode exact, and are not relaxed.
+StippleCommand settled(const CLI::App& command, StippleCommand options) {
+    check_ellipse_columns(options.ellipse_columns, has_ellipses(options));
+    if (!has_ellipses(options)) return options;
+    const auto refuse = [&](const char* allowed) {
+        throw BadRequest("along", fmt::format("{}", options.picture.importance.along), allowed);
+    };
+    if (!options.inks.inks.empty()) refuse("is not for --inks, whose dots are relaxed");
+    if (command.count("--relax") > 0 && options.relax != 0)
+        refuse("cannot be used with --relax: relaxing has disks");
+    if (options.mode.value_or(Mode::exact) != Mode::exact) refuse("is for --mode exact");
+    options.relax = 0;
+    options.mode = Mode::exact;
+    return options;
+}
+
 // Unless --mode is given: a set that keeps a least distance where an option is about distances,
 // else the stratified one.
 Mode mode_of(const StippleCommand& options) {
@@ -189,7 +214,8 @@ Made make(const CommonOptions& common, const std::vector<Output>& outputs,
     return made;
 }
 
-void run(const CLI::App& command, const StippleCommand& options) {
+void run(const CLI::App& command, const StippleCommand& given) {
+    const StippleCommand options = settled(command, given);
     const std::vector<Output> outputs = check_options(options);
     Work work;
     const Stopwatch stopwatch;
@@ -225,6 +251,9 @@ void run(const CLI::App& command, const StippleCommand& options) {
     files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
                         &origin};
     set.layers = tones.layers;
+    const std::vector<Ellipse> ellipses = ellipses_of(request, made.result);
+    set.ellipses = ellipses;
+    set.writes_ellipses = options.ellipse_columns;
     Writing writing(interruption);
     if (!common.report.empty())
         writing.add(common.report, [&] {
@@ -247,6 +276,7 @@ void add_stipple(CLI::App& app) {
     add_relax(command, options->relax);
     add_how_to_draw(command, options->drawing,
                     "the ink of all dots is as much as the picture is dark", true);
+    add_ellipse_columns(command, options->ellipse_columns);
     add_size_by_tone(command, *options);
     add_keep_inside(command, *options);
     add_pen_path(command, *options);

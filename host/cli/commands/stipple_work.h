@@ -29,6 +29,7 @@ struct StippleCommand {
     double size_by_tone = 0;
     bool keep_inside = false;
     bool pen_path = false;
+    bool ellipse_columns = false;
     std::optional<Mode> mode;
     std::uint32_t relax = RelaxOptions{}.iterations;
 };

@@ -179,13 +179,6 @@ std::vector<files::Layer> layers_of(const Classes& classes, const Result& result
     return files::layers_of_classes(classes.names, result.classes);
 }
 
-void give_layers(std::span<const files::Layer> layers, const Result& result, files::PointSet& set) {
-    set.layers = layers;
-    if (layers.empty()) return;
-    set.layer_of_point = result.classes;
-    set.layers_are = files::LayersAre::classes;
-}
-
 std::vector<double> class_diameters(const Request& request, const Result& result) {
     const std::size_t count = request.classes.names.size();
     const double size = request.field != nullptr ? result.scale : result.radius;

@@ -36,9 +36,8 @@ Classes read_classes(const ClassOptions& options);
 std::vector<std::uint8_t> classes_in(const files::SetsOfFile& file, const Classes& classes,
                                      const std::string& name);
 
-// The classes that a result has; empty if it has none. give_layers() makes them the set's layers.
+// The classes that a result has; empty if it has none.
 std::vector<files::Layer> layers_of(const Classes& classes, const Result& result);
-void give_layers(std::span<const files::Layer> layers, const Result& result, files::PointSet& set);
 
 // The diameters of dots in classes: two thirds of the distance that two points of that class
 // keep in this result.

@@ -198,8 +198,8 @@ std::vector<GivenFile> files_of(const DomainOptions& options) {
 void check_domain(const CLI::App& command, const DomainOptions& options) {
     pictures::check(options.field.importance);
     if (options.field.path.empty())
-        for (const char* name : {"--invert", "--black", "--white", "--auto-levels", "--gamma",
-                                 "--min-importance", "--scale"})
+        for (const char* name : {"--invert", "--black", "--white", "--auto-levels", "--sharpen",
+                                 "--along", "--gamma", "--min-importance", "--scale"})
             if (command.count(name) > 0 &&
                 (name != std::string_view("--scale") || !options.ellipses.are_given()))
                 throw BadRequest(std::string(name).substr(2), "without --field",

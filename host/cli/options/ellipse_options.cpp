@@ -6,17 +6,16 @@
 #include <numbers>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "cli/options/options.h"
 #include "files/parse.h"
 #include "pictures/ellipses.h"
 
 namespace lacuna::cli {
-namespace {
 
-// A:B@DEGREES: two radii, and the angle of the first one.
-pictures::Radii radii_from(const std::string& text) {
-    pictures::Radii radii{};
+Ellipse ellipse_from(const std::string& text) {
+    Ellipse ellipse{};
     std::string_view rest = text;
     const auto take = [&](double& number) {
         return files::take_number(rest, number) == std::errc{};
@@ -27,15 +26,15 @@ pictures::Radii radii_from(const std::string& text) {
         return true;
     };
     double degrees = 0;
-    if (!take(radii.first) || !take_sign(':') || !take(radii.second) || !take_sign('@') ||
+    if (!take(ellipse.a) || !take_sign(':') || !take(ellipse.b) || !take_sign('@') ||
         !take(degrees) || !rest.empty())
         throw BadRequest("stretch", shown(text),
                          "must be two radii and an angle in degrees, such as 0.02:0.005@30");
-    radii.angle = degrees * std::numbers::pi / 180;
-    return radii;
+    ellipse.angle = degrees * std::numbers::pi / 180;
+    if (!pictures::is_allowed(ellipse))
+        throw BadRequest("stretch", shown(text), pictures::kAllowedEllipse);
+    return ellipse;
 }
-
-}  // namespace
 
 void add_ellipses(CLI::App& command, EllipseOptions& options) {
     command
@@ -58,10 +57,28 @@ void check(const EllipseOptions& options) {
 
 Field read_ellipses(const EllipseOptions& options) {
     if (!options.path.empty()) return pictures::read_ellipses(options.path);
-    Field field;
-    field.columns = field.rows = 1;
-    pictures::add_pixel(field, radii_from(options.same), "stretch", shown(options.same));
-    return field;
+    return pictures::field_of(1, 1, std::vector{ellipse_from(options.same)});
+}
+
+void add_ellipse_columns(CLI::App& command, bool& is_given) {
+    command
+        .add_flag(
+            "--ellipse-columns", is_given,
+            "Writes the ellipse of each point to .csv .npy .ply .json: its radii a and b, and "
+            "the angle of a in radians")
+        ->disable_flag_override();
+}
+
+void check_ellipse_columns(bool is_given, bool has_ellipses) {
+    if (is_given && !has_ellipses)
+        throw BadRequest("ellipse-columns", "without --ellipses, --stretch or --along",
+                         "is for sets of ellipses");
+}
+
+std::vector<Ellipse> ellipses_of(const Request& request, const Result& result) {
+    if (request.field == nullptr || request.field->stretches.empty()) return {};
+    return lacuna::ellipses_of(result.points, *request.field, result.scale, request.width,
+                               request.height);
 }
 
 nlohmann::ordered_json json_of(const EllipseOptions& options) {

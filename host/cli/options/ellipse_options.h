@@ -5,6 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "cli/app_fwd.h"
 
@@ -26,5 +27,16 @@ void check(const EllipseOptions& options);
 Field read_ellipses(const EllipseOptions& options);
 
 nlohmann::ordered_json json_of(const EllipseOptions& options);
+
+// The ellipse that A:B@DEGREES names. Throws BadRequest for --stretch.
+Ellipse ellipse_from(const std::string& text);
+
+// Adds --ellipse-columns, which sets `is_given`.
+void add_ellipse_columns(CLI::App& command, bool& is_given);
+// Refuses the option for sets of disks.
+void check_ellipse_columns(bool is_given, bool has_ellipses);
+
+// The ellipses of the points that were made of the request; empty if its field has no stretches.
+std::vector<Ellipse> ellipses_of(const Request& request, const Result& result);
 
 }  // namespace lacuna::cli

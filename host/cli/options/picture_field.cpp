@@ -63,6 +63,9 @@ void add_importance(CLI::App& command, Picture& picture) {
         [&picture](const std::string& text) { read_sharpen(text, picture.importance); },
         "Sharpens edges of about R pixels, X times as much (default 1), by an unsharp mask: shows "
         "more with few dots");
+    add_number(command, "along", "RATIO", picture.importance.along,
+               "Ellipses instead of disks, up to RATIO times as long as wide, along the picture's "
+               "edges (default 1); in mode exact");
     add_number(command, "gamma", "X", picture.importance.gamma,
                "Importance is raised to this power: over 1 lightens middle tones (default 1)");
     add_number(command, "min-importance", "I", picture.importance.min_importance,

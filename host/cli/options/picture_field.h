@@ -20,7 +20,7 @@ struct Picture {
 // Adds IMAGE, --scale, --metric and the options of add_importance(). Returns IMAGE's option.
 CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request);
 
-// Adds --invert, --black, --white, --auto-levels, --gamma and --min-importance.
+// Adds --invert, --black, --white, --auto-levels, --sharpen, --along, --gamma and --min-importance.
 void add_importance(CLI::App& command, Picture& picture);
 
 // The longest allowed side of a domain (Request::height), and so of a picture, in shorter sides.

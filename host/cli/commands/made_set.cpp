@@ -1,0 +1,39 @@
+// A set that was made, and what files need besides its points.
+#include "cli/commands/made_set.h"
+
+#include <cmath>
+
+#include "cli/options/class_options.h"
+#include "cli/options/domain_options.h"
+#include "cli/options/ellipse_options.h"
+
+namespace lacuna::cli {
+
+MadeSet::MadeSet(const Request& request, const Result& result, const files::Origin& origin,
+                 const Showing& showing)
+    : request_(request),
+      result_(result),
+      layers_(layers_of(request.classes, result)),
+      ellipses_(ellipses_of(request, result)),
+      is_sized_by_radii_(showing.is_sized_by_radii),
+      set_{result.points, request.width, request.height, result.radius, &origin} {
+    set_.ellipses = ellipses_;
+    set_.writes_ellipses = showing.ellipse_columns;
+    set_.layers = layers_;
+    if (layers_.empty()) return;
+    set_.layer_of_point = result.classes;
+    set_.layers_are = files::LayersAre::classes;
+}
+
+std::vector<double> MadeSet::diameters(drawing::Spread spread) const {
+    if (!layers_.empty()) return class_diameters(request_, result_);
+    if (is_sized_by_radii_) {
+        std::vector<double> diameters;
+        for (const Ellipse& ellipse : ellipses_)
+            diameters.push_back(2. / 3 * std::sqrt(ellipse.a * ellipse.b));
+        return diameters;
+    }
+    return dots_of(request_, result_.points, spread);
+}
+
+}  // namespace lacuna::cli
