@@ -191,6 +191,17 @@ def field_of(name: str, value: object) -> _core.Field:
     return field
 
 
+def ellipses_of(name: str, value: object) -> _core.Field:
+    """An ellipse for each pixel, row 0 on top: two radii and the angle of the first."""
+    array = numbers(name, value)
+    if array.ndim != 3 or array.shape[2] != 3 or array.size == 0:
+        raise BadRequest(
+            f"{name} of shape {array.shape}: must be rows x columns x 3, at least 1 x 1 x 3", name
+        )
+    _pixels(name, array[:, :, 0], _OF_FIELDS)
+    return _core.ellipse_field(np.ascontiguousarray(array, dtype=np.float64))
+
+
 def mask_of(name: str, value: object) -> _core.Mask:
     """A mask, row 0 on top: points may lie where a number is not 0."""
     array = _pixels(name, value, _OF_MASKS)

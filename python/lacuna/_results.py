@@ -99,6 +99,9 @@ class PointSet(HasPoints):
         With classes: the place of each point's class in ``classes``.
     distances : ndarray, shape (K, K), or None
         With classes: the least distance of each two; with a field where importance is 1.
+    ellipses : ndarray, shape (N, 3), or None
+        Of a set of ellipses: two radii of each point, the longer one first, and the angle of that
+        one in radians from the x axis.
     rounds, draws : int
         Number of rounds, and of draws in all rounds.
     lines_per_radius : int
@@ -129,6 +132,7 @@ class PointSet(HasPoints):
     classes: tuple[str, ...] = field(default=(), kw_only=True)
     class_of: npt.NDArray[np.uint8] | None = field(default=None, repr=False, kw_only=True)
     distances: Floats | None = field(default=None, repr=False, kw_only=True)
+    ellipses: Floats | None = field(default=None, repr=False, kw_only=True)
 
     def _classes(self) -> tuple[list[str], npt.NDArray[np.uint8] | None]:
         return list(self.classes), self.class_of

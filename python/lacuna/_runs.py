@@ -242,6 +242,9 @@ def make(
     """Samples and relaxes. Returns the attributes of a PointSet."""
     checked_progress(progress)
     made = _core.sample(request, field, mask, keep, keep_classes, progress)
+    if field is not None and field.has_ellipses:
+        sides = (request.width, request.height)
+        made["ellipses"] = _core.ellipses_of(made["points"], field, made["scale"], *sides)
     asked = request_of(request, field is not None, made["lines_per_radius"])
     if request.border:
         asked["border"] = request.border

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Iterable, SupportsFloat, SupportsIndex
 from . import _core
 from ._arguments import (
     choice,
+    ellipses_of,
     field_of,
     flag,
     mask_of,
@@ -45,6 +46,7 @@ def sample(
     n: SupportsIndex | None = None,
     *,
     field: npt.ArrayLike | None = None,
+    ellipses: npt.ArrayLike | None = None,
     scale: SupportsFloat | None = None,
     metric: str | None = None,
     mask: npt.ArrayLike | None = None,
@@ -89,8 +91,14 @@ def sample(
         Importance: points are dense where it is high. Finite and at least 0; where it is 0 there is
         no point. Row 0 is the top, where y is largest. Any real dtype, byte order and
         strides. It is read once, before the work begins.
+    ellipses : array_like, shape (rows, columns, 3), optional
+        An ellipse for each point instead of a disk: two radii in the unit of ``domain``, and the
+        angle of the first, in radians counterclockwise from the x axis. Two points conflict if each
+        lies in the other's ellipse. Row 0 is the top. Where both radii are 0 there is no point. In
+        'exact'; not with a field, classes or ``relax``.
     scale : float
-        With a field, the radius at a point is ``scale / sqrt(importance there)``.
+        With a field, the radius at a point is ``scale / sqrt(importance there)``. With ellipses a
+        factor of all radii, by default 1.
     metric : {'min', 'mean', 'max'}, optional
         With a field: the least distance of two points is the min, mean or max of their radii. By
         default 'min', but 'mean' in 'cells' with ``relax``. 'exact' knows 'min' only.
@@ -204,6 +212,16 @@ def sample(
     >>> bool(lacuna.verify(wood))
     True
 
+    Ellipses four times as long as wide, around the middle of the domain:
+
+    >>> y, x = np.mgrid[1:-1:64j, -1:1:64j]
+    >>> swirl = np.dstack([np.full_like(x, 0.08), np.full_like(x, 0.02), np.arctan2(x, -y)])
+    >>> made = lacuna.sample(ellipses=swirl, seed=1)
+    >>> made.maximal, made.ellipses.shape == (len(made), 3)
+    (True, True)
+    >>> bool(lacuna.verify(made, ellipses=swirl))
+    True
+
     A maximal set that follows the same field, in a disk, with a point that is there already:
 
     >>> y, x = np.mgrid[-1:1:64j, -1:1:64j]
@@ -213,7 +231,11 @@ def sample(
     (True, [0.5, 0.5])
     """
     request = _core.Request()
+    if field is not None and ellipses is not None:
+        raise BadRequest("ellipses: cannot be used with field", "ellipses")
     importance = None if field is None else field_of("field", field)
+    if ellipses is not None:
+        importance = ellipses_of("ellipses", ellipses)
     request.border = real("border", border)
     is_bounded = mask is not None or keep is not None or request.border != 0
     if mode is not None:
@@ -241,6 +263,8 @@ def sample(
     else:
         if radius is not None:
             raise BadRequest(f"radius {shown(radius)}: with a field give scale or n", "radius")
+        if ellipses is not None and scale is None and n is None:
+            scale = 1
         set_size(request, {"scale": scale, "n": n}, bool(request.classes.names))
         sides = shape_of(importance)
     if domain is not None:

@@ -48,6 +48,7 @@ def _tone(
     min_importance: SupportsFloat,
     sharpen: SupportsIndex,
     sharpen_amount: SupportsFloat,
+    along: SupportsFloat,
 ) -> _core.Tone:
     tone = _core.Tone()
     tone.invert = flag("invert", invert)
@@ -58,6 +59,7 @@ def _tone(
     tone.min_importance = real("min_importance", min_importance)
     tone.sharpen = whole("sharpen", sharpen, 0, 1000)
     tone.sharpen_amount = real("sharpen_amount", sharpen_amount)
+    tone.along = real("along", along)
     return tone
 
 
@@ -218,7 +220,7 @@ def stipple(
     n: SupportsIndex | None = None,
     *,
     scale: SupportsFloat | None = None,
-    relax: SupportsIndex = 15,
+    relax: SupportsIndex | None = None,
     metric: str | None = None,
     mode: str | None = None,
     inks: str | None = None,
@@ -232,6 +234,7 @@ def stipple(
     min_importance: SupportsFloat = 0.0,
     sharpen: SupportsIndex = 0,
     sharpen_amount: SupportsFloat = 1.0,
+    along: SupportsFloat = 1.0,
     size_by_tone: SupportsFloat = 0.0,
     keep_inside: bool = False,
     torus: bool = False,
@@ -258,9 +261,9 @@ def stipple(
         million. A grey pixel counts by its darkness; the longer side counts as 512 to 2048 pixels.
     scale : float
         The radius where the picture is black, if its longer side is 1.
-    relax : int
-        How often the dots are moved after sampling, so that their cells hold equal darkness. With 0
-        they are not moved and stay random, as in Kalantari & Sen 2011.
+    relax : int, optional
+        How often the dots are moved after sampling, so that their cells hold equal darkness: 15
+        times by default, and never with ``along``. With 0 they are not moved and stay random, as in Kalantari & Sen 2011.
     metric : {'min', 'mean', 'max'}, optional
         In 'cells' the least distance of two dots is the min, mean or max of their radii. By default
         'mean', but 'min' with ``relax=0``. 'exact' knows 'min' only.
@@ -291,6 +294,9 @@ def stipple(
     sharpen, sharpen_amount : int, float
         Sharpen edges of about ``sharpen`` pixels by an unsharp mask, ``sharpen_amount`` times as
         much: shows more with few dots. 0 pixels: not at all.
+    along : float
+        Over 1, dots are ellipses up to this many times as long as wide, along the picture's edges:
+        a set in mode 'exact' that is not relaxed. The result has them as ``.ellipses``.
     size_by_tone : float
         How much of the tone is in the dots' sizes, 0 to 1: areas are proportional to importance to
         this power, and dots are as dense as importance over area.
@@ -324,13 +330,16 @@ progress
     ((200, 2), (200,), [1.0, 0.667])
     >>> len(lacuna.stipple(disk, seed=1))  # a third of 512 x 341 pixels, over 16
     3650
+    >>> hairs = lacuna.stipple(disk * 0.5 + 0.2, 500, seed=1, along=4)
+    >>> hairs.maximal, bool(hairs.ellipses[:, 0].max() > hairs.ellipses[:, 1].min())
+    (False, True)
     >>> red_disk = np.stack([np.ones_like(disk), disk, disk], axis=-1)
     >>> dots = lacuna.stipple(red_disk, 200, seed=1, inks="cmyk")
     >>> np.bincount(dots.ink)  # cyan, magenta, yellow; the disk needs no black
     array([  0, 115,  85])
     """
     tone = _tone(
-        invert, black, white, auto_levels, gamma, min_importance, sharpen, sharpen_amount
+        invert, black, white, auto_levels, gamma, min_importance, sharpen, sharpen_amount, along
     )
     by_tone = real("size_by_tone", size_by_tone)
     if not 0 <= by_tone <= 1:
@@ -343,11 +352,17 @@ progress
     field = _sum_of(fields) if palette else fields[0]
     densities = [_core.density_of(one, by_tone) for one in fields] if by_tone else fields
     request = _core.Request()
-    request.mode = choice("mode", "cells" if mode is None else mode, STARTS)
     sides = shape_of(field)
     if n is None and scale is None and ink_counts is None:
         n = _core.dot_count(field, *sides)
+    if relax is None:
+        relax = 15 if tone.along == 1 else 0
     iterations = whole("relax", relax, 0, MOST_32)
+    if tone.along != 1:
+        if iterations:
+            raise BadRequest(f"relax {iterations}: cannot be used with along", "relax")
+        mode = "exact" if mode is None else mode
+    request.mode = choice("mode", "cells" if mode is None else mode, STARTS)
     dots = []
     if palette and scale is None:
         dots = _dots_of(ink_counts, None if n is None else whole("n", n, 1, MOST_64), palette, densities)
@@ -374,4 +389,6 @@ progress
     if white is not None:
         options = relax_options(request, iterations)
         made.update(points=points, radius=least_distance(points, options), maximal=False)
+        if field.has_ellipses:
+            made["ellipses"] = _core.ellipses_of(points, densities[0], made["scale"], *sides)
     return Stippling(**made, radii=radii)

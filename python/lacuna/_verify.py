@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Iterable, SupportsFloat
 import numpy as np
 
 from . import _core, _plots
-from ._arguments import field_of, flag, mask_of, points_array, real, shown
+from ._arguments import ellipses_of, field_of, flag, mask_of, points_array, real, shown
 from ._classes import class_numbers, classes_of
 from ._domains import Polygons, obstacles_on, page_of, sets_on
 from ._errors import BadRequest
@@ -171,6 +171,7 @@ def verify(
     radius: SupportsFloat | None = None,
     *,
     field: npt.ArrayLike | None = None,
+    ellipses: npt.ArrayLike | None = None,
     scale: SupportsFloat | None = None,
     mask: npt.ArrayLike | None = None,
     inside: Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None = None,
@@ -199,8 +200,12 @@ def verify(
         Importance, as of ``sample``: each spot has its pixel's radius, and the limit of two points,
         or of a spot and a point, is the smaller of their radii. A point within 2^-28 of the longer
         side of a border of pixels may have the radius of either pixel.
+    ellipses : array_like, shape (rows, columns, 3), optional
+        The ellipses, as of ``sample``. The limit of two points is the smaller radius of both
+        ellipses along the way between them.
     scale : float, optional
-        With a field the radius where importance is 1. By default a PointSet's own.
+        With a field the radius where importance is 1. By default a PointSet's own. With ellipses a
+        factor of all radii, by default a PointSet's own, else 1.
     mask : array_like, shape (rows, columns), optional
         Where points may lie, as of ``sample``. Spots where no point may lie need not be covered.
     inside, outside : Polygons, iterable of array_like, or list of Polygons, optional
@@ -268,12 +273,18 @@ def verify(
         distances = [distance for distance in claim.classes.distances if distance > 0]
         claimed = min(distances, default=0.0)
     else:
-        claimed = _claimed(points, radius, scale, field is not None)
-    if field is None:
+        if ellipses is not None and scale is None and not isinstance(points, PointSet):
+            scale = 1
+        claimed = _claimed(points, radius, scale, field is not None or ellipses is not None)
+    if field is not None and ellipses is not None:
+        raise BadRequest("ellipses: cannot be used with field", "ellipses")
+    if field is None and ellipses is None:
         claim.radius = claimed
     else:
         claim.scale = claimed
     importance = None if field is None else field_of("field", field)
+    if ellipses is not None:
+        importance = ellipses_of("ellipses", ellipses)
     allowed = None if mask is None else mask_of("mask", mask)
     claim.border = real("border", border)
     claim.edge = real("edge", edge)

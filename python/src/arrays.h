@@ -54,10 +54,11 @@ nb::object array_of(std::vector<Number>&& numbers) {
         const std::unique_ptr<std::vector<Number>> last(static_cast<std::vector<Number>*>(pointer));
     });
     static_cast<void>(kept.release());
-    if constexpr (std::is_same_v<Number, Point>) {
-        double* const first = count != 0 ? &data->x : nullptr;  // an empty vector has no data->x
-        return nb::cast(
-            nb::ndarray<nb::numpy, const double, nb::ndim<2>>(first, {count, 2}, owner));
+    constexpr bool are_points = std::is_same_v<Number, Point>;
+    if constexpr (are_points || std::is_same_v<Number, Ellipse>) {
+        const auto* const first = reinterpret_cast<const double*>(data);
+        return nb::cast(nb::ndarray<nb::numpy, const double, nb::ndim<2>>(
+            first, {count, are_points ? std::size_t{2} : std::size_t{3}}, owner));
     } else {
         return nb::cast(nb::ndarray<nb::numpy, const Number, nb::ndim<1>>(data, {count}, owner));
     }

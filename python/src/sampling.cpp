@@ -39,6 +39,26 @@ Values values_of(Field& field) {
     return Values(field.importance.data(), {field.rows, field.columns}, nb::find(field));
 }
 
+static_assert(sizeof(Ellipse) == 3 * sizeof(double), "ellipses are rows of three numbers");
+using EllipseArray =
+    nb::ndarray<const double, nb::numpy, nb::shape<-1, -1, 3>, nb::c_contig, nb::device::cpu>;
+
+Field field_of_ellipses(const EllipseArray& array) {
+    std::vector<Ellipse> ellipses(array.shape(0) * array.shape(1));
+    const double* from = array.data();
+    for (Ellipse& ellipse : ellipses) {
+        ellipse = {from[0], from[1], from[2]};
+        from += 3;
+    }
+    return ellipse_field(static_cast<std::uint32_t>(array.shape(1)),
+                         static_cast<std::uint32_t>(array.shape(0)), ellipses);
+}
+
+nb::object ellipses_at(const PointArray& array, const Field& field, double scale, double width,
+                       double height) {
+    return array_of(ellipses_of(points_of(array), field, scale, width, height));
+}
+
 nb::dict dict_of(Result result) {
     nb::dict made;
     made["points"] = array_of(std::move(result.points));
@@ -265,6 +285,7 @@ void add_sampling(nb::module_& module) {
     nb::class_<Field>(module, "Field")
         .def_ro("rows", &Field::rows)
         .def_ro("columns", &Field::columns)
+        .def_prop_ro("has_ellipses", [](const Field& field) { return !field.stretches.empty(); })
         .def_prop_ro("values", values_of);
     nb::class_<Tone>(module, "Tone")
         .def(nb::init<>())
@@ -274,6 +295,7 @@ void add_sampling(nb::module_& module) {
         .def_rw("invert", &Tone::invert)
         .def_rw("gamma", &Tone::gamma)
         .def_rw("min_importance", &Tone::min_importance)
+        .def_rw("along", &Tone::along)
         .def_rw("sharpen", &Tone::sharpen)
         .def_rw("sharpen_amount", &Tone::sharpen_amount);
     add_classes(module);
@@ -283,6 +305,8 @@ void add_sampling(nb::module_& module) {
         .def_rw("iterations", &RelaxOptions::iterations)
         .def_rw("measure", &RelaxOptions::measure);
     module.def("make_field", make_field);
+    module.def("ellipse_field", field_of_ellipses);
+    module.def("ellipses_of", ellipses_at);
     module.def("read_field", read_picture);
     module.def("decode_field", decode_picture);
     module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg().none(),
