@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "backends/cpu/make_backend.h"
+#include "pictures/importance.h"
 #include "plan/kept.h"
 #include "plan/plan.h"
 #include "plan/radius_field.h"
@@ -70,6 +72,12 @@ SheetShares::SheetShares(std::span<const std::uint64_t>, std::span<const std::ui
     refuse();
 }
 std::uint64_t SheetShares::area_at(std::uint64_t) const {
+    refuse();
+}
+
+// No picture of the page asks for stretches.
+std::vector<Stretch> pictures::stretches_along(std::span<const double>, std::size_t, std::size_t,
+                                               double) {
     refuse();
 }
 
