@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "drawing/page.h"
 #include "drawing/picture.h"
 
 namespace lacuna::drawing {
@@ -13,5 +14,10 @@ std::string draw_svg(const files::PointSet& set, const Style& style);
 // The texts about a set's origin in svg and pdf.
 std::string seed_text(const files::Origin& origin);
 std::string program_text(const files::Origin& origin);
+
+// Appends the dots of a set of ellipses, filled: each of two arcs, from one end of its longer axis
+// to the other and back.
+void append_ovals(std::string& bytes, const files::PointSet& set, const Style& style,
+                  const Page& page);
 
 }  // namespace lacuna::drawing

@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "backends/cpu/make_backend.h"
+#include "drawing/picture_svg.h"
 #include "pictures/importance.h"
 #include "plan/kept.h"
 #include "plan/plan.h"
@@ -78,6 +80,11 @@ std::uint64_t SheetShares::area_at(std::uint64_t) const {
 // No picture of the page asks for stretches.
 std::vector<Stretch> pictures::stretches_along(std::span<const double>, std::size_t, std::size_t,
                                                double) {
+    refuse();
+}
+
+// No set of the page has ellipses.
+void drawing::append_ovals(std::string&, const files::PointSet&, const Style&, const Page&) {
     refuse();
 }
 
