@@ -58,6 +58,10 @@ check(sample --radius 0.15 --inside ${SCRATCH}/triangle.txt --edge 0.05 --border
     --keep ${SCRATCH}/kept.txt --round-size 16)
 check(sample --radius 0.15 --inside ${SCRATCH}/triangle.txt --edge 0.05 --torus --round-size 16)
 
+# Ellipses. Fields of several pixels are not checked: Oclgrind takes the radii of most pixels for
+# uninitialized, of disks too.
+check(sample --stretch 0.3:0.1@30 --torus --round-size 16)
+
 # Relax: leaves that stick out of the lattice, and one with more sites than it has room for.
 file(WRITE ${SCRATCH}/few.txt "0.1 0.2\n0.6 0.7\n0.9 0.3\n0.5 0.5\n0.52 0.5\n0.1 0.9\n")
 check(relax ${SCRATCH}/few.txt --torus --iterations 2)

@@ -183,21 +183,23 @@ INSTANTIATE_TEST_SUITE_P(Vulkan, ValidatedCalls, testing::Values(Checks::core_an
 
 // Leaves out the GPU-assisted checks, for which lavapipe would compile these shaders for minutes.
 TEST_P(ValidatedCalls, MakesSetsWithARadiusFieldWithoutAMessage) {
-    const Field field = tests::noise_field(12, 9, 7);
+    const Field disks = tests::noise_field(12, 9, 7);
     Mask mask{3, 2, {1, 1, 0, 1, 1, 1}};
     const std::vector<Point> keep = {{0.1, 0.1}};
     Request request;
-    request.field = &field;
     request.scale = 0.03;
     request.mask = &mask;
     request.keep = keep;
-    const Plan plan = make_plan(request);
     vulkan::Trial trial;
     trial.validation = &validation_;
-    Observer nobody;
-    EXPECT_FALSE(
-        generate(plan, *vulkan::make_backend(plan, {}, {}, trial), nobody).samples.empty());
-    EXPECT_EQ(messages(), "");
+    for (const Field& field : {disks, tests::stretched_at_random(disks, 4, 8)}) {
+        request.field = &field;
+        const Plan plan = make_plan(request);
+        Observer nobody;
+        EXPECT_FALSE(
+            generate(plan, *vulkan::make_backend(plan, {}, {}, trial), nobody).samples.empty());
+        EXPECT_EQ(messages(), "");
+    }
 }
 
 TEST_P(ValidatedCalls, TellOfACopyBeyondTheEnd) {
