@@ -1,4 +1,4 @@
-// The ellipses of points, for those who draw them.
+// Finds the ellipse of each point, to draw it.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

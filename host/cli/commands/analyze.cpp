@@ -184,7 +184,7 @@ void check_inside(const Input& input, const analysis::Domain& domain) {
     }
 }
 
-// An ellipse whose axes are those of the domain, so that compressing leaves a rectangle.
+// The ellipse must lie along a side of the domain, so that compressing leaves a rectangle.
 Ellipse upright_ellipse_from(const std::string& text) {
     const Ellipse ellipse = ellipse_from(text);
     constexpr double kRounding = 1e-9;
