@@ -119,15 +119,11 @@ private:
         using Radii = RadiusField::Radii;
         static_assert(sizeof(Radii) == 2 * kWord);
         const RadiusField::RadiusPyramid& radii = round_.plan.field().radius_field->radii();
-        std::uint64_t count = 0;
-        radii.for_each_level([&](std::span<const Radii> level) { count += level.size(); });
-        round_.make_room(m.radius_bounds, 2 * count);
-        std::uint64_t first = 0;
+        std::vector<Radii> all;
         radii.for_each_level([&](std::span<const Radii> level) {
-            round_.put(m.radius_bounds, level, 2 * first);
-            first += level.size();
+            all.insert(all.end(), level.begin(), level.end());
         });
-        round_.queue.wait();
+        round_.put_in_room<Radii>(m.radius_bounds, all);
     }
 
     void put_first_boxes() {

@@ -58,9 +58,10 @@ check(sample --radius 0.15 --inside ${SCRATCH}/triangle.txt --edge 0.05 --border
     --keep ${SCRATCH}/kept.txt --round-size 16)
 check(sample --radius 0.15 --inside ${SCRATCH}/triangle.txt --edge 0.05 --torus --round-size 16)
 
-# Ellipses. Fields of several pixels are not checked: Oclgrind takes the radii of most pixels for
-# uninitialized, of disks too.
+# Ellipses: one everywhere, and one for each pixel.
 check(sample --stretch 0.3:0.1@30 --torus --round-size 16)
+file(WRITE ${SCRATCH}/stripes.pgm "P2 4 3 255 0 90 180 90 0 90 180 90 60 0 90 200")
+check(sample --field ${SCRATCH}/stripes.pgm --scale 0.16 --along 4 --round-size 16)
 
 # Relax: leaves that stick out of the lattice, and one with more sites than it has room for.
 file(WRITE ${SCRATCH}/few.txt "0.1 0.2\n0.6 0.7\n0.9 0.3\n0.5 0.5\n0.52 0.5\n0.1 0.9\n")
