@@ -83,6 +83,8 @@ RC_GTEST_PROP(Plan, RoundsDistancesInTheUsersFavour, ()) {
     request.height = request.width * *rc::gen::inRange(1, 1000) / 997.0;
     if (request.height * 1000 < request.width) return;
     request.radius = std::min(request.width, request.height) / *rc::gen::inRange(2, 2000);
+    // Less is refused.
+    if (*request.radius < std::ldexp(std::max(request.width, request.height), -20)) return;
     request.memory_limit_bytes = std::uint64_t{1} << 50;
     const Plan plan = make_plan(request);
     const auto x = *rc::gen::inRange<std::uint32_t>(0, plan.width - plan.radius);
