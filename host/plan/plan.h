@@ -245,7 +245,7 @@ std::uint32_t lines_per_radius(const Request& request);
 
 // The shortest decimal that reads back as the same double.
 std::string shortest(double value);
-// At most so many significant digits, as printf's %g writes them.
+// Writes a number with at most this many significant digits, as printf's %g does.
 std::string rounded(double value, int digits);
 
 }  // namespace lacuna
