@@ -144,25 +144,28 @@ private:
         const portable::Ellipse& ellipse;
         Sized middle;
     };
+    // The offsets of a box's sides from the middle of an ellipse.
+    struct Offsets {
+        Offsets(const EllipseAt& at, const Box& box)
+            : left(std::int64_t{box.x} - at.middle.x),
+              right(left + 2 * std::int64_t{box.width / 2}),
+              low(std::int64_t{box.begin} - at.middle.y),
+              high(std::int64_t{box.end} - 1 - at.middle.y) {}
+        std::int64_t left, right, low, high;
+    };
     // Whether a chord of the ellipse does not reach the box, as most do not.
     static bool misses(const EllipseAt& at, const Box& box) {
-        const auto reach = std::int64_t{box.width / 2};
-        const std::int64_t dx = std::int64_t{box.x} + reach - at.middle.x;
-        const std::int64_t low = std::int64_t{box.begin} - at.middle.y;
-        const std::int64_t high = std::int64_t{box.end} - 1 - at.middle.y;
-        return portable::misses(at.ellipse, dx - reach, low, high) ||
-               portable::misses(at.ellipse, dx + reach, low, high);
+        const auto [left, right, low, high] = Offsets(at, box);
+        return portable::misses(at.ellipse, left, low, high) ||
+               portable::misses(at.ellipse, right, low, high);
     }
     // Whether its chord covers the box: the ellipse holds all corners. Not told of narrow boxes.
     static bool covers(const EllipseAt& at, const Box& box) {
-        const auto reach = std::int64_t{box.width / 2};
-        const std::int64_t dx = std::int64_t{box.x} + reach - at.middle.x;
-        const std::int64_t low = std::int64_t{box.begin} - at.middle.y;
-        const std::int64_t high = std::int64_t{box.end} - 1 - at.middle.y;
-        return reach != 0 && portable::holds_with_slack(at.ellipse, dx - reach, low) &&
-               portable::holds_with_slack(at.ellipse, dx + reach, high) &&
-               portable::holds_with_slack(at.ellipse, dx - reach, high) &&
-               portable::holds_with_slack(at.ellipse, dx + reach, low);
+        const auto [left, right, low, high] = Offsets(at, box);
+        return left != right && portable::holds_with_slack(at.ellipse, left, low) &&
+               portable::holds_with_slack(at.ellipse, right, high) &&
+               portable::holds_with_slack(at.ellipse, left, high) &&
+               portable::holds_with_slack(at.ellipse, right, low);
     }
 
     // Writes the chord of the k-th sample after the first `count` chords, and returns how many
