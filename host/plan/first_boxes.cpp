@@ -160,11 +160,29 @@ private:
     std::uint32_t boxes() const { return static_cast<std::uint32_t>(first_.boxes.size()); }
     std::uint32_t blocks() const { return static_cast<std::uint32_t>(first_.blocks.size()); }
 
+    // How long the sides of a box are beside a radius. Where all samples have one ellipse: after
+    // the map that makes the ellipse a circle (portable/ellipse.h).
+    struct Sides {
+        std::uint64_t along_x;
+        std::uint64_t along_y;
+        std::uint64_t radius;
+    };
+    Sides sides_of(const Box& box, const Under& under) const {
+        const std::uint64_t width = box.width, height = box.end - box.begin;
+        if (!radius_field_.has_ellipses() || !under.is_even)
+            return {width, height, portable::times_factor(under.least, factor_)};
+        const portable::Ellipse& e = radius_field_.ellipse_at(box.x, box.begin);
+        const std::uint64_t across = std::uint64_t{e.p} * e.p;
+        const std::uint64_t aside = portable::magnitude(portable::sign_extended(e.q));
+        return {width * portable::isqrt(across + aside * aside) >> e.shift, height * e.s >> e.shift,
+                ELLIPSE_RADIUS};
+    }
+
     bool is_short(const Box& box, const Under& under, std::uint64_t radii,
                   std::uint64_t pieces = 1) const {
-        const std::uint64_t longer = std::max(box.width, box.end - box.begin);
-        return longer == 1 ||
-               longer * pieces <= radii * portable::times_factor(under.least, factor_);
+        const Sides sides = sides_of(box, under);
+        return std::max(box.width, box.end - box.begin) == 1 ||
+               std::max(sides.along_x, sides.along_y) * pieces <= radii * sides.radius;
     }
 
     void cut_block(const Box& box, const Under& under) {
@@ -177,7 +195,8 @@ private:
     template <typename Take>
     void cut_in_two(const Box& box, const Under& under, Take take) {
         const std::uint32_t height = box.end - box.begin;
-        if (box.width >= height) {
+        const Sides sides = sides_of(box, under);
+        if (box.width > 1 && (height == 1 || sides.along_x >= sides.along_y)) {
             const std::uint32_t x =
                 under.is_even ? box.x + box.width / 2 : radius_field_.cut_x(box);
             take(Box{box.x, x - box.x, box.begin, box.end});

@@ -55,7 +55,26 @@ LACUNA_FN Interval ellipse_chord(u32 x, Ellipse of_sample, u32 first, u32 width,
                                  u32 period_x) {
     i64 reach = to_i64(width / 2u);
     i64 dx = way_to(to_i64(x), to_i64(first) + reach, period_x);
-    return common_part(chord_around(of_sample, dx, reach), chord_around(of_box, dx, reach));
+    Interval chord = chord_around(of_sample, dx, reach);
+    if (!are_same(of_sample, of_box)) chord = common_part(chord, chord_around(of_box, dx, reach));
+    return chord;
+}
+
+// Whether the ellipse around a sample holds nothing of a box, on a torus not even around an edge.
+// This is not always told.
+LACUNA_FN bool ellipse_misses(Sized one, Ellipse of_one, u32 x, u32 width, u32 begin, u32 end,
+                              u32 period_x, u32 period_y) {
+    const i64 most = to_i64(one.radius);  // of a circle that holds the ellipse
+    bool is_missed = true;
+    for (u32 image = 0u; image < (period_x == 0u ? 1u : 9u) && is_missed; ++image) {
+        const i64 left = to_i64(x) - to_i64(one.x) + shift_of_image(image % 3u, period_x);
+        const i64 low = to_i64(begin) - to_i64(one.y) + shift_of_image(image / 3u, period_y);
+        const Interval columns = cut_to(left, left + to_i64(width), most);
+        const Interval rows = cut_to(low, low + to_i64(end - begin), most);
+        is_missed = columns.begin >= columns.end || rows.begin >= rows.end ||
+                    misses(of_one, columns.begin, columns.end - 1, rows.begin, rows.end - 1);
+    }
+    return is_missed;
 }
 
 LACUNA_END

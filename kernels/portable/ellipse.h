@@ -9,6 +9,7 @@
 #include "isqrt.h"
 
 #define ELLIPSE_RADIUS 0x40000000u
+#define ELLIPSE_RADIUS_TIMES_ROOT_2 0x5a82799bu  // and 1, because u and v are rounded
 
 LACUNA_BEGIN
 
@@ -19,6 +20,10 @@ struct Ellipse {
     u32 shift;
 };
 LACUNA_TYPEDEF(Ellipse)
+
+LACUNA_FN bool are_same(Ellipse a, Ellipse b) {
+    return a.p == b.p && a.q == b.q && a.s == b.s && a.shift == b.shift;
+}
 
 // Offsets [begin, end); none if begin >= end.
 struct Interval {
@@ -50,6 +55,17 @@ LACUNA_FN Interval common_part(Interval a, Interval b) {
     return both;
 }
 
+// The part of [begin, end) that is nearer to 0 than `most`.
+LACUNA_FN Interval cut_to(i64 begin, i64 end, i64 most) {
+    Interval whole;
+    whole.begin = begin;
+    whole.end = end;
+    Interval near;
+    near.begin = 1 - most;
+    near.end = most;
+    return common_part(whole, near);
+}
+
 // The dy for which holds(e, dx, dy). With `slack` 1 it is a little less: so little that the ellipse
 // also holds everything between the chords with slack at two dx, in spite of the rounding.
 LACUNA_FN Interval chord_at(Ellipse e, i64 dx, u32 slack) {
@@ -67,22 +83,27 @@ LACUNA_FN Interval chord_at(Ellipse e, i64 dx, u32 slack) {
     return chord;
 }
 
-// Whether the ellipse holds none of the offsets (dx, low) to (dx, high). Some that it does not hold
-// are not told; this needs no square root.
-LACUNA_FN bool misses(Ellipse e, i64 dx, i64 low, i64 high) {
-    i64 most = to_i64(ELLIPSE_RADIUS) << e.shift;
-    i64 aside = sign_extended(e.q) * dx;
-    return to_i64(magnitude(dx)) * to_i64(e.p) >= most || aside + to_i64(e.s) * low >= most ||
-           aside + to_i64(e.s) * high <= -most;
+// Whether along * dx + up * dy stays on one side of a strip of 2 * most, for dx from left to right
+// and dy from low to high. `up` is not negative.
+LACUNA_FN bool is_beside(i64 along, i64 up, i64 most, i64 left, i64 right, i64 low, i64 high) {
+    i64 a = along * left;
+    i64 b = along * right;
+    return (a < b ? a : b) + up * low >= most || (a < b ? b : a) + up * high <= -most;
 }
 
-// Whether chord_at(e, dx, 1) has dy; this needs no square root.
-LACUNA_FN bool holds_with_slack(Ellipse e, i64 dx, i64 dy) {
-    u64 u = (magnitude(dx) * e.p >> e.shift) + 1u;
-    u64 v = (magnitude(sign_extended(e.q) * dx + to_i64(e.s) * dy) >> e.shift) + 1u;
-    u64 radius = ELLIPSE_RADIUS;
-    if (u >= radius || v >= radius) return false;
-    return u * u + v * v < radius * radius;
+// Whether the ellipse holds nothing of a rectangle, because it lies beside one of four strips that
+// hold the ellipse: |u|, |v|, |u + v| / root(2) and |u - v| / root(2) are less than the radius.
+// This is not always told. Offsets are at most 2^30.5.
+LACUNA_FN bool misses(Ellipse e, i64 left, i64 right, i64 low, i64 high) {
+    i64 most = to_i64(ELLIPSE_RADIUS) << e.shift;
+    i64 diagonal = to_i64(ELLIPSE_RADIUS_TIMES_ROOT_2) << e.shift;
+    i64 p = to_i64(e.p);
+    i64 q = sign_extended(e.q);
+    i64 s = to_i64(e.s);
+    return is_beside(p, 0, most, left, right, low, high) ||
+           is_beside(q, s, most, left, right, low, high) ||
+           is_beside(q + p, s, diagonal, left, right, low, high) ||
+           is_beside(q - p, s, diagonal, left, right, low, high);
 }
 
 // The dy that the ellipse holds at all dx from middle - reach to middle + reach. An ellipse is
@@ -113,10 +134,15 @@ LACUNA_FN i64 way_to(i64 a, i64 b, u32 period) {
     return 2 * way < -around && period != 0u ? way + around : way;
 }
 
+// How far image 0, 1 or 2 of an axis with a period lies from the axis.
+LACUNA_FN i64 shift_of_image(u32 image, u32 period) {
+    return (image == 1u ? to_i64(period) : 0) - (image == 2u ? to_i64(period) : 0);
+}
+
 // A height of window 0, 1 or 2 (see window_begin in chord.h), cut to the domain. So an interval of
 // heights becomes three windows.
 LACUNA_FN u32 height_in_window(u32 window, i64 at, u32 height) {
-    i64 there = at + (window == 1u ? to_i64(height) : 0) - (window == 2u ? to_i64(height) : 0);
+    i64 there = at + shift_of_image(window, height);
     return there < 0 ? 0u : there > to_i64(height) ? height : to_u32(there);
 }
 

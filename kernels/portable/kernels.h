@@ -202,7 +202,8 @@ LACUNA_END
     B(3, READ, u32x4, tree_boxes) B(4, READ, u32x4, tree_links) B(5, READ, u32, node_of)    \
     B(6, SHARED, u32, visitor_count) B(7, SHARED, u32, visitor_heads)                        \
     B(8, WRITE, u32x2, visitors) B(9, READ, u32, survivors) B(10, READ, u32, survivor_count) \
-    B(11, SHARED, u32, failure) B(12, READ, u32, factors)
+    B(11, SHARED, u32, failure) B(12, READ, u32, factors) B(13, READ, u32, axes)             \
+    B(14, READ, u32x4, ellipses)
 #define ADMIT_WITH_FIELD_BINDINGS(B)                                                          \
     B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, SHARED, u32, statuses)  \
     B(3, READ, u32, visitor_heads) B(4, READ, u32x2, visitors) B(5, SHARED, u32, undecided)  \

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "backends/cpu/make_backend.h"
+#include "backends/cpu/plain_ellipses.h"
 #include "drawing/picture_svg.h"
 #include "pictures/importance.h"
 #include "plan/kept.h"
@@ -85,6 +86,15 @@ std::vector<Stretch> pictures::stretches_along(std::span<const double>, std::siz
 
 // No set of the page has ellipses.
 void drawing::append_ovals(std::string&, const files::PointSet&, const Style&, const Page&) {
+    refuse();
+}
+
+std::size_t cpu::plain::next_in_ellipse(const SizedSpan&, Sample, const FloatEllipse&,
+                                        std::size_t) {
+    refuse();
+}
+std::uint32_t cpu::plain::find_touching_ellipses(const SizedSpan&, const FloatEllipse*, const Box*,
+                                                 const FloatEllipse*, std::uint8_t*) {
     refuse();
 }
 

@@ -11,6 +11,7 @@
 
 #include "backends/cpu/chords.h"
 #include "backends/cpu/field_state.h"
+#include "backends/cpu/near_ellipses.h"
 #include "base/insertion_sort.h"
 #include "portable/chord.h"
 #include "portable/conflict.h"
@@ -31,16 +32,16 @@ public:
         block_ = block;
         even_radius_ = state_.first.blocks[block].even_radius;
         wraps_ = is_at_edge_ && wraps(state_.first.blocks[block].node);
-        sheet_ = sheets_.of(state_.first.nodes[state_.first.blocks[block].node].box.x);
+        const Box& all = state_.first.nodes[state_.first.blocks[block].node].box;
+        sheet_ = sheets_.of(all.x);
+        if (has_ellipses_ && even_radius_ != 0)
+            ellipses_.set_boxes(state_.radius_field.ellipse_at(all.x, all.begin));
     }
     // Boxes that are appended from here on are cut by these samples.
     void cut_by(const SizedSpan& near) {
         near_ = all_near_ = near;
         if (has_classes_ && even_radius_ != 0) see_with(even_radius_);
-        if (!has_ellipses_) return;
-        near_ellipses_.clear();
-        for (std::size_t i = 0; i < near.count; ++i)
-            near_ellipses_.push_back(state_.radius_field.ellipse_at(near[i].x, near[i].y));
+        if (has_ellipses_) ellipses_.set_samples(near);
     }
 
     void append_halves(const Box& box) {
@@ -50,12 +51,19 @@ public:
         append_parts({box.x, cut - box.x, box.begin, box.end});
         append_parts({cut, box.x + box.width - cut, box.begin, box.end});
     }
-
-    void append(const Box& box) { append(box, least_under(box)); }
+    void append(const Box& box) { append(box, under(box)); }
+    // Call it after the last box that these samples cut.
+    void finish() {
+        if (batched_ != 0) append_batch();
+    }
 
     // Appends the pieces of all boxes of the block, or of their halves.
     void append_all(std::span<const FieldState::BlockBox> boxes, bool halve) {
         for (const FieldState::BlockBox& box : boxes) {
+            if (has_ellipses_) {
+                halve ? append_halves(box.at) : append(box.at);
+                continue;
+            }
             const std::uint32_t cut = halve ? middle_of(box.at) : 0;
             if (cut == 0) {
                 batch(box.at);
@@ -65,16 +73,17 @@ public:
             batch({x, cut - x, begin, end});
             batch({cut, x + width - cut, begin, end});
         }
-        append_batch();
+        finish();
     }
     // Whether append_all can be called for the block.
     bool can_append_all(bool halve) const {
-        return !wraps_ && ((!halve && !has_classes_) || even_radius_ != 0);
+        return !wraps_ && (has_ellipses_ || (!halve && !has_classes_) || even_radius_ != 0);
     }
 
 private:
-    std::uint32_t least_under(const Box& box) const {
-        return even_radius_ != 0 ? even_radius_ : state_.radius_field.under(box).least;
+    Under under(const Box& box) const {
+        return even_radius_ != 0 ? Under{even_radius_, even_radius_, true}
+                                 : state_.radius_field.under(box);
     }
 
     // Whether the nearest way from a sample to a box in the node may cross an edge of the torus.
@@ -102,9 +111,9 @@ private:
 
     // A chord spans the whole width of the box. Its radius is the smaller of the sample's and the
     // box's, so that the sample conflicts with every point in it.
-    void append(const Box& box, std::uint32_t least) {
-        if (has_ellipses_)
-            return append_with_ellipses(box, near_.count, [](std::size_t i) { return i; });
+    void append(const Box& box, const Under& under) {
+        if (has_ellipses_) return append_with_ellipses(box, under);
+        const std::uint32_t least = under.least;
         if (has_classes_ && even_radius_ == 0) see_with(least);
         const std::uint32_t radius = own_radius(least);
         chords_.resize(std::max(chords_.size(), 3 * near_.count + kVectorPadding));
@@ -114,77 +123,28 @@ private:
         if (count != Vectors::kAll) append_pieces(box, count);
     }
 
-    // The same with ellipses, for the samples index_of(0) to index_of(samples - 1). A box where no
-    // sample may lie stays whole until it is halved.
-    template <typename IndexOf>
-    void append_with_ellipses(const Box& box, std::size_t samples, IndexOf index_of) {
-        const RadiusField& field = state_.radius_field;
-        const Under under =
-            even_radius_ != 0 ? Under{even_radius_, even_radius_, true} : field.under(box);
-        if (under.least == 0) return left_.push_back({box, block_});
-        const portable::Ellipse of_box = field.ellipse_under(box, under);
-        reaching_.clear();
-        for (std::size_t i = 0; i < samples; ++i) {
-            const std::size_t k = index_of(i);
-            const EllipseAt of_sample{near_ellipses_[k], near_[k]}, there{of_box, near_[k]};
-            if (!wraps_ && (misses(of_sample, box) || misses(there, box))) continue;
-            if (!wraps_ && covers(of_sample, box) && covers(there, box)) return;
-            reaching_.push_back(k);
+    // The same with ellipses. A box where no sample may lie stays whole until it is halved.
+    void append_with_ellipses(const Box& box, const Under& under) {
+        if (under.least == 0) {
+            finish();
+            return left_.push_back({box, block_});
         }
-        chords_.resize(std::max(chords_.size(), 3 * reaching_.size()));
+        if (even_radius_ == 0)
+            ellipses_.set_box(batched_, state_.radius_field.ellipse_under(box, under));
+        if (!wraps_) return batch(box);
+        append_cut(box, batched_, near_.count, [](std::size_t k) { return k; });
+    }
+    // Cuts the box, which is the i-th of the batch, by the ellipses of the samples number_of(0) to
+    // number_of(samples - 1).
+    template <typename NumberOf>
+    void append_cut(const Box& box, std::size_t i, std::size_t samples, NumberOf number_of) {
+        chords_.resize(std::max(chords_.size(), 3 * samples));
         std::size_t count = 0;
-        for (const std::size_t k : reaching_) {
-            count = add_ellipse_chord(box, of_box, k, count);
+        for (std::size_t k = 0; k < samples; ++k) {
+            count = ellipses_.add_chord(number_of(k), box, i, wraps_, chords_.data(), count);
             if (count == Vectors::kAll) return;
         }
         append_pieces(box, count);
-    }
-
-    struct EllipseAt {
-        const portable::Ellipse& ellipse;
-        Sized middle;
-    };
-    // The offsets of a box's sides from the middle of an ellipse.
-    struct Offsets {
-        Offsets(const EllipseAt& at, const Box& box)
-            : left(std::int64_t{box.x} - at.middle.x),
-              right(left + 2 * std::int64_t{box.width / 2}),
-              low(std::int64_t{box.begin} - at.middle.y),
-              high(std::int64_t{box.end} - 1 - at.middle.y) {}
-        std::int64_t left, right, low, high;
-    };
-    // Whether a chord of the ellipse does not reach the box, as most do not.
-    static bool misses(const EllipseAt& at, const Box& box) {
-        const auto [left, right, low, high] = Offsets(at, box);
-        return portable::misses(at.ellipse, left, low, high) ||
-               portable::misses(at.ellipse, right, low, high);
-    }
-    // Whether its chord covers the box: the ellipse holds all corners. Not told of narrow boxes.
-    static bool covers(const EllipseAt& at, const Box& box) {
-        const auto [left, right, low, high] = Offsets(at, box);
-        return left != right && portable::holds_with_slack(at.ellipse, left, low) &&
-               portable::holds_with_slack(at.ellipse, right, high) &&
-               portable::holds_with_slack(at.ellipse, left, high) &&
-               portable::holds_with_slack(at.ellipse, right, low);
-    }
-
-    // Writes the chord of the k-th sample after the first `count` chords, and returns how many
-    // there are then; kAll if it covers the box.
-    std::size_t add_ellipse_chord(const Box& box, const portable::Ellipse& of_box, std::size_t k,
-                                  std::size_t count) {
-        const Plan& plan = state_.plan;
-        const Sized sample = near_[k];
-        const portable::Interval chord = portable::ellipse_chord(
-            sample.x, near_ellipses_[k], box.x, box.width, of_box, wraps_ ? plan.period_x : 0);
-        if (chord.begin >= chord.end) return count;
-        const auto y = std::int64_t{sample.y};
-        for (std::uint32_t window = 0; window < (wraps_ ? 3U : 1U); ++window) {
-            const Span there{portable::height_in_window(window, y + chord.begin, plan.height),
-                             portable::height_in_window(window, y + chord.end, plan.height)};
-            if (there.begin <= box.begin && there.end >= box.end) return Vectors::kAll;
-            if (there.begin < there.end) chords_[count++] = there;
-        }
-        return count;
     }
 
     // Appends the pieces between the first `count` chords.
@@ -231,10 +191,12 @@ private:
         const bool is_even = even_radius_ != 0;
         touching_.resize(std::max(touching_.size(), near_.count));
         touched_by_.resize(std::max(touched_by_.size(), near_.count));
-        const unsigned covered = vectors_.find_touching(
-            near_, batch_.data(), is_even ? own_radius(even_radius_) : kAnyRadius,
-            touching_.data());
-        const bool is_told = is_even && !has_ellipses_;  // which boxes are covered
+        const unsigned covered =
+            has_ellipses_ ? ellipses_.find_touching(vectors_, batch_.data(), touching_.data())
+                          : vectors_.find_touching(near_, batch_.data(),
+                                                   is_even ? own_radius(even_radius_) : kAnyRadius,
+                                                   touching_.data());
+        const bool is_told = is_even || has_ellipses_;  // which boxes are covered
         const unsigned left = ((1U << batched_) - 1) & (is_told ? ~covered : ~0U);
         std::array<std::size_t, Vectors::kBoxes> counts{};
         for (std::size_t k = 0; k < near_.count; ++k)
@@ -255,9 +217,8 @@ private:
     void append_touched(std::size_t i, std::size_t samples) {
         const Box& box = batch_[i];
         if (has_ellipses_)
-            return append_with_ellipses(box, samples,
-                                        [&](std::size_t k) { return touched_by_[k][i]; });
-        const std::uint32_t radius = own_radius(least_under(box));
+            return append_cut(box, i, samples, [&](std::size_t k) { return touched_by_[k][i]; });
+        const std::uint32_t radius = own_radius(under(box).least);
         const std::uint32_t half = box.width / 2;
         chords_.resize(std::max(chords_.size(), samples));
         std::size_t count = 0;
@@ -286,7 +247,7 @@ private:
 
     // Drops the part if no sample may lie there.
     void append_part(const Box& box) {
-        if (const std::uint32_t radius = least_under(box); radius != 0) append(box, radius);
+        if (const Under found = under(box); found.least != 0) append(box, found);
     }
 
     const FieldState& state_;
@@ -301,9 +262,8 @@ private:
     SizedSpan all_near_{};  // as listed
     SizedSpan near_{};      // with classes, as the sheet sees them
     SizedList seen_;
-    std::vector<portable::Ellipse> near_ellipses_;  // of near_, where there are any
-    std::vector<std::size_t> reaching_;             // samples whose chords may reach a box
-    std::uint32_t even_radius_ = 0;                 // 0 where the radius varies in the block
+    NearEllipses ellipses_{state_};
+    std::uint32_t even_radius_ = 0;  // 0 where the radius varies in the block
     bool wraps_ = false;
     std::vector<Span> chords_;  // has room for the chords of all samples
     std::array<Box, Vectors::kBoxes> batch_{};

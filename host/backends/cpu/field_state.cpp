@@ -101,6 +101,7 @@ void refine(FieldState& state, std::uint32_t region, bool halve) {
             for (const auto& [at, same] : of_block) {
                 cut.cut_by(state.near.of_part(block, at, which, scratch));
                 halve ? cut.append_halves(at) : cut.append(at);
+                cut.finish();
             }
         }
         state.near.note_cuts(block);

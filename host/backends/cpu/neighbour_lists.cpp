@@ -57,12 +57,20 @@ NeighbourLists::There NeighbourLists::there(const Sized& sample, std::uint32_t s
     const std::uint32_t factor = sheets_.factor(sheets_.of(sample.x), sheet);
     return {{sheets_.x_on(sheet, sample.x), sample.y, sample.radius},
             factor,
-            portable::times_factor(sample.radius, factor)};
+            portable::times_factor(sample.radius, factor),
+            radius_field_.has_ellipses() ? &radius_field_.ellipse_at(sample.x, sample.y) : nullptr};
+}
+
+bool NeighbourLists::misses(const There& there, const Box& box, bool wraps) const {
+    return there.ellipse != nullptr &&
+           portable::ellipse_misses(there.sample, *there.ellipse, box.x, box.width, box.begin,
+                                    box.end, wraps ? plan_.period_x : 0,
+                                    wraps ? plan_.period_y : 0);
 }
 
 bool NeighbourLists::sticks_out(const There& there, std::uint32_t root) const {
     const Box& all = first_.nodes[root].box;
-    const auto& [sample, factor, reach] = there;
+    const auto& [sample, factor, reach, ellipse] = there;
     return plan_.period_x != 0 &&
            (sample.x - all.x < reach || all.x + all.width - sample.x <= reach ||
             sample.y - all.begin < reach || all.end - sample.y <= reach);
@@ -85,12 +93,13 @@ template <typename Visit>
 void NeighbourLists::for_each_reached(const There& there, std::uint32_t root, bool wraps,
                                       Visit visit) const {
     const std::uint32_t end = first_.nodes[root].next;
-    const auto& [sample, factor, reach] = there;
+    const auto& [sample, factor, reach, ellipse] = there;
     for (std::uint32_t i = root; i < end;) {
         const FirstBoxes::Node& node = first_.nodes[i];
-        if (wraps ? !is_reached(node.box, node.greatest, sample, factor, plan_.period_x,
-                                plan_.period_y)
-                  : !is_reached(node.box, node.greatest, sample, factor)) {
+        const bool is_near = wraps ? is_reached(node.box, node.greatest, sample, factor,
+                                                plan_.period_x, plan_.period_y)
+                                   : is_reached(node.box, node.greatest, sample, factor);
+        if (!is_near || misses(there, node.box, wraps)) {
             i = node.next;
             continue;
         }
@@ -152,20 +161,21 @@ bool NeighbourLists::is_any_seen_closer(const SizedSpan& near, Sample at,
                                         {plan_.period_x, plan_.period_y});
 }
 
-// A vector instruction tells for several samples at once whether they are too far away. Most are.
+// Floats tell for several samples at once that they do not lie in the candidate's ellipse.
 bool NeighbourLists::is_any_ellipse_closer(const SizedSpan& near, Sample at,
                                            std::uint32_t radius) const {
-    if (!vectors_.is_any_sized_closer(near, at, radius, {plan_.period_x, plan_.period_y}))
-        return false;
     const Sized candidate{at.x, at.y, radius};
     const portable::Ellipse& own = radius_field_.ellipse_at(at.x, at.y);
-    for (std::size_t i = 0; i < near.count; ++i) {
-        const Sized sample = near[i];
-        if (portable::conflicts(sample, candidate, FACTOR_ONE, plan_.period_x, plan_.period_y) &&
-            portable::ellipses_conflict(sample, radius_field_.ellipse_at(sample.x, sample.y),
-                                        candidate, own, plan_.period_x, plan_.period_y))
+    const bool wraps = sticks_out({candidate, FACTOR_ONE, radius, &own}, first_.sheets.front());
+    const FloatEllipse in_floats = cpu::in_floats(own);
+    const auto next = [&](std::size_t from) {
+        return wraps ? from : vectors_.next_in_ellipse(near, at, in_floats, from);
+    };
+    for (std::size_t i = next(0); i < near.count; i = next(i + 1))
+        if (portable::ellipses_conflict(candidate, own, near[i],
+                                        radius_field_.ellipse_at(near.x[i], near.y[i]),
+                                        plan_.period_x, plan_.period_y))
             return true;
-    }
     return false;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "backends/cpu/plain_ellipses.h"
 #include "backends/cpu/vectors_avx2.h"
 #include "portable/chord.h"
 #include "portable/distance.h"
@@ -78,8 +79,14 @@ std::uint32_t find_touching(const SizedSpan& samples, const Box* boxes, std::uin
     return covered;
 }
 
-constexpr Vectors kPlain{"plain",           is_any_closer, find_chords, is_any_sized_closer,
-                         find_sized_chords, find_touching};
+constexpr Vectors kPlain{"plain",
+                         is_any_closer,
+                         find_chords,
+                         is_any_sized_closer,
+                         find_sized_chords,
+                         find_touching,
+                         plain::next_in_ellipse,
+                         plain::find_touching_ellipses};
 
 }  // namespace
 

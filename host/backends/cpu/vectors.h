@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "backends/cpu/float_ellipse.h"
 #include "backends/cpu/sized.h"
 #include "plan/pixels.h"
 #include "plan/plan.h"
@@ -48,6 +49,15 @@ struct Vectors {
     std::uint32_t (*find_touching)(const SizedSpan& samples, const Box* boxes, std::uint32_t radius,
                                    std::uint8_t* touching);
     static constexpr std::size_t kBoxes = 8;
+    // With ellipses: the first sample from number `from` onwards that lies in the ellipse around
+    // `at`, or for which floats do not tell; the number of samples if there is none. No wrapping.
+    std::size_t (*next_in_ellipse)(const SizedSpan& samples, Sample at, const FloatEllipse& ellipse,
+                                   std::size_t from);
+    // find_touching with ellipses, of samples and of boxes. Where floats do not tell, the bit of
+    // touching[k] is set, and the bit of the result is not.
+    std::uint32_t (*find_touching_ellipses)(const SizedSpan& samples,
+                                            const FloatEllipse* of_samples, const Box* boxes,
+                                            const FloatEllipse* of_boxes, std::uint8_t* touching);
 };
 
 // Buffers are padded by this many entries: the loops read and write that far past the end.

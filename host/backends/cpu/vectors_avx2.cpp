@@ -31,14 +31,17 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Words = hn::ScalableTag<std::uint32_t>;
 using Pairs = hn::ScalableTag<std::uint64_t>;
 using Signed = hn::ScalableTag<std::int64_t>;
+using Floats = hn::ScalableTag<float>;
 using Doubles = hn::ScalableTag<double>;
 constexpr Words kWords;
 constexpr Pairs kPairs;
 constexpr Signed kSigned;
+constexpr Floats kFloats;
 constexpr Doubles kDoubles;
 using WordVector = hn::Vec<Words>;
 using PairVector = hn::Vec<Pairs>;
 using SignedVector = hn::Vec<Signed>;
+using FloatVector = hn::Vec<Floats>;
 
 constexpr std::uint64_t pair_of(std::uint32_t low, std::uint32_t high) {
     return std::uint64_t{high} << 32U | low;
@@ -314,8 +317,97 @@ std::uint32_t find_touching(const SizedSpan& samples, const Box* boxes, std::uin
     return bits;
 }
 
+// How far words lie after another one. Their distance is less than 2^31.
+HWY_INLINE FloatVector offset(WordVector at, std::uint32_t from) {
+    const hn::RebindToSigned<Words> integers;
+    return hn::ConvertTo(kFloats, hn::BitCast(integers, hn::Sub(at, all(from))));
+}
+
+std::size_t next_in_ellipse(const SizedSpan& samples, Sample at, const FloatEllipse& e,
+                            std::size_t from) {
+    for (std::size_t i = from; i < samples.count; i += hn::Lanes(kFloats)) {
+        const FloatVector dx = offset(hn::LoadU(kWords, samples.x + i), at.x);
+        const FloatVector dy = offset(hn::LoadU(kWords, samples.y + i), at.y);
+        const FloatVector u = hn::Mul(hn::Set(kFloats, e.p), dx);
+        const FloatVector v =
+            hn::MulAdd(hn::Set(kFloats, e.s), dy, hn::Mul(hn::Set(kFloats, e.q), dx));
+        const auto is_in = hn::Lt(hn::MulAdd(v, v, hn::Mul(u, u)), hn::Set(kFloats, e.outside));
+        const auto first = hn::FindFirstTrue(kFloats, is_in);
+        if (first >= 0) return std::min(i + static_cast<std::size_t>(first), samples.count);
+    }
+    return samples.count;
+}
+
+// An ellipse in each lane.
+struct EllipseVectors {
+    FloatVector p, q, s, inside, outside;
+};
+HWY_INLINE EllipseVectors all(const FloatEllipse& e) {
+    return {hn::Set(kFloats, e.p), hn::Set(kFloats, e.q), hn::Set(kFloats, e.s),
+            hn::Set(kFloats, e.inside), hn::Set(kFloats, e.outside)};
+}
+HWY_INLINE EllipseVectors load(const FloatEllipse* ellipses) {
+    const auto load_member = [&](float FloatEllipse::*member) {
+        std::array<float, Vectors::kBoxes> values;
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = ellipses[i].*member;
+        return hn::LoadU(kFloats, values.data());
+    };
+    return {load_member(&FloatEllipse::p), load_member(&FloatEllipse::q),
+            load_member(&FloatEllipse::s), load_member(&FloatEllipse::inside),
+            load_member(&FloatEllipse::outside)};
+}
+
+// The sides of eight boxes, as offsets from a sample.
+struct Sides {
+    FloatVector left, right, low, high;
+};
+struct Reached {
+    hn::Mask<Floats> touched, covered;
+};
+// What an ellipse holds of the lines on both sides of each box.
+HWY_INLINE Reached reached_by(const EllipseVectors& e, const Sides& sides) {
+    const auto at = [&](FloatVector dx) -> Reached {
+        const FloatVector u = hn::Mul(e.p, dx);
+        const FloatVector aside = hn::Mul(e.q, dx);
+        const FloatVector bottom = hn::MulAdd(e.s, sides.low, aside);
+        const FloatVector top = hn::MulAdd(e.s, sides.high, aside);
+        const FloatVector near = hn::Max(hn::Max(bottom, hn::Neg(top)), hn::Zero(kFloats));
+        const FloatVector far = hn::Max(hn::Neg(bottom), top);
+        const FloatVector across = hn::Mul(u, u);
+        return {hn::Lt(hn::MulAdd(near, near, across), e.outside),
+                hn::Lt(hn::MulAdd(far, far, across), e.inside)};
+    };
+    const Reached left = at(sides.left), right = at(sides.right);
+    return {hn::And(left.touched, right.touched), hn::And(left.covered, right.covered)};
+}
+
+std::uint32_t find_touching_ellipses(const SizedSpan& samples, const FloatEllipse* of_samples,
+                                     const Box* boxes, const FloatEllipse* of_boxes,
+                                     std::uint8_t* touching) {
+    const auto [x, width, begin, end] = load_boxes(boxes);
+    const WordVector last = hn::Sub(end, all(1));
+    const WordVector right = hn::Add(x, hn::ShiftLeft<1>(hn::ShiftRight<1>(width)));
+    const EllipseVectors around_boxes = load(of_boxes);
+    auto covered = hn::FirstN(kFloats, 0);
+    for (std::size_t k = 0; k < samples.count; ++k) {
+        const std::uint32_t at_x = samples.x[k], at_y = samples.y[k];
+        const Sides sides{offset(x, at_x), offset(right, at_x), offset(begin, at_y),
+                          offset(last, at_y)};
+        const Reached own = reached_by(all(of_samples[k]), sides);
+        touching[k] = 0;
+        if (hn::AllFalse(kFloats, own.touched)) continue;
+        const Reached other = reached_by(around_boxes, sides);
+        hn::StoreMaskBits(kFloats, hn::And(own.touched, other.touched), touching + k);
+        covered = hn::Or(covered, hn::And(own.covered, other.covered));
+    }
+    std::uint8_t bits = 0;
+    hn::StoreMaskBits(kFloats, covered, &bits);
+    return bits;
+}
+
 constexpr Vectors kVectors{
-    "AVX2", is_any_closer, find_chords, is_any_sized_closer, find_sized_chords, find_touching};
+    "AVX2",        is_any_closer,   find_chords,           is_any_sized_closer, find_sized_chords,
+    find_touching, next_in_ellipse, find_touching_ellipses};
 
 #endif
 }  // namespace HWY_NAMESPACE

@@ -1,6 +1,7 @@
 // The body of reach: lists each candidate for all blocks that it reaches (plan/first_boxes.h). So
 // all candidates that could conflict with a candidate are in the list of its block. Walks down the
 // tree of blocks, as the cpu's neighbour_lists.cpp does.
+#include "bodies/exact/ellipses.h"
 #include "bodies/exact/factor.h"
 #include "portable/conflict.h"
 
@@ -53,11 +54,17 @@ BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root
     // Within a part of the domain the way around the torus is never shorter.
     const u32 period_x = first == root ? a.g.period_x : 0u;
     const u32 period_y = first == root ? a.g.period_y : 0u;
+    const bool has_ellipse = a.g.rule == RULE_OF_ELLIPSES;
+    Ellipse ellipse = {0u, 0u, 0u, 0u};
+    if (has_ellipse) ellipse = ellipse_at(ON candidate.x, candidate.y);
     const u32 end = AT(tree_links, first).y;
     u32 node = first;
     while (node < end) {
         const u32x4 links = AT(tree_links, node);
-        if (!is_reached(AT(tree_boxes, node), links.x, there, factor, period_x, period_y)) {
+        const u32x4 box = AT(tree_boxes, node);
+        if (!is_reached(box, links.x, there, factor, period_x, period_y) ||
+            (has_ellipse &&
+             ellipse_misses(there, ellipse, box.x, box.y, box.z, box.w, period_x, period_y))) {
             node = links.y;
             continue;
         }
