@@ -26,11 +26,15 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         pass
 
 
+class Server(http.server.ThreadingHTTPServer):
+    request_queue_size = 128  # 5 by default: on a busy machine a worker's script then failed to load
+
+
 class Browser:
     def __init__(self):
         self.folder = pathlib.Path(tempfile.mkdtemp())
         handler = functools.partial(Handler, directory=PAGE)
-        self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
+        self.server = Server(("127.0.0.1", 0), handler)
         threading.Thread(target=self.server.serve_forever, daemon=True).start()
         self.address = f"http://127.0.0.1:{self.server.server_port}/"
         options = Options()
