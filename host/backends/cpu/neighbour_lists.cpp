@@ -62,8 +62,7 @@ NeighbourLists::There NeighbourLists::there(const Sized& sample, std::uint32_t s
 }
 
 bool NeighbourLists::misses(const There& there, const Box& box, bool wraps) const {
-    return there.ellipse != nullptr &&
-           portable::ellipse_misses(there.sample, *there.ellipse, box.x, box.width, box.begin,
+    return portable::ellipse_misses(there.sample, *there.ellipse, box.x, box.width, box.begin,
                                     box.end, wraps ? plan_.period_x : 0,
                                     wraps ? plan_.period_y : 0);
 }
@@ -99,7 +98,7 @@ void NeighbourLists::for_each_reached(const There& there, std::uint32_t root, bo
         const bool is_near = wraps ? is_reached(node.box, node.greatest, sample, factor,
                                                 plan_.period_x, plan_.period_y)
                                    : is_reached(node.box, node.greatest, sample, factor);
-        if (!is_near || misses(there, node.box, wraps)) {
+        if (!is_near || (ellipse != nullptr && misses(there, node.box, wraps))) {
             i = node.next;
             continue;
         }

@@ -147,7 +147,7 @@ private:
         std::uint32_t reach;               // of the sample: its radius times the factor
         const portable::Ellipse* ellipse;  // null where there are none
     };
-    // Whether the sample's ellipse misses the box. This is not always told.
+    // Whether the sample's ellipse, which there must be, misses the box. This is not always told.
     bool misses(const There& there, const Box& box, bool wraps) const;
     There there(const Sized& sample, std::uint32_t sheet) const;
     // For disks that cross no edge of a torus: whether the node holds all blocks that they reach on
