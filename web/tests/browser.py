@@ -27,7 +27,7 @@ class Handler(http.server.SimpleHTTPRequestHandler):
 
 
 class Server(http.server.ThreadingHTTPServer):
-    request_queue_size = 128  # 5 by default: on a busy machine a worker's script then failed to load
+    request_queue_size = 128  # the default of 5 may be too few on a busy machine
 
 
 class Browser:

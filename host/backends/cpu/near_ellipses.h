@@ -1,5 +1,5 @@
-// What samples with ellipses take from boxes: the ellipses of the samples near a block and those of
-// a batch of its boxes.
+// Cuts boxes by samples with ellipses. Keeps the ellipses of the samples near a block, and of eight
+// of its boxes at a time, in whole numbers and in floats.
 #pragma once
 
 #include <array>

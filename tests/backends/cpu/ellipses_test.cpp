@@ -106,8 +106,8 @@ TEST_P(EllipsesOfVectors, TouchAndCoverBoxes) {
             told.cover += is_told ? 1 : 0;
         }
     }
-    // Most that is true is told. Where the four chords of a sample and a box each touch the box,
-    // but not at one height, it is not.
+    // Floats test the four chords of a sample and a box one by one. So they count a box as touched
+    // that all four touch, but at different heights.
     EXPECT_GT(true_counts.touch, 100'000);
     EXPECT_GT(true_counts.cover, 10'000);
     EXPECT_LT(told.touch, 1.05 * true_counts.touch);
