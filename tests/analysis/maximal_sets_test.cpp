@@ -12,7 +12,7 @@
 #include "analysis/sets.h"
 
 namespace lacuna::analysis {
-namespace {
+namespace maximal_sets_test {
 
 constexpr double kRadius = 0.01;
 constexpr std::uint64_t kSets = 10;
@@ -100,5 +100,5 @@ TEST(Analyse, RefusesDomainsAndRadiiThatMakeNoSense) {
     EXPECT_THROW(analyse(sets, {1, 1, true}, negative, carry_on), BadRequest);
 }
 
-}  // namespace
+}  // namespace maximal_sets_test
 }  // namespace lacuna::analysis

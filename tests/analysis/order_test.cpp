@@ -12,7 +12,7 @@
 #include "analysis/sets.h"
 
 namespace lacuna::analysis {
-namespace {
+namespace order_test {
 
 constexpr Domain kUnitTorus{1, 1, true};
 
@@ -166,5 +166,5 @@ TEST(BondOrder, OfSixPointsIsNone) {
     EXPECT_FALSE(bond_order(Neighbours(points, kUnitTorus)));
 }
 
-}  // namespace
+}  // namespace order_test
 }  // namespace lacuna::analysis

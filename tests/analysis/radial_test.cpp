@@ -12,7 +12,7 @@
 #include "analysis/sets.h"
 
 namespace lacuna::analysis {
-namespace {
+namespace radial_test {
 
 constexpr Domain kUnitTorus{1, 1, true};
 
@@ -167,5 +167,5 @@ TEST(VerticalBias, ShowsOnTheVerticalLineAloneAndNotInWhiteNoise) {
     EXPECT_NEAR(vertical_line(turned_spectrum, turned_radial)->ratio, horizontal->ratio, 1e-9);
 }
 
-}  // namespace
+}  // namespace radial_test
 }  // namespace lacuna::analysis

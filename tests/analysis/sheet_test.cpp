@@ -14,7 +14,7 @@
 #include "text.h"
 
 namespace lacuna::analysis {
-namespace {
+namespace sheet_test {
 
 using drawing::Medium;
 using test::contains;
@@ -101,5 +101,5 @@ TEST(Ticks, AreRoundNumbersWithinTheAxis) {
     EXPECT_FALSE(std::signbit(drawing::ticks_of(-1, 1, 2)[1]));
 }
 
-}  // namespace
+}  // namespace sheet_test
 }  // namespace lacuna::analysis

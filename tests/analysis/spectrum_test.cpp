@@ -16,7 +16,7 @@
 #include "analysis/sets.h"
 
 namespace lacuna::analysis {
-namespace {
+namespace spectrum_test {
 
 constexpr Domain kUnitTorus{1, 1, true};
 
@@ -170,5 +170,5 @@ TEST(Spectrum, TellsHowFarItIsAndStopsWhenTold) {
     EXPECT_EQ(calls, 2);
 }
 
-}  // namespace
+}  // namespace spectrum_test
 }  // namespace lacuna::analysis

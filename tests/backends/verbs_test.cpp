@@ -15,7 +15,7 @@
 #include "plan/radius_field.h"
 
 namespace lacuna {
-namespace {
+namespace verbs_test {
 
 using tests::Scene;
 using Verb = std::function<void(Backend&, const Scene&)>;
@@ -404,5 +404,5 @@ TEST_P(Verbs, RoomGrowsAsOftenAsItTakes) {
 
 INSTANTIATE_TEST_SUITE_P(Backend, Verbs, tests::kDeviceBackends, tests::name_of_parameter);
 
-}  // namespace
+}  // namespace verbs_test
 }  // namespace lacuna

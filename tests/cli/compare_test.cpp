@@ -9,7 +9,7 @@
 #include "expectations.h"
 #include "program.h"
 
-namespace {
+namespace compare_test {
 
 using namespace lacuna::test;
 using Json = nlohmann::json;
@@ -179,4 +179,4 @@ TEST(Compare, TellsOfADriverThatEndsTheProgram) {
     }
 }
 
-}  // namespace
+}  // namespace compare_test

@@ -13,7 +13,7 @@
 #include "files/read_points.h"
 #include "program.h"
 
-namespace {
+namespace domain_options_test {
 
 using namespace lacuna;
 using namespace lacuna::test;
@@ -237,4 +237,4 @@ TEST(ASetOnADomain, TellsACommandThatMakesItAgain) {
     EXPECT_EQ(made["options"]["border"], 0.01);
 }
 
-}  // namespace
+}  // namespace domain_options_test

@@ -13,7 +13,7 @@
 #include "files/read_whole.h"
 #include "program.h"
 
-namespace {
+namespace ellipses_test {
 
 using namespace lacuna;
 using namespace lacuna::test;
@@ -155,4 +155,4 @@ TEST(Ellipses, AreRefusedInOneLine) {
               std::string::npos);
 }
 
-}  // namespace
+}  // namespace ellipses_test

@@ -11,7 +11,7 @@
 #include "pdf_text.h"
 #include "program.h"
 
-namespace {
+namespace origin_test {
 
 using namespace lacuna::test;
 using Json = nlohmann::json;
@@ -148,4 +148,4 @@ TEST(Sample, TakesPaperAndDotSizes) {
     expect_has(content_of(path), {"width=\"215.9mm\" height=\"355.6mm\""});
 }
 
-}  // namespace
+}  // namespace origin_test

@@ -16,7 +16,7 @@
 #include "files/read_whole.h"
 #include "program.h"
 
-namespace {
+namespace placement_test {
 
 using namespace lacuna;
 using namespace lacuna::test;
@@ -255,4 +255,4 @@ TEST(Borders, CountFromOutlinesToo) {
     EXPECT_EQ(verify_with(with({csv}, options)).exit_code, 0);
 }
 
-}  // namespace
+}  // namespace placement_test

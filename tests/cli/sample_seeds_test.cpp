@@ -11,7 +11,7 @@
 #include "expectations.h"
 #include "program.h"
 
-namespace {
+namespace sample_seeds_test {
 
 using namespace lacuna::test;
 using Json = nlohmann::json;
@@ -115,4 +115,4 @@ TEST(SampleSeeds, LeavesOnlyWholeFilesWhenASignalComes) {
     }
 }
 
-}  // namespace
+}  // namespace sample_seeds_test

@@ -9,7 +9,7 @@
 #include "expectations.h"
 #include "program.h"
 
-namespace {
+namespace sample_test {
 
 using namespace lacuna::test;
 using Names = std::vector<std::string>;
@@ -168,4 +168,4 @@ TEST(Sample, MakesExactSetsUnlessToldOtherwise) {
               in_mode({"--mode", "lines", "--lines-per-radius", "30"}));
 }
 
-}  // namespace
+}  // namespace sample_test

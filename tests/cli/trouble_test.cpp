@@ -17,7 +17,7 @@
 #include "expectations.h"
 #include "program.h"
 
-namespace {
+namespace trouble_test {
 
 using namespace lacuna::test;
 using Names = std::vector<std::string>;
@@ -264,4 +264,4 @@ TEST(ASecondSignal, DoesNotWaitForTheEndOfTheRound) {
     EXPECT_EQ(folder.names(), Names{});
 }
 
-}  // namespace
+}  // namespace trouble_test

@@ -12,7 +12,7 @@
 #include "expectations.h"
 #include "program.h"
 
-namespace {
+namespace verify_test {
 
 using namespace lacuna::test;
 
@@ -269,4 +269,4 @@ TEST(Verify, OfAProgressiveOrderProvesEveryLevel) {
     expect_has(wrong.err, {"a level of 501 points", "at most 500"});
 }
 
-}  // namespace
+}  // namespace verify_test

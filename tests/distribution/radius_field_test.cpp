@@ -17,7 +17,7 @@
 #include "rounds/random.h"
 #include "sampling/generate.h"
 
-namespace {
+namespace radius_field_test {
 
 using namespace lacuna;
 
@@ -245,4 +245,4 @@ TEST(SetsOfTwoClasses, AreSymmetricAndKeepTheDistanceOfTheirUnion) {
 
 #endif
 
-}  // namespace
+}  // namespace radius_field_test

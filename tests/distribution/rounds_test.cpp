@@ -13,7 +13,7 @@
 #include "plan/plan.h"
 #include "sampling/generate.h"
 
-namespace {
+namespace rounds_test {
 
 using namespace lacuna;
 
@@ -97,4 +97,4 @@ INSTANTIATE_TEST_SUITE_P(Sets, Rounds, kCases, [](const auto& test) {
            (set.share == 1.0 ? "Whole" : "First60Percent");
 });
 
-}  // namespace
+}  // namespace rounds_test

@@ -14,7 +14,7 @@
 
 #include "domains/picture_of_mask.h"
 
-namespace {
+namespace draw_mask_test {
 
 using namespace lacuna;
 
@@ -209,4 +209,4 @@ TEST(ADrawnMask, TakesAHundredThousandCrossingsARow) {
     EXPECT_EQ(mask.columns, 142U);
 }
 
-}  // namespace
+}  // namespace draw_mask_test

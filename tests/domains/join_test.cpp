@@ -15,7 +15,7 @@
 #include "domains/picture_of_mask.h"
 
 namespace lacuna {
-namespace {
+namespace join_test {
 
 using domains::Fill;
 using domains::Polygon;
@@ -188,5 +188,5 @@ TEST(AHoleOfGeoJson, IsAHoleOfItsOwnPolygon) {
               "######\n######\n######\n######\n");
 }
 
-}  // namespace
+}  // namespace join_test
 }  // namespace lacuna

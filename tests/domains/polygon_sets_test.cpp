@@ -15,7 +15,7 @@
 #include "domains/picture_of_mask.h"
 
 namespace lacuna {
-namespace {
+namespace polygon_sets_test {
 
 PolygonRing rectangle(double left, double right, double bottom, double top) {
     return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
@@ -138,5 +138,5 @@ TEST(SetsOfPolygons, AreFilledAndProvenFull) {
     EXPECT_GE(refuted, 90);
 }
 
-}  // namespace
+}  // namespace polygon_sets_test
 }  // namespace lacuna

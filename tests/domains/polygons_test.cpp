@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace {
+namespace polygons_test {
 
 using namespace lacuna;
 
@@ -141,4 +141,4 @@ TEST(Polygons, AreReadByExtensionOfAnyCase) {
     EXPECT_THROW(read_polygons("no such file.svg"), FileError);
 }
 
-}  // namespace
+}  // namespace polygons_test

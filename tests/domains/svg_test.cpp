@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace {
+namespace svg_test {
 
 using namespace lacuna;
 
@@ -278,4 +278,4 @@ TEST(AnSvg, ThatRepeatsItselfWithoutEndIsRefused) {
               std::string::npos);
 }
 
-}  // namespace
+}  // namespace svg_test

@@ -12,7 +12,7 @@
 #include "text.h"
 
 namespace lacuna::files {
-namespace {
+namespace layers_test {
 
 using test::contains;
 
@@ -65,5 +65,5 @@ TEST(Layers, GivenThePointsAloneThenReadingGivesThemBack) {
         EXPECT_EQ(decoded(name, encoded(name)), kPoints) << name;
 }
 
-}  // namespace
+}  // namespace layers_test
 }  // namespace lacuna::files

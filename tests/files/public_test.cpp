@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace public_test {
 
 using namespace lacuna;
 
@@ -37,4 +37,4 @@ TEST(EncodePoints, TakesFormatsByNameAndTheDomain) {
     EXPECT_THROW(encode_points(kPoints, "dat"), BadRequest);  // only read
 }
 
-}  // namespace
+}  // namespace public_test

@@ -16,7 +16,7 @@
 #include "folder.h"
 
 namespace lacuna::files {
-namespace {
+namespace read_points_test {
 
 using Points = std::vector<Point>;
 
@@ -124,5 +124,5 @@ TEST(AJsonFile, MayBeABareArrayOrAnObjectWithOtherKeys) {
         expect_same_bits(decode(text, format_of("a.json"), "file"), expected);
 }
 
-}  // namespace
+}  // namespace read_points_test
 }  // namespace lacuna::files

@@ -15,7 +15,7 @@
 #include "folder.h"
 
 namespace lacuna::files {
-namespace {
+namespace read_sets_test {
 
 using Points = std::vector<Point>;
 
@@ -151,5 +151,5 @@ TEST_F(ReadSets, OfAnUnknownFormatAreRefusedWithAllThatAreKnown) {
     EXPECT_THROW(read_sets(path("missing.dat")), FileError);
 }
 
-}  // namespace
+}  // namespace read_sets_test
 }  // namespace lacuna::files

@@ -10,7 +10,7 @@
 #include "pictures/importance.h"
 
 namespace lacuna::pictures {
-namespace {
+namespace along_test {
 
 constexpr std::size_t kColumns = 120, kRows = 80;
 constexpr double kRatio = 5;
@@ -79,5 +79,5 @@ TEST(Along, IsPartOfTheTone) {
         EXPECT_THROW(importance_of(image, {.along = ratio}), BadRequest) << ratio;
 }
 
-}  // namespace
+}  // namespace along_test
 }  // namespace lacuna::pictures

@@ -10,7 +10,7 @@
 #include "pictures/pictures.h"
 
 namespace lacuna::pictures {
-namespace {
+namespace plain_formats_test {
 
 using Values = std::vector<double>;
 
@@ -185,5 +185,5 @@ TEST(AnNpyArray, OfFourChannelsIsCompositedOverWhite) {
     EXPECT_EQ(image.luminance, (Values{4, 4, 3}));
 }
 
-}  // namespace
+}  // namespace plain_formats_test
 }  // namespace lacuna::pictures

@@ -16,7 +16,7 @@
 #include "refusal.h"
 
 namespace lacuna::pictures {
-namespace {
+namespace separate_test {
 
 using lacuna::tests::refusal_of;
 using Light = std::array<double, 3>;
@@ -188,5 +188,5 @@ TEST(InkNames, AreReadFromText) {
               "black-ink 1.5: must be 0 to 1");
 }
 
-}  // namespace
+}  // namespace separate_test
 }  // namespace lacuna::pictures

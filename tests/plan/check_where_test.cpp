@@ -11,7 +11,7 @@
 #include "plan/plan.h"
 #include "refusal.h"
 
-namespace {
+namespace check_where_test {
 
 using namespace lacuna;
 
@@ -117,4 +117,4 @@ TEST(AKeptPoint, LiesWhereTheFieldHasImportance) {
               "keep point 1 at (0.25, 0.5): must lie where the field is not 0");
 }
 
-}  // namespace
+}  // namespace check_where_test

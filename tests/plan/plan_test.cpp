@@ -10,7 +10,7 @@
 
 #include "refusal.h"
 
-namespace {
+namespace plan_test {
 
 using namespace lacuna;
 
@@ -227,4 +227,4 @@ TEST(Plan, RefusesInExactWhatIsForLinesOnly) {
     }
 }
 
-}  // namespace
+}  // namespace plan_test

@@ -11,7 +11,7 @@
 
 #include "plan/ellipse.h"
 
-namespace {
+namespace ellipse_test {
 
 using namespace lacuna;
 using namespace lacuna::portable;
@@ -159,4 +159,4 @@ TEST(AWindow, CutsHeightsToTheDomain) {
     EXPECT_EQ(height_in_window(2, 4, 10), 0U);
 }
 
-}  // namespace
+}  // namespace ellipse_test

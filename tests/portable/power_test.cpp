@@ -8,7 +8,7 @@
 
 #include "portable/power.h"
 
-namespace {
+namespace power_test {
 
 using namespace lacuna::portable;
 __extension__ using Wide = unsigned __int128;
@@ -150,4 +150,4 @@ TEST(Power, centre_of_mass_is_the_nearest_unit) {
     }
 }
 
-}  // namespace
+}  // namespace power_test

@@ -14,7 +14,7 @@
 #include "fields.h"
 #include "refusal.h"
 
-namespace {
+namespace ellipses_test {
 
 using namespace lacuna;
 
@@ -246,4 +246,4 @@ TEST(Ellipses, AreRefusedByNumberAndPlace) {
     EXPECT_NE(refused().find("are 0.03"), std::string::npos) << refused();
 }
 
-}  // namespace
+}  // namespace ellipses_test

@@ -10,7 +10,7 @@
 
 #include "distances.h"
 
-namespace {
+namespace exact_promises_test {
 
 using namespace lacuna;
 
@@ -123,4 +123,4 @@ TEST(TheModes, AreNamedAsTheCommandNamesThem) {
     EXPECT_EQ(name_of(Mode::lines), "lines");
 }
 
-}  // namespace
+}  // namespace exact_promises_test

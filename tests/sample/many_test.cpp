@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace {
+namespace many_test {
 
 using namespace lacuna;
 using Seeds = std::vector<std::uint64_t>;
@@ -131,4 +131,4 @@ TEST(SampleMany, TellsTheCallingThreadHowManySetsAreDoneAndEndsWhenTold) {
     }
 }
 
-}  // namespace
+}  // namespace many_test

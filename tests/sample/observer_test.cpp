@@ -9,7 +9,7 @@
 #include <ostream>
 #include <string>
 
-namespace {
+namespace observer_test {
 
 using namespace lacuna;
 
@@ -200,4 +200,4 @@ TEST(ARefusalBeforeTheFirstRound, CancelsWhileRadiiAreFoundForAField) {
     }
 }
 
-}  // namespace
+}  // namespace observer_test

@@ -15,7 +15,7 @@
 #include "refusal.h"
 
 namespace lacuna {
-namespace {
+namespace progressive_test {
 
 Request progressive(std::uint64_t count, std::uint64_t seed = 0) {
     Request request;
@@ -202,5 +202,5 @@ TEST(Progressive, IsForModeExact) {
               "progressive with mode lines: is for mode exact");
 }
 
-}  // namespace
+}  // namespace progressive_test
 }  // namespace lacuna

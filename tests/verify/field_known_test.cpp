@@ -9,7 +9,7 @@
 #include "verify/field_sets.h"
 
 namespace lacuna::verify {
-namespace {
+namespace field_known_test {
 
 // The unit square, whose left half has one radius and whose right half has another.
 FieldCase halves(double left, double right, bool torus = false) {
@@ -176,5 +176,5 @@ TEST(ATolerance, OverAPercentOfTheLeastRadiusProvesNoSetMaximal) {
     EXPECT_FALSE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);
 }
 
-}  // namespace
+}  // namespace field_known_test
 }  // namespace lacuna::verify

@@ -14,7 +14,7 @@
 #include "verify/largest_gap.h"
 
 namespace lacuna::verify {
-namespace {
+namespace field_sets_test {
 
 constexpr std::uint64_t kFirstSeed = 18000;
 constexpr std::uint64_t kCases = 90;
@@ -186,5 +186,5 @@ TEST(ACrowdOfManyRadii, IsSeenThroughQuickly) {
     }
 }
 
-}  // namespace
+}  // namespace field_sets_test
 }  // namespace lacuna::verify

@@ -8,7 +8,7 @@
 #include "backends/radius_field_requests.h"
 
 namespace lacuna::device {
-namespace {
+namespace layout_test {
 
 TEST(Slabs, HoldEveryLineOnceAndFit) {
     for (const std::uint32_t lines : {1u, 2u, 7u, 100u}) {
@@ -109,5 +109,5 @@ TEST(Requests, WithARadiusFieldThatDoNotFitAreRefusedToo) {
               "device Toy: the request needs 0.277 GB of memory, and it has 0.2 GB");
 }
 
-}  // namespace
+}  // namespace layout_test
 }  // namespace lacuna::device

@@ -11,7 +11,7 @@
 
 #include "backends/backend.h"
 
-namespace {
+namespace parts_test {
 
 using namespace lacuna;
 using device::kMostOfColumn;
@@ -72,4 +72,4 @@ TEST(Parts, ArrangeAllDrawsPartByPartAndColumnByColumn) {
     }
 }
 
-}  // namespace
+}  // namespace parts_test
