@@ -16,6 +16,32 @@ function(lacuna_embed_kernels target name)
         DEPENDS ${files} ${headers} ${script} VERBATIM
         COMMENT "Embedding OpenCL kernels: ${name}")
     target_sources(${target} PRIVATE ${output})
+    # Each of these files has constants of the same names.
+    set_source_files_properties(${output} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# lacuna_check_kernels(TARGET FILE...) lets clang, where it is installed, look for mistakes in OpenCL C
+# files before TARGET is built. Drivers would find them only when a program runs.
+function(lacuna_check_kernels target)
+    find_program(LACUNA_CLANG clang)
+    if(NOT LACUNA_CLANG)
+        return()
+    endif()
+    set(checked)
+    foreach(file IN LISTS ARGN)
+        cmake_path(GET file FILENAME name)
+        set(stamp ${CMAKE_CURRENT_BINARY_DIR}/checked_kernels/${name}.checked)
+        add_custom_command(OUTPUT ${stamp}
+            COMMAND ${LACUNA_CLANG} -x cl -cl-std=CL1.2 -Xclang -finclude-default-header
+                -Xclang -fdeclare-opencl-builtins -fsyntax-only -Wall -Wno-unused -Werror
+                -I${PROJECT_SOURCE_DIR}/kernels -MD -MT ${stamp} -MF ${stamp}.d ${file}
+            COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
+            DEPENDS ${file} DEPFILE ${stamp}.d VERBATIM COMMENT "Checking kernel ${name}")
+        list(APPEND checked ${stamp})
+    endforeach()
+    file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/checked_kernels)
+    add_custom_target(${target}_checked_kernels DEPENDS ${checked})
+    add_dependencies(${target} ${target}_checked_kernels)
 endfunction()
 
 function(lacuna_add_opencl)
@@ -47,6 +73,8 @@ function(lacuna_add_opencl)
         list(APPEND groups ${files})
     endforeach()
     lacuna_embed_kernels(lacuna kernel_sources ${groups})
+    file(GLOB kernels CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/kernels/*.cl)
+    lacuna_check_kernels(lacuna ${kernels})
     target_include_directories(lacuna SYSTEM PRIVATE
         ${OPENCL_INCLUDE_DIR} ${OPENCL_HPP_INCLUDE_DIR})
     target_compile_definitions(lacuna PRIVATE LACUNA_OPENCL)
