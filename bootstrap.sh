@@ -43,6 +43,7 @@ usage: ./bootstrap.sh COMMAND
   web [tests]   build the page, Lacuna as WebAssembly, into build-web/page; with 'tests' install what
                 web/check needs, and build what it runs under node
   build         install what is missing, configure and build everything into build/
+  packages      install what all these commands and .ci/run need
   clean         remove build/ and build-web/
   help          print this
 
@@ -110,13 +111,9 @@ cached() {
 }
 
 # configure TESTS: configures build/, with the tests and benchmarks if TESTS is ON. A build/ that
-# has tests keeps them. An existing build/ stays a unity build or none. So
-# nothing is compiled again, whichever command came first.
+# has tests keeps them. So nothing is compiled again, whichever command came first.
 configure() {
     local options=("-DLACUNA_TESTS=$1" "-DLACUNA_BENCHMARKS=$1") source tests
-    # A unity build compiles in half the time, but takes longer after a change of one file. So it is
-    # used only for the command alone.
-    [[ $1 == ON ]] || options+=(-DCMAKE_UNITY_BUILD=ON)
     source=$(cached CMAKE_HOME_DIRECTORY)
     [[ -z $source || $source == "$root" ]] ||
         die "build/ was configured for $source, not for $root: run './bootstrap.sh clean' first"
@@ -127,7 +124,9 @@ configure() {
         return 0
     fi
     [[ $1 == ON || $tests != ON ]] || options=()
-    [[ -z ${CI:-} ]] || options+=(-DLACUNA_WERROR=ON)
+    # .ci/timed notes the time of each test program.
+    [[ -z ${CI:-} ]] ||
+        options+=(-DLACUNA_WERROR=ON "-DCMAKE_CROSSCOMPILING_EMULATOR=$root/.ci/timed")
     (cd "$root" && cmake --preset release "${options[@]}") ||
         die "configuring failed: the first 'CMake Error' above says why"
 }
@@ -143,6 +142,13 @@ build() {
     install_packages
     configure ON
     build_targets
+}
+
+# With debootstrap, which makes the root of tests/systems/debian13.
+all_packages() {
+    packages+=("${more_packages[@]}" "${web_packages[@]}" "${more_web_packages[@]}" debootstrap)
+    optional_packages+=("${more_optional_packages[@]}")
+    install_packages
 }
 
 run() {
@@ -217,7 +223,8 @@ run_tests() {
     # PoCL silently lists no device when it cannot write its cache.
     export POCL_CACHE_DIR=$build/pocl-cache
     mkdir -p "$POCL_CACHE_DIR"
-    exec ctest --test-dir "$build" --output-on-failure --no-tests=error -j2 "$@"
+    # One more than the cores, because some tests wait.
+    exec ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$(($(nproc) + 1))" "$@"
 }
 
 main() {
@@ -231,13 +238,14 @@ main() {
         python) python_module ;;
         web) web_page "$@" ;;
         build) build ;;
+        packages) all_packages ;;
         clean) rm -rf "$build" "$root/build-web" ;;
         help | -h | --help) usage ;;
         '')
             usage >&2
             exit 2
             ;;
-        *) bad_usage "$command: must be run, test, python, web, build, clean or help" ;;
+        *) bad_usage "$command: must be run, test, python, web, build, packages, clean or help" ;;
     esac
 }
 
