@@ -99,8 +99,9 @@ TEST(Inks, PrintTheColourOfThePicture) {
     for (const char* text : {"cmyk", "#0083b8,#d6006d,#ffd500,#1b1b1b"})
         for (const Light& light :
              {Light{0.5, 0.5, 0.5}, Light{0.25, 0.35, 0.5}, Light{0.6, 0.4, 0.25},
-              Light{0.8, 0.7, 0.6}, Light{0.1, 0.1, 0.12}, Light{0.35, 0.15, 0.1}})
-            for (const double black_ink : {0.5, 0.8, 1.0}) {
+              Light{0.8, 0.7, 0.6}, Light{0.1, 0.1, 0.12}, Light{0.35, 0.15, 0.1},
+              Light{0.2, 0.2, 0.2}, Light{0.04, 0.04, 0.04}, Light{0, 0, 0}})
+            for (const double black_ink : {0.0, 0.5, 0.8, 1.0}) {
                 const std::vector<Ink> inks = inks_of(text);
                 const Light got = printed(inks, amounts_of(ppm_of(light), inks, black_ink));
                 for (std::size_t c = 0; c < light.size(); ++c)
@@ -119,20 +120,68 @@ TEST(Inks, OfTheirOwnColoursAreAlone) {
             Light light{};
             for (std::size_t c = 0; c < light.size(); ++c)
                 light[c] = linear(inks[k].colour[c] / 255.0);
-            expect_near(amounts_of(ppm_of(light), inks, 1), alone, 0.02);
+            expect_near(amounts_of(ppm_of(light), inks, 1), alone, 0.03);
         }
     }
 }
 
 TEST(Inks, OfGreyAreBlackOrOthersAsBlackInkSays) {
     const std::vector<Ink> inks = inks_of("#00ffff,#ff00ff,#ffff00,#000000");
-    const std::string grey = ppm_of({0.3, 0.3, 0.3});
-    expect_near(amounts_of(grey, inks, 1), {0, 0, 0, 0.7}, 0.001);
-    expect_near(amounts_of(grey, inks, 0), {0.7, 0.7, 0.7, 0}, 0.001);
+    const std::string grey = ppm_of({0.5, 0.5, 0.5});
+    expect_near(amounts_of(grey, inks, 1), {0, 0, 0, 0.5}, 0.001);
+    expect_near(amounts_of(grey, inks, 0), {0.5, 0.5, 0.5, 0}, 0.001);
     const std::vector<double> half = amounts_of(grey, inks, 0.5);
-    EXPECT_NEAR(half[3], 0.35, 0.001);
+    EXPECT_NEAR(half[3], 0.25, 0.001);
     EXPECT_NEAR(half[0], half[2], 0.001);
-    EXPECT_GT(half[0], 0.35);  // without overlap it would be 0.35
+    EXPECT_GT(half[0], 0.25);  // without overlap it would be 0.25
+}
+
+// Grey, or a colour, from the lightest to black in 256 steps.
+std::string to_black(const Light& lightest) {
+    std::string text = "P3 256 1 65025";
+    for (int grey = 255; grey >= 0; --grey)
+        for (const double one : lightest)
+            text += ' ' + std::to_string(std::lround(grey * one * 255));
+    return text;
+}
+
+TEST(BlackInk, GrowsStepByStepAsThePictureGetsDarker) {
+    for (const char* text : {"cmyk", "#0083b8,#d6006d,#ffd500,#1b1b1b", "red,black", "black"})
+        for (const double black_ink : {0.0, 0.1, 0.3, 0.5, 0.8, 1.0}) {
+            SCOPED_TRACE(std::string(text) + ", black ink " + std::to_string(black_ink));
+            const std::vector<Ink> inks = inks_of(text);
+            const std::vector<Field> fields =
+                decode_inks(to_black({1, 1, 1}), "file", inks, {}, black_ink);
+            const auto is_black = [](const Ink& ink) { return ink.colour[0] < 0x20; };
+            const std::size_t black = static_cast<std::size_t>(
+                std::find_if(inks.begin() + (inks.size() > 3 ? 3 : 0), inks.end(), is_black) -
+                inks.begin());
+            double all_on_black = 0;
+            for (std::size_t k = 0; k < inks.size(); ++k) {
+                const std::vector<double>& amounts = fields[k].importance;
+                for (std::size_t i = 1; i < amounts.size(); ++i) {
+                    const double step = amounts[i] - amounts[i - 1];
+                    ASSERT_LT(std::abs(step), 0.02) << "ink " << k << ", grey " << 255 - i;
+                    ASSERT_TRUE(k != black || step > -1e-3) << "grey " << 255 - i;
+                }
+                all_on_black += amounts.back();
+            }
+            EXPECT_NEAR(fields[black].importance.back(), 1, 1e-3);
+            EXPECT_NEAR(all_on_black, 1, 0.01);
+        }
+}
+
+TEST(BlackInk, GrowsInDarkColoursToo) {
+    for (const Light& lightest : {Light{1, 0, 0}, Light{0, 1, 0}, Light{0, 0, 1}, Light{1, 1, 0},
+                                  Light{0, 1, 1}, Light{1, 0, 1}, Light{1, 0.6, 0.4}}) {
+        const std::vector<Field> fields =
+            decode_inks(to_black(lightest), "file", inks_of("cmyk"), {}, kBlackInk);
+        const std::vector<double>& black = fields[3].importance;
+        for (std::size_t i = 1; i < black.size(); ++i)
+            ASSERT_LT(std::abs(black[i] - black[i - 1]), 0.2)
+                << lightest[0] << " " << lightest[1] << " " << lightest[2] << ", " << 255 - i;
+        EXPECT_NEAR(black.back(), 1, 1e-3);
+    }
 }
 
 TEST(Inks, AreNotNeededOnWhite) {
