@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "drawing/crowd.h"
+#include "drawing/dot_size.h"
+
 namespace lacuna::drawing {
 namespace {
 
@@ -38,27 +41,48 @@ double nearest_in_pixel(double from, std::int64_t pixel, double side) {
     return std::clamp(from, edge, edge + side);
 }
 
-// Where a dot of this radius goes. Each step moves it straight away from the nearest white, as far
-// as it overhangs. A step that brings it nearer to some white is taken back, and halved.
-Point pulled(Point from, double radius, const White& white) {
+// A place on the dark pixel of a dot that lies on its edge, where white begins: half way to the
+// middle of the pixel. Nothing if the pixel is white itself.
+std::optional<Point> off_the_edge(Point from, const White& white) {
+    if (importance_at(from, white.field, white.width, white.height) == 0) return std::nullopt;
+    const auto towards_middle = [](double at, double side, std::uint32_t pixels) {
+        const double step = side / pixels;
+        const double middle = (std::min(std::floor(at / step), pixels - 1.0) + 0.5) * step;
+        return (at + middle) / 2;
+    };
+    return Point{towards_middle(from.x, white.width, white.field.columns),
+                 towards_middle(from.y, white.height, white.field.rows)};
+}
+
+// Moves a dot of this radius. Each step goes straight away from the nearest white, as far as the
+// dot overhangs. A step that brings it nearer to some white, or too near to another dot, is taken
+// back, and halved.
+void pull(std::size_t dot, double radius, const White& white, Crowd& crowd) {
     constexpr int kSteps = 24;
-    Point best = from;
-    std::optional<Near> near = nearest_white(white, from, radius);
+    std::optional<Near> near = nearest_white(white, crowd.at(dot), radius);
     double share = 1;
-    for (int step = 0; near && near->distance > 0 && step < kSteps; ++step) {
-        const double move = share * (radius * (1 + kTouch) - near->distance) / near->distance;
-        const Point moved = in_domain(
-            {best.x + move * (best.x - near->point.x), best.y + move * (best.y - near->point.y)},
-            white);
-        const std::optional<Near> next = nearest_white(white, moved, radius);
-        if (next && next->distance <= near->distance) {
+    for (int step = 0; near && step < kSteps; ++step) {
+        const Point from = crowd.at(dot);
+        Point to;
+        if (near->distance > 0) {
+            const double move = share * (radius * (1 + kTouch) - near->distance) / near->distance;
+            to = in_domain({from.x + move * (from.x - near->point.x),
+                            from.y + move * (from.y - near->point.y)},
+                           white);
+        } else {
+            const std::optional<Point> inner = off_the_edge(from, white);
+            if (!inner) return;
+            to = *inner;
+        }
+        const std::optional<Near> next = nearest_white(white, to, radius);
+        const bool is_nearer = next && next->distance <= near->distance;
+        if (is_nearer || (near->distance > 0 && crowd.is_too_near(dot, to))) {
             share /= 2;
             continue;
         }
-        best = moved;
+        crowd.move(dot, to);
         near = next;
     }
-    return best;
 }
 
 }  // namespace
@@ -104,8 +128,10 @@ std::optional<Point> White::nearest(Point from, double reach) const {
 }
 
 void pull_inside(std::span<Point> points, std::span<const double> diameters, const White& white) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-        points[i] = pulled(points[i], diameters[i] / 2, white);
+    Crowd crowd(points, diameters, white.width, white.height, white.boundary);
+    for (std::size_t dot = 0; dot < points.size(); ++dot)
+        pull(dot, diameters[dot] / 2, white, crowd);
+    for (std::size_t dot = 0; dot < points.size(); ++dot) points[dot] = crowd.at(dot);
 }
 
 void fit_inside(std::span<const Point> points, std::span<double> diameters, const White& white,

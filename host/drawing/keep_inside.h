@@ -22,7 +22,8 @@ struct White {
 };
 
 // Moves dots away from white until none touches it, each as far as its dot overhangs. Where a shape
-// is narrower than a dot, the dot comes near the middle of it. Points that lie on white stay.
+// is narrower than a dot, the dot comes near the middle of it. A dot stops before it comes nearer
+// to another one than Crowd::kApart of their mean diameter. Points that lie on white stay.
 void pull_inside(std::span<Point> points, std::span<const double> diameters, const White& white);
 
 // Makes dots that still overhang smaller until they do not, but not smaller than `least`.

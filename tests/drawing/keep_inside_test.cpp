@@ -128,6 +128,53 @@ TEST(KeepInsideDots, OfAPenDoNotShrinkBelowIt) {
     EXPECT_EQ(diameters, (std::vector<double>{0.6, 0.2}));
 }
 
+TEST(KeepInsideDots, OnTheEdgeOfWhiteMoveOffIt) {
+    std::vector<Point> points{{0.5, 0.5}, {0, 0.5}, {0.25, 0}};
+    // The first lies on the edge of the white half, the others on the edges of the picture.
+    points[0].x = std::nextafter(0.5, 0);
+    const std::vector<double> diameters{0.1, 0.1, 0.1};
+    pull_inside(points, diameters, kHalfWhite);
+    EXPECT_LE(points[0].x, 0.45);
+    EXPECT_GE(points[1].x, 0.05);
+    EXPECT_GE(points[2].y, 0.05);
+    std::vector<double> fitted = diameters;
+    fit_inside(points, fitted, kHalfWhite);
+    EXPECT_EQ(fitted, diameters);
+}
+
+// A triangle, whose tip is narrower than any dot.
+TEST(KeepInsideDots, DoNotMeetOnOneSpot) {
+    constexpr std::uint32_t kSide = 64;
+    Field field{kSide, kSide, std::vector<double>(kSide * kSide, 0)};
+    for (std::uint32_t row = 0; row < kSide; ++row)
+        for (std::uint32_t column = 0; column < kSide; ++column)
+            if (column >= kSide / 2 - row / 4 - 1 && column <= kSide / 2 + row / 4)
+                field.importance[row * kSide + column] = 1;
+    for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
+        const White white{field, 1, 1, boundary};
+        std::mt19937_64 random(1);
+        std::uniform_real_distribution<double> unit;
+        std::vector<Point> before;
+        while (before.size() < 400) {
+            const Point point{unit(random), unit(random)};
+            if (distance_to_white(point, white) > 0) before.push_back(point);
+        }
+        const std::vector<double> diameters(before.size(), 0.08);
+        std::vector<Point> after = before;
+        pull_inside(after, diameters, white);
+        const auto distance = [](Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); };
+        std::size_t came_nearer = 0;
+        for (std::size_t i = 0; i < after.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const double now = distance(after[i], after[j]);
+                const double was = distance(before[i], before[j]);
+                came_nearer += static_cast<std::size_t>(now < was);
+                ASSERT_GE(now, 0.999 * std::min(was, 0.125 * 0.08)) << i << " " << j;
+            }
+        EXPECT_GT(came_nearer, 1000U);
+    }
+}
+
 TEST(KeepInsideDots, ThatBeganOnWhiteStayThere) {
     std::vector<Point> points{{0.75, 0.5}};
     pull_inside(points, std::vector<double>{0.2}, kHalfWhite);
