@@ -17,6 +17,7 @@
 #include "pictures/image.h"
 #include "pictures/whole_samples.h"
 #include "plan/plan.h"
+#include "recipes/settle.h"
 
 namespace lacuna::files {
 
@@ -146,11 +147,10 @@ drawing::Style style_of(const StippleOptions& options, double width, double heig
     return style;
 }
 
-void check_inks(const StippleOptions& options, Request request) {
+void check_inks(const StippleOptions& options, const Request& request) {
     if (options.metric)
         throw BadRequest("metric", std::string(name_of(*options.metric)),
                          "is not for inks, whose dots begin stratified");
-    request.mode = Mode::stratified;
     check_request(request);
 }
 
@@ -183,11 +183,13 @@ Set Stippler::stipple(const Pixels& pixels, const StippleOptions& options, const
     drawing::set_fields(tones, fields_of(pixels, options), options.inks);
     const Field& density = tones.has_inks() ? tones.sum : tones.densities().front();
     Request request;
-    const bool keeps_distance = options.relax == 0 || options.metric;
-    request.mode = keeps_distance ? Mode::cells : Mode::stratified;
+    recipes::settle({.is_picture = true,
+                     .has_inks = tones.has_inks(),
+                     .metric = options.metric,
+                     .relax = options.relax},
+                    request);
     request.field = &density;
     request.seed = options.seed;
-    request.metric = options.metric.value_or(Metric::min);
     const double longer = std::max(pixels.columns, pixels.rows);
     request.width = pixels.columns / longer;
     request.height = pixels.rows / longer;
@@ -215,7 +217,9 @@ Set Stippler::stipple(const Pixels& pixels, const StippleOptions& options, const
 }
 
 Set sample(Request request, std::uint32_t relax, const Tell& tell) {
-    if (relax != 0 && request.count && request.mode == Mode::exact) request.mode = Mode::stratified;
+    const bool is_default = request.mode == Mode::exact;
+    recipes::settle(
+        {.mode = is_default ? std::nullopt : std::optional(request.mode), .relax = relax}, request);
     Set set = placed(request, relax, tell);
     relax_points(set, nullptr, relax, tell);
     return set;

@@ -55,24 +55,36 @@ TEST(Compare, FindsTheSamePointsOnEveryBackendInEveryMode) {
     }
 }
 
+// Compares a request, and expects the points that sample or stipple makes of the same options.
+void expect_set_of_the_command(const Words& request, const Words& more) {
+    const Folder folder;
+    const std::string json = folder.path("a.json"), alone = folder.path("b.json");
+    const Outcome outcome = run(compare(request, joined(more, {"--runs", "1", "--json", json})));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    EXPECT_NE(outcome.out.find("made these points"), std::string::npos) << outcome.out;
+    const bool is_uniform = request.front().starts_with("--");
+    expect_success(joined(joined({is_uniform ? "sample" : "stipple"}, request),
+                          {"--quiet", "-o", folder.path("b.npy"), "--report", alone}));
+    EXPECT_EQ(Json::parse(content_of(json)).at("entries")[0].at("points_sha256"),
+              Json::parse(content_of(alone)).at("points_sha256"));
+}
+
 TEST(Compare, FindsTheSameRelaxedPointsOnEveryBackend) {
-    const std::vector<Words> requests = {
-        {LACUNA_EXAMPLES "/raccoon.png", "--count", "500", "--relax", "3"},
-        {"--count", "300", "--torus", "--relax", "3"}};
-    for (const Words& request : requests) {
-        const Folder folder;
-        const std::string json = folder.path("a.json"), alone = folder.path("b.json");
-        const Outcome outcome = run(compare(request, {"--runs", "1", "--json", json}));
-        ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-        EXPECT_NE(outcome.out.find("made these points"), std::string::npos) << outcome.out;
-        // The points are the same as stipple's or sample's, not those before relaxing.
-        const bool is_uniform = request.front() == "--count";
-        expect_success(joined(joined({is_uniform ? "sample" : "stipple"}, request),
-                              {"--start", is_uniform ? "exact" : "cells", "--quiet", "-o",
-                               folder.path("b.npy"), "--report", alone}));
-        EXPECT_EQ(Json::parse(content_of(json)).at("entries")[0].at("points_sha256"),
-                  Json::parse(content_of(alone)).at("points_sha256"));
-    }
+    expect_set_of_the_command({LACUNA_EXAMPLES "/raccoon.png", "--count", "500", "--relax", "3"},
+                              {});
+    expect_set_of_the_command({"--count", "300", "--torus", "--relax", "3"}, {});
+}
+
+TEST(Compare, MakesTheSetsOfSampleAndStipple) {
+    const std::string raccoon = LACUNA_EXAMPLES "/raccoon.png";
+    for (const Words& request :
+         {Words{raccoon, "--scale", "0.03", "--relax", "3"},
+          Words{raccoon, "--count", "300", "--mode", "exact", "--relax", "2"},
+          Words{raccoon, "--count", "300", "--metric", "max", "--relax", "2"},
+          Words{raccoon, "--count", "100", "--along", "3", "--relax", "0"},
+          Words{raccoon, "--scale", "0.03", "--relax", "0"},
+          Words{"--radius", "0.06", "--relax", "3"}})
+        expect_set_of_the_command(request, {"--backends", "cpu"});
 }
 
 TEST(Compare, NamesTheFirstPointThatOneBitMakesDifferent) {

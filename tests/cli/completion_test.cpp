@@ -87,8 +87,10 @@ TEST_P(Completion, OffersACommandsOptionsAndTheirValues) {
     EXPECT_EQ(completed({"sample", "--r"}), "--radius --relax --report --round-size");
     EXPECT_EQ(completed({"stipple", "--metr"}), "--metric");
     EXPECT_EQ(completed({"stipple", "--metric", "m"}), "max mean min");
-    EXPECT_EQ(completed({"stipple", "--mode", ""}), "cells exact");
-    EXPECT_EQ(completed({"sample", "--mode", ""}), "exact lines");
+    EXPECT_EQ(completed({"stipple", "--mode", ""}), "cells exact stratified");
+    EXPECT_EQ(completed({"stipple", "--start", "s"}), "stratified");
+    EXPECT_EQ(completed({"sample", "--mode", ""}), "exact lines stratified");
+    EXPECT_EQ(completed({"compare", "--mode", ""}), "cells exact lines stratified");
     EXPECT_EQ(completed({"stipple", "a.png", "--paper-size", "l"}), "legal letter");
     EXPECT_EQ(completed({"sample", "--format", "p"}), "pdf ply png");
     EXPECT_EQ(completed({"sample", "--backend", "v"}), "vulkan");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -43,6 +44,35 @@ std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
     for (std::string line; std::getline(stream, line);) lines.push_back(line);
     return lines;
+}
+
+TEST(Classes, OfACountAreReportedWithTheDistancesThatTheyKeep) {
+    const Folder folder;
+    const Outcome outcome = test::run({"sample", "--class", "a:0.4", "--class", "b:0.1",
+                                       "--between", "union", "--count", "300", "-o",
+                                       folder.path("a.csv"), "--report", folder.path("r.json")});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("radius"), std::string::npos) << outcome.err;
+    const Json report = Json::parse(files::read_whole(folder.path("r.json")));
+    const Json& distances = report.at("request").at("distances");
+    const double factor = distances[1][1].get<double>() / 0.1;
+    EXPECT_LT(factor, 1);
+    EXPECT_NEAR(distances[0][0].get<double>(), 0.4 * factor, 1e-12);
+    char told[64];
+    std::snprintf(told, sizeof told, ", distances %.4g times those given", factor);
+    EXPECT_NE(outcome.err.find(told), std::string::npos) << outcome.err << told;
+    // The report's distances hold: those of class a, the largest, are kept by its points.
+    std::vector<Point> trees;
+    for (const std::string& line : lines_of(files::read_whole(folder.path("a.csv"))))
+        if (line.ends_with(",a"))
+            trees.push_back({std::stod(line), std::stod(line.substr(line.find(',') + 1))});
+    ASSERT_GT(trees.size(), 2U);
+    double least = 1;
+    for (std::size_t i = 0; i < trees.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            least = std::min(least, std::hypot(trees[i].x - trees[j].x, trees[i].y - trees[j].y));
+    EXPECT_GE(least, distances[0][0].get<double>());
+    EXPECT_LT(least, 1.3 * distances[0][0].get<double>());
 }
 
 TEST(Classes, AreNamedInFilesAndProvenFromThem) {

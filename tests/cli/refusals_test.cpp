@@ -250,7 +250,10 @@ TEST(Refused, OfCompareAreBadOptions) {
         {"--radius 0.1 --output a.txt", 2, "--output", ".svg .pdf .png"},
         {"--radius 0.1 --json a.txt", 2, "--json", ".json"},
         {"--radius 0.1 --invert", 2, "--invert"},
-        {"raccoon.png --count 10 --mode lines", 2, "--mode with a picture"},
+        {"raccoon.png --count 10 --mode lines", 2, "--mode lines:", "stratified, cells or exact"},
+        {"--radius 0.1 --mode cells", 2, "--mode cells:", "for pictures only"},
+        {"--count 10 --mode stratified", 2, "--mode stratified:", "is a start for --relax"},
+        {"raccoon.png --count 10 --along 3 --relax 2", 2, "--along 3:", "--relax"},
         {"", 2, "--radius", "missing"},
     };
     expect_refusals(Files{}, "compare", refusals);

@@ -91,6 +91,19 @@ TEST(StippleInks, HaveAsManyDotsAsInkCountsSays) {
               (std::vector<std::size_t>{0, 9}));
 }
 
+TEST(StippleInks, OfABlackPictureAreBlack) {
+    const Drawing drawing;
+    write_file(drawing.path("black.pgm"), "P2 1 1 1 0");
+    for (const Names& counts : {Names{"--count", "100"}, Names{"--ink-counts", "0,0,0,100"}}) {
+        Names arguments{"stipple", drawing.path("black.pgm"), "--inks", "cmyk", "--quiet",
+                        "-o",      drawing.path("b.json")};
+        const Outcome outcome = run(joined(arguments, counts));
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_EQ(counts_of(nlohmann::json::parse(content_of(drawing.path("b.json")))),
+                  (std::vector<std::size_t>{0, 0, 0, 100}));
+    }
+}
+
 TEST(StippleInks, AreLayersAndColumns) {
     const Drawing drawing;
     const Outcome outcome = drawing.stipple(
@@ -132,7 +145,7 @@ TEST(StippleInks, ThatCannotBeAreRefused) {
          {"raccoon.png --inks red --mode cells", 2, {"mode cells", "not for --inks"}},
          {"raccoon.png --inks red --scale 0.1", 2, {"scale 0.1", "mode stratified"}},
          {"raccoon.png --inks red --metric min", 2, {"metric min", "not for --inks"}},
-         {"raccoon.png --inks red --relax 0", 2, {"mode stratified", "start for --relax"}},
+         {"raccoon.png --inks red --relax 0", 2, {"relax 0", "at least 1 for inks"}},
          {"raccoon.png --inks red,blue --ink-counts 5", 2, {"ink-counts 1 numbers", "2"}},
          {"raccoon.png --inks red --ink-counts x", 2, {"ink-counts x", "whole number"}},
          {"raccoon.png --inks red --ink-counts 0", 2, {"ink-counts 0"}},

@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/check_failed.h"
@@ -25,7 +27,9 @@
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/observers.h"
 #include "cli/terminal/progress_bar.h"
+#include "drawing/dot_count.h"
 #include "files/point_files.h"
+#include "recipes/settle.h"
 
 namespace lacuna::cli {
 namespace {
@@ -39,8 +43,9 @@ Examples:
   lacuna compare --radius 0.002 --runs 9 --backends cpu,opencl --json a.json -o chart.svg
   lacuna compare --radius 0.05 --backends reference,cpu
 
-The other options are as for sample or, with a picture, for stipple. The backends take turns, so
-that a busy machine slows all of them alike. The first run of each backend is not timed, except that
+The other options are as for sample or, with a picture, for stipple, and give the same points; but
+points are relaxed only if --relax says so. A stratified start is made by the host, and then the
+relaxing is compared. The backends take turns, so that a busy machine slows all of them alike. The first run of each backend is not timed, except that
 `first use` is its extra time: finding devices, building kernels. `memory` is the growth of the
 program's peak memory in the first run.
 
@@ -54,7 +59,8 @@ struct CompareCommand {
     Picture picture;
     std::vector<std::string> backends;
     std::uint32_t runs = 5;
-    std::uint32_t relax = 0;
+    recipes::Given given;
+    std::uint32_t relax = 0;  // as `given` says
     std::string json;
     OutputOptions charts;
     bool quiet = false;
@@ -121,10 +127,11 @@ Comparison compared(const CompareCommand& options, const Request& request, const
     const Sampler shown = [&](const Request& one, Observer& observer) {
         runs.start(one);
         Result result = sampler(one, observer);
-        if (options.relax != 0)
-            result.points =
-                relax(result.points, one.field, relax_options_of(one, options.relax), observer)
-                    .points;
+        if (options.relax == 0) return result;
+        Relaxed relaxed =
+            relax(result.points, one.field, relax_options_of(one, options.relax), observer);
+        result.points = std::move(relaxed.points);
+        result.device = relaxed.device;  // a stratified start has none
         return result;
     };
     return compare(request, contestants, options.runs, shown, runs);
@@ -151,6 +158,14 @@ void end(const CompareCommand& options, const Comparison& comparison) {
             throw Unavailable(entry.failure);
 }
 
+// The modes of sample or, with a picture, of stipple. Which of them is known after all options.
+void read_any_mode(const std::string& text, std::optional<Mode>& mode) {
+    for (const Mode known : {Mode::exact, Mode::lines, Mode::cells, Mode::stratified})
+        if (text == name_of(known)) mode = known;
+    if (!mode || text != name_of(*mode))
+        throw BadRequest("mode", shown(text), "must be exact, lines, cells or stratified");
+}
+
 // Refuses options that would have no effect.
 void check_kind(const CLI::App& command, const CompareCommand& options) {
     const bool is_picture = !options.picture.path.empty();
@@ -158,22 +173,38 @@ void check_kind(const CLI::App& command, const CompareCommand& options) {
                                      "along", "gamma", "min-importance"})
         if (!is_picture && command.count("--" + option) != 0)
             throw BadRequest(option, "without a picture", "is for pictures only");
-    if (options.request.mode == Mode::stratified)
-        throw BadRequest("mode", "stratified", "is made by the host: must be exact or lines");
-    for (const std::string option : {"mode", "domain"})
-        if (is_picture && command.count("--" + option) != 0)
-            throw BadRequest(option, "with a picture", "is for requests without one");
+    if (is_picture && command.count("--domain") != 0)
+        throw BadRequest("domain", "with a picture", "is for requests without one");
+    if (options.given.mode == (is_picture ? Mode::lines : Mode::cells))
+        throw BadRequest("mode", std::string(name_of(*options.given.mode)),
+                         is_picture ? "with a picture must be stratified, cells or exact"
+                                    : "is for pictures only");
 }
 
-void run(const CompareCommand& options, const Sampler& sampler) {
+// Decides what was not given.
+CompareCommand settled(CompareCommand options) {
+    options.given.is_picture = !options.picture.path.empty();
+    options.given.has_ellipses = options.picture.importance.along != 1;
+    options.given.metric = options.picture.metric;
+    options.given.relax = options.given.relax.value_or(0);
+    options.relax = *options.given.relax;
+    if (options.given.has_ellipses && options.relax != 0)
+        throw BadRequest("along", fmt::format("{}", options.picture.importance.along),
+                         "cannot be used with --relax: relaxing has disks");
+    recipes::settle(options.given, options.request);
+    return options;
+}
+
+void run(const CompareCommand& given, const Sampler& sampler) {
+    const CompareCommand options = settled(given);
     const std::vector<Output> charts = check(options);
     Request request = options.request;
     Field field;
-    if (!options.picture.path.empty()) {
+    if (options.given.is_picture) {
         field = read_field(options.picture, request);
-        request.mode = field.stretches.empty() ? Mode::cells : Mode::exact;
-        if (options.relax != 0 && !options.picture.has_metric) request.metric = Metric::mean;
         request.field = &field;
+        if (!request.count && !request.scale)
+            request.count = drawing::dot_count(field, request.width, request.height);
     }
     Interruption interruption;
     const Comparison comparison = compared(options, request, sampler);
@@ -203,8 +234,11 @@ void add_compare(CLI::App& app, const Sampler& sampler) {
     command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
     add_size(command, options->request);
     add_what_to_make(command, options->request);
-    add_relax(command, options->relax);
-    add_mode(command, options->request);
+    add_relax(command, options->given.relax, 0);
+    add_mode(
+        command, options->request,
+        [options](const std::string& text) { read_any_mode(text, options->given.mode); },
+        "; stratified, or with a picture cells: as for sample and stipple");
     add_effort(command, options->request);
     command.callback([&command, options, sampler] {
         check_kind(command, *options);

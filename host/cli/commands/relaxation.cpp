@@ -77,21 +77,12 @@ std::optional<double> measure_moved(const CommonOptions& common, const std::vect
     return made.result.radius;
 }
 
-void add_relax(CLI::App& command, std::uint32_t& iterations) {
+void add_relax(CLI::App& command, std::optional<std::uint32_t>& iterations,
+               std::uint32_t usual_iterations) {
     add_number(command, "relax", "K", iterations,
                fmt::format("Then moves the points K times, as lacuna relax does; 0 leaves them "
                            "(default {})",
-                           iterations));
-}
-
-bool asks_for_distances(const Request& request) {
-    return request.radius || request.scale || request.lines_per_radius || request.limit ||
-           request.round_size != 0;
-}
-
-void check_start(Mode mode, std::uint32_t iterations) {
-    if (mode == Mode::stratified && iterations == 0)
-        throw BadRequest("mode", std::string(name_of(mode)), "is a start for --relax");
+                           usual_iterations));
 }
 
 RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations) {

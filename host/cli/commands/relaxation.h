@@ -17,14 +17,9 @@
 
 namespace lacuna::cli {
 
-// Adds --relax. `iterations` holds the default.
-void add_relax(CLI::App& command, std::uint32_t& iterations);
-
-// Whether an option is about the distances that a set keeps while it is made. If none is, points
-// that will be relaxed begin stratified.
-bool asks_for_distances(const Request& request);
-// Refuses a stratified start that will not be relaxed.
-void check_start(Mode mode, std::uint32_t iterations);
+// Adds --relax, whose help names this default.
+void add_relax(CLI::App& command, std::optional<std::uint32_t>& iterations,
+               std::uint32_t usual_iterations);
 
 // The results of relaxing, besides the points.
 struct Relaxation {

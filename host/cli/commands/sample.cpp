@@ -6,6 +6,7 @@
 #include <CLI/App.hpp>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "cli/commands/made_set.h"
 #include "cli/commands/relaxation.h"
 #include "cli/commands/sample_seeds.h"
+#include "cli/options/class_options.h"
 #include "cli/options/common_options.h"
 #include "cli/options/domain_options.h"
 #include "cli/options/drawing.h"
@@ -27,6 +29,7 @@
 #include "cli/reports/writing.h"
 #include "cli/terminal/interruption.h"
 #include "files/point_files.h"
+#include "recipes/settle.h"
 
 namespace lacuna::cli {
 namespace {
@@ -55,7 +58,8 @@ struct SampleCommand {
     CommonOptions common;
     DomainOptions domain;
     DrawingOptions drawing;
-    std::uint32_t relax = 0;
+    recipes::Given given;
+    std::uint32_t relax = 0;  // as `given` says
     std::optional<SeedRange> seeds;
     bool ellipse_columns = false;
 };
@@ -64,7 +68,7 @@ bool has_ellipses(const DomainOptions& options) {
     return options.ellipses.are_given() || options.field.importance.along != 1;
 }
 
-void read_mode(const std::string& text, Mode& mode) {
+void read_mode(const std::string& text, std::optional<Mode>& mode) {
     if (text == name_of(Mode::cells))
         throw BadRequest("mode", text, "is a mode of lacuna stipple: must be exact or lines");
     for (const Mode known : {Mode::exact, Mode::lines, Mode::stratified}) {
@@ -77,7 +81,6 @@ void read_mode(const std::string& text, Mode& mode) {
 
 // Relaxing would move points to where none may lie, and would move kept points.
 void check_relax(const SampleCommand& all) {
-    check_start(all.common.request.mode, all.relax);
     if (all.relax == 0) return;
     const auto refuse = [&](const char* allowed) {
         throw BadRequest("relax", std::to_string(all.relax), allowed);
@@ -94,15 +97,15 @@ void check_relax(const SampleCommand& all) {
         refuse("cannot be used with --ellipses, --stretch or --along: relaxing has disks");
 }
 
-void run(const CLI::App& command, const SampleCommand& all) {
+void run(const CLI::App& command, SampleCommand all) {
+    all.given.has_ellipses = has_ellipses(all.domain);
+    all.relax = recipes::relax_of(all.given);
     check_relax(all);
+    recipes::settle(all.given, all.common.request);
     check_domain(command, all.domain);
     check_ellipse_columns(all.ellipse_columns, has_ellipses(all.domain));
     CommonOptions options = all.common;
     Request& request = options.request;
-    if (all.relax != 0 && command.count("--mode") == 0 && request.count &&
-        !asks_for_distances(request))
-        request.mode = Mode::stratified;
     const std::vector<GivenFile> read = files_of(all.domain);
     const std::vector<Output> outputs = all.seeds
                                             ? checked_outputs(command, options, *all.seeds, read)
@@ -119,7 +122,11 @@ void run(const CLI::App& command, const SampleCommand& all) {
     const drawing::Style style = style_of(all.drawing, request.width, request.height);
     Interruption interruption;
     Made made = make(options);
-    Json decides = json_of(all.domain, request, files);
+    // Reports have the distances that the set keeps, which differ from those given with a count.
+    Request as_made = request;
+    const double factor = distance_factor(request, made.result);
+    for (double& distance : as_made.classes.distances) distance *= factor;
+    Json decides = json_of(all.domain, as_made, files);
     Json more{{"request", decides}};
     if (all.relax != 0) {
         decides["relax"] = all.relax;
@@ -168,11 +175,12 @@ void add_progressive(CLI::App& command, Request& request) {
         ->disable_flag_override();
 }
 
-void add_mode(CLI::App& command, Request& request, const std::string& more_modes) {
+void add_mode(CLI::App& command, Request& request,
+              const std::function<void(const std::string&)>& read_mode,
+              const std::string& more_modes) {
     command
         .add_option_function<std::string>(
-            "--mode,--start",
-            [&request](const std::string& mode) { read_mode(mode, request.mode); },
+            "--mode,--start", read_mode,
             "exact (default): no gap is left, every distance is at least the radius; lines: the "
             "paper's algorithm, which is approximate" +
                 more_modes)
@@ -200,10 +208,12 @@ void add_sample(CLI::App& app) {
     add_what_to_make(command, request);
     add_seeds(command, options->seeds);
     add_progressive(command, request);
-    add_relax(command, options->relax);
-    add_mode(command, request,
-             "; stratified (default with --relax and --count): every part of the domain has its "
-             "share of the points");
+    add_relax(command, options->given.relax, 0);
+    add_mode(
+        command, request,
+        [options](const std::string& text) { read_mode(text, options->given.mode); },
+        "; stratified (default with --relax and --count): every part of the domain has its "
+        "share of the points");
     add_how_to_draw(command, options->drawing, "two thirds of --radius");
     add_ellipse_columns(command, options->ellipse_columns);
     add_effort(command, request);

@@ -3,6 +3,7 @@
 
 #include <lacuna/lacuna.h>
 
+#include <functional>
 #include <string>
 
 #include "cli/app_fwd.h"
@@ -17,6 +18,8 @@ void add_sample(CLI::App& app);
 // --radius, --count, --domain
 void add_size(CLI::App& command, Request& request);
 // --mode, --lines-per-radius, --uniform-x, --snap
-void add_mode(CLI::App& command, Request& request, const std::string& more_modes = "");
+void add_mode(CLI::App& command, Request& request,
+              const std::function<void(const std::string&)>& read_mode,
+              const std::string& more_modes);
 
 }  // namespace lacuna::cli

@@ -103,7 +103,7 @@ void add_what_to_stipple(CLI::App& command, StippleCommand& options) {
     command
         .add_option_function<std::string>(
             "--mode,--start",
-            [&options](const std::string& mode) { read_dot_mode(mode, options.mode); },
+            [&options](const std::string& mode) { read_dot_mode(mode, options.given.mode); },
             "How dots are placed before they are moved. stratified (default with --relax): every "
             "part of the picture has its share of the dots; cells (default with --relax 0): on a "
             "lattice, as in the paper; exact: in the plane, with no gap left, and with --metric "
@@ -143,38 +143,36 @@ bool has_ellipses(const StippleCommand& options) {
 }
 
 // Ellipses are for mode exact, and are not relaxed.
-StippleCommand settled(const CLI::App& command, StippleCommand options) {
+void check_ellipses(const StippleCommand& options) {
     check_ellipse_columns(options.ellipse_columns, has_ellipses(options));
-    if (!has_ellipses(options)) return options;
+    if (!has_ellipses(options)) return;
     const auto refuse = [&](const char* allowed) {
         throw BadRequest("along", fmt::format("{}", options.picture.importance.along), allowed);
     };
     if (!options.inks.inks.empty()) refuse("is not for --inks, whose dots are relaxed");
-    if (command.count("--relax") > 0 && options.relax != 0)
+    if (options.given.relax.value_or(0) != 0)
         refuse("cannot be used with --relax: relaxing has disks");
-    if (options.mode.value_or(Mode::exact) != Mode::exact) refuse("is for --mode exact");
-    options.relax = 0;
-    options.mode = Mode::exact;
-    return options;
+    if (options.given.mode.value_or(Mode::exact) != Mode::exact) refuse("is for --mode exact");
 }
 
-// Unless --mode is given: a set that keeps a least distance where an option is about distances,
-// else the stratified one.
-Mode mode_of(const StippleCommand& options) {
-    if (options.mode) return *options.mode;
-    if (!options.inks.inks.empty()) return Mode::stratified;
-    const bool keeps_distance = options.relax == 0 || options.picture.has_metric ||
-                                asks_for_distances(options.common.request);
-    return keeps_distance ? Mode::cells : Mode::stratified;
+// Decides what was not given.
+StippleCommand settled(StippleCommand options) {
+    const bool has_inks = !options.inks.inks.empty();
+    check_ellipses(options);
+    check_inks(options.inks, options.common.request, options.given.mode);
+    if (has_inks && options.picture.metric)
+        throw BadRequest("metric", std::string(name_of(*options.picture.metric)),
+                         "is not for --inks, whose dots begin stratified");
+    options.given.has_inks = has_inks;
+    options.given.has_ellipses = has_ellipses(options);
+    options.given.metric = options.picture.metric;
+    options.relax = recipes::relax_of(options.given);
+    recipes::settle(options.given, options.common.request);
+    return options;
 }
 
 // Checks everything that can be checked before the picture is read; returns the outputs.
 std::vector<Output> check_options(const StippleCommand& options) {
-    check_inks(options.inks, options.common.request, options.mode);
-    if (!options.inks.inks.empty() && options.picture.has_metric)
-        throw BadRequest("metric", std::string(name_of(options.common.request.metric)),
-                         "is not for --inks, whose dots begin stratified");
-    check_start(mode_of(options), options.relax);
     const std::vector<Output> outputs =
         checked_outputs(options.common, {{"IMAGE", options.picture.path}});
     pictures::check(options.picture.importance);
@@ -215,15 +213,12 @@ Made make(const CommonOptions& common, const std::vector<Output>& outputs,
 }
 
 void run(const CLI::App& command, const StippleCommand& given) {
-    const StippleCommand options = settled(command, given);
+    const StippleCommand options = settled(given);
     const std::vector<Output> outputs = check_options(options);
     Work work;
     const Stopwatch stopwatch;
     CommonOptions common = options.common;
     Request& request = common.request;
-    request.mode = mode_of(options);
-    if (request.mode == Mode::cells && options.relax != 0 && !options.picture.has_metric)
-        request.metric = Metric::mean;
     drawing::Tones tones{
         .sizing = {options.size_by_tone, options.drawing.pens},
         .keep_inside = options.keep_inside,
@@ -273,7 +268,7 @@ void add_stipple(CLI::App& app) {
     add_what_to_stipple(command, *options);
     add_inks(command, options->inks);
     add_what_to_make(command, options->common.request);
-    add_relax(command, options->relax);
+    add_relax(command, options->given.relax, recipes::relax_of(options->given));
     add_how_to_draw(command, options->drawing,
                     "the ink of all dots is as much as the picture is dark", true);
     add_ellipse_columns(command, options->ellipse_columns);

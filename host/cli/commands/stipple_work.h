@@ -18,6 +18,7 @@
 #include "cli/reports/json.h"
 #include "drawing/picture.h"
 #include "files/point_files.h"
+#include "recipes/settle.h"
 
 namespace lacuna::cli {
 
@@ -30,8 +31,8 @@ struct StippleCommand {
     bool keep_inside = false;
     bool pen_path = false;
     bool ellipse_columns = false;
-    std::optional<Mode> mode;
-    std::uint32_t relax = RelaxOptions{}.iterations;
+    recipes::Given given{.is_picture = true};
+    std::uint32_t relax = 0;  // as `given` says
 };
 
 // What `lacuna stipple` has done besides sampling. Lengths are in the domain's units.

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdio>
 
+#include "cli/options/class_options.h"
 #include "cli/options/options.h"
 #include "cli/reports/output.h"
 #include "cli/terminal/driver.h"
@@ -96,7 +97,10 @@ void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, co
     // After relaxing the radius may be 0, which means not known.
     std::string size;
     if (!options.request.radius && !options.request.scale) {
-        if (result.scale > 0)
+        if (!options.request.classes.names.empty())
+            size = fmt::format(", distances {:.4g} times those given",
+                               distance_factor(options.request, result));
+        else if (result.scale > 0)
             size = fmt::format(", scale {:.4g}", result.scale);
         else if (result.radius > 0)
             size = fmt::format(", radius {:.4g}", result.radius);

@@ -11,7 +11,7 @@
 namespace lacuna::cli {
 namespace {
 
-void read_metric(const std::string& text, Metric& metric) {
+void read_metric(const std::string& text, std::optional<Metric>& metric) {
     for (const Metric known : {Metric::min, Metric::mean, Metric::max}) {
         if (text != name_of(known)) continue;
         metric = known;
@@ -36,11 +36,7 @@ CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request) 
                "The radius where the picture is black, if its longer side is 1; this or --count");
     command
         .add_option_function<std::string>(
-            "--metric",
-            [&picture, &request](const std::string& text) {
-                read_metric(text, request.metric);
-                picture.has_metric = true;
-            },
+            "--metric", [&picture](const std::string& text) { read_metric(text, picture.metric); },
             "Least distance of two dots: the min, mean or max of their two radii")
         ->type_name("METRIC");
     add_importance(command, picture);

@@ -4,6 +4,7 @@
 #include <lacuna/lacuna.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "cli/app_fwd.h"
@@ -14,7 +15,7 @@ namespace lacuna::cli {
 struct Picture {
     std::string path;
     pictures::Importance importance;
-    bool has_metric = false;  // --metric was given
+    std::optional<Metric> metric;
 };
 
 // Adds IMAGE, --scale, --metric and the options of add_importance(). Returns IMAGE's option.

@@ -15,9 +15,10 @@ _lacuna() {
     local command=${COMP_WORDS[1]}
     case $before in
         --backend | --backends) mapfile -t COMPREPLY < <(compgen -W "auto cpu opencl vulkan reference" -- "$word") ;;
-        --mode)
-            local modes="exact lines"
-            [[ $command != stipple ]] || modes="cells exact"
+        --mode | --start)
+            local modes="exact lines stratified"
+            [[ $command != stipple ]] || modes="stratified cells exact"
+            [[ $command != compare ]] || modes+=" cells"
             mapfile -t COMPREPLY < <(compgen -W "$modes" -- "$word")
             ;;
         --paper-size) mapfile -t COMPREPLY < <(compgen -W "A0 A1 A2 A3 A4 A5 A6 letter legal tabloid" -- "$word") ;;

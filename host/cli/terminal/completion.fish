@@ -36,8 +36,9 @@ complete -c lacuna -n 'not __lacuna_has_command' -f -a 'help\t"Prints this help,
     version\t"The version"'
 complete -c lacuna -n __lacuna_has_command -a '(string match -q -- "-*" (commandline -ct); and __lacuna_options)'
 complete -c lacuna -n '__lacuna_after --backend --backends' -f -a 'auto cpu opencl vulkan reference'
-complete -c lacuna -n '__lacuna_after --mode; and not __lacuna_command_is stipple' -f -a 'exact lines'
-complete -c lacuna -n '__lacuna_after --mode; and __lacuna_command_is stipple' -f -a 'cells exact'
+complete -c lacuna -n '__lacuna_after --mode --start; and not __lacuna_command_is stipple' -f -a 'exact lines stratified'
+complete -c lacuna -n '__lacuna_after --mode --start; and __lacuna_command_is stipple' -f -a 'stratified cells exact'
+complete -c lacuna -n '__lacuna_after --mode --start; and __lacuna_command_is compare' -f -a cells
 complete -c lacuna -n '__lacuna_after --metric' -f -a 'min mean max'
 complete -c lacuna -n '__lacuna_after --paper-size' -f -a 'A0 A1 A2 A3 A4 A5 A6 letter legal tabloid'
 complete -c lacuna -n '__lacuna_after --format' -f -a 'txt csv npy ply json svg pdf png'

@@ -13,12 +13,12 @@ _lacuna() {
     fi
     case $before in
         --backend | --backends) compadd -- auto cpu opencl vulkan reference ;;
-        --mode)
-            if [[ $command == stipple ]]; then
-                compadd -- cells exact
-            else
-                compadd -- exact lines
-            fi
+        --mode | --start)
+            case $command in
+                stipple) compadd -- stratified cells exact ;;
+                compare) compadd -- exact lines stratified cells ;;
+                *) compadd -- exact lines stratified ;;
+            esac
             ;;
         --metric) compadd -- min mean max ;;
         --paper-size) compadd -- A0 A1 A2 A3 A4 A5 A6 letter legal tabloid ;;

@@ -1,0 +1,42 @@
+// Decides the defaults.
+#include "recipes/settle.h"
+
+#include <string>
+
+namespace lacuna::recipes {
+namespace {
+
+bool is_about_distances(const Given& given, const Request& request) {
+    return given.metric || request.radius || request.scale || request.lines_per_radius ||
+           request.limit || request.round_size != 0;
+}
+
+Mode mode_of(const Given& given, const Request& request) {
+    if (given.mode) return *given.mode;
+    if (given.has_inks) return Mode::stratified;
+    if (given.has_ellipses) return Mode::exact;
+    // The dots of a picture have a number of their own; other sets need one to be stratified.
+    const bool has_count = request.count || given.is_picture;
+    if (relax_of(given) != 0 && has_count && !is_about_distances(given, request))
+        return Mode::stratified;
+    return given.is_picture ? Mode::cells : Mode::exact;
+}
+
+}  // namespace
+
+std::uint32_t relax_of(const Given& given) {
+    if (given.relax) return *given.relax;
+    return given.is_picture && !given.has_ellipses ? RelaxOptions{}.iterations : 0;
+}
+
+void settle(const Given& given, Request& request) {
+    const std::uint32_t relax = relax_of(given);
+    if (given.has_inks && relax == 0) throw BadRequest("relax", "0", "must be at least 1 for inks");
+    request.mode = mode_of(given, request);
+    if (request.mode == Mode::stratified && relax == 0)
+        throw BadRequest("mode", std::string(name_of(request.mode)), "is a start for --relax");
+    request.metric = given.metric.value_or(request.mode == Mode::cells && relax != 0 ? Metric::mean
+                                                                                     : Metric::min);
+}
+
+}  // namespace lacuna::recipes

@@ -1,0 +1,34 @@
+// The defaults of a point set: what follows from what a person gave, whether they use the command,
+// Python or the page.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace lacuna::recipes {
+
+// What was given, as far as defaults depend on it. What is not set was not given.
+struct Given {
+    bool is_picture = false;    // the set is the dots of a picture, as of stipple
+    bool has_inks = false;      // in several inks
+    bool has_ellipses = false;  // samples have ellipses instead of disks
+    std::optional<Mode> mode{};
+    std::optional<Metric> metric{};
+    std::optional<std::uint32_t> relax{};  // how often the points are moved after sampling
+};
+
+// Decides the number of times that points are moved: 15 for the dots of a picture unless they are
+// ellipses, and otherwise 0.
+std::uint32_t relax_of(const Given& given);
+
+// Decides the mode and the metric. The sizes of `request` and what limits it must be set before.
+//   - Points that will be relaxed begin stratified, if nothing was given that is about distances:
+//     radius, scale, metric, limit, lines per radius or round size. Inks always do.
+//   - Other dots of a picture are made in mode cells, ellipses and all other sets in mode exact.
+//   - In cells the metric is mean if the points will be relaxed. Otherwise it is min.
+// Throws BadRequest if a stratified set would not be relaxed.
+void settle(const Given& given, Request& request);
+
+}  // namespace lacuna::recipes
