@@ -11,6 +11,8 @@ measures it. ``read_polygons`` and ``draw_mask`` turn outlines into masks. ``dev
 backends and devices. ``lacuna.qmc`` has an engine like those in scipy.stats.qmc.
 """
 
+from typing import TYPE_CHECKING, Any
+
 from . import _core
 from ._domains import Polygons, draw_mask, read_lines, read_polygons
 from ._errors import BadRequest, DeviceError, Error, FileError, MemoryRefused, Unavailable
@@ -51,6 +53,19 @@ __all__ = [
     "stipple",
     "verify",
 ]
+
+if TYPE_CHECKING:
+    from . import qmc as qmc
+
+
+def __getattr__(name: str) -> Any:
+    """Imports ``lacuna.qmc`` when it is first used, because it needs scipy."""
+    if name == "qmc":
+        import importlib
+
+        return importlib.import_module(".qmc", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
 
 # Help and tracebacks then name the classes as users import them.
 for _name in __all__:

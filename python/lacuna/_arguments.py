@@ -8,7 +8,7 @@ from __future__ import annotations
 import operator
 import os
 import secrets
-from typing import TYPE_CHECKING, Any, Iterator, SupportsFloat, SupportsIndex
+from typing import TYPE_CHECKING, Any, Iterator, Literal, SupportsFloat, SupportsIndex
 
 import numpy as np
 
@@ -18,7 +18,11 @@ from ._errors import BadRequest
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    Seed = int | np.integer[Any] | np.random.Generator | None
+    # A whole number; 1e5 and np.float64(1e5) are whole, too.
+    Whole = SupportsIndex | float
+    Mode = Literal["exact", "lines", "cells", "stratified"]
+    Metric = Literal["min", "mean", "max"]
+    Seed = int | float | np.integer[Any] | np.random.Generator | None
 
 # Most pixels in all and along a side, as exponents of 2. Masks of draw_mask may be larger.
 _OF_FIELDS = (28, 20)
@@ -53,10 +57,11 @@ def real(name: str, value: SupportsFloat) -> float:
         raise BadRequest(f"{name} is too large for a float", name) from None
 
 
-def whole(name: str, value: SupportsIndex, least: int, most: int) -> int:
-    """An int from ``least`` to ``most``."""
+def whole(name: str, value: Whole, least: int, most: int) -> int:
+    """An int from ``least`` to ``most``, also given as a float without a fraction."""
     try:
-        number = operator.index(value)
+        is_float = isinstance(value, (float, np.floating))
+        number = int(value) if is_float and value.is_integer() else operator.index(value)  # type: ignore
     except TypeError:
         raise TypeError(f"{name} must be a whole number (int), not {shown(value)}") from None
     if not least <= number <= most:

@@ -146,6 +146,15 @@ def progressive_order(
     torus: bool,
     seed: int,
 ) -> npt.NDArray[np.uint32]: ...
+def settle(
+    request: Request,
+    mode: str | None,
+    metric: str | None,
+    relax: int | None,
+    is_picture: bool,
+    has_inks: bool,
+    has_ellipses: bool,
+) -> int: ...
 def dot_count(field: Field, width: float, height: float) -> int: ...
 def dot_radii(
     points: npt.NDArray[np.float64],

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Iterable, SupportsFloat, SupportsIndex
+from typing import TYPE_CHECKING, Any, Iterable, SupportsFloat
 
 import numpy as np
 
@@ -15,6 +15,8 @@ from ._runs import MOST_64
 
 if TYPE_CHECKING:
     import numpy.typing as npt
+
+    from ._arguments import Whole
 
     Floats = npt.NDArray[np.float64]
     # Lines and the distance that points keep from them.
@@ -201,7 +203,7 @@ def draw_mask(
     border: SupportsFloat = 0,
     torus: bool = False,
     domain: tuple[SupportsFloat, SupportsFloat] | None = None,
-    memory_limit: SupportsIndex | None = None,
+    memory_limit: Whole | None = None,
 ) -> npt.NDArray[np.bool_]:
     """Draw polygons onto a mask, for ``sample``.
 

@@ -9,7 +9,7 @@ _SPELLED = {"count": "n", "sets": "points"}
 
 # Options of the command that the library's messages name.
 _OPTION = re.compile(
-    r"(?<![^\s(])(--(invert|min-importance|black|white|threads)|uniform-x|lines-per-radius)\b"
+    r"(?<![^\s(])(--(invert|min-importance|black|white|threads|relax)|uniform-x|lines-per-radius)\b"
 )
 
 # Control characters, which paths may contain, are escaped: a message is one line.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Sequence, SupportsFloat, SupportsIndex
+from typing import TYPE_CHECKING, Sequence, SupportsFloat
 
 import numpy as np
 
@@ -14,6 +14,8 @@ from ._runs import MOST_32, checked_progress
 
 if TYPE_CHECKING:
     import numpy.typing as npt
+
+    from ._arguments import Whole
 
     from ._runs import Progress
 
@@ -43,7 +45,7 @@ def analyze(
     domain: tuple[SupportsFloat, SupportsFloat] | None = None,
     torus: bool | None = None,
     max_frequency: SupportsFloat = 2,
-    threads: SupportsIndex = 0,
+    threads: Whole = 0,
     progress: Progress | None = None,
 ) -> Analysis:
     """Spectrum and statistics of a point set, or their mean over several sets.

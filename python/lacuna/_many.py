@@ -12,9 +12,9 @@ from typing import (
     Collection,
     Iterable,
     Iterator,
+    Literal,
     Sized,
     SupportsFloat,
-    SupportsIndex,
     overload,
 )
 
@@ -38,6 +38,8 @@ from ._runs import (
 if TYPE_CHECKING:
     import numpy.typing as npt
 
+    from ._arguments import Whole
+
     from ._classes import ClassSizes
     from ._runs import Progress
 
@@ -51,7 +53,7 @@ _BYTES_OF_A_SET = 1000  # a PointSet without its points; a little less than meas
 
 def _made(
     request: _core.Request,
-    seeds: Iterable[SupportsIndex],
+    seeds: Iterable[Whole],
     expected: int | None,
     progress: Progress | None,
 ) -> Iterator[dict[str, Any]]:
@@ -94,70 +96,70 @@ def _progress_of(
 
 @overload
 def sample_many(
-    seeds: Iterator[SupportsIndex],
+    seeds: Iterator[Whole],
     radius: SupportsFloat | None = ...,
-    n: SupportsIndex | None = ...,
+    n: Whole | None = ...,
     *,
     classes: ClassSizes | None = ...,
     between: str | npt.ArrayLike = ...,
     domain: tuple[SupportsFloat, SupportsFloat] = ...,
     torus: bool = ...,
-    mode: str = ...,
+    mode: Literal["exact", "lines"] = ...,
     progressive: bool = ...,
-    limit: SupportsIndex | None = ...,
-    lines_per_radius: SupportsIndex | None = ...,
+    limit: Whole | None = ...,
+    lines_per_radius: Whole | None = ...,
     snap: bool = ...,
     uniform_x: bool = ...,
-    round_size: SupportsIndex = ...,
+    round_size: Whole = ...,
     backend: str = ...,
     device: int | str | None = ...,
-    threads: SupportsIndex = ...,
-    memory_limit: SupportsIndex | None = ...,
+    threads: Whole = ...,
+    memory_limit: Whole | None = ...,
     progress: Progress | None = ...,
 ) -> Iterator[PointSet]: ...
 @overload
 def sample_many(
-    seeds: Collection[SupportsIndex],
+    seeds: Collection[Whole],
     radius: SupportsFloat | None = ...,
-    n: SupportsIndex | None = ...,
+    n: Whole | None = ...,
     *,
     classes: ClassSizes | None = ...,
     between: str | npt.ArrayLike = ...,
     domain: tuple[SupportsFloat, SupportsFloat] = ...,
     torus: bool = ...,
-    mode: str = ...,
+    mode: Literal["exact", "lines"] = ...,
     progressive: bool = ...,
-    limit: SupportsIndex | None = ...,
-    lines_per_radius: SupportsIndex | None = ...,
+    limit: Whole | None = ...,
+    lines_per_radius: Whole | None = ...,
     snap: bool = ...,
     uniform_x: bool = ...,
-    round_size: SupportsIndex = ...,
+    round_size: Whole = ...,
     backend: str = ...,
     device: int | str | None = ...,
-    threads: SupportsIndex = ...,
-    memory_limit: SupportsIndex | None = ...,
+    threads: Whole = ...,
+    memory_limit: Whole | None = ...,
     progress: Progress | None = ...,
 ) -> list[PointSet]: ...
 def sample_many(
-    seeds: Collection[SupportsIndex] | Iterator[SupportsIndex],
+    seeds: Collection[Whole] | Iterator[Whole],
     radius: SupportsFloat | None = None,
-    n: SupportsIndex | None = None,
+    n: Whole | None = None,
     *,
     classes: ClassSizes | None = None,
     between: str | npt.ArrayLike = "sum",
     domain: tuple[SupportsFloat, SupportsFloat] = (1, 1),
     torus: bool = False,
-    mode: str = "exact",
+    mode: Literal["exact", "lines"] = "exact",
     progressive: bool = False,
-    limit: SupportsIndex | None = None,
-    lines_per_radius: SupportsIndex | None = None,
+    limit: Whole | None = None,
+    lines_per_radius: Whole | None = None,
     snap: bool = False,
     uniform_x: bool = False,
-    round_size: SupportsIndex = 0,
+    round_size: Whole = 0,
     backend: str = "auto",
     device: int | str | None = None,
-    threads: SupportsIndex = 0,
-    memory_limit: SupportsIndex | None = None,
+    threads: Whole = 0,
+    memory_limit: Whole | None = None,
     progress: Progress | None = None,
 ) -> list[PointSet] | Iterator[PointSet]:
     """Make many sets of one request, one for each seed. Small sets are made in parallel.
@@ -204,7 +206,7 @@ backend, device, threads, memory_limit
     """
     request = _core.Request()
     request.mode = choice("mode", mode, MODES)
-    refuse_what_is_for_fields(request, None, None)
+    refuse_what_is_for_fields(mode, None, None)
     request.classes = classes_of(classes, between)
     set_size(request, {"radius": radius, "n": n}, bool(request.classes.names))
     if isinstance(seeds, (str, bytes)) or not isinstance(seeds, Iterable):

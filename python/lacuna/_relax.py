@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
+from typing import TYPE_CHECKING, SupportsFloat
 
 from . import _core
 from ._arguments import field_of, flag, points_array, whole
@@ -13,6 +13,8 @@ from ._runs import MOST_32, checked_progress, place, relaxed_points, shape_of
 if TYPE_CHECKING:
     import numpy.typing as npt
 
+    from ._arguments import Whole
+
     from ._runs import Progress
 
 
@@ -20,13 +22,13 @@ def relax(
     points: npt.ArrayLike,
     field: npt.ArrayLike | None = None,
     *,
-    iterations: SupportsIndex = 15,
+    iterations: Whole = 15,
     domain: tuple[SupportsFloat, SupportsFloat] | None = None,
     torus: bool | None = None,
     measure: bool = False,
     backend: str = "auto",
     device: int | str | None = None,
-    threads: SupportsIndex = 0,
+    threads: Whole = 0,
     progress: Progress | None = None,
 ) -> Relaxed:
     """Move points until their cells hold equal importance and each is the centroid of its cell.

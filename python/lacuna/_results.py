@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     import numpy.typing as npt
     from matplotlib.axes import Axes
 
+    from ._arguments import Metric, Mode
+
     Floats = npt.NDArray[np.float64]
 
 
@@ -116,8 +118,8 @@ class PointSet(HasPoints):
 
     radius: float
     scale: float | None
-    mode: str
-    metric: str
+    mode: Mode
+    metric: Metric
     seed: int
     maximal: bool
     levels: tuple[tuple[float, int], ...] = field(repr=False)
@@ -133,6 +135,12 @@ class PointSet(HasPoints):
     class_of: npt.NDArray[np.uint8] | None = field(default=None, repr=False, kw_only=True)
     distances: Floats | None = field(default=None, repr=False, kw_only=True)
     ellipses: Floats | None = field(default=None, repr=False, kw_only=True)
+
+    @property
+    def _class_names_of_points(self) -> list[str] | None:
+        if self.class_of is None:
+            return None
+        return [self.classes[place] for place in self.class_of]
 
     def _classes(self) -> tuple[list[str], npt.NDArray[np.uint8] | None]:
         return list(self.classes), self.class_of

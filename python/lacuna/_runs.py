@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Callable, SupportsFloat, SupportsIndex
+from typing import TYPE_CHECKING, Any, Callable, SupportsFloat
 
 from . import _core
 from ._arguments import choice, device_text, flag, real, seed_of, shown, text, whole
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
 
-    from ._arguments import Seed
+    from ._arguments import Seed, Whole
 
     Progress = Callable[[int, int], object]
 
@@ -41,7 +41,7 @@ def place(
     torus: object,
     backend: object,
     device: object,
-    threads: SupportsIndex,
+    threads: Whole,
 ) -> None:
     """Fills in the options that all runs have in common."""
     options.width, options.height = domain
@@ -55,10 +55,10 @@ def fill(
     request: _core.Request,
     *,
     seed: Seed,
-    limit: SupportsIndex | None,
-    lines_per_radius: SupportsIndex | None,
-    round_size: SupportsIndex,
-    memory_limit: SupportsIndex | None,
+    limit: Whole | None,
+    lines_per_radius: Whole | None,
+    round_size: Whole,
+    memory_limit: Whole | None,
 ) -> None:
     """Fills in the options of both sample and stipple."""
     request.seed = seed_of(seed)
@@ -71,31 +71,27 @@ def fill(
         request.memory_limit = whole("memory_limit", memory_limit, 1, MOST_64)
 
 
-def choose_start(request: _core.Request, mode: object, metric: object, iterations: int) -> None:
-    """Fills in the mode. Points to be relaxed begin stratified where no argument is about distances.
-
-    Comes after ``fill`` and ``set_size``. Without ``mode``, request.mode holds the other default.
-    """
-    keeps_distance = (
-        not iterations
-        or metric is not None
-        or request.count is None
-        or request.lines_per_radius is not None
-        or request.limit is not None
-        or request.round_size != 0
+def settle(
+    request: _core.Request,
+    *,
+    mode: str | None,
+    metric: object,
+    relax: Whole | None,
+    picture: bool = False,
+    inks: bool = False,
+    ellipses: bool = False,
+) -> int:
+    """Fills in the mode and the metric, by the library's rules. Comes after ``fill`` and
+    ``set_size``. Returns how often the points are relaxed."""
+    return _core.settle(
+        request,
+        mode,
+        None if metric is None else choice("metric", metric, METRICS),
+        None if relax is None else whole("relax", relax, 0, MOST_32),
+        picture,
+        inks,
+        ellipses,
     )
-    if mode is None and not keeps_distance:
-        request.mode = "stratified"
-    if request.mode == "stratified" and not iterations:
-        raise BadRequest("mode stratified: is a start for relax", "mode")
-
-
-def choose_metric(request: _core.Request, metric: object, iterations: int) -> None:
-    """Fills in the metric. In cells the default is mean if the set will be relaxed, else min."""
-    if metric is not None:
-        request.metric = choice("metric", metric, METRICS)
-    elif iterations and request.mode == "cells":
-        request.metric = "mean"
 
 
 def set_size(
@@ -131,14 +127,13 @@ def refuse_what_is_not_for_inks(request: _core.Request, mode: object, metric: ob
         raise BadRequest(f"metric {shown(metric)}: is not for inks", "metric")
     if mode is not None and mode != "stratified":
         raise BadRequest(f"mode {shown(mode)}: is not for inks, which begin stratified", "mode")
-    request.mode = "stratified"
 
 
-def refuse_what_is_for_fields(request: _core.Request, scale: object, metric: object) -> None:
+def refuse_what_is_for_fields(mode: object, scale: object, metric: object) -> None:
     for name, value in (("scale", scale), ("metric", metric)):
         if value is not None:
             raise BadRequest(f"{name} {shown(value)}: is for a field", name)
-    if request.mode == "cells":
+    if mode == "cells":
         raise BadRequest("field missing: mode cells needs one", "field")
 
 
@@ -220,9 +215,8 @@ def request_of(request: _core.Request, has_field: bool, lines_per_radius: int) -
     if request.progressive:
         asked["progressive"] = True
     if request.classes.names:
-        names, rows = request.classes.names, iter(request.classes.distances)
-        asked["class_names"] = list(names)
-        asked["distances"] = [[next(rows) for _ in names] for _ in names]
+        asked["class_names"] = list(request.classes.names)
+        asked["distances"] = []  # set_of fills them in
         asked["weights"] = list(request.classes.weights)
     if not cells:
         asked.update(snap=request.snap, uniform_x=request.uniform_x)
@@ -271,8 +265,11 @@ def set_of(
 ) -> dict[str, Any]:
     if not has_field or request.mode == "stratified":
         made["scale"] = None
+    classes = attributes_of(request.classes, made)
+    if classes["distances"] is not None:  # those that the set keeps, not those given
+        asked["distances"] = classes["distances"].tolist()
     return dict(
-        {**made, **attributes_of(request.classes, made)},
+        {**made, **classes},
         domain=(request.width, request.height),
         torus=request.torus,
         mode=request.mode,

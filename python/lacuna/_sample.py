@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Iterable, SupportsFloat, SupportsIndex
+from typing import TYPE_CHECKING, Iterable, SupportsFloat
 
 from . import _core
 from ._arguments import (
@@ -23,32 +23,31 @@ from ._results import PointSet
 from ._runs import (
     MODES,
     MOST_32,
-    choose_metric,
-    choose_start,
     fill,
     make,
     place,
     refuse_what_is_for_fields,
     set_size,
+    settle,
     shape_of,
 )
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from ._arguments import Seed
+    from ._arguments import Metric, Mode, Seed, Whole
     from ._classes import ClassSizes
     from ._runs import Progress
 
 
 def sample(
     radius: SupportsFloat | None = None,
-    n: SupportsIndex | None = None,
+    n: Whole | None = None,
     *,
     field: npt.ArrayLike | None = None,
     ellipses: npt.ArrayLike | None = None,
     scale: SupportsFloat | None = None,
-    metric: str | None = None,
+    metric: Metric | None = None,
     mask: npt.ArrayLike | None = None,
     border: SupportsFloat = 0,
     keep: npt.ArrayLike | None = None,
@@ -57,19 +56,19 @@ def sample(
     keep_classes: Iterable[object] | None = None,
     domain: tuple[SupportsFloat, SupportsFloat] | None = None,
     torus: bool = False,
-    mode: str | None = None,
+    mode: Mode | None = None,
     seed: Seed = None,
     progressive: bool = False,
-    limit: SupportsIndex | None = None,
-    relax: SupportsIndex = 0,
-    lines_per_radius: SupportsIndex | None = None,
+    limit: Whole | None = None,
+    relax: Whole = 0,
+    lines_per_radius: Whole | None = None,
     snap: bool = False,
     uniform_x: bool = False,
-    round_size: SupportsIndex = 0,
+    round_size: Whole = 0,
     backend: str = "auto",
     device: int | str | None = None,
-    threads: SupportsIndex = 0,
-    memory_limit: SupportsIndex | None = None,
+    threads: Whole = 0,
+    memory_limit: Whole | None = None,
     progress: Progress | None = None,
 ) -> PointSet:
     """Make a maximal set of random points, evenly spread; with ``field`` dense where it is high.
@@ -121,6 +120,7 @@ def sample(
         distributed. Or a symmetric matrix; the radii in ``classes`` are then None.
     keep_classes : iterable of str or int, optional
         With classes, of each point of ``keep``: the name of its class, or its place in ``classes``.
+        By default those of ``keep``, if it is a PointSet with classes.
     domain : tuple of float, optional
         Width and height. By default the shape of the field or else of the mask, with a longer side
         of 1; without both (1, 1).
@@ -239,12 +239,14 @@ def sample(
     request.border = real("border", border)
     is_bounded = mask is not None or keep is not None or request.border != 0
     if mode is not None:
-        request.mode = choice("mode", mode, (*MODES, "stratified"))
+        choice("mode", mode, (*MODES, "stratified"))
     allowed = None if mask is None else mask_of("mask", mask)
     kept = None if keep is None else points_array("keep", keep)
     iterations = whole("relax", relax, 0, MOST_32)
     request.classes = classes_of(classes, between)
     of_kept = None
+    if keep_classes is None and request.classes.names and isinstance(keep, PointSet):
+        keep_classes = keep._class_names_of_points
     if keep_classes is not None:
         if not request.classes.names or kept is None:
             raise BadRequest("keep_classes: is for keep with classes", "keep_classes")
@@ -257,7 +259,7 @@ def sample(
             "relax",
         )
     if importance is None:
-        refuse_what_is_for_fields(request, scale, metric)
+        refuse_what_is_for_fields(mode, scale, metric)
         set_size(request, {"radius": radius, "n": n}, bool(request.classes.names))
         sides = (1.0, 1.0) if allowed is None else shape_of(allowed)
     else:
@@ -283,9 +285,8 @@ def sample(
         raise BadRequest(
             f"relax {iterations}: cannot be used with progressive: it moves the points", "relax"
         )
-    choose_start(request, mode, metric, iterations)
-    if importance is not None:
-        choose_metric(request, metric, iterations)
+    has_ellipses = ellipses is not None
+    settle(request, mode=mode, metric=metric, relax=iterations, ellipses=has_ellipses)
     request.snap = flag("snap", snap)
     request.uniform_x = flag("uniform_x", uniform_x)
     return PointSet(**make(request, importance, iterations, progress, allowed, kept, of_kept))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import os
-from typing import TYPE_CHECKING, Any, Callable, Sequence, SupportsFloat, SupportsIndex
+from typing import TYPE_CHECKING, Any, Callable, Literal, Sequence, SupportsFloat
 
 import numpy as np
 
@@ -16,8 +16,6 @@ from ._runs import (
     MOST_32,
     MOST_64,
     checked_progress,
-    choose_metric,
-    choose_start,
     fill,
     least_distance,
     make,
@@ -27,13 +25,14 @@ from ._runs import (
     request_of,
     set_of,
     set_size,
+    settle,
     shape_of,
 )
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from ._arguments import Seed
+    from ._arguments import Metric, Seed, Whole
     from ._runs import Progress
 
 STARTS = ("stratified", "cells", "exact")
@@ -46,7 +45,7 @@ def _tone(
     auto_levels: object,
     gamma: SupportsFloat,
     min_importance: SupportsFloat,
-    sharpen: SupportsIndex,
+    sharpen: Whole,
     sharpen_amount: SupportsFloat,
     along: SupportsFloat,
 ) -> _core.Tone:
@@ -105,7 +104,7 @@ def _sum_of(fields: list[_core.Field]) -> _core.Field:
 
 
 def _dots_of(
-    counts: Sequence[SupportsIndex] | None,
+    counts: Sequence[Whole] | None,
     n: int | None,
     inks: list[_core.Ink],
     fields: list[_core.Field],
@@ -130,24 +129,33 @@ def _dots_of(
     return dots
 
 
-# Moves the dots of one tone to where they are drawn, and finds their radii.
-_Draw = Callable[["npt.NDArray[np.float64]", _core.Field], tuple[Any, Any]]
+# Moves the dots of all tones to where they are drawn, and finds their radii.
+_Draw = Callable[["list[npt.NDArray[np.float64]]", "list[_core.Field]"], tuple[Any, Any]]
 
 
 def _draw(
     request: _core.Request, relaxed: bool, by_tone: float, white: _core.Field | None
 ) -> _Draw:
     """With `white`, dots are kept off the white parts of that picture."""
+    shape = request.width, request.height
 
-    def draw(points: npt.NDArray[np.float64], tone: _core.Field) -> tuple[Any, Any]:
-        def radii() -> npt.NDArray[np.float64]:
-            shape = request.width, request.height
-            return _core.dot_radii(points, tone, *shape, relaxed, by_tone, white is not None)
+    def draw(
+        parts: list[npt.NDArray[np.float64]], tones: list[_core.Field]
+    ) -> tuple[Any, Any]:
+        def radii(points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+            ends = np.cumsum([len(part) for part in parts])[:-1]
+            return np.concatenate(
+                [
+                    _core.dot_radii(its, tone, *shape, relaxed, by_tone, white is not None)
+                    for its, tone in zip(np.split(points, ends), tones)
+                ]
+            )
 
+        points = np.concatenate(parts)
         if white is None:
-            return points, radii()
-        points = _core.pull_inside(points, radii(), white, request)
-        return points, _core.fit_inside(points, radii(), white, request)
+            return points, radii(points)
+        points = _core.pull_inside(points, radii(points), white, request)
+        return points, _core.fit_inside(points, radii(points), white, request)
 
     return draw
 
@@ -172,12 +180,8 @@ def _stipple_inks(
         options,
         progress,
     )
-    drawn, first = [], 0
-    for _, count, tone in parts:
-        its = np.ascontiguousarray(placed["points"][first : first + count])
-        drawn.append(draw(its, tone))
-        first += count
-    points, all_radii = (np.concatenate(list(part)) for part in zip(*drawn))
+    ends = np.cumsum([count for _, count, _ in parts])[:-1]
+    points, all_radii = draw(np.split(placed["points"], ends), [tone for *_, tone in parts])
     relaxed = Relaxed(
         points=placed["points"],
         domain=(request.width, request.height),
@@ -217,35 +221,35 @@ def _stipple_inks(
 
 def stipple(
     image: str | bytes | os.PathLike[str] | npt.ArrayLike,
-    n: SupportsIndex | None = None,
+    n: Whole | None = None,
     *,
     scale: SupportsFloat | None = None,
-    relax: SupportsIndex | None = None,
-    metric: str | None = None,
-    mode: str | None = None,
+    relax: Whole | None = None,
+    metric: Metric | None = None,
+    mode: Literal["stratified", "cells", "exact"] | None = None,
     inks: str | None = None,
     black_ink: SupportsFloat | None = None,
-    ink_counts: Sequence[SupportsIndex] | None = None,
+    ink_counts: Sequence[Whole] | None = None,
     invert: bool = False,
     black: SupportsFloat = 0.0,
     white: SupportsFloat = 1.0,
     auto_levels: bool = False,
     gamma: SupportsFloat = 1.0,
     min_importance: SupportsFloat = 0.0,
-    sharpen: SupportsIndex = 0,
+    sharpen: Whole = 0,
     sharpen_amount: SupportsFloat = 1.0,
     along: SupportsFloat = 1.0,
     size_by_tone: SupportsFloat = 0.0,
     keep_inside: bool = False,
     torus: bool = False,
     seed: Seed = None,
-    limit: SupportsIndex | None = None,
-    lines_per_radius: SupportsIndex | None = None,
-    round_size: SupportsIndex = 0,
+    limit: Whole | None = None,
+    lines_per_radius: Whole | None = None,
+    round_size: Whole = 0,
     backend: str = "auto",
     device: int | str | None = None,
-    threads: SupportsIndex = 0,
-    memory_limit: SupportsIndex | None = None,
+    threads: Whole = 0,
+    memory_limit: Whole | None = None,
     progress: Progress | None = None,
 ) -> Stippling:
     """Stipple a picture: random dots, evenly spread, dense where it is dark.
@@ -336,7 +340,7 @@ progress
     >>> red_disk = np.stack([np.ones_like(disk), disk, disk], axis=-1)
     >>> dots = lacuna.stipple(red_disk, 200, seed=1, inks="cmyk")
     >>> np.bincount(dots.ink)  # cyan, magenta, yellow; the disk needs no black
-    array([  0, 115,  85])
+    array([  0, 112,  88])
     """
     tone = _tone(
         invert, black, white, auto_levels, gamma, min_importance, sharpen, sharpen_amount, along
@@ -355,14 +359,11 @@ progress
     sides = shape_of(field)
     if n is None and scale is None and ink_counts is None:
         n = _core.dot_count(field, *sides)
-    if relax is None:
-        relax = 15 if tone.along == 1 else 0
-    iterations = whole("relax", relax, 0, MOST_32)
-    if tone.along != 1:
-        if iterations:
-            raise BadRequest(f"relax {iterations}: cannot be used with along", "relax")
-        mode = "exact" if mode is None else mode
-    request.mode = choice("mode", "cells" if mode is None else mode, STARTS)
+    along_edges = tone.along != 1
+    if along_edges and relax is not None and whole("relax", relax, 0, MOST_32):
+        raise BadRequest(f"relax {relax}: cannot be used with along", "relax")
+    if mode is not None:
+        choice("mode", mode, STARTS)
     dots = []
     if palette and scale is None:
         dots = _dots_of(ink_counts, None if n is None else whole("n", n, 1, MOST_64), palette, densities)
@@ -377,15 +378,23 @@ progress
         round_size=round_size,
         memory_limit=memory_limit,
     )
+    if palette:
+        refuse_what_is_not_for_inks(request, mode, metric)
+    iterations = settle(
+        request,
+        mode=mode,
+        metric=metric,
+        relax=relax,
+        picture=True,
+        inks=bool(palette),
+        ellipses=along_edges,
+    )
     white = field if flag("keep_inside", keep_inside) else None
     draw = _draw(request, iterations != 0, by_tone, white)
     if palette:
-        refuse_what_is_not_for_inks(request, mode, metric)
         return _stipple_inks(request, densities, fields, draw, palette, dots, iterations, progress)
-    choose_start(request, mode, metric, iterations)
-    choose_metric(request, metric, iterations)
     made = make(request, densities[0], iterations, progress)
-    points, radii = draw(made["points"], field)
+    points, radii = draw([made["points"]], [field])
     if white is not None:
         options = relax_options(request, iterations)
         made.update(points=points, radius=least_distance(points, options), maximal=False)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Iterable, SupportsFloat
+from typing import TYPE_CHECKING, Any, Iterable, SupportsFloat
 
 import numpy as np
 
@@ -38,6 +38,9 @@ class Verdict:
     holds : bool
         No two points are closer than their limit and, unless ``distances_only``, every spot has a
         point within their limit + tolerance.
+    reason : str
+        Why the claim does not hold; empty if it does. A PointSet of ``n``, ``limit`` or ``relax``
+        has gaps, and is then named as one that is not meant to be maximal.
     maximal : bool
         The claim holds, gaps were looked for, and the tolerance is at most 1 % of the least radius.
     kept, covered : bool or None
@@ -92,6 +95,7 @@ class Verdict:
     points: Floats = field(repr=False)
     domain: tuple[float, float] = field(repr=False)
     largest_gap_class: str | None = field(default=None, kw_only=True)
+    reason: str = field(default="", kw_only=True)
 
     # Deprecated names, for programs that were written for them.
     emptiest_spot = property(lambda self: self.largest_gap)
@@ -105,6 +109,36 @@ class Verdict:
         """Draw the points, the closest pair and the largest gap with matplotlib. Whatever refutes
         the claim is red. Arguments and errors are as of ``PointSet.plot``."""
         return _plots.verdict(ax, self)
+
+
+def _reason(found: dict[str, Any], gaps_known: bool, points: object, count: int) -> str:
+    """Why a claim does not hold, or nothing."""
+    if found["outside"] is not None:
+        return f"point {found['outside']} lies outside of the domain"
+    if found["moved"] is not None:
+        return f"point {found['moved']} is not the point of keep"
+    if found["forbidden"] is not None:
+        return f"point {found['forbidden']} lies where {found['forbidden_by']} allows none"
+    if not found["kept"]:
+        return (
+            f"points {found['first']} and {found['second']} are {found['least_distance']:.6g} "
+            f"apart, less than their limit {found['least_limit']:.6g}"
+        )
+    if not gaps_known or found["covered"]:
+        return ""
+    if not count:
+        return "there is no point"
+    spot, limit = found["largest_gap"], found["largest_gap_limit"]
+    gap = (
+        f"the spot ({spot[0]:.6g}, {spot[1]:.6g}) is {found['largest_gap_distance']:.6g} from the "
+        f"nearest point, more than its limit {limit:.6g}"
+    )
+    if isinstance(points, PointSet) and not points.maximal:
+        gap += (
+            "; this set is not meant to be maximal, because of n, limit or relax: "
+            "distances_only=True does not look for gaps"
+        )
+    return gap
 
 
 def _claimed(
@@ -256,6 +290,8 @@ def verify(
     >>> verdict = lacuna.verify(made.points[:-1], 0.05)
     >>> verdict.kept, verdict.covered
     (True, False)
+    >>> "not meant to be maximal" in lacuna.verify(lacuna.sample(n=100, seed=1)).reason
+    True
 
     A set that follows a field, in a part of the domain:
 
@@ -306,6 +342,7 @@ def verify(
     spot_known = gaps_known and len(array) > 0
     return Verdict(
         holds=in_place and found["kept"] and (not gaps_known or found["covered"]),
+        reason=_reason(found, gaps_known, points, len(array)),
         maximal=found["maximal"],
         kept=found["kept"] if in_place else None,
         covered=found["covered"] if gaps_known else None,

@@ -8,19 +8,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
+from typing import TYPE_CHECKING, Literal, SupportsFloat
 
 import numpy as np
 from scipy.stats import qmc as _qmc
 
-from ._arguments import flag, numbers, real, seed_of, shown, whole
+from ._arguments import choice, flag, numbers, real, seed_of, shown, whole
 from ._errors import BadRequest
 from ._sample import sample
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from ._arguments import Seed
+    from ._arguments import Seed, Whole
 
 __all__ = ["PoissonDisk"]
 
@@ -50,6 +50,11 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
         Least distance between two points, in the unit of the bounds.
     l_bounds, u_bounds : array_like, shape (2,) or ()
         The rectangle; by default 0 and 1. Points lie in [l_bounds, u_bounds).
+    hypersphere, ncandidates : str, int
+        scipy's ways to throw candidates. They are accepted and have no effect: here every point is
+        uniform over all the room that is left.
+    optimization : None
+        Must be None: moving the points would bring some closer than ``radius``.
     rng, seed : None, int or numpy.random.Generator
         As ``seed`` of ``lacuna.sample``; ``seed`` is scipy's older name.
     torus : bool
@@ -79,9 +84,12 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
 
     def __init__(
         self,
-        d: SupportsIndex = 2,
+        d: Whole = 2,
         *,
         radius: SupportsFloat = 0.05,
+        hypersphere: Literal["volume", "surface"] = "volume",
+        ncandidates: Whole = 30,
+        optimization: None = None,
         l_bounds: npt.ArrayLike | None = None,
         u_bounds: npt.ArrayLike | None = None,
         rng: Seed = None,
@@ -89,10 +97,14 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
         torus: bool = False,
         backend: str = "auto",
         device: int | str | None = None,
-        threads: SupportsIndex = 0,
+        threads: Whole = 0,
     ) -> None:
         if whole("d", d, 0, 2**31) != 2:
             raise BadRequest(f"d {d}: must be 2", "d")
+        choice("hypersphere", hypersphere, ("volume", "surface"))
+        whole("ncandidates", ncandidates, 1, 2**31)
+        if optimization is not None:
+            raise BadRequest(f"optimization {shown(optimization)}: must be None", "optimization")
         if rng is not None and seed is not None:
             raise BadRequest("seed and rng: give one of them", "seed")
         super().__init__(2)
@@ -147,7 +159,7 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
         self._is_full = limit is None or len(points) < limit
 
     def _random(
-        self, n: SupportsIndex = 1, *, workers: SupportsIndex = 1
+        self, n: Whole = 1, *, workers: Whole = 1
     ) -> npt.NDArray[np.float64]:
         begin = self.num_generated
         count = whole("n", n, 0, 2**31)
@@ -155,7 +167,7 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
         return self._points[begin : begin + count].copy()
 
     def random(
-        self, n: SupportsIndex = 1, *, workers: SupportsIndex = 1
+        self, n: Whole = 1, *, workers: Whole = 1
     ) -> npt.NDArray[np.float64]:
         """Draw the next points; fewer than ``n`` if no more room is left.
 
@@ -195,7 +207,7 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
         self.num_generated = 0
         return self
 
-    def fast_forward(self, n: SupportsIndex) -> PoissonDisk:
+    def fast_forward(self, n: Whole) -> PoissonDisk:
         """Skip points.
 
         Parameters

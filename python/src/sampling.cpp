@@ -21,6 +21,7 @@
 #include "drawing/dot_size.h"
 #include "drawing/keep_inside.h"
 #include "parts.h"
+#include "recipes/settle.h"
 #include "watch.h"
 
 namespace nb = nanobind;
@@ -227,6 +228,20 @@ Enum named(const std::string& name, const char* option) {
     throw BadRequest(option, name, "is not known");
 }
 
+// Decides the mode and the metric of a request. Returns how often the points are relaxed.
+std::uint32_t settle(Request& request, const std::optional<std::string>& mode,
+                     const std::optional<std::string>& metric, std::optional<std::uint32_t> relax,
+                     bool is_picture, bool has_inks, bool has_ellipses) {
+    recipes::Given given{.is_picture = is_picture,
+                         .has_inks = has_inks,
+                         .has_ellipses = has_ellipses,
+                         .relax = relax};
+    if (mode) given.mode = named<Mode>(*mode, "mode");
+    if (metric) given.metric = named<Metric>(*metric, "metric");
+    recipes::settle(given, request);
+    return recipes::relax_of(given);
+}
+
 // Adds the attributes for the domain, the backend, the device and threads.
 template <typename Options>
 nb::class_<Options>& add_common(nb::class_<Options>& type) {
@@ -315,6 +330,8 @@ void add_sampling(nb::module_& module) {
     module.def("relax", relax_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none());
     module.def("progressive_order", order_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg(),
                nb::arg(), nb::arg());
+    module.def("settle", settle, nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg().none(),
+               nb::arg(), nb::arg(), nb::arg());
     module.def("dot_count", dot_count);
     module.def("dot_radii", dot_radii);
     module.def("pull_inside", pull_inside);

@@ -22,7 +22,7 @@ FIELD = np.ones((8, 8))
         (ValueError, "n", {"n": 0}),
         (ValueError, "n", {"n": -1}),
         (ValueError, "n", {"n": 2**64}),
-        (TypeError, "n", {"n": 1e4}),
+        (TypeError, "n", {"n": 99.5}),
         (TypeError, "n", {"n": "100"}),
         (TypeError, "n", {"n": np.array([3, 4])}),
         (MemoryError, "n", {"n": 10**9, "memory_limit": 10**9}),
@@ -58,7 +58,7 @@ FIELD = np.ones((8, 8))
         (ValueError, "field", {"radius": 0.1, "mode": "cells"}),
         (ValueError, "seed", {"radius": 0.1, "seed": -1}),
         (ValueError, "seed", {"radius": 0.1, "seed": 2**64}),
-        (TypeError, "seed", {"radius": 0.1, "seed": 1.0}),
+        (TypeError, "seed", {"radius": 0.1, "seed": 1.5}),
         (TypeError, "seed", {"radius": 0.1, "seed": np.random.RandomState(1)}),
         (ValueError, "limit", {"radius": 0.1, "limit": 0}),
         (TypeError, "limit", {"radius": 0.1, "limit": 1.5}),
@@ -139,7 +139,7 @@ def test_verify_refuses(error: type[Exception], argument: str, arguments: dict[s
     [
         (ValueError, "iterations", {"iterations": -1}),
         (ValueError, "iterations", {"iterations": 10_001}),
-        (TypeError, "iterations", {"iterations": 1.0}),
+        (TypeError, "iterations", {"iterations": 1.5}),
         (ValueError, "domain", {"domain": (1, 0)}),
         (TypeError, "measure", {"measure": None}),
         (ValueError, "backend", {"backend": ""}),
@@ -247,6 +247,14 @@ def test_numbers_of_other_kinds_are_numbers() -> None:
     expected = lacuna.sample(0.25, seed=1).points
     for radius in (np.float32(0.25), Decimal("0.25"), np.array(0.25)):
         assert (lacuna.sample(radius, seed=np.uint8(1)).points == expected).all()
+
+
+def test_whole_floats_are_whole_numbers() -> None:
+    expected = lacuna.sample(n=100, seed=3, threads=1).points
+    for n, seed in ((1e2, 3.0), (np.float32(100), np.float64(3))):
+        assert (lacuna.sample(n=n, seed=seed, threads=1.0).points == expected).all()
+    for n in (99.5, float("nan"), float("inf")):
+        refused(TypeError, "n", lacuna.sample, n=n)
 
 
 def test_a_generator_and_none_give_seeds_that_are_told() -> None:

@@ -88,6 +88,22 @@ def test_kept_points_have_classes_by_name_or_place() -> None:
     assert by_name.class_of is not None and by_name.class_of[:2].tolist() == [0, 2]
 
 
+def test_a_kept_set_brings_its_classes() -> None:
+    wood = lacuna.sample(classes={"grass": 0.04, "trees": 0.2}, seed=1, limit=20)
+    more = lacuna.sample(classes={"trees": 0.2, "grass": 0.04}, keep=wood, seed=2)
+    assert wood.class_of is not None and more.class_of is not None
+    assert (more.class_of[: len(wood)] == 1 - wood.class_of).all()
+    with pytest.raises(lacuna.BadRequest, match="keep_classes 'grass': must be one of trees"):
+        lacuna.sample(classes={"trees": 0.2}, keep=wood, seed=2)
+
+
+def test_a_report_has_the_distances_that_the_set_keeps() -> None:
+    made = lacuna.sample(classes={"a": 0.4, "b": 0.1}, between="union", n=300, seed=1)
+    assert made.distances is not None
+    assert made.report()["request"]["distances"] == made.distances.tolist()
+    assert made.distances[1, 1] < 0.1
+
+
 def test_many_sets_have_classes() -> None:
     sets = lacuna.sample_many(range(3), classes=KINDS, between="union")
     one = lacuna.sample(classes=KINDS, between="union", seed=2)

@@ -27,6 +27,19 @@ def test_a_set_of_ours_is_proven_and_one_with_a_hole_is_not(torus: bool) -> None
     assert refuted.emptiest_limit == refuted.largest_gap_limit
 
 
+def test_a_verdict_says_why_a_claim_does_not_hold() -> None:
+    assert lacuna.verify(lacuna.sample(0.2, seed=1)).reason == ""
+    counted = lacuna.sample(n=50, seed=1)
+    refuted = lacuna.verify(counted)
+    assert not refuted and "distances_only=True" in refuted.reason
+    assert refuted.reason in repr(refuted)
+    assert lacuna.verify(counted, distances_only=True).reason == ""
+    assert "not meant" not in lacuna.verify(counted.points, counted.radius).reason
+    near = lacuna.verify([(0.1, 0.1), (0.9, 0.9), (0.1, 0.2)], 0.15)
+    assert near.reason == "points 0 and 2 are 0.1 apart, less than their limit 0.15"
+    assert "point 1 lies outside" in lacuna.verify([(0.1, 0.1), (0.5, 2)], 0.1).reason
+
+
 def test_the_closest_pair_is_named() -> None:
     verdict = lacuna.verify([(0.1, 0.1), (0.9, 0.9), (0.1, 0.2)], 0.15, distances_only=True)
     assert not verdict and verdict.kept is False and verdict.covered is None

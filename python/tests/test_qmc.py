@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import time
 
 import numpy as np
@@ -67,6 +69,9 @@ def test_points_keep_their_distance_with_bounds(
         ("u_bounds", {"u_bounds": 1e201, "radius": 1e200}),
         ("u_bounds", {"u_bounds": (1, 2, 3)}),
         ("seed", {"rng": 1, "seed": 2}),
+        ("hypersphere", {"hypersphere": "ball"}),
+        ("ncandidates", {"ncandidates": 0}),
+        ("optimization", {"optimization": "lloyd"}),
         ("backend", {"backend": "none"}),
     ],
 )
@@ -74,6 +79,18 @@ def test_the_engine_refuses(argument: str, arguments: dict[str, object]) -> None
     with pytest.raises(ValueError) as caught:
         qmc.PoissonDisk(**arguments)
     assert str(caught.value).startswith(argument)
+
+
+def test_scipys_arguments_are_taken_or_refused_by_name() -> None:
+    expected = qmc.PoissonDisk(2, radius=0.1, rng=1).random(50)
+    engine = qmc.PoissonDisk(
+        2, radius=0.1, hypersphere="surface", ncandidates=5, optimization=None, rng=1
+    )
+    assert (engine.random(50) == expected).all()
+    # The module is imported when it is first used.
+    alone = "import lacuna; print(len(lacuna.qmc.PoissonDisk(2, radius=0.1, rng=1).random(9)))"
+    told = subprocess.run([sys.executable, "-c", alone], check=True, capture_output=True)
+    assert told.stdout == b"9\n"
 
 
 def test_side_by_side_with_scipy() -> None:
