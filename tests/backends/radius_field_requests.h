@@ -216,6 +216,9 @@ inline std::vector<FieldRequest> ellipse_requests() {
         with_mask(
             radius_field_request("ellipses on a mask", swirled(ramp_field(7, 9), 5), 300, torus),
             noise_mask(13, 9, 8)),
+        with_mask(radius_field_request("ellipses on a fine mask", swirled(constant_field(2, 2), 8),
+                                       60, box),
+                  chess_mask(30, 30)),
         with_border(radius_field_request("ellipses inside a border",
                                          stretched_at_random(ramp_field(6, 6), 5, 9), 200, box),
                     0.1),

@@ -140,7 +140,10 @@ void Boxes::make_room_for_pieces() {
 
 void Boxes::keep() {
     if (has_field()) {
-        launch_over_boxes<kernels::keep_with_field>(count_, round_.queue.run_of(count_), kKeepWork);
+        // A box with many pieces walks its list of samples for each: such work is not put together
+        // in one item on devices that limit the turns of loops (portable/failure.h).
+        launch_over_boxes<kernels::keep_with_field>(count_, round_.queue.chunk_of(count_),
+                                                    kKeepWork);
         const std::uint32_t room = refinement_->room;
         launch_over_boxes<kernels::measure>(room, round_.queue.run_of(room), kMeasureWork);
         return;

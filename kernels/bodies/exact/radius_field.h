@@ -4,7 +4,8 @@
 #include "bodies/exact/pixels.h"
 
 struct Under {
-    u32 least;      // least radius except 0, or that of a single pixel; 0 where no sample may lie
+    u32 least;      // least radius except 0; 0 where no sample may lie
+    u32 greatest;   // greatest radius, see HAS_ZEROS
     bool is_mixed;  // whether radii differ, or ellipses
     u32 allowed;    // what the mask allows
 };
@@ -94,18 +95,18 @@ BODY u32 allowed_over(MEMORY const Grid mask, const u32x4 pixels) {
 BODY Under under(MEMORY const Grids grids, const Touched touched) {
     const u32x2 radii = radii_over(ON grids.field, touched.field);
     const bool is_one = touched.field.x == touched.field.y && touched.field.z == touched.field.w;
-    const u32 greatest = radii.y & ~HAS_ZEROS;
-    Under found = {is_one ? greatest : radii.x, !is_one && are_radii_mixed(radii.x, radii.y),
-                   ALLOWED_ALL};
+    Under found = {radii.x, radii.y, !is_one && are_radii_mixed(radii.x, radii.y), ALLOWED_ALL};
     if (has_mask(grids)) found.allowed = allowed_over(ON grids.mask, touched.mask);
     if (found.allowed == ALLOWED_NONE) found.least = 0u;
     return found;
 }
 
-// The least radius, with IS_EVEN if it is the only one; 0 where no sample may lie.
+// The least radius or, if samples may lie everywhere with one ellipse, the greatest with IS_EVEN;
+// 0 where no sample may lie. A box that is not even is cut by circles of the least radius: with
+// ellipses the greatest would cut off room.
 BODY u32 radius_under(const Under all) {
     const bool is_even = all.least != 0u && !all.is_mixed && all.allowed == ALLOWED_ALL;
-    return is_even ? all.least | IS_EVEN : all.least;
+    return is_even ? all.greatest | IS_EVEN : all.least;
 }
 
 // 0 where no sample may lie.

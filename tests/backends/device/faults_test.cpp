@@ -8,6 +8,7 @@
 #include "backends/available.h"
 #include "backends/cells_scenes.h"
 #include "backends/device/altered.h"
+#include "backends/radius_field_requests.h"
 #include "backends/scenes.h"
 
 namespace lacuna {
@@ -226,6 +227,19 @@ TEST_P(Faults, WithEllipsesAreNoticed) {
          {"bodies/exact/ellipses.h", "if (g.rule != RULE_OF_ELLIPSES)", "if (true)"},
          {"bodies/exact/lists.h", "if (strip.is_even)\n", "if (false)\n"},
          {"bodies/exact/pieces.h", "g.rule != RULE_OF_ELLIPSES", "true"}});
+}
+
+// Where a fine mask forbids a part of a box on one pixel, inner circles cut the box.
+TEST_P(Faults, WithEllipsesOnAMaskAreNoticed) {
+    const tests::FieldRequest made =
+        tests::with_mask(tests::radius_field_request("ellipses on a fine mask",
+                                                     tests::swirled(tests::constant_field(2, 2), 8),
+                                                     60, Boundary::box),
+                         tests::chess_mask(30, 30));
+    expect_noticed(
+        make_plan(made.request),
+        {{"bodies/exact/radius_field.h", "return is_even ? all.greatest | IS_EVEN : all.least;",
+          "return all.least == 0u ? 0u : all.greatest & ~HAS_ZEROS | (is_even ? IS_EVEN : 0u);"}});
 }
 
 // In the end boxes are halved before they are cut.

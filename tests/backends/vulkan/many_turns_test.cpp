@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -140,6 +141,28 @@ TEST_F(ManyPixels, AreAnErrorOfSubtractOrSubtractedAsByTheCpu) {
     scene_.candidates = {{0, y, 0, 0}};
     scene_.statuses = {STATUS_ADMITTED};
     expect_right_or_failed("subtract", [](Backend& backend) { backend.subtract(); });
+}
+
+// A box that many kept samples of two classes cut into pieces; items that serve such boxes together
+// took more turns than lavapipe grants.
+TEST(ManyPieces, AreKeptAsByTheCpu) {
+    tests::skip_or_fail_without("vulkan");
+    Request request;
+    request.classes.names = {"wide", "narrow"};
+    request.classes.distances = distances_by_union(std::vector{0.019, 0.014});
+    request.seed = 1;
+    request.progressive = true;
+    request.limit = 1533;
+    request.backend = "cpu";
+    const Result kept = sample(request);
+    request.progressive = false;
+    request.limit.reset();
+    request.keep = kept.points;
+    request.keep_classes = kept.classes;
+    request.radius = kept.levels.back().size * std::exp2(-1.0 / 16);
+    const Result expected = sample(request);
+    request.backend = "vulkan";
+    EXPECT_EQ(sample(request).points, expected.points);
 }
 
 }  // namespace
