@@ -29,25 +29,33 @@ double share_of(const Request& request, double greatest, const Poll& poll) {
                         [&](std::size_t i) { sum += field->importance[i] / greatest; });
         return inside * sum / static_cast<double>(field->importance.size());
     }
-    // For each pixel of the mask, the importance at its middle is taken.
     const auto middle_in = [](std::size_t i, std::size_t count, std::size_t pixels) {
         return (2 * i + 1) * pixels / (2 * count);
     };
-    const auto add_row = [&](std::size_t row) {
-        const std::uint8_t* const allowed = &mask->allowed[row * mask->columns];
-        const double* const importance =
-            field == nullptr
-                ? nullptr
-                : &field->importance[middle_in(row, mask->rows, field->rows) * field->columns];
-        for (std::size_t i = 0; i < mask->columns; ++i) {
-            if (allowed[i] == 0) continue;
-            sum += importance == nullptr
-                       ? 1
-                       : importance[middle_in(i, mask->columns, field->columns)] / greatest;
-        }
+    // For each pixel of a grid, mask and importance at its middle are taken.
+    const auto share_on = [&](std::size_t columns, std::size_t rows) {
+        sum = 0;
+        const auto add_row = [&](std::size_t row) {
+            const std::uint8_t* const allowed =
+                &mask->allowed[middle_in(row, rows, mask->rows) * mask->columns];
+            const double* const importance =
+                field == nullptr
+                    ? nullptr
+                    : &field->importance[middle_in(row, rows, field->rows) * field->columns];
+            for (std::size_t i = 0; i < columns; ++i) {
+                if (allowed[middle_in(i, columns, mask->columns)] == 0) continue;
+                sum += importance == nullptr
+                           ? 1
+                           : importance[middle_in(i, columns, field->columns)] / greatest;
+            }
+        };
+        for_each_polled(rows, poll, add_row, columns);
+        return inside * sum / (static_cast<double>(columns) * static_cast<double>(rows));
     };
-    for_each_polled(mask->rows, poll, add_row, mask->columns);
-    return inside * sum / static_cast<double>(mask->allowed.size());
+    const double share = share_on(mask->columns, mask->rows);
+    if (share > 0 || field == nullptr) return share;
+    // The field may be 0 at the middles of all pixels of a mask that is coarser.
+    return share_on(std::max(mask->columns, field->columns), std::max(mask->rows, field->rows));
 }
 
 double greatest_of(const Request& request) {
@@ -188,6 +196,9 @@ double units_of(const Sheets& sheets) {
 double radius_field_scale_for_count(const Request& request, double count, const Poll& poll) {
     const double greatest = greatest_of(request);
     const double share = share_of(request, greatest, poll);
+    if (request.count && share == 0)
+        throw BadRequest("count", std::to_string(*request.count),
+                         "has no room: the field is 0 where the mask allows samples");
     // Limit for an importance so low that a single sample covers the whole domain.
     const double most = 2 * std::hypot(request.width, request.height);
     const double radius =

@@ -143,6 +143,22 @@ TEST(ASetWithARadiusField, OfSoManyPointsHasSoMany) {
     }
 }
 
+// The middle of the only row of the mask lies where the field is 0.
+TEST(ASetWithARadiusField, OfACountOnAMaskThatIsCoarserThanTheField) {
+    const Field field{1, 3, {1, 0, 0.5}};
+    Mask mask{4, 1, {1, 0, 1, 1}};
+    Request request;
+    request.field = &field;
+    request.mask = &mask;
+    request.count = 50;
+    EXPECT_EQ(sample(request).points.size(), 50U);
+    const Field left{2, 1, {1, 0}};
+    mask = {2, 1, {0, 1}};
+    request.field = &left;
+    EXPECT_EQ(tests::refusal_of([&] { sample(request); }),
+              "count 50: has no room: the field is 0 where the mask allows samples");
+}
+
 TEST(KeptPoints, ComeFirstAndToTheBitAndASetThatWasCutShortBecomesMaximal) {
     FieldRequest made =
         tests::radius_field_request("resumed", tests::ramp_field(16, 16), 500, Boundary::torus);
