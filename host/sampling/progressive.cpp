@@ -57,14 +57,31 @@ Request at_size(const Request& request, double size) {
     return level;
 }
 
-// The first level at which points that the request keeps are not too close together. Throws
-// BadRequest if they are at the last level, or at the smallest radius that there can be.
+// The length of the longest ellipse of a torus at a scale of 1; 0 if any length fits.
+double longest_ellipse(const Request& request) {
+    double longest = 0;
+    if (request.boundary == Boundary::box || request.field == nullptr) return longest;
+    const Field& field = *request.field;
+    for (std::size_t i = 0; i < field.stretches.size(); ++i)
+        if (field.importance[i] > 0)
+            longest =
+                std::max(longest, 2 * std::sqrt(field.stretches[i].ratio / field.importance[i]));
+    return longest;
+}
+
+// The first level at which ellipses fit on a torus, and points that the request keeps are not too
+// close together. Throws BadRequest if these are at the last level, or at the smallest radius that
+// there can be.
 int first_level(const Request& request, const Sizes& sizes) {
     const double smallest = kSmallestRadius * std::max(request.width, request.height);
+    const double longest = longest_ellipse(request);
+    const double most = std::min(request.width, request.height) * (1 - 1e-6);  // they are rounded
     for (int level = 0;; ++level) {
+        const bool is_last = sizes.is_last(level) || sizes.at(level) < smallest;
+        if (!is_last && longest * sizes.at(level) > most) continue;
         const Request at_level = at_size(request, sizes.at(level));
         if (keep_their_distances(at_level)) return level;
-        if (sizes.is_last(level) || sizes.at(level) < smallest) check_kept_distances(at_level);
+        if (is_last) check_kept_distances(at_level);
     }
 }
 

@@ -14,10 +14,8 @@ namespace lacuna::tests {
 
 struct HostileOptions {
     std::optional<double> seconds;
-    std::optional<std::uint64_t> sets;
     std::uint64_t seed = std::random_device()();
     std::uint64_t skip = 0;
-    std::string backend = "cpu";
 };
 
 // Reads options named in `known`, each with a value. Throws std::invalid_argument with the reason.
@@ -35,13 +33,11 @@ inline HostileOptions read_hostile_options(int argc, char** argv,
         const std::string value = argv[i + 1];
         try {
             if (name == "--seconds") options.seconds = std::stod(value);
-            if (name == "--sets") options.sets = std::stoull(value);
             if (name == "--seed") options.seed = std::stoull(value);
             if (name == "--skip") options.skip = std::stoull(value);
         } catch (const std::logic_error&) {
             throw std::invalid_argument(name + " " + value + ": must be a number");
         }
-        if (name == "--backend") options.backend = value;
     }
     return options;
 }

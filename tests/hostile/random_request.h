@@ -1,7 +1,8 @@
-// Random requests with everything that is hard for the paper's loop: radii as large as the domain,
-// aspects of 1000, rounds of one draw and of a million, importance over eight powers of ten.
+// A random request with the levels of a row: from one point to some hundred, in domains, on radii,
+// masks and polygons of every hostile kind.
 #pragma once
 
+#include <lacuna/domains.h>
 #include <lacuna/lacuna.h>
 
 #include <algorithm>
@@ -11,187 +12,384 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <random>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "hostile/capabilities.h"
+#include "hostile/random_parts.h"
 
 namespace lacuna::tests {
 
-struct HostileRequest {
-    std::shared_ptr<const Field> field;  // in cells, and in exact with a radius field
-    std::shared_ptr<const Mask> mask;
+// A request and all that it refers to.
+struct Made {
+    Row row{};
     Request request;
-    std::shared_ptr<const Field> sparse;  // over which some of the points are relaxed, or null
+    Field field{};
+    Mask mask{};
+    std::vector<PolygonRing> inside{}, outside{}, avoided{};
+    std::vector<PolygonSet> polygons{};
+    double edge = 0;
+    std::vector<Point> keep{};
+    std::vector<std::uint8_t> keep_classes{};
+    std::vector<std::uint64_t> seeds{};  // the request's own is the first
+    Field sparse{};                      // over which some of the points are relaxed
     std::uint32_t iterations = 0;
+
+    explicit Made(const Row& wanted) : row(wanted) {}
+    Made(const Made&) = delete;
+    Made& operator=(const Made&) = delete;
+    bool is(Capability capability, std::string_view level) const {
+        return is_level(row, capability, level);
+    }
+    verify::Domain domain() const {
+        return {request.width, request.height, request.boundary == Boundary::torus};
+    }
 };
 
-class RandomRequests {
+class RandomRequest {
 public:
-    explicit RandomRequests(std::uint64_t seed) : random_(seed) {}
+    RandomRequest(std::uint64_t seed, std::uint64_t number, const Row& row)
+        : choose_(seed, number), row_(row) {}
 
-    HostileRequest next() {
-        HostileRequest made;
-        Request& request = made.request;
-        request.mode = std::array{Mode::exact, Mode::lines, Mode::cells}[below(3)];
-        request.boundary = one_in(2) ? Boundary::torus : Boundary::box;
-        const double aspect = one_in(3) ? 1 : power(1, 1000);
-        const double side = power(1e-6, 1e6);
-        request.width = one_in(2) ? side : side * aspect;
-        request.height = request.width == side ? side * aspect : side;
-        request.seed = random_();
-        request.threads = 1 + below(4);
-        if (one_in(4)) request.limit = below(300) + 1;
-        choose_round_size(request);
-        if (request.mode == Mode::cells)
-            choose_field(made);
-        else if (request.mode == Mode::exact && one_in(2))
-            choose_radius_field(made);
-        else
-            choose_radius(request);
-        if (one_in(4)) choose_sparse(made);
-        return made;
+    // Tries again where nothing is allowed. A row that is refused is made without a trial.
+    std::unique_ptr<Made> make(bool is_refused) {
+        constexpr int kTries = 200;
+        for (int i = 0; i < kTries; ++i) {
+            auto made = std::make_unique<Made>(row_);
+            if (try_to_make(*made, is_refused)) return made;
+        }
+        throw std::runtime_error("no request of this row has room: " + tests::describe(row_));
     }
 
 private:
-    std::uint32_t below(std::uint32_t end) { return static_cast<std::uint32_t>(random_() % end); }
-    bool one_in(std::uint32_t many) { return below(many) == 0; }
-    // A number from low to high; all powers are equally likely.
-    double power(double low, double high) {
-        const double part = static_cast<double>(random_() >> 11) * 0x1p-53;
-        return std::min(high, low * std::pow(high / low, part));
+    bool is(Capability capability, std::string_view level) const {
+        return is_level(row_, capability, level);
     }
 
-    void choose_round_size(Request& request) {
-        if (one_in(3)) return;  // automatic
-        request.round_size = static_cast<std::uint64_t>(power(1, one_in(20) ? 1e6 : 3e4));
-    }
-
-    // The reference builds the whole cdf in each round, so sets with small rounds have few points.
-    double most_points(const Request& request) const {
-        return request.round_size != 0 && request.round_size < 10 ? 100 : 2000;
-    }
-
-    void choose_radius(Request& request) {
-        request.lines_per_radius = static_cast<std::uint32_t>(power(1, one_in(20) ? 1000 : 60));
-        const double points = power(0.3, most_points(request));
-        const double radius = std::sqrt(0.7 * request.width * request.height / points);
-        const double largest = request.boundary == Boundary::torus
-                                   ? std::min(request.width, request.height)
-                                   : std::hypot(request.width, request.height);
-        request.radius = std::min(radius, largest);
-        if (request.mode != Mode::lines) return;
-        request.snap = one_in(3);
-        if (request.round_size != 0 && request.round_size < 10 && one_in(2)) {
-            request.uniform_x = true;
-            request.round_size = 1;
-        }
-    }
-
-    void choose_field(HostileRequest& made) {
+    bool try_to_make(Made& made, bool is_refused) {
         Request& request = made.request;
-        request.metric = std::array{Metric::min, Metric::mean, Metric::max}[below(3)];
-        request.lines_per_radius = static_cast<std::uint32_t>(power(1, 40));
-        Field field;
-        field.columns = static_cast<std::uint32_t>(power(1, 60));
-        field.rows = static_cast<std::uint32_t>(power(1, 60));
-        const double range = power(1, 1e8);
-        const bool has_two = one_in(2);
-        for (std::size_t i = 0; i < std::size_t{field.columns} * field.rows; ++i) {
-            const double share = has_two ? (one_in(2) ? 1 : 1 / range) : power(1 / range, 1);
-            field.importance.push_back(one_in(8) ? 0 : share);
+        constexpr std::array kModes{Mode::exact, Mode::lines, Mode::cells, Mode::stratified};
+        constexpr std::array kMetrics{Metric::min, Metric::mean, Metric::max};
+        request.mode = kModes[row_[kMode]];
+        request.metric = kMetrics[row_[kMetric]];
+        request.boundary = is(kEdges, "torus") ? Boundary::torus : Boundary::box;
+        request.snap = is(kPlacing, "snap");
+        request.uniform_x = is(kPlacing, "uniform-x");
+        request.progressive = is(kOrder, "progressive");
+        request.seed = choose_.random()();
+        made.seeds = {request.seed};
+        if (is(kSeeds, "several")) made.seeds.push_back(choose_.random()());
+        request.threads = is(kThreads, "one") ? 1 : 2 + choose_.below(3);
+        if (is(kRounds, "of one")) request.round_size = 1;
+        if (is(kRounds, "small")) request.round_size = 2 + choose_.below(40);
+        if (is(kRounds, "large"))
+            request.round_size = static_cast<std::uint64_t>(choose_.power(50, 3e4));
+        choose_domain(request);
+        choose_radii(made);
+        if (is(kMask, "yes")) {
+            made.mask = random_mask(choose_);
+            request.mask = &made.mask;
         }
-        field.importance[below(static_cast<std::uint32_t>(field.importance.size()))] = 1;
-        // With mean and max the reference looks at the whole lattice for each sample.
-        const double points = power(1, request.metric == Metric::min ? 1e6 : 1e5);
-        request.scale =
-            request.lines_per_radius.value() * std::sqrt(request.width * request.height / points);
-        request.limit = std::min<std::uint64_t>(request.limit.value_or(1000),
-                                                static_cast<std::uint64_t>(most_points(request)));
-        made.field = std::make_shared<const Field>(std::move(field));
-        request.field = made.field.get();
+        if (has_polygons() && !choose_polygons(made)) return false;
+        if (is(kBorder, "yes"))
+            request.border = std::min(request.width, request.height) / 2 *
+                             std::array{1e-9, choose_.in(0, 0.5), 1 - 1e-3}[choose_.below(3)];
+        if (is(kRelax, "yes")) {
+            made.sparse = sparse_field(choose_);
+            made.iterations = 1 + choose_.below(3);
+        }
+        Result trial;
+        if (is_refused) {
+            trial.points = {{request.width / 2, request.height / 2}};
+            if (!is(kClasses, "none")) trial.classes = {0};
+        } else {
+            trial = trial_of(request);
+        }
+        if (trial.points.empty()) return false;
+        if (is(kKeep, "yes")) choose_kept(made, trial);
+        if (is(kLimit, "yes")) request.limit = 1 + choose_.below(most_points());
+        return true;
     }
 
-    // Radii differ by up to a factor of 10^6.
-    void choose_radius_field(HostileRequest& made) {
+    bool has_polygons() const {
+        return is(kInside, "yes") || is(kOutside, "yes") || is(kAvoid, "yes");
+    }
+    bool has_ellipses() const { return is(kRadii, "ellipses"); }
+
+    // The reference builds the whole cdf in each round, and a progressive order has many levels.
+    std::uint32_t most_points() const {
+        if (is(kOrder, "progressive")) return 50;
+        return is(kRounds, "of one") ? 80 : has_ellipses() || !is(kClasses, "none") ? 150 : 300;
+    }
+
+    // On a torus a radius of at most the shorter side leaves no fewer points than its aspect.
+    void choose_domain(Request& request) {
+        const bool is_torus = request.boundary == Boundary::torus;
+        const double most = !is_torus ? 1000 : has_ellipses() ? 9 : most_points() / 1.5;
+        const double aspect = is(kDomain, "long") ? choose_.power(3.2, most) : choose_.power(1, 3);
+        const double side = choose_.power(1e-6, 1e6);
+        request.width = choose_.one_in(2) ? side : side * aspect;
+        request.height = request.width == side ? side * aspect : side;
+    }
+
+    void choose_radii(Made& made) {
         Request& request = made.request;
-        if (one_in(4)) request.lines_per_radius = below(5) + 1;
-        if (request.boundary == Boundary::box && one_in(3))
-            request.border = power(1e-6, 0.49) * std::min(request.width, request.height);
-        const bool has_mask = one_in(3);
-        if (has_mask) choose_mask(made);
-        const double points = power(0.3, most_points(request));
-        const double radius = std::sqrt(0.7 * request.width * request.height / points);
-        if (has_mask && one_in(2)) {
-            request.radius = radius;
-            return;
+        const bool is_torus = request.boundary == Boundary::torus;
+        const bool is_cells = is(kMode, "cells");
+        const double shorter = std::min(request.width, request.height);
+        const double points = choose_.power(0.3, most_points());
+        double radius = std::sqrt(0.7 * request.width * request.height / points);
+        if (is(kLines, "given"))
+            request.lines_per_radius = choose_.some(is(kMode, "lines") ? 1000 : is_cells ? 12 : 60);
+        if (!is(kRadii, "one")) {
+            made.field = has_ellipses() ? random_field(choose_, 12, 50)
+                                        : random_field(choose_, 60, is_cells ? 1e4 : 1e12);
+            radius *= is_cells ? 1 : std::sqrt(mean_of(made.field));
+            if (has_ellipses()) radius = choose_stretches(made.field, radius, is_torus, shorter);
+            request.field = &made.field;
+        } else {
+            radius =
+                std::min(radius, is_torus ? shorter : std::hypot(request.width, request.height));
         }
-        Field field;
-        field.columns = static_cast<std::uint32_t>(power(1, 60));
-        field.rows = static_cast<std::uint32_t>(power(1, 60));
-        const double range = power(1, 1e12);
-        const bool has_two = one_in(2);
-        double sum = 0;
-        for (std::size_t i = 0; i < std::size_t{field.columns} * field.rows; ++i) {
-            const double share = has_two ? (one_in(2) ? 1 : 1 / range) : power(1 / range, 1);
-            field.importance.push_back(one_in(8) ? 0 : share);
-            sum += field.importance.back();
+        if (!is(kClasses, "none")) {
+            // docs/placement.md: distances may differ by 4,000; progressive orders of such take
+            // long.
+            const double ratio = !request.progressive && choose_.one_in(6) ? 300 : 8;
+            request.classes =
+                random_classes(choose_, is(kClasses, "sum"), is(kClasses, "union"), ratio);
+            radius *= std::sqrt(crowd_of(request.classes));
+            const double unit = is(kSize, "of classes") ? radius : choose_.power(1e-3, 1e3);
+            for (double& distance : request.classes.distances) distance *= unit;
         }
-        sum += field.importance[0] == 0 ? 1 : 0;
-        if (field.importance[0] == 0) field.importance[0] = 1;
-        request.scale = radius * std::sqrt(sum / static_cast<double>(field.importance.size()));
-        request.limit = request.limit.value_or(3000);
-        made.field = std::make_shared<const Field>(std::move(field));
-        request.field = made.field.get();
+        size_ = radius;
+        if (is(kSize, "given"))
+            (request.field != nullptr ? request.scale : request.radius) = radius;
+        if (is(kSize, "count"))
+            request.count = static_cast<std::uint64_t>(
+                std::ceil(has_ellipses() && is_torus ? 2 * points_of(made, radius) : points));
     }
 
-    void choose_mask(HostileRequest& made) {
-        Mask mask;
-        mask.columns = static_cast<std::uint32_t>(power(1, 100));
-        mask.rows = static_cast<std::uint32_t>(power(1, 100));
-        const std::uint32_t many = 2 + below(30);
-        for (std::size_t i = 0; i < std::size_t{mask.columns} * mask.rows; ++i)
-            mask.allowed.push_back(one_in(many) ? 1 : 0);
-        mask.allowed[below(static_cast<std::uint32_t>(mask.allowed.size()))] = 255;
-        made.mask = std::make_shared<const Mask>(std::move(mask));
-        made.request.mask = made.mask.get();
+    static double points_of(const Made& made, double scale) {
+        return 0.7 * made.request.width * made.request.height * mean_of(made.field) / scale / scale;
     }
 
-    // A picture with so few pixels that most points begin far from importance.
-    void choose_sparse(HostileRequest& made) {
-        Field field;
-        field.columns = static_cast<std::uint32_t>(power(1, 80));
-        field.rows = static_cast<std::uint32_t>(power(1, 80));
-        const std::size_t pixels = std::size_t{field.columns} * field.rows;
-        field.importance.assign(pixels, 0);
-        const double range = power(1, 1e6);
-        for (std::uint32_t many = 1 + below(6); many != 0; --many)
-            field.importance[random_() % pixels] = power(1 / range, 1);
-        made.sparse = std::make_shared<const Field>(std::move(field));
-        made.iterations = 1 + below(3);
+    // The points of all classes, if each were alone, over those of one that keeps a distance of 1.
+    static double crowd_of(const Classes& classes) {
+        double crowd = 0;
+        for (std::size_t i = 0; i < classes.names.size(); ++i)
+            if (classes.weights.empty() || classes.weights[i] > 0)
+                crowd += std::pow(classes.distances[i * (classes.names.size() + 1)], -2);
+        return crowd;
     }
 
-    std::mt19937_64 random_;
+    // Returns the scale: on a torus no ellipse may be longer than the shorter side.
+    double choose_stretches(Field& field, double scale, bool is_torus, double shorter) {
+        verify::stretch_field(choose_.random(), choose_.one_in(2), field);
+        if (!is_torus) return scale;
+        scale = std::min(scale, shorter / 2.2);
+        const double least = std::pow(2.01 * scale / shorter, 2);
+        for (std::size_t i = 0; i < field.importance.size(); ++i) {
+            double& importance = field.importance[i];
+            if (importance == 0) continue;
+            importance = std::max(importance, least);
+            field.stretches[i].ratio = std::min(field.stretches[i].ratio, importance / least);
+        }
+        return scale;
+    }
+
+    // Returns false if the polygons leave nothing.
+    bool choose_polygons(Made& made) {
+        const verify::Domain domain = made.domain();
+        Request& request = made.request;
+        const double area = domain.width * domain.height;
+        const double typical = std::sqrt(0.7 * area / most_points());
+        made.edge = std::max(typical * std::pow(2, -choose_.in(1, 6)), std::sqrt(area) / 300);
+        const auto next = [&] {
+            return RandomPolygons(choose_.random(), domain, made.edge).next();
+        };
+        if (is(kInside, "yes")) made.inside = next().rings;
+        if (is(kOutside, "yes")) made.outside = next().rings;
+        if (is(kAvoid, "yes")) made.avoided = random_lines(choose_, domain);
+        if (is(kInside, "yes")) made.polygons.push_back({made.inside});
+        if (is(kOutside, "yes")) made.polygons.push_back({made.outside, true});
+        if (is(kAvoid, "yes"))
+            made.polygons.push_back({made.avoided, true, typical * choose_.power(0.1, 2)});
+        try {
+            made.mask = draw_mask(made.polygons, domain.width, domain.height, made.edge);
+        } catch (const BadRequest& error) {
+            if (error.option() != "inside" && error.option() != "outside") throw;
+            return false;
+        }
+        request.mask = &made.mask;
+        return true;
+    }
+
+    // A set of mode exact with fewer points than the one that is asked for, or of the same size.
+    Result trial_of(Request request) {
+        request.backend = "cpu";
+        request.mode = Mode::exact;
+        request.seed = choose_.random()();
+        request.progressive = request.snap = request.uniform_x = false;
+        request.metric = Metric::min;
+        if (!request.count) return sample(request);
+        request.count.reset();
+        const bool is_torus = request.boundary == Boundary::torus;
+        const double size = has_ellipses() && is_torus ? size_ : 2 * size_;
+        if (request.field != nullptr)
+            request.scale = size;
+        else
+            request.radius = is_torus ? std::min(size, std::min(request.width, request.height))
+                                      : std::min(size, std::hypot(request.width, request.height));
+        return sample(request);
+    }
+
+    // Points that are there already: the first ones of another set, and for some disks points at
+    // places that are hard.
+    void choose_kept(Made& made, const Result& trial) {
+        const std::uint64_t most = std::min<std::uint64_t>(
+            trial.points.size(), (made.request.count.value_or(trial.points.size()) + 3) / 4);
+        const auto many =
+            1 + choose_.below(static_cast<std::uint32_t>(std::max<std::uint64_t>(most, 1)));
+        made.keep.assign(trial.points.begin(), trial.points.begin() + many);
+        if (!trial.classes.empty())
+            made.keep_classes.assign(trial.classes.begin(), trial.classes.begin() + many);
+        const bool is_plain = is(kMode, "exact") && is(kSize, "given") && is(kClasses, "none");
+        if (is_plain && !has_ellipses() && choose_.one_in(2)) add_hard_points(made);
+        made.request.keep = made.keep;
+        made.request.keep_classes = made.keep_classes;
+    }
+
+    // Instead of some of the kept points: at corners, on borders of pixels or close enough to count
+    // for both pixels, at Request::border, or at exactly the least distance from another one.
+    void add_hard_points(Made& made) {
+        const Request& request = made.request;
+        made.keep.resize(1 + choose_.below(static_cast<std::uint32_t>(made.keep.size())));
+        for (int tries = 40; tries != 0; --tries) {
+            Point at{hard_place(made, request.width, made.field.columns, made.mask.columns),
+                     hard_place(made, request.height, made.field.rows, made.mask.rows)};
+            const auto there = radius_of_kept(made, at);
+            if (there && choose_.one_in(4)) {
+                at = made.keep[choose_.below(static_cast<std::uint32_t>(made.keep.size()))];
+                (choose_.one_in(2) ? at.x : at.y) += *radius_of_kept(made, at);
+            }
+            const auto radius = radius_of_kept(made, at);
+            const auto is_far = [&](Point other) {
+                return made.domain().distance(at, other) >=
+                       std::min(*radius, radius_of_kept(made, other).value_or(0));
+            };
+            if (radius && std::all_of(made.keep.begin(), made.keep.end(), is_far))
+                made.keep.push_back(at);
+        }
+    }
+
+    double hard_place(const Made& made, double side, std::uint32_t pixels, std::uint32_t others) {
+        const double border = made.request.border;
+        const double near = 0.999 * made.domain().longer_side() * 0x1p-28;
+        switch (choose_.below(5)) {
+            case 0:
+                return choose_.one_in(2) ? 0.0 : std::nextafter(side, 0);
+            case 1:
+                return choose_.one_in(2) ? border : side - border;
+            case 2:
+            case 3: {
+                const std::uint32_t count = std::max(1U, choose_.one_in(2) ? pixels : others);
+                return side * choose_.below(count + 1) / count +
+                       std::array{0.0, 0.0, near, -near, near / 8}[choose_.below(5)];
+            }
+            default:
+                return choose_.in(0, side);
+        }
+    }
+
+    // The least radius of all pixels within 2^-28 of the longer side, where the point may lie.
+    static std::optional<double> radius_of_kept(const Made& made, Point at) {
+        const Request& request = made.request;
+        const verify::Domain domain = made.domain();
+        const double border = request.border;
+        if (!(at.x >= border && domain.width - at.x >= border && at.x < domain.width &&
+              at.y >= border && domain.height - at.y >= border && at.y < domain.height))
+            return std::nullopt;
+        const verify::FieldCase pixels{.name = "", .field = {}, .domain = domain};
+        const double blur = domain.longer_side() * 0x1p-28;
+        std::optional<double> radius;
+        bool is_open = false;
+        for (const double dx : {-blur, 0.0, blur})
+            for (const double dy : {-blur, 0.0, blur}) {
+                const Point near{at.x + dx, at.y + dy};
+                is_open |=
+                    request.mask == nullptr ||
+                    made.mask.allowed[pixels.pixel_of(near, made.mask.columns, made.mask.rows)] !=
+                        0;
+                const double importance = request.field == nullptr
+                                              ? 1
+                                              : made.field.importance[pixels.pixel_of(
+                                                    near, made.field.columns, made.field.rows)];
+                const double size = request.field == nullptr ? *request.radius : *request.scale;
+                if (importance > 0)
+                    radius = std::min(radius.value_or(std::numeric_limits<double>::infinity()),
+                                      size / std::sqrt(importance));
+            }
+        return is_open ? radius : std::nullopt;
+    }
+
+    Chooser choose_;
+    const Row row_;
+    double size_ = 0;  // the radius or scale; of a count, one that leaves no more points
 };
 
+// The levels that a request has, which must be those of its row.
+inline Row levels_of(const Made& made) {
+    const Request& request = made.request;
+    const auto level = [](auto number) { return static_cast<std::uint8_t>(number); };
+    const double aspect = std::max(request.width / request.height, request.height / request.width);
+    Row row{};
+    row[kMode] = level(request.mode);
+    row[kRadii] = request.field == nullptr ? 0 : request.field->stretches.empty() ? 1 : 2;
+    row[kClasses] = request.classes.names.empty() ? 0 : made.row[kClasses];
+    row[kMask] = request.mask != nullptr && made.polygons.empty() ? 1 : 0;
+    row[kInside] = made.inside.empty() ? 0 : 1;
+    row[kOutside] = made.outside.empty() ? 0 : 1;
+    row[kAvoid] = made.avoided.empty() ? 0 : 1;
+    row[kBorder] = request.border > 0 ? 1 : 0;
+    row[kKeep] = request.keep.empty() ? 0 : 1;
+    row[kEdges] = request.boundary == Boundary::torus ? 1 : 0;
+    row[kDomain] = aspect > 3.1 ? 1 : 0;
+    row[kSize] = request.count ? 1 : request.radius || request.scale ? 0 : 2;
+    row[kOrder] = request.progressive ? 1 : 0;
+    row[kLimit] = request.limit ? 1 : 0;
+    row[kSeeds] = made.seeds.size() > 1 ? 1 : 0;
+    row[kThreads] = request.threads > 1 ? 1 : 0;
+    row[kRounds] = request.round_size == 0    ? 0
+                   : request.round_size == 1  ? 1
+                   : request.round_size <= 42 ? 2
+                                              : 3;
+    row[kLines] = request.lines_per_radius ? 1 : 0;
+    row[kMetric] = level(request.metric);
+    row[kPlacing] = request.snap ? 1 : request.uniform_x ? 2 : 0;
+    row[kRelax] = made.iterations > 0 ? 1 : 0;
+    return row;
+}
+
 // A message about the request. The seed and the number, not the message, make it again.
-inline std::string describe(const HostileRequest& made) {
+inline std::string describe(const Made& made) {
     const Request& request = made.request;
     std::ostringstream out;
     out.precision(std::numeric_limits<double>::max_digits10);
-    out << name_of(request.mode) << ", " << request.width << "x" << request.height
-        << (request.boundary == Boundary::torus ? " torus" : " box");
+    out << tests::describe(made.row) << "; " << request.width << "x" << request.height;
     if (request.radius) out << ", radius " << *request.radius;
-    if (made.field)
-        out << ", " << made.field->columns << "x" << made.field->rows << " pixels, scale "
-            << *request.scale << ", metric " << name_of(request.metric);
-    out << ", m " << *request.lines_per_radius << ", round size " << request.round_size
-        << ", limit " << request.limit.value_or(0) << ", seed " << request.seed << ", threads "
-        << request.threads << (request.snap ? ", snap" : "")
-        << (request.uniform_x ? ", uniform-x" : "");
-    if (made.sparse)
-        out << ", relaxed over " << made.sparse->columns << "x" << made.sparse->rows << " pixels, "
-            << made.iterations << " iterations";
+    if (request.scale) out << ", scale " << *request.scale;
+    if (request.count) out << ", count " << *request.count;
+    if (request.field != nullptr)
+        out << ", field of " << made.field.columns << "x" << made.field.rows;
+    if (request.mask != nullptr) out << ", mask of " << made.mask.columns << "x" << made.mask.rows;
+    if (!request.classes.names.empty()) out << ", " << request.classes.names.size() << " classes";
+    out << ", border " << request.border << ", " << made.keep.size() << " kept, limit "
+        << request.limit.value_or(0) << ", round size " << request.round_size << ", m "
+        << request.lines_per_radius.value_or(0) << ", seed " << request.seed << ", threads "
+        << request.threads;
     return out.str();
 }
 

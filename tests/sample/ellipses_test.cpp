@@ -215,6 +215,19 @@ TEST(Ellipses, ComeInProgressiveOrder) {
     }
 }
 
+// At the radius of 16 points the ellipses would be longer than the torus.
+TEST(Ellipses, BeginTheirOrderAtALevelWhereTheyFitOnATorus) {
+    const Field field = tests::swirled(tests::constant_field(12, 12), 25);
+    Request request = request_of(field);
+    request.boundary = Boundary::torus;
+    request.scale = 0.09;
+    request.progressive = true;
+    const Result result = sample(request);
+    EXPECT_TRUE(result.maximal);
+    EXPECT_LE(result.levels.front().size, 0.1);
+    EXPECT_GE(least_apart(Judge(request, result.scale), result.points), 1);
+}
+
 TEST(Ellipses, AreRefusedByNumberAndPlace) {
     Field field = swirl();
     Request request = request_of(field);
