@@ -18,36 +18,11 @@
 #include <utility>
 #include <vector>
 
-#include "hostile/capabilities.h"
+#include "hostile/hard_points.h"
+#include "hostile/made.h"
 #include "hostile/random_parts.h"
 
 namespace lacuna::tests {
-
-// A request and all that it refers to.
-struct Made {
-    Row row{};
-    Request request;
-    Field field{};
-    Mask mask{};
-    std::vector<PolygonRing> inside{}, outside{}, avoided{};
-    std::vector<PolygonSet> polygons{};
-    double edge = 0;
-    std::vector<Point> keep{};
-    std::vector<std::uint8_t> keep_classes{};
-    std::vector<std::uint64_t> seeds{};  // the request's own is the first
-    Field sparse{};                      // over which some of the points are relaxed
-    std::uint32_t iterations = 0;
-
-    explicit Made(const Row& wanted) : row(wanted) {}
-    Made(const Made&) = delete;
-    Made& operator=(const Made&) = delete;
-    bool is(Capability capability, std::string_view level) const {
-        return is_level(row, capability, level);
-    }
-    verify::Domain domain() const {
-        return {request.width, request.height, request.boundary == Boundary::torus};
-    }
-};
 
 class RandomRequest {
 public:
@@ -257,140 +232,33 @@ private:
         if (!trial.classes.empty())
             made.keep_classes.assign(trial.classes.begin(), trial.classes.begin() + many);
         const bool is_plain = is(kMode, "exact") && is(kSize, "given") && is(kClasses, "none");
-        if (is_plain && !has_ellipses() && choose_.one_in(2)) add_hard_points(made);
-        made.request.keep = made.keep;
-        made.request.keep_classes = made.keep_classes;
-    }
-
-    // Instead of some of the kept points: at corners, on borders of pixels or close enough to count
-    // for both pixels, at Request::border, or at exactly the least distance from another one.
-    void add_hard_points(Made& made) {
-        const Request& request = made.request;
-        made.keep.resize(1 + choose_.below(static_cast<std::uint32_t>(made.keep.size())));
-        for (int tries = 40; tries != 0; --tries) {
-            Point at{hard_place(made, request.width, made.field.columns, made.mask.columns),
-                     hard_place(made, request.height, made.field.rows, made.mask.rows)};
-            const auto there = radius_of_kept(made, at);
-            if (there && choose_.one_in(4)) {
-                at = made.keep[choose_.below(static_cast<std::uint32_t>(made.keep.size()))];
-                (choose_.one_in(2) ? at.x : at.y) += *radius_of_kept(made, at);
-            }
-            const auto radius = radius_of_kept(made, at);
-            const auto is_far = [&](Point other) {
-                return made.domain().distance(at, other) >=
-                       std::min(*radius, radius_of_kept(made, other).value_or(0));
-            };
-            if (radius && std::all_of(made.keep.begin(), made.keep.end(), is_far))
-                made.keep.push_back(at);
+        if (is_plain && !has_ellipses() && choose_.one_in(2)) add_hard_points(choose_, made);
+        Request& request = made.request;
+        request.keep = made.keep;
+        request.keep_classes = made.keep_classes;
+        // At the size that a count leads to, kept points may be too close together.
+        while (is(kMode, "exact") && request.count && request.keep.size() > 1 &&
+               !is_fair(request)) {
+            made.keep.resize(made.keep.size() / 2);
+            if (!made.keep_classes.empty()) made.keep_classes.resize(made.keep.size());
+            request.keep = made.keep;
+            request.keep_classes = made.keep_classes;
         }
     }
 
-    double hard_place(const Made& made, double side, std::uint32_t pixels, std::uint32_t others) {
-        const double border = made.request.border;
-        const double near = 0.999 * made.domain().longer_side() * 0x1p-28;
-        switch (choose_.below(5)) {
-            case 0:
-                return choose_.one_in(2) ? 0.0 : std::nextafter(side, 0);
-            case 1:
-                return choose_.one_in(2) ? border : side - border;
-            case 2:
-            case 3: {
-                const std::uint32_t count = std::max(1U, choose_.one_in(2) ? pixels : others);
-                return side * choose_.below(count + 1) / count +
-                       std::array{0.0, 0.0, near, -near, near / 8}[choose_.below(5)];
-            }
-            default:
-                return choose_.in(0, side);
+    static bool is_fair(Request request) {
+        request.backend = "cpu";
+        try {
+            sample(request);
+        } catch (const BadRequest& error) {
+            return error.option() != "keep";
         }
-    }
-
-    // The least radius of all pixels within 2^-28 of the longer side, where the point may lie.
-    static std::optional<double> radius_of_kept(const Made& made, Point at) {
-        const Request& request = made.request;
-        const verify::Domain domain = made.domain();
-        const double border = request.border;
-        if (!(at.x >= border && domain.width - at.x >= border && at.x < domain.width &&
-              at.y >= border && domain.height - at.y >= border && at.y < domain.height))
-            return std::nullopt;
-        const verify::FieldCase pixels{.name = "", .field = {}, .domain = domain};
-        const double blur = domain.longer_side() * 0x1p-28;
-        std::optional<double> radius;
-        bool is_open = false;
-        for (const double dx : {-blur, 0.0, blur})
-            for (const double dy : {-blur, 0.0, blur}) {
-                const Point near{at.x + dx, at.y + dy};
-                is_open |=
-                    request.mask == nullptr ||
-                    made.mask.allowed[pixels.pixel_of(near, made.mask.columns, made.mask.rows)] !=
-                        0;
-                const double importance = request.field == nullptr
-                                              ? 1
-                                              : made.field.importance[pixels.pixel_of(
-                                                    near, made.field.columns, made.field.rows)];
-                const double size = request.field == nullptr ? *request.radius : *request.scale;
-                if (importance > 0)
-                    radius = std::min(radius.value_or(std::numeric_limits<double>::infinity()),
-                                      size / std::sqrt(importance));
-            }
-        return is_open ? radius : std::nullopt;
+        return true;
     }
 
     Chooser choose_;
     const Row row_;
     double size_ = 0;  // the radius or scale; of a count, one that leaves no more points
 };
-
-// The levels that a request has, which must be those of its row.
-inline Row levels_of(const Made& made) {
-    const Request& request = made.request;
-    const auto level = [](auto number) { return static_cast<std::uint8_t>(number); };
-    const double aspect = std::max(request.width / request.height, request.height / request.width);
-    Row row{};
-    row[kMode] = level(request.mode);
-    row[kRadii] = request.field == nullptr ? 0 : request.field->stretches.empty() ? 1 : 2;
-    row[kClasses] = request.classes.names.empty() ? 0 : made.row[kClasses];
-    row[kMask] = request.mask != nullptr && made.polygons.empty() ? 1 : 0;
-    row[kInside] = made.inside.empty() ? 0 : 1;
-    row[kOutside] = made.outside.empty() ? 0 : 1;
-    row[kAvoid] = made.avoided.empty() ? 0 : 1;
-    row[kBorder] = request.border > 0 ? 1 : 0;
-    row[kKeep] = request.keep.empty() ? 0 : 1;
-    row[kEdges] = request.boundary == Boundary::torus ? 1 : 0;
-    row[kDomain] = aspect > 3.1 ? 1 : 0;
-    row[kSize] = request.count ? 1 : request.radius || request.scale ? 0 : 2;
-    row[kOrder] = request.progressive ? 1 : 0;
-    row[kLimit] = request.limit ? 1 : 0;
-    row[kSeeds] = made.seeds.size() > 1 ? 1 : 0;
-    row[kThreads] = request.threads > 1 ? 1 : 0;
-    row[kRounds] = request.round_size == 0    ? 0
-                   : request.round_size == 1  ? 1
-                   : request.round_size <= 42 ? 2
-                                              : 3;
-    row[kLines] = request.lines_per_radius ? 1 : 0;
-    row[kMetric] = level(request.metric);
-    row[kPlacing] = request.snap ? 1 : request.uniform_x ? 2 : 0;
-    row[kRelax] = made.iterations > 0 ? 1 : 0;
-    return row;
-}
-
-// A message about the request. The seed and the number, not the message, make it again.
-inline std::string describe(const Made& made) {
-    const Request& request = made.request;
-    std::ostringstream out;
-    out.precision(std::numeric_limits<double>::max_digits10);
-    out << tests::describe(made.row) << "; " << request.width << "x" << request.height;
-    if (request.radius) out << ", radius " << *request.radius;
-    if (request.scale) out << ", scale " << *request.scale;
-    if (request.count) out << ", count " << *request.count;
-    if (request.field != nullptr)
-        out << ", field of " << made.field.columns << "x" << made.field.rows;
-    if (request.mask != nullptr) out << ", mask of " << made.mask.columns << "x" << made.mask.rows;
-    if (!request.classes.names.empty()) out << ", " << request.classes.names.size() << " classes";
-    out << ", border " << request.border << ", " << made.keep.size() << " kept, limit "
-        << request.limit.value_or(0) << ", round size " << request.round_size << ", m "
-        << request.lines_per_radius.value_or(0) << ", seed " << request.seed << ", threads "
-        << request.threads;
-    return out.str();
-}
 
 }  // namespace lacuna::tests

@@ -1,0 +1,121 @@
+// The answers of all backends and numbers of threads to a request, which must be the same.
+#pragma once
+
+#include <lacuna/lacuna.h>
+#include <lacuna/many.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hostile/counts.h"
+#include "hostile/made.h"
+
+namespace lacuna::tests {
+
+// The available backends, the reference first.
+inline std::vector<std::string> backends() {
+    std::vector<std::string> names = {"reference", "cpu"};
+    for (const Device& device : devices())
+        if (device.unusable.empty() && (device.backend == "opencl" || device.backend == "vulkan") &&
+            names.back() != device.backend)
+            names.push_back(device.backend);
+    return names;
+}
+
+// A set for each seed, or the reason why there is none, which must be the same on each backend.
+struct Answer {
+    std::vector<Result> sets;
+    std::string refusal;
+};
+
+// The reference compares each point with the whole lattice of relax.
+constexpr std::size_t kMostToRelax = 200;
+
+inline void relax_some(const Made& made, const Request& request, std::vector<Point>& points) {
+    points.resize(std::min(points.size(), kMostToRelax));
+    RelaxOptions options;
+    options.width = request.width;
+    options.height = request.height;
+    options.boundary = request.boundary;
+    options.iterations = made.iterations;
+    options.backend = request.backend;
+    options.threads = request.threads;
+    points = relax(points, &made.sparse, options).points;
+}
+
+// sample() makes the sets of the reference, and sample_many() the others where there are several.
+inline Answer answer_of(const Made& made, const std::string& backend, std::uint32_t threads) {
+    Request request = made.request;
+    request.backend = backend;
+    request.threads = threads;
+    Answer answer;
+    try {
+        if (made.seeds.size() > 1 && backend != "reference") {
+            sample_many(request, made.seeds,
+                        [&](auto, Result set) { answer.sets.push_back(std::move(set)); });
+        } else {
+            for (const std::uint64_t seed : made.seeds) {
+                request.seed = seed;
+                answer.sets.push_back(sample(request));
+            }
+        }
+        return answer;
+    } catch (const BadRequest& error) {
+        return {{}, error.what()};
+    }
+}
+
+inline bool are_same(const Result& a, const Result& b) {
+    const auto same_level = [](const Level& one, const Level& other) {
+        return one.size == other.size && one.points == other.points;
+    };
+    return a.points == b.points && a.classes == b.classes && a.rounds == b.rounds &&
+           a.draws == b.draws && a.maximal == b.maximal && a.radius == b.radius &&
+           a.scale == b.scale && a.lines_per_radius == b.lines_per_radius &&
+           std::equal(a.levels.begin(), a.levels.end(), b.levels.begin(), b.levels.end(),
+                      same_level);
+}
+
+inline std::string told(const Answer& answer) {
+    if (!answer.refusal.empty()) return answer.refusal;
+    std::string text;
+    for (const Result& set : answer.sets)
+        text += std::to_string(set.points.size()) + " points, " + std::to_string(set.rounds) +
+                " rounds, " + std::to_string(set.draws) + " draws; ";
+    return text;
+}
+
+// The reference's answer, after all others have been found to be the same.
+inline Answer answer_of_all(const Made& made, const std::vector<std::string>& names,
+                            Counts& counts) {
+    const Answer expected = answer_of(made, names.front(), 1);
+    const auto compare = [&](const std::string& name, std::uint32_t threads) {
+        const Answer got = answer_of(made, name, threads);
+        const bool is_same = expected.refusal == got.refusal &&
+                             std::equal(expected.sets.begin(), expected.sets.end(),
+                                        got.sets.begin(), got.sets.end(), are_same);
+        demand(is_same, name + " with " + std::to_string(threads) + " threads answers: " +
+                            told(got) + "\n  " + names.front() + " answers: " + told(expected));
+        ++counts.comparisons;
+    };
+    for (std::size_t i = 1; i < names.size(); ++i) compare(names[i], made.request.threads);
+    if (made.request.threads > 1) compare("cpu", 1);
+    if (made.iterations == 0 || !expected.refusal.empty()) return expected;
+    std::vector<Point> right;
+    for (const std::string& name : names) {
+        Request request = made.request;
+        request.backend = name;
+        std::vector<Point> points = expected.sets.front().points;
+        relax_some(made, request, points);
+        if (name == names.front()) right = points;
+        demand(points == right, name + " relaxes to other points than " + names.front());
+        ++counts.comparisons;
+    }
+    return expected;
+}
+
+}  // namespace lacuna::tests

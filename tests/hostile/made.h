@@ -1,0 +1,98 @@
+// A request that was made from a row of levels, and all that it refers to.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hostile/capabilities.h"
+#include "verify/domain.h"
+
+namespace lacuna::tests {
+
+// A request and all that it refers to.
+struct Made {
+    Row row{};
+    Request request;
+    Field field{};
+    Mask mask{};
+    std::vector<PolygonRing> inside{}, outside{}, avoided{};
+    std::vector<PolygonSet> polygons{};
+    double edge = 0;
+    std::vector<Point> keep{};
+    std::vector<std::uint8_t> keep_classes{};
+    std::vector<std::uint64_t> seeds{};  // the request's own is the first
+    Field sparse{};                      // over which some of the points are relaxed
+    std::uint32_t iterations = 0;
+
+    explicit Made(const Row& wanted) : row(wanted) {}
+    Made(const Made&) = delete;
+    Made& operator=(const Made&) = delete;
+    bool is(Capability capability, std::string_view level) const {
+        return is_level(row, capability, level);
+    }
+    verify::Domain domain() const {
+        return {request.width, request.height, request.boundary == Boundary::torus};
+    }
+};
+
+// The levels that a request has, which must be those of its row.
+inline Row levels_of(const Made& made) {
+    const Request& request = made.request;
+    const auto level = [](auto number) { return static_cast<std::uint8_t>(number); };
+    const double aspect = std::max(request.width / request.height, request.height / request.width);
+    Row row{};
+    row[kMode] = level(request.mode);
+    row[kRadii] = request.field == nullptr ? 0 : request.field->stretches.empty() ? 1 : 2;
+    row[kClasses] = request.classes.names.empty() ? 0 : made.row[kClasses];
+    row[kMask] = request.mask != nullptr && made.polygons.empty() ? 1 : 0;
+    row[kInside] = made.inside.empty() ? 0 : 1;
+    row[kOutside] = made.outside.empty() ? 0 : 1;
+    row[kAvoid] = made.avoided.empty() ? 0 : 1;
+    row[kBorder] = request.border > 0 ? 1 : 0;
+    row[kKeep] = request.keep.empty() ? 0 : 1;
+    row[kEdges] = request.boundary == Boundary::torus ? 1 : 0;
+    row[kDomain] = aspect > 3.1 ? 1 : 0;
+    row[kSize] = request.count ? 1 : request.radius || request.scale ? 0 : 2;
+    row[kOrder] = request.progressive ? 1 : 0;
+    row[kLimit] = request.limit ? 1 : 0;
+    row[kSeeds] = made.seeds.size() > 1 ? 1 : 0;
+    row[kThreads] = request.threads > 1 ? 1 : 0;
+    row[kRounds] = request.round_size == 0    ? 0
+                   : request.round_size == 1  ? 1
+                   : request.round_size <= 42 ? 2
+                                              : 3;
+    row[kLines] = request.lines_per_radius ? 1 : 0;
+    row[kMetric] = level(request.metric);
+    row[kPlacing] = request.snap ? 1 : request.uniform_x ? 2 : 0;
+    row[kRelax] = made.iterations > 0 ? 1 : 0;
+    return row;
+}
+
+// A message about the request. The seed and the number, not the message, make it again.
+inline std::string describe(const Made& made) {
+    const Request& request = made.request;
+    std::ostringstream out;
+    out.precision(std::numeric_limits<double>::max_digits10);
+    out << tests::describe(made.row) << "; " << request.width << "x" << request.height;
+    if (request.radius) out << ", radius " << *request.radius;
+    if (request.scale) out << ", scale " << *request.scale;
+    if (request.count) out << ", count " << *request.count;
+    if (request.field != nullptr)
+        out << ", field of " << made.field.columns << "x" << made.field.rows;
+    if (request.mask != nullptr) out << ", mask of " << made.mask.columns << "x" << made.mask.rows;
+    if (!request.classes.names.empty()) out << ", " << request.classes.names.size() << " classes";
+    out << ", border " << request.border << ", " << made.keep.size() << " kept, limit "
+        << request.limit.value_or(0) << ", round size " << request.round_size << ", m "
+        << request.lines_per_radius.value_or(0) << ", seed " << request.seed << ", threads "
+        << request.threads;
+    return out.str();
+}
+
+}  // namespace lacuna::tests
