@@ -37,8 +37,9 @@ inline PolygonRing pentagram(Point middle, double reach, double turn) {
 }
 
 // Teeth that become narrower, from wider than a pixel to far narrower than one.
+// A domain without room for a tooth has a triangle.
 inline PolygonRing comb(const verify::Domain& domain, double edge) {
-    PolygonRing ring{{domain.width, 0}, {0, 0}};
+    PolygonRing ring{{domain.width, 0}, {0, 0}, {0, domain.height * 0.05}};
     double x = 0;
     for (double tooth = 12 * edge; x + tooth < domain.width && tooth > edge / 1000; tooth *= 0.8) {
         ring.push_back({x, domain.height * 0.95});
