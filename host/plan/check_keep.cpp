@@ -241,9 +241,16 @@ void check_kept_place(const Request& request, std::size_t index, const char* opt
     const auto refuse = [&](const std::string& allowed) {
         throw BadRequest(option, text_of(index, point), allowed);
     };
-    if (!(point.x >= 0 && point.x < request.width && point.y >= 0 && point.y < request.height))
-        refuse("must lie in the domain, [0, " + shortest(request.width) + ") x [0, " +
-               shortest(request.height) + ")");
+    // On a torus the upper edges are the lower ones, where the same point has the coordinate 0.
+    const bool is_box = request.boundary == Boundary::box;
+    const auto is_along = [is_box](double at, double length) {
+        return at >= 0 && (is_box ? at <= length : at < length);
+    };
+    if (!is_along(point.x, request.width) || !is_along(point.y, request.height)) {
+        const std::string end = is_box ? "]" : ")";
+        refuse("must lie in the domain, [0, " + shortest(request.width) + end + " x [0, " +
+               shortest(request.height) + end);
+    }
     const double border = request.border;
     if (point.x < border || request.width - point.x < border || point.y < border ||
         request.height - point.y < border)

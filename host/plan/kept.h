@@ -8,7 +8,8 @@
 
 namespace lacuna {
 
-// Checks that a point lies in the domain, on a pixel where samples may lie. A point within 2^-28 of
+// Checks that a point lies in the domain, to which the upper edges of a box belong, on a pixel
+// where samples may lie. A point within 2^-28 of
 // the longer side of a pixel's border counts for both pixels, because a set that was made in whole
 // units may be that far off. Throws BadRequest that names `option` and the point.
 void check_kept_place(const Request& request, std::size_t index, const char* option = "keep");

@@ -167,7 +167,10 @@ inline std::vector<FieldRequest> special_radius_field_requests() {
             radius_field_request("a border around a field", sizes_field(20, 10, 2), 300, box),
             0.31),
         with_keep(uniform("kept at corners", 0.07, box),
-                  {{0, 0}, {0.999999999, 0}, {0, 0.999999999}, {0.5, 0.5}}),
+                  {{0, 0}, {0.999999999, 0}, {0, 1}, {1, 1}, {0.5, 0.5}}),
+        with_keep(
+            radius_field_request("kept on the upper edges of a field", ramp_field(8, 8), 200, box),
+            {{1, 0.5}, {0.25, 1}}),
         with_keep(uniform("kept across the edge of a torus", 0.3, torus), {{0.999, 0.001}}),
         with_keep(with_mask(uniform("a mask and kept points", 0.06, box), chess_mask(4, 4)),
                   {{0.1, 0.9}, {0.6, 0.9}}),

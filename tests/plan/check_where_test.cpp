@@ -75,13 +75,25 @@ TEST(ABorder, IsForBoxesInModeExact) {
 TEST(AKeptPoint, LiesInTheDomain) {
     Request request = of_radius(0.1);
     request.width = 2;
-    for (const Point outside : {Point{2, 0.5}, Point{-1e-300, 0.5}, Point{1, 1}, Point{1, -1},
-                                Point{std::nan(""), 0}, Point{0, std::nan("")}}) {
+    const auto refusal_at = [&](Point outside) {
         const std::vector<Point> keep{{0.5, 0.5}, outside};
         request.keep = keep;
-        EXPECT_EQ(refusal_of(request), "keep point 1 at (" + shortest(outside.x) + ", " +
-                                           shortest(outside.y) +
-                                           "): must lie in the domain, [0, 2) x [0, 1)");
+        return refusal_of(request);
+    };
+    const auto message = [](Point outside, const std::string& domain) {
+        return "keep point 1 at (" + shortest(outside.x) + ", " + shortest(outside.y) +
+               "): must lie in the domain, " + domain;
+    };
+    for (const Point outside :
+         {Point{std::nextafter(2, 3), 0.5}, Point{-1e-300, 0.5}, Point{1, 1.5}, Point{1, -1},
+          Point{std::nan(""), 0}, Point{0, std::nan("")}})
+        EXPECT_EQ(refusal_at(outside), message(outside, "[0, 2] x [0, 1]"));
+    // The upper edges belong to a box, but on a torus they are the lower ones.
+    for (const Point corner : {Point{2, 0.5}, Point{1, 1}, Point{2, 1}}) {
+        request.boundary = Boundary::box;
+        EXPECT_EQ(refusal_at(corner), "accepted");
+        request.boundary = Boundary::torus;
+        EXPECT_EQ(refusal_at(corner), message(corner, "[0, 2) x [0, 1)"));
     }
 }
 

@@ -5,7 +5,7 @@
 //     and any number of threads.
 //   - Points come in the order in which they were admitted; any prefix of a set is an unbiased
 //     Poisson-disk set of the same radius. But a prefix is not maximal: it leaves gaps.
-//   - Every point lies in [0, width) x [0, height).
+//   - Every point lies in [0, width) x [0, height), or was kept on an upper edge of a box.
 //   - Mode::exact: no two points are closer than the radius, computed in double from the points
 //     returned. Every spot of the domain has a point within the radius plus 2^-28 of the longer
 //     side. The set is distributed as if darts were thrown until no room is left.
@@ -187,9 +187,9 @@ struct Request {
     Classes classes;
 
     // Points that are there already. They come first in the result, in this order and bit for bit,
-    // and samples keep their distance from them as from each other. Each must lie in the domain,
-    // where samples may lie, and keep its distance from the others. They count for limit and count.
-    // They must outlive the call.
+    // and samples keep their distance from them as from each other. Each must lie in the domain or
+    // on a box's edge, where samples may lie, and keep its distance from the others. They count for
+    // limit and count. They must outlive the call.
     std::span<const Point> keep;
     // With classes the class of each kept point: its place in Classes::names.
     std::span<const std::uint8_t> keep_classes;
