@@ -1,5 +1,5 @@
 // The page: turns its controls into requests, and shows and saves the results.
-import { PAPERS, sampleCommand, stippleCommand, withOutput } from "./command.js";
+import { PAPERS, sampleCommand, stippleCommand, wholeNumber, withOutput } from "./command.js";
 import { Cancelled, Engine } from "./engine.js";
 import { pdfOf } from "./pdf.js";
 import { diameterOf, drawDots, layersOf, drawSpectrum, pageOf, radialPath, View } from "./view.js";
@@ -37,13 +37,13 @@ const number = (id, name = id) => {
     return value;
 };
 
-// A whole number, with or without separators of thousands; null if the field is empty.
+// A whole number; null if the field is empty.
 const count = (id) => {
-    const text = $(id).value.replace(/[\s,_']/g, "");
-    if (text === "") return null;
-    if (!/^\d+$/.test(text) || Number(text) > Number.MAX_SAFE_INTEGER)
-        throw new Refused(`count ${$(id).value}: must be a whole number of at least 1`);
-    return Number(text);
+    const text = $(id).value.trim();
+    const value = text === "" ? null : wholeNumber(text);
+    if (text !== "" && value === null)
+        throw new Refused(`count ${text}: must be a whole number, such as 20000, 20,000 or 20k`);
+    return value;
 };
 
 function stippleOptions() {

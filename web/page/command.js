@@ -7,6 +7,17 @@ export const PAPERS = {
     tabloid: [279.4, 431.8],
 };
 
+// The whole number that a text means, or null. The command has the same rule, in
+// host/cli/options/options.cpp, and tests/cli/whole_numbers.json tests both: 20000, 2e4, 20k, 1.5M,
+// or 20,000 with a comma, an underscore, an apostrophe or a blank between groups of three digits.
+export function wholeNumber(text) {
+    const isGrouped = /^\d{1,3}([,_' ])\d{3}(\1\d{3})*$/.test(text);
+    const plain = isGrouped ? text.replace(/\D/g, "")
+        : text.replace(/[kKMG]$/, (suffix) => ({ k: "e3", K: "e3", M: "e6", G: "e9" })[suffix]);
+    const value = /^(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
+    return Number.isSafeInteger(value) ? value : null;
+}
+
 // Quotes `word` so that a shell reads it as one word.
 function quoted(word) {
     return /^[\w\-./:=,+%@]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;

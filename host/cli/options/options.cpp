@@ -26,35 +26,52 @@ std::errc parse_whole_text(std::string_view text, Value& value) {
     return error;
 }
 
-// A whole number with an exponent, or with k, M or G behind it. Doubles are exact up to 2^53.
-std::optional<std::uint64_t> round_number(std::string_view text) {
-    constexpr std::array<std::pair<char, double>, 4> kSuffixes{
-        {{'k', 1e3}, {'K', 1e3}, {'M', 1e6}, {'G', 1e9}}};
-    double factor = 1;
-    for (const auto& [suffix, times] : kSuffixes) {
-        if (text.empty() || text.back() != suffix) continue;
-        text.remove_suffix(1);
-        factor = times;
-        break;
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+// The digits of a number such as 20,000, in groups of three; empty if it is none.
+std::string without_separators(std::string_view text) {
+    constexpr std::string_view kSeparators = ",_' ";
+    const std::size_t first = text.find_first_of(kSeparators);
+    if (first == std::string_view::npos || first == 0 || first > 3 || !is_digit(text.back()))
+        return "";
+    std::string digits;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool is_separator = i >= first && (i - first) % 4 == 0;
+        if (is_separator ? text[i] != text[first] : !is_digit(text[i])) return "";
+        if (!is_separator) digits += text[i];
     }
+    return (digits.size() - first) % 3 == 0 ? digits : "";
+}
+
+// A whole number with an exponent, or with k, M or G behind it. Doubles are exact up to 2^53.
+std::optional<std::uint64_t> round_number(std::string text) {
+    constexpr std::array<std::pair<char, const char*>, 4> kSuffixes{
+        {{'k', "e3"}, {'K', "e3"}, {'M', "e6"}, {'G', "e9"}}};
+    for (const auto& [suffix, exponent] : kSuffixes)
+        if (text.ends_with(suffix)) text.replace(text.size() - 1, 1, exponent);
     double number = 0;
-    if (parse_whole_text(text, number) != std::errc{}) return std::nullopt;
-    number *= factor;
-    if (!(number >= 0 && number <= 0x1p53) || number != std::floor(number)) return std::nullopt;
+    if (text.empty() || !(is_digit(text.front()) || text.front() == '.') ||
+        parse_whole_text(text, number) != std::errc{} || number > 0x1p53 ||
+        number != std::floor(number))
+        return std::nullopt;
     return static_cast<std::uint64_t>(number);
 }
 
+// web/page/command.js has the same rule, and tests/cli/whole_numbers.json tests both.
 template <class Value>
 void read_whole_number(const std::string& option, const std::string& text, Value& value) {
-    if (parse_whole_text(text, value) == std::errc{}) return;
+    const std::string digits = without_separators(text);
+    if (parse_whole_text(digits.empty() ? text : digits, value) == std::errc{}) return;
     const std::optional<std::uint64_t> round = round_number(text);
     if (round && *round <= std::numeric_limits<Value>::max()) {
         value = static_cast<Value>(*round);
         return;
     }
-    throw BadRequest(
-        option, shown(text),
-        "must be a whole number, at most " + std::to_string(std::numeric_limits<Value>::max()));
+    throw BadRequest(option, shown(text),
+                     fmt::format("must be a whole number, such as 20000, 20,000 or 20k, at most {}",
+                                 std::numeric_limits<Value>::max()));
 }
 
 }  // namespace

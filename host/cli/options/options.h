@@ -21,7 +21,8 @@ std::string printable(std::string_view text);
 
 // Each throws BadRequest(option, text, what is allowed). The library checks ranges.
 void read(const std::string& option, const std::string& text, double& value);
-// Whole numbers may be 20000, 2e4, 20k or 1.5M.
+// Whole numbers may be 20000, 2e4, 20k or 1.5M, and 20,000 with a comma, an underscore, an
+// apostrophe or a blank between groups of three digits.
 void read(const std::string& option, const std::string& text, std::uint64_t& value);
 void read(const std::string& option, const std::string& text, std::uint32_t& value);
 
