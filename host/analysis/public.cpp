@@ -1,4 +1,5 @@
 // The public functions for analysis.
+#include <fmt/core.h>
 #include <lacuna/analysis.h>
 
 #include <algorithm>
@@ -20,8 +21,14 @@ void check(std::span<const std::vector<Point>> sets, const analysis::Domain& dom
         const auto is_inside = [&](Point p) {
             return p.x >= 0 && p.x <= domain.width && p.y >= 0 && p.y <= domain.height;
         };
-        if (!std::all_of(sets[i].begin(), sets[i].end(), is_inside))
-            throw BadRequest("sets", std::to_string(i), "must lie in the domain");
+        const auto out = std::find_if_not(sets[i].begin(), sets[i].end(), is_inside);
+        if (out != sets[i].end())
+            throw BadRequest(
+                "sets",
+                fmt::format("point {}{} at ({}, {})", out - sets[i].begin(),
+                            sets.size() == 1 ? "" : fmt::format(" of set {}", i), out->x, out->y),
+                fmt::format("must lie in the domain, [0, {}] x [0, {}]", domain.width,
+                            domain.height));
     }
 }
 

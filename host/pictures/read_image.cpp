@@ -81,6 +81,12 @@ const Known& format_of(const Encoded& file) {
         if (bytes.substr(std::min(unread.at, bytes.size())).starts_with(unread.magic))
             file.refuse(fmt::format("{} picture: {}; convert it first, for example to PNG",
                                     unread.name, kAllowed));
+    // Programs such as this one begin an SVG with an XML declaration.
+    constexpr std::size_t kBeginning = 4096;
+    if (bytes.starts_with("<?xml") &&
+        bytes.substr(0, kBeginning).find("<svg") != std::string_view::npos)
+        file.refuse(
+            fmt::format("an SVG picture: {}; convert it first, for example to PNG", kAllowed));
     constexpr std::size_t kShown = 16;
     file.refuse(
         fmt::format("begins with {}: {}", files::excerpt(bytes.substr(0, kShown)), kAllowed));

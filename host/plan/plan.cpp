@@ -74,13 +74,13 @@ void check_radius(const Request& request) {
             "must be at most " + shortest(largest_radius(request)) +
                 (request.boundary == Boundary::torus ? ", the shorter side of the torus"
                                                      : ", the diagonal of the domain"));
-    double points = expected_count(request.width, request.height, request.boundary, radius);
-    if (request.limit) points = std::min(points, static_cast<double>(*request.limit));
-    refuse_if_too_large(request, "radius", shortest(radius), radius, points);
     if (radius < longer * kSmallestRadius)
         throw BadRequest("radius", shortest(radius),
                          "must be at least " + shortest(longer * kSmallestRadius) +
                              ", the longer side / 2^20, or the grid's units run out");
+    double points = expected_count(request.width, request.height, request.boundary, radius);
+    if (request.limit) points = std::min(points, static_cast<double>(*request.limit));
+    refuse_if_too_large(request, "radius", shortest(radius), radius, points);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "plan/plan.h"
+#include "plan/radius_field.h"
 
 namespace lacuna {
 namespace {
@@ -168,6 +169,15 @@ void check_classes(const Request& request) {
     check_names(classes);
     check_weights(classes);
     check_distances(classes);
+    // Without a size of its own the request has the classes' least distance as its radius.
+    const double least = least_distance_of(classes);
+    const double smallest = std::max(request.width, request.height) * kSmallestRadius;
+    if (request.field == nullptr && !request.count && request.radius.value_or(least) == least &&
+        least < smallest)
+        throw BadRequest("class", classes.names.front(),
+                         "the least distance of two classes is " + shortest(least) +
+                             ": must be at least " + shortest(smallest) +
+                             ", the longer side / 2^20, or the grid's units run out");
     if (request.keep_classes.size() != request.keep.size())
         throw BadRequest("keep", std::to_string(request.keep.size()) + " points",
                          "with classes each needs a class, but " +

@@ -169,7 +169,9 @@ std::vector<Site> sites_of(std::span<const Point> points, const Lattice& lattice
         // This condition is also false for NaN.
         if (!(point.x >= 0 && point.x <= options.width && point.y >= 0 &&
               point.y <= options.height))
-            throw BadRequest("points", "(" + shortest(point.x) + ", " + shortest(point.y) + ")",
+            throw BadRequest("points",
+                             "point " + std::to_string(i) + " at (" + shortest(point.x) + ", " +
+                                 shortest(point.y) + ")",
                              "must lie in the domain, [0, " + shortest(options.width) + "] x [0, " +
                                  shortest(options.height) + "]");
         sites[i] = {unit_of(point.x, options.width, numbers.columns * numbers.step_x, wraps),

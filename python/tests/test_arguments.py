@@ -32,7 +32,7 @@ FIELD = np.ones((8, 8))
         (ValueError, "radius", {"radius": -0.1}),
         (ValueError, "radius", {"radius": float("nan")}),
         (ValueError, "radius", {"radius": float("inf")}),
-        (MemoryError, "radius", {"radius": 1e-300}),
+        (ValueError, "radius", {"radius": 1e-300}),
         (ValueError, "radius", {"radius": 10**400}),
         (TypeError, "radius", {"radius": "0.1"}),
         (TypeError, "radius", {"radius": 1j}),

@@ -26,7 +26,8 @@ TEST(Refused, OfSampleIsABadRadius) {
         {"--radius 1e400", 2, "--radius 1e400:", "a double can hold"},
         {"--radius 1.5", 2, "--radius 1.5:", "at most 1.41421"},
         {"--radius 1.5 --torus --domain 2x1", 2, "--radius 1.5:", "at most 1,"},
-        {"--radius 1e-12", 2, "--radius 1e-12:", "needs about", "GB"},
+        {"--radius 1e-12", 2, "--radius 1e-12:", "must be at least 9.5"},
+        {"--radius 1e-6", 2, "--radius 1e-06:", "needs about", "GB"},
         {"--radius 0.1 --radius 0.2", 2, "--radius: must be given only once"},
     };
     expect_refusals(Files{}, "sample -o a.txt", refusals);

@@ -137,15 +137,15 @@ TEST(StippleInks, ArePathsOfTheirOwnForAPen) {
 
 TEST(StippleInks, ThatCannotBeAreRefused) {
     expect_refusals(
-        {{"blank.pgm", "P2 1 1 1 1"}, {"red.ppm", "P3 1 1 255 230 0 0"}}, "stipple",
+        {{"blank.pgm", "P2 1 1 1 1"}, {"red.ppm", "P3 1 1 255 230 0 0"}}, "stipple -o a.svg",
         {{"raccoon.png --inks mauve", 2, {"inks \"mauve\"", "cmyk", "#rrggbb"}},
          {"raccoon.png --inks cmyk --black-ink 2", 2, {"black-ink 2", "0 to 1"}},
          {"raccoon.png --black-ink 1", 2, {"black-ink 1", "needs --inks"}},
          {"raccoon.png --ink-counts 5", 2, {"ink-counts 5", "needs --inks"}},
          {"raccoon.png --inks red --mode cells", 2, {"mode cells", "not for --inks"}},
-         {"raccoon.png --inks red --scale 0.1", 2, {"scale 0.1", "mode stratified"}},
+         {"raccoon.png --inks red --scale 0.1", 2, {"--scale 0.1: is not for --inks"}},
          {"raccoon.png --inks red --metric min", 2, {"metric min", "not for --inks"}},
-         {"raccoon.png --inks red --relax 0", 2, {"relax 0", "at least 1 for inks"}},
+         {"raccoon.png --inks red --relax 0", 2, {"--relax 0: ", "at least 1 with --inks"}},
          {"raccoon.png --inks red,blue --ink-counts 5", 2, {"ink-counts 1 numbers", "2"}},
          {"raccoon.png --inks red --ink-counts x", 2, {"ink-counts x", "whole number"}},
          {"raccoon.png --inks red --ink-counts 0", 2, {"ink-counts 0"}},

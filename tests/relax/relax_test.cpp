@@ -201,7 +201,7 @@ TEST(RelaxOptionsGiven, are_refused_when_they_cannot_be_met) {
     options = {};
     const std::vector<Point> outside{{0.5, 1.5}};
     EXPECT_EQ(refusal_of([&] { relax(outside, nullptr, options); }),
-              "points (0.5, 1.5): must lie in the domain, [0, 1] x [0, 1]");
+              "points point 0 at (0.5, 1.5): must lie in the domain, [0, 1] x [0, 1]");
     const std::vector<Point> nowhere{{std::nan(""), 0.5}};
     EXPECT_NE(refusal_of([&] { relax(nowhere, nullptr, options); }), "accepted");
     const Field white{2, 1, {0, 0}};

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "files/point_files.h"
+
 namespace lacuna::cli {
 namespace {
 
@@ -45,7 +47,9 @@ std::vector<std::string> names_of_options(const CLI::App& command) {
 std::string nearest_text(const std::string& word, const std::vector<std::string>& known) {
     constexpr std::size_t kMostSteps = 2;
     constexpr std::size_t kLongestWord = 64;
-    const std::string stem = word.substr(0, word.find('='));
+    std::string stem = word.substr(0, word.find('='));
+    if (stem.starts_with("--"))
+        std::transform(stem.begin(), stem.end(), stem.begin(), files::lower_case);
     // For an unknown short option, such as -r, the first long option that begins with its letter.
     if (stem.size() == 2 && stem[0] == '-' && stem[1] != '-') {
         const auto same = std::find_if(known.begin(), known.end(), [&](const std::string& name) {
@@ -59,8 +63,14 @@ std::string nearest_text(const std::string& word, const std::vector<std::string>
         return distance(stem, a) < distance(stem, b);
     };
     const auto nearest = std::min_element(known.begin(), known.end(), nearer);
-    if (nearest == known.end() || distance(stem, *nearest) > most) return "";
-    return ", did you mean " + *nearest + "?";
+    if (nearest != known.end() && distance(stem, *nearest) <= most)
+        return ", did you mean " + *nearest + "?";
+    // The beginning of a longer option, such as --dot of --dot-size.
+    constexpr std::size_t kShortestBeginning = 5;
+    const auto longer = std::find_if(known.begin(), known.end(), [&](const std::string& name) {
+        return stem.size() >= kShortestBeginning && name.starts_with(stem);
+    });
+    return longer == known.end() ? "" : ", did you mean " + *longer + "?";
 }
 
 }  // namespace lacuna::cli

@@ -52,7 +52,8 @@ void add_inks(CLI::App& command, InkOptions& options) {
         "needs of each)");
 }
 
-void check_inks(const InkOptions& options, const Request& request, std::optional<Mode> mode) {
+void check_inks(const InkOptions& options, const Request& request, std::optional<Mode> mode,
+                std::uint32_t iterations) {
     if (options.inks.empty()) {
         if (options.black_ink)
             throw BadRequest("black-ink", fmt::format("{}", *options.black_ink), "needs --inks");
@@ -64,6 +65,18 @@ void check_inks(const InkOptions& options, const Request& request, std::optional
     if (mode && *mode != Mode::stratified)
         throw BadRequest("mode", std::string(name_of(*mode)),
                          "is not for --inks, whose dots begin stratified");
+    const auto refuse = [](const char* option, const auto& value) {
+        if (value)
+            throw BadRequest(option, fmt::format("{}", *value),
+                             "is not for --inks, whose dots begin stratified");
+    };
+    refuse("scale", request.scale);
+    refuse("limit", request.limit);
+    refuse("lines-per-radius", request.lines_per_radius);
+    refuse("round-size",
+           request.round_size == 0 ? std::nullopt : std::optional(request.round_size));
+    if (iterations == 0)
+        throw BadRequest("relax", "0", "must be at least 1 with --inks, whose dots are relaxed");
     if (options.counts.empty()) return;
     if (request.count)
         throw BadRequest("ink-counts", fmt::format("with --count {}", *request.count),
@@ -92,7 +105,7 @@ void read_tones(const Picture& picture, const InkOptions& options, drawing::Tone
 
 void share_dots(drawing::Tones& tones, const InkOptions& options, Request& request) {
     if (!options.counts.empty()) request.count = sum_of(options.counts);
-    check_request(request);  // a scale, for example, is not for mode stratified
+    check_request(request);
     if (options.counts.empty()) return drawing::share_dots(tones, *request.count);
     for (std::size_t k = 0; k < options.counts.size(); ++k) {
         tones.layers[k].dots = options.counts[k];

@@ -43,7 +43,7 @@ CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request) 
     return image;
 }
 
-void add_importance(CLI::App& command, Picture& picture) {
+void add_importance(CLI::App& command, Picture& picture, bool has_ellipses) {
     command.add_flag("--invert", picture.importance.invert, "Bright is dense instead of dark")
         ->disable_flag_override();
     add_number(command, "black", "L", picture.importance.black,
@@ -59,9 +59,10 @@ void add_importance(CLI::App& command, Picture& picture) {
         [&picture](const std::string& text) { read_sharpen(text, picture.importance); },
         "Sharpens edges of about R pixels, X times as much (default 1), by an unsharp mask: shows "
         "more with few dots");
-    add_number(command, "along", "RATIO", picture.importance.along,
-               "Ellipses instead of disks, up to RATIO times as long as wide, along the picture's "
-               "edges (default 1); in mode exact");
+    if (has_ellipses)
+        add_number(command, "along", "RATIO", picture.importance.along,
+                   "Ellipses instead of disks, up to RATIO times as long as wide, along the "
+                   "picture's edges (default 1); in mode exact");
     add_number(command, "gamma", "X", picture.importance.gamma,
                "Importance is raised to this power: over 1 lightens middle tones (default 1)");
     add_number(command, "min-importance", "I", picture.importance.min_importance,

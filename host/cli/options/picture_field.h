@@ -21,8 +21,9 @@ struct Picture {
 // Adds IMAGE, --scale, --metric and the options of add_importance(). Returns IMAGE's option.
 CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request);
 
-// Adds --invert, --black, --white, --auto-levels, --sharpen, --along, --gamma and --min-importance.
-void add_importance(CLI::App& command, Picture& picture);
+// Adds --invert, --black, --white, --auto-levels, --sharpen, --gamma and --min-importance, and for
+// commands that can make ellipses --along.
+void add_importance(CLI::App& command, Picture& picture, bool has_ellipses = true);
 
 // The longest allowed side of a domain (Request::height), and so of a picture, in shorter sides.
 inline constexpr std::uint64_t kLargestAspect = 1000;
