@@ -67,8 +67,7 @@ Polygons decode_rings(std::string_view bytes, const std::string& name, Take take
             continue;
         }
         Point point{};
-        if (!files::read_line(line, files::Between::blanks, point))
-            files::refuse_line(name, number, line, files::Between::blanks);
+        if (!files::read_line(line, point)) files::refuse_line(name, number, line);
         rings.add(point, number);
     }
     return rings.finish();

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "files/parse.h"
+#include "files/point_columns.h"
 #include "files/read_sets.h"
 
 namespace lacuna::files {
@@ -27,10 +29,15 @@ struct JsonHeader {
     std::optional<Boundary> boundary;
     std::optional<std::string> mode;
     std::optional<bool> maximal;
-    bool has_scale = false;
+    std::optional<double> scale;
+    std::map<std::string, std::string> options;
     std::vector<Level> levels;
-    std::vector<std::string> class_names;
+    LayersOfFile classes;
+    LayersOfFile inks;
     std::vector<double> class_of_point;
+    std::vector<double> ink_of_point;
+    std::vector<double> ellipses;  // three numbers for each
+    bool has_dots = false;
     std::vector<double> distances;
     std::vector<double> weights;
 };
@@ -52,6 +59,7 @@ public:
 
     bool null() override { return scalar("null"); }
     bool boolean(bool value) override {
+        if (value) read_option("true");
         if (depth_ == 1 && in_object_ && key_ == "maximal") header_.maximal = value;
         return scalar(value ? "true" : "false");
     }
@@ -66,8 +74,14 @@ public:
     bool string(string_t& value) override {
         if (depth_ == 1 && in_object_ && key_ == "boundary") header_.boundary = boundary_of(value);
         if (depth_ == 1 && in_object_ && key_ == "mode") header_.mode = value;
-        if (depth_ == 3 && in_object_ && key_ == "classes" && key_within_ == "name")
-            header_.class_names.push_back(value);
+        read_option(value);
+        if (depth_ == 3 && in_object_)
+            for (const auto& [key, layers] :
+                 {std::pair{"classes", &header_.classes}, std::pair{"inks", &header_.inks}}) {
+                if (key_ != key) continue;
+                if (key_within_ == "name") layers->names.push_back(value);
+                if (key_within_ == "colour") layers->colours.push_back(value);
+            }
         return scalar(excerpt(value));
     }
     bool binary(binary_t&) override { return scalar("binary data"); }
@@ -84,7 +98,8 @@ public:
 
     bool key(string_t& key) override {
         if (depth_ == 1 && in_object_) key_ = key;
-        if (depth_ == 2 || is_in_levels() || key_ == "classes") key_within_ = key;
+        if (depth_ == 1 && in_object_ && key_ == "dots") header_.has_dots = true;
+        if (depth_ == 2 || is_in_levels() || key_ == "classes" || key_ == "inks") key_within_ = key;
         return true;
     }
 
@@ -107,10 +122,13 @@ public:
 
     bool end_array() override {
         if (is_in_points() && depth_ == points_depth() + 1) {
-            if (numbers_ != 2)
-                refuse(name_, fmt::format("point {} has {} number{}: must be [x, y]",
-                                          points_.size(), numbers_, numbers_ == 1 ? "" : "s"));
+            if (points_.empty()) numbers_of_each_ = numbers_ == 3 ? 3 : 2;
+            if (numbers_ != numbers_of_each_)
+                refuse(name_, fmt::format("point {} has {} number{}: must be [x, y]{}",
+                                          points_.size(), numbers_, numbers_ == 1 ? "" : "s",
+                                          numbers_of_each_ == 3 ? " and z, as point 0" : ""));
             check_finite(point_, points_.size(), name_);
+            if (numbers_ == 3) third_.add(z_, points_.size());
             points_.push_back(point_);
         }
         --depth_;
@@ -147,8 +165,17 @@ private:
             header_.levels.back().size = value;
     }
 
+    // A value of the object "options"; those of an array get colons between them.
+    void read_option(const std::string& text) {
+        if (!in_object_ || key_ != "options" || depth_ < 2) return;
+        std::string& option = header_.options[key_within_];
+        option += (option.empty() ? "" : ":") + text;
+    }
+
     void read_of_classes(double value) {
         if (key_ == "class") header_.class_of_point.push_back(value);
+        if (key_ == "ink") header_.ink_of_point.push_back(value);
+        if (key_ == "ellipses") header_.ellipses.push_back(value);
         if (key_ == "options" && key_within_ == "distances") header_.distances.push_back(value);
         if (key_ == "options" && key_within_ == "weights") header_.weights.push_back(value);
     }
@@ -160,13 +187,12 @@ private:
 
     bool number(double value) {
         if (depth_ == 1 && in_object_) read_header(value);
-        if (depth_ == 2 && in_object_ && key_ == "options" && key_within_ == "scale")
-            header_.has_scale = true;
+        read_option(fmt::format("{}", value));
         if (is_in_levels()) read_level(value);
         if (in_object_ && depth_ > 1) read_of_classes(value);
         if (!is_in_points()) return true;
         if (depth_ != points_depth() + 1) return scalar(fmt::format("{}", value));
-        if (numbers_ < 2) (numbers_ == 0 ? point_.x : point_.y) = value;
+        if (numbers_ < 3) (numbers_ == 0 ? point_.x : numbers_ == 1 ? point_.y : z_) = value;
         ++numbers_;
         return true;
     }
@@ -188,6 +214,7 @@ private:
         if (key_ == "width") set(header_.width);
         if (key_ == "height") set(header_.height);
         if (key_ == "radius") set(header_.radius);
+        if (key_ == "scale") set(header_.scale);
     }
 
     const std::string& name_;
@@ -197,26 +224,47 @@ private:
     std::string key_;         // the current key of the outermost object
     std::string key_within_;  // the current key of an object inside it
     Point point_{};
-    std::size_t numbers_ = 0;  // how many numbers of the current point were read
+    double z_ = 0;
+    ThirdCoordinate third_{name_};
+    std::size_t numbers_ = 0;          // how many numbers of the current point were read
+    std::size_t numbers_of_each_ = 2;  // how many each point has
     int depth_ = 0;
     bool in_object_ = false;
     bool has_points_ = false;
 };
 
-void take_classes(const JsonHeader& header, const std::string& name, SetsOfFile& file) {
-    file.class_names = header.class_names;
+// `each` has the class or ink of each point, as a place among the names.
+void take_layers(LayersOfFile layers, const std::vector<double>& each, const char* word,
+                 const char* words, const std::string& name, std::size_t points,
+                 LayersOfFile& taken) {
+    for (const double place : each) {
+        if (!(place >= 0 && place < static_cast<double>(layers.names.size())))
+            refuse(name, fmt::format("\"{}\" has {}: must be less than {}, the number of \"{}\"",
+                                     word, place, layers.names.size(), words));
+        layers.of_point.push_back(static_cast<std::uint8_t>(place));
+    }
+    if (!layers.names.empty() && layers.of_point.size() != points)
+        refuse(name,
+               fmt::format("{} points, but \"{}\" has {}", points, word, layers.of_point.size()));
+    taken = std::move(layers);
+}
+
+void take_columns(const JsonHeader& header, const std::string& name, SetsOfFile& file) {
+    const std::size_t points = file.sets.front().size();
+    take_layers(header.classes, header.class_of_point, "class", "classes", name, points,
+                file.classes);
+    take_layers(header.inks, header.ink_of_point, "ink", "inks", name, points, file.inks);
     file.distances = header.distances;
     file.weights = header.weights;
-    for (const double place : header.class_of_point) {
-        if (!(place >= 0 && place < static_cast<double>(header.class_names.size())))
-            refuse(name, fmt::format("\"class\" has {}: must be less than {}, the number of "
-                                     "\"classes\"",
-                                     place, header.class_names.size()));
-        file.class_of_point.push_back(static_cast<std::uint8_t>(place));
-    }
-    if (!file.class_names.empty() && file.class_of_point.size() != file.sets.front().size())
-        refuse(name, fmt::format("{} points, but \"class\" has {}", file.sets.front().size(),
-                                 file.class_of_point.size()));
+    const std::vector<double>& numbers = header.ellipses;
+    if (!numbers.empty() && numbers.size() != 3 * points)
+        refuse(name,
+               fmt::format("{} points, but \"ellipses\" has {} numbers: must be [a, b, angle] "
+                           "for each",
+                           points, numbers.size()));
+    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+        file.ellipses.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+    if (header.has_dots) file.other_columns = {"radius", "x_mm", "y_mm", "radius_mm"};
 }
 
 }  // namespace
@@ -234,14 +282,15 @@ SetsOfFile decode_json(std::string_view bytes, const std::string& name) {
     file.boundary = header.boundary;
     file.mode = header.mode;
     file.maximal = header.maximal;
-    file.has_scale = header.has_scale;
+    file.scale = header.scale;
+    file.options = header.options;
     for (const Level& level : header.levels)
         if (!(level.size > 0 && std::isfinite(level.size)) || level.points > file.sets[0].size())
             refuse(name, fmt::format("a level of {} points with radius {}: must be of at most {} "
                                      "points, and the radius a number over 0",
                                      level.points, level.size, file.sets[0].size()));
     file.levels = header.levels;
-    take_classes(header, name, file);
+    take_columns(header, name, file);
     return file;
 }
 

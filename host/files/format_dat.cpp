@@ -24,8 +24,7 @@ SetsOfFile decode_dat(std::string_view bytes, const std::string& name) {
             continue;
         }
         Point point{};
-        if (!read_line(line, Between::blanks, point))
-            refuse_line(name, number, line, Between::blanks);
+        if (!read_line(line, point)) refuse_line(name, number, line);
         sets.back().push_back(point);
     }
     if (sets.size() > 1 && sets.back().empty()) sets.pop_back();

@@ -24,15 +24,22 @@ void append_json_number(std::string& bytes, double value) {
     if (bytes.find_first_of(".e", begin) == std::string::npos) bytes += ".0";
 }
 
+// A text as JSON. File names and names of other programs' classes need not be valid UTF-8.
+std::string quoted(const std::string& text) {
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+const char* word_of(Boundary boundary) {
+    return boundary == Boundary::torus ? "torus" : "box";
+}
+
 void append_origin(std::string& bytes, const Origin& origin) {
-    // The command may contain a file name, and file names need not be valid UTF-8.
-    const std::string command = nlohmann::json(origin.command)
-                                    .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     bytes += fmt::format(
         ",\"boundary\":\"{}\",\"mode\":\"{}\",\"seed\":{},\"maximal\":{},"
-        "\"options\":{},\"program\":\"lacuna\",\"version\":\"{}\",\"command\":{}",
-        origin.boundary == Boundary::torus ? "torus" : "box", name_of(origin.mode), origin.seed,
-        origin.maximal, origin.options.empty() ? "{}" : origin.options, origin.version, command);
+        "\"options\":{},\"program\":\"lacuna\",\"version\":\"{}\"",
+        word_of(origin.boundary), name_of(origin.mode), origin.seed, origin.maximal,
+        origin.options.empty() ? "{}" : origin.options, origin.version);
+    if (!origin.command.empty()) bytes += ",\"command\":" + quoted(origin.command);
 }
 
 // For each level of a progressive order the number of its points, and the radius or scale at which
@@ -42,7 +49,7 @@ void append_levels(std::string& bytes, const Origin& origin) {
     const char* separator = "";
     for (const Level& level : origin.levels) {
         bytes += fmt::format("{}{{\"count\":{},\"{}\":", separator, level.points,
-                             origin.has_scale ? "scale" : "radius");
+                             origin.scale > 0 ? "scale" : "radius");
         append_json_number(bytes, level.size);
         bytes += '}';
         separator = ",";
@@ -86,8 +93,8 @@ void append_layers(std::string& bytes, const PointSet& set) {
     bytes += are_inks ? "\"inks\":[" : "\"classes\":[";
     const char* separator = "";
     for (const Layer& layer : set.layers) {
-        bytes += fmt::format("{}{{\"name\":\"{}\",\"colour\":\"{}\",\"count\":{}}}", separator,
-                             layer.ink.name, hex_of(layer.ink.colour), layer.dots);
+        bytes += fmt::format("{}{{\"name\":{},\"colour\":\"{}\",\"count\":{}}}", separator,
+                             quoted(layer.ink.name), hex_of(layer.ink.colour), layer.dots);
         separator = ",";
     }
     bytes += are_inks ? "],\"ink\":[" : "],\"class\":[";
@@ -108,7 +115,16 @@ std::string encode_json(const PointSet& set) {
     append_json_number(bytes, set.height);
     bytes += ",\"radius\":";
     append_json_number(bytes, set.radius);
-    if (set.origin != nullptr) append_origin(bytes, *set.origin);
+    if (set.origin != nullptr && set.origin->scale > 0) {
+        bytes += ",\"scale\":";
+        append_json_number(bytes, set.origin->scale);
+    }
+    if (set.origin != nullptr) {
+        append_origin(bytes, *set.origin);
+    } else {
+        if (set.boundary) bytes += fmt::format(",\"boundary\":\"{}\"", word_of(*set.boundary));
+        if (set.is_relaxed) bytes += ",\"mode\":\"stratified\"";
+    }
     bytes += fmt::format(",\"count\":{},", set.points.size());
     if (set.origin != nullptr && !set.origin->levels.empty()) append_levels(bytes, *set.origin);
     if (set.dots != nullptr) append_dots(bytes, *set.dots);

@@ -1,8 +1,8 @@
-// The format .npy of NumPy: an array of N x 2 numbers.
+// The format .npy of NumPy: an array with a row for each point.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -11,38 +11,57 @@
 
 #include "files/little_endian.h"
 #include "files/npy.h"
+#include "files/npy_numbers.h"
 #include "files/parse.h"
+#include "files/point_columns.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
 
 namespace lacuna::files {
 namespace {
 
-// x and y; with radius, x_mm, y_mm and radius_mm of dots; with a, b and angle of ellipses; with
-// all.
-constexpr std::array<std::uint64_t, 4> kColumns{2, 6, 5, 9};
+// The columns of an array, which has no names: x and y; with z; as this program writes them, with
+// the sizes and places of dots, with ellipses, or with both.
+const std::vector<std::string>* columns_of_array(std::uint64_t count) {
+    static const std::array<std::vector<std::string>, 5> kColumns{
+        {{"x", "y"},
+         {"x", "y", "z"},
+         {"x", "y", "a", "b", "angle"},
+         {"x", "y", "radius", "x_mm", "y_mm", "radius_mm"},
+         {"x", "y", "radius", "x_mm", "y_mm", "radius_mm", "a", "b", "angle"}}};
+    for (const std::vector<std::string>& names : kColumns)
+        if (names.size() == count) return &names;
+    return nullptr;
+}
 
 template <class Number>
-std::vector<Point> load_points(std::string_view data, const NpyHeader& header,
-                               const std::string& name) {
+SetsOfFile load_set(std::string_view data, std::endian order, const NpyHeader& header,
+                    const PointColumns& columns, const std::string& name) {
     const std::uint64_t count = header.shape[0];
-    const std::size_t columns = header.shape[1];
-    const std::size_t whole = data.size() / (columns * sizeof(Number));
-    if (count != whole || data.size() % (columns * sizeof(Number)) != 0)
+    const std::size_t width = header.shape[1];
+    const std::size_t whole = data.size() / (width * sizeof(Number));
+    if (count != whole || data.size() % (width * sizeof(Number)) != 0)
         refuse(name, fmt::format("{} bytes of data: {} points of {} bytes each are announced",
-                                 data.size(), count, columns * sizeof(Number)));
+                                 data.size(), count, width * sizeof(Number)));
     // Distances in the array, counted in numbers: from one point to the next, and from x to y.
-    const std::size_t step = header.fortran_order ? 1 : columns;
-    const std::size_t to_y = header.fortran_order ? whole : 1;
-    std::vector<Point> points(whole);
+    const std::size_t step = header.fortran_order ? 1 : width;
+    const std::size_t across = header.fortran_order ? whole : 1;
+    SetsOfFile file = one_set(std::vector<Point>(whole));
+    std::vector<Point>& points = file.sets.front();
+    ThirdCoordinate third(name);
     for (std::size_t i = 0; i < whole; ++i) {
-        const auto at = [&](std::size_t k) {
-            return double{load_little_endian<Number>(data.substr(k * sizeof(Number)))};
+        const auto at = [&](std::size_t column) {
+            const std::size_t index = i * step + column * across;
+            return value_of(load<Number>(data.substr(index * sizeof(Number)), order));
         };
-        points[i] = {at(i * step), at(i * step + to_y)};
+        points[i] = {at(columns.x), at(columns.y)};
         check_finite(points[i], i, name);
+        if (columns.z) third.add(at(*columns.z), i);
+        if (columns.a)
+            file.ellipses.push_back({at(*columns.a), at(*columns.b), at(*columns.angle)});
     }
-    return points;
+    file.other_columns = columns.others;
+    return file;
 }
 
 }  // namespace
@@ -83,15 +102,18 @@ std::string encode_npy(const PointSet& set) {
 
 SetsOfFile decode_npy(std::string_view bytes, const std::string& name) {
     const NpyHeader header = take_npy_header(bytes, name);
-    if (header.shape.size() != 2 ||
-        std::find(kColumns.begin(), kColumns.end(), header.shape[1]) == kColumns.end())
-        refuse(name, fmt::format("an array of shape {}: must be N x 2, N x 6 as --dot-size makes "
-                                 "it, or N x 5 or N x 9 with --ellipse-columns",
-                                 shape_text(header.shape)));
-    if (header.descr == "<f8") return one_set(load_points<double>(bytes, header, name));
-    if (header.descr == "<f4") return one_set(load_points<float>(bytes, header, name));
-    refuse(name, fmt::format("numbers of type {}: must be '<f8' or '<f4', little-endian floats",
-                             excerpt(header.descr)));
+    const auto* const names =
+        header.shape.size() == 2 ? columns_of_array(header.shape[1]) : nullptr;
+    if (names == nullptr)
+        refuse(name,
+               fmt::format("an array of shape {}: must be N x 2, N x 3 with the same z in all "
+                           "rows, N x 6 as --dot-size makes it, or N x 5 or N x 9 with "
+                           "--ellipse-columns",
+                           shape_text(header.shape)));
+    const PointColumns columns(*names, name);
+    return with_npy_numbers(header.descr, name, [&](auto number, std::endian order) {
+        return load_set<decltype(number)>(bytes, order, header, columns, name);
+    });
 }
 
 }  // namespace lacuna::files

@@ -3,12 +3,11 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <limits>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +15,7 @@
 
 #include "files/parse.h"
 #include "files/ply.h"
+#include "files/point_columns.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
 #include "files/text_lines.h"
@@ -29,29 +29,19 @@ using ply::Property;
 using ply::Rest;
 using ply::Type;
 
-// The indices of x and y among the properties of a vertex.
-struct Axes {
-    std::size_t x;
-    std::size_t y;
-};
-
-Axes axes_of(const Element& vertex, const std::string& name) {
-    const auto find = [&](std::string_view axis) {
-        const auto& all = vertex.properties;
-        const auto found =
-            std::find_if(all.begin(), all.end(), [&](const Property& p) { return p.name == axis; });
-        if (found == all.end() || found->length || !ply::is_float(found->type))
-            refuse(name, fmt::format("the element vertex must have {}, a float or double", axis));
-        return static_cast<std::size_t>(found - all.begin());
-    };
-    return {find("x"), find("y")};
+// The columns of a vertex. What was found must be a number, and not a list.
+PointColumns columns_of(const Element& vertex, const std::string& name) {
+    std::vector<std::string> names;
+    for (const Property& property : vertex.properties)
+        names.emplace_back(property.length ? "a list" : property.name);
+    return {names, name + ": element vertex"};
 }
 
 // Reads elements one by one into `values`: one number for each property, and 0 for a list.
 class ElementReader {
 public:
-    ElementReader(Rest& rest, const Element& element, bool is_binary)
-        : rest_(rest), element_(element), is_binary_(is_binary) {}
+    ElementReader(Rest& rest, const Element& element, const Header& header)
+        : rest_(rest), element_(element), is_binary_(header.is_binary), order_(header.order) {}
 
     void read(std::uint64_t index, std::vector<double>& values) {
         if (!is_binary_) {
@@ -92,21 +82,21 @@ private:
         rest_.bytes.remove_prefix(ply::size_of(type));
         switch (type) {
             case Type::i8:
-                return load_little_endian<std::int8_t>(bytes);
+                return load<std::int8_t>(bytes, order_);
             case Type::u8:
-                return load_little_endian<std::uint8_t>(bytes);
+                return load<std::uint8_t>(bytes, order_);
             case Type::i16:
-                return load_little_endian<std::int16_t>(bytes);
+                return load<std::int16_t>(bytes, order_);
             case Type::u16:
-                return load_little_endian<std::uint16_t>(bytes);
+                return load<std::uint16_t>(bytes, order_);
             case Type::i32:
-                return load_little_endian<std::int32_t>(bytes);
+                return load<std::int32_t>(bytes, order_);
             case Type::u32:
-                return load_little_endian<std::uint32_t>(bytes);
+                return load<std::uint32_t>(bytes, order_);
             case Type::f32:
-                return double{load_little_endian<float>(bytes)};
+                return double{load<float>(bytes, order_)};
             case Type::f64:
-                return load_little_endian<double>(bytes);
+                return load<double>(bytes, order_);
         }
         return 0;
     }
@@ -123,14 +113,22 @@ private:
     Rest& rest_;
     const Element& element_;
     bool is_binary_;
+    std::endian order_;
     std::string_view line_;  // the part of the element's line that was not read yet, in text
 };
 
+std::uint8_t layer_numbered(double number, std::uint64_t index, const std::string& name) {
+    if (!(number >= 0 && number < 255 && number == std::floor(number)))
+        refuse(name, fmt::format("point {} has class or ink {}: must be a whole number under 255",
+                                 index, number));
+    return static_cast<std::uint8_t>(number);
+}
+
 // Elements without properties take no bytes, so a loop over them could run for ever.
-void skip(Rest& rest, const Element& element, bool is_binary) {
-    if (is_binary && element.properties.empty()) return;
+void skip(Rest& rest, const Element& element, const Header& header) {
+    if (header.is_binary && element.properties.empty()) return;
     std::vector<double> values(element.properties.size());
-    ElementReader reader(rest, element, is_binary);
+    ElementReader reader(rest, element, header);
     for (std::uint64_t i = 0; i < element.count; ++i) reader.read(i, values);
 }
 
@@ -168,24 +166,47 @@ std::string encode_ply(const PointSet& set) {
     return bytes;
 }
 
+namespace {
+
+SetsOfFile read_vertices(Rest& rest, const Element& vertex, const Header& header,
+                         const std::string& name) {
+    const PointColumns columns = columns_of(vertex, name);
+    SetsOfFile file = one_set({});
+    std::vector<Point>& points = file.sets.front();
+    ThirdCoordinate third(name);
+    std::vector<double> values(vertex.properties.size());
+    ElementReader reader(rest, vertex, header);
+    for (std::uint64_t i = 0; i < vertex.count; ++i) {
+        reader.read(i, values);
+        points.push_back({values[columns.x], values[columns.y]});
+        check_finite(points.back(), points.size() - 1, name);
+        if (columns.z) third.add(values[*columns.z], i);
+        if (columns.a)
+            file.ellipses.push_back(
+                {values[*columns.a], values[*columns.b], values[*columns.angle]});
+        for (const auto& [column, layers] :
+             {std::pair{columns.of_class, &file.classes}, std::pair{columns.ink, &file.inks}})
+            if (column) layers->of_point.push_back(layer_numbered(values[*column], i, name));
+    }
+    file.other_columns = columns.others;
+    // A .ply has no names of classes and inks: their numbers stand for them.
+    for (LayersOfFile* layers : {&file.classes, &file.inks}) {
+        layers->are_numbers = true;
+        for (const std::uint8_t one : layers->of_point)
+            while (layers->names.size() <= one)
+                layers->names.push_back(std::to_string(layers->names.size()));
+    }
+    return file;
+}
+
+}  // namespace
+
 SetsOfFile decode_ply(std::string_view bytes, const std::string& name) {
     Rest rest{bytes, 0, name};
     const Header header = ply::read_header(rest);
     for (const Element& element : header.elements) {
-        if (element.name != "vertex") {
-            skip(rest, element, header.is_binary);
-            continue;
-        }
-        const Axes axes = axes_of(element, name);
-        std::vector<double> values(element.properties.size());
-        ElementReader reader(rest, element, header.is_binary);
-        std::vector<Point> points;
-        for (std::uint64_t i = 0; i < element.count; ++i) {
-            reader.read(i, values);
-            points.push_back({values[axes.x], values[axes.y]});
-            check_finite(points.back(), points.size() - 1, name);
-        }
-        return one_set(std::move(points));
+        if (element.name == "vertex") return read_vertices(rest, element, header, name);
+        skip(rest, element, header);
     }
     refuse(name, "there is no element vertex");
 }

@@ -80,8 +80,7 @@ SetsOfFile decode_txt(std::string_view bytes, const std::string& name) {
             if (count) continue;
         }
         Point point{};
-        if (!read_line(line, Between::blanks, point))
-            refuse_line(name, number, line, Between::blanks);
+        if (!read_line(line, point)) refuse_line(name, number, line);
         separator.refuse_before_point(name);
         points.push_back(point);
     }

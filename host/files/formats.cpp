@@ -1,11 +1,13 @@
 // The table of formats, and the search for a format by its name.
 #include "files/formats.h"
 
+#include <fmt/core.h>
 #include <lacuna/lacuna.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -40,7 +42,7 @@ std::string draw(const PointSet& set) {
 using drawing::Medium;
 
 constexpr std::array<Format, 10> kFormats{{
-    {".txt", encode_txt, decode_txt},
+    {".txt", encode_txt, decode_txt, std::nullopt, false},
     {".csv", encode_csv, decode_csv},
     {".npy", encode_npy, decode_npy},
     {".ply", encode_ply, decode_ply},
@@ -60,8 +62,17 @@ std::string in_lower_case(std::string_view text) {
 
 }  // namespace
 
-char lower_case(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+std::string encode(const PointSet& set, const Format& format) {
+    const char* const each =
+        !set.layers.empty()
+            ? set.layers_are == LayersAre::inks ? "ink of each dot" : "class of each point"
+        : set.writes_ellipses ? "ellipse of each point"
+                              : nullptr;
+    if (!format.has_columns && each != nullptr)
+        throw BadRequest(
+            "output", std::string(format.extension),
+            fmt::format("has no place for the {}: must be one of {}", each, column_extensions()));
+    return format.encode(set);
 }
 
 std::span<const Format> formats() {
@@ -101,6 +112,12 @@ std::string written_extensions() {
 
 std::string read_extensions() {
     return extensions([](const Format& format) { return format.decode != nullptr; });
+}
+
+std::string column_extensions() {
+    return extensions([](const Format& format) {
+        return format.encode != nullptr && !format.medium && format.has_columns;
+    });
 }
 
 std::string picture_extensions() {

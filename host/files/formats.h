@@ -23,6 +23,8 @@ struct Format {
     SetsOfFile (*decode)(std::string_view bytes, const std::string& name) = nullptr;
     // Set if the format is a picture, which can be written but not read.
     std::optional<drawing::Medium> medium{};
+    // Whether there is a place for the class, the ink and the ellipse of each point.
+    bool has_columns = true;
 
     std::string_view name() const { return extension.substr(1); }
 };
@@ -42,5 +44,6 @@ std::string extensions(const std::function<bool(const Format&)>& is_wanted);
 std::string written_extensions();
 std::string read_extensions();
 std::string picture_extensions();
+std::string column_extensions();  // of formats that are no pictures and have columns
 
 }  // namespace lacuna::files

@@ -41,13 +41,16 @@ Type type_named(std::string_view name, const Rest& rest) {
     return found->type;
 }
 
-bool read_format(std::string_view words, const Rest& rest) {
+void read_format(std::string_view words, const Rest& rest, Header& header) {
     const std::string_view format = take_word(words);
     const std::string_view version = take_word(words);
-    if ((format != "ascii" && format != "binary_little_endian") || version != "1.0")
-        rest.refuse_line(fmt::format("format {} {}: must be ascii 1.0 or binary_little_endian 1.0",
-                                     excerpt(format), excerpt(version)));
-    return format != "ascii";
+    header.is_binary = format == "binary_little_endian" || format == "binary_big_endian";
+    if ((format != "ascii" && !header.is_binary) || version != "1.0")
+        rest.refuse_line(
+            fmt::format("format {} {}: must be ascii 1.0, binary_little_endian 1.0 or "
+                        "binary_big_endian 1.0",
+                        excerpt(format), excerpt(version)));
+    if (format == "binary_big_endian") header.order = std::endian::big;
 }
 
 Element read_element(std::string_view words, const Rest& rest) {
@@ -84,7 +87,7 @@ Header read_header(Rest& rest) {
         const std::string_view keyword = take_word(words);
         if (keyword == "end_header") break;
         if (keyword == "format") {
-            header.is_binary = read_format(words, rest);
+            read_format(words, rest, header);
             has_format = true;
         } else if (keyword == "element") {
             header.elements.push_back(read_element(words, rest));

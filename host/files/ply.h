@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -41,6 +42,7 @@ struct Element {
 
 struct Header {
     bool is_binary = false;
+    std::endian order = std::endian::little;  // of the bytes of numbers, if it is binary
     std::vector<Element> elements;
 };
 

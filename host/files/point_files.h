@@ -22,14 +22,14 @@ namespace lacuna::files {
 // How a set was made: .json, .svg and .pdf record it.
 struct Origin {
     std::string version;  // version of the program
-    std::string command;  // a command line that makes the same set
+    std::string command;  // a command line that makes the same set, if there is one
     Boundary boundary = Boundary::box;
     Mode mode = Mode::exact;
     std::uint64_t seed = 0;
     bool maximal = false;            // whether no further sample fits
     std::string options = {};        // a JSON object of all options that the points depend on
     std::vector<Level> levels = {};  // of a progressive order
-    bool has_scale = false;          // whether the levels' sizes are scales, not radii
+    double scale = 0;                // of the field, asked for or chosen; 0: there is no field
 };
 
 // The sizes of the dots and their position on the page, for programs that draw them themselves.
@@ -64,8 +64,10 @@ struct PointSet {
     // Least distance; a dot's radius is a third of it. 0 means unknown: then dots are as large as
     // in a maximal set with the same number of points.
     double radius = 0;
-    const Origin* origin = nullptr;  // null: unknown
-    const Dots* dots = nullptr;      // null: not wanted
+    const Origin* origin = nullptr;  // null: unknown; then these two are written to .json
+    std::optional<Boundary> boundary{};
+    bool is_relaxed = false;     // no least distance was kept
+    const Dots* dots = nullptr;  // null: not wanted
     // The ellipse of each point, for sets of ellipses: pictures stretch dots likewise.
     std::span<const Ellipse> ellipses{};
     bool writes_ellipses = false;  // to files with columns, too
@@ -112,10 +114,9 @@ char lower_case(char c);
 // index), npy too (its index); json has "inks" and, for each point, its index in "ink". With
 // classes these are called class and "classes". Such an npy is not read again, because a third
 // column may be a third coordinate. The same set gives the same bytes on every call. Throws
-// FileError if a picture cannot be drawn.
-inline std::string encode(const PointSet& set, const Format& format) {
-    return format.encode(set);
-}
+// FileError if a picture cannot be drawn, and BadRequest("output", ...) if the format has no place
+// for the classes, inks or ellipses that the set writes.
+std::string encode(const PointSet& set, const Format& format);
 
 // Writes `bytes` to `path` ("-": standard output), whole or not at all: into a new file beside it,
 // then a rename. Until the rename an older file stays as it is; the new one gets its permissions.

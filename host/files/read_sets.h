@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,14 @@
 
 namespace lacuna::files {
 
+// The classes or inks of a file. There are none if no point has one.
+struct LayersOfFile {
+    std::vector<std::string> names;      // in a .ply, which has no names, their numbers
+    std::vector<std::string> colours;    // only in .json, such as #009ee3
+    std::vector<std::uint8_t> of_point;  // the place of each point's own among the names
+    bool are_numbers = false;            // whether the names are the numbers 0, 1, 2 and so on
+};
+
 struct SetsOfFile {
     std::vector<std::vector<Point>> sets;
     std::optional<double> width;  // width of the domain; only in .json, together with the height
@@ -27,11 +36,19 @@ struct SetsOfFile {
     std::optional<Boundary> boundary;
     std::optional<std::string> mode;
     std::optional<bool> maximal;  // whether no further sample fits
-    bool has_scale = false;       // whether the options have a scale: then radii follow a picture
-    std::vector<Level> levels;    // of a progressive order
-    // In .csv and .json: the names of classes, and the place of each point's class among them.
-    std::vector<std::string> class_names;
-    std::vector<std::uint8_t> class_of_point;
+    std::optional<double> scale;  // of the field or ellipses that radii follow, asked for or chosen
+    // The options with which the set was made and which have a value: numbers, words, "true", and
+    // several values with colons between them.
+    std::map<std::string, std::string> options;
+    std::vector<Level> levels;  // of a progressive order
+    // In .csv, .ply and .json.
+    LayersOfFile classes;
+    LayersOfFile inks;
+    // In .csv, .npy, .ply and .json: the ellipse of each point, or none.
+    std::vector<Ellipse> ellipses;
+    // The names of columns that were not read, such as radius. A command that writes these points
+    // again would lose them.
+    std::vector<std::string> other_columns;
     // In .json: the distances of classes and how often each is drawn, as in Classes.
     std::vector<double> distances;
     std::vector<double> weights;
@@ -40,12 +57,15 @@ struct SetsOfFile {
 // The format is chosen by the extension; "-" is standard input, as txt:
 //   txt   `x y` on each line; blank lines and lines that begin with # are skipped. If the first
 //         line is a single whole number N, as in PSA's files, N points must follow
-//   csv   `x,y` on each line; comments and blank lines as in txt; a first line of words is a
-//   header.
-//         A last column called class has the name of each point's class
-//   npy   versions 1.0 to 3.0; N x 2, '<f8' or '<f4', C or Fortran order
-//   ply   ascii or binary_little_endian; x and y of the element vertex, float or double
+//   csv   two columns with commas, semicolons or tabs between them, or more below a header that
+//         calls two of them x and y; comments and blank lines as in txt. The columns class, ink, a,
+//         b and angle are read, too
+//   npy   versions 1.0 to 3.0; N x 2 or as this program writes it with dots or ellipses; whole or
+//         floating-point numbers in either byte order, C or Fortran order
+//   ply   ascii or binary; x and y of the element vertex, and the columns as in csv
 //   json  {"points": [[x, y], ...], ...} or the array alone
+// A third coordinate (a column z, or a third number in npy and json) must be the same for all
+// points, and is dropped.
 //   rps   PSA's binary files: x y x y ... as float32, little-endian
 //   dat   UTK's text files: `x y` or `x<TAB>y` on each line; a line that begins with # ends a set
 // PSA is Schloemer & Deussen's point set analysis, UTK the Uni(corn|form) tool kit.

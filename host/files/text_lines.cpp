@@ -9,24 +9,18 @@
 #include <system_error>
 
 #include "files/parse.h"
+#include "files/point_files.h"
 
 namespace lacuna::files {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // which some spreadsheets write first
 
-// Removes the separator between two numbers from `rest`; false if there is none.
-bool take_separator(std::string_view& rest, Between between) {
-    const std::size_t before = rest.size();
-    skip_blanks(rest);
-    if (between == Between::blanks) return rest.size() < before;
-    if (!rest.starts_with(',')) return false;
-    rest.remove_prefix(1);
-    skip_blanks(rest);
-    return true;
-}
-
 }  // namespace
+
+char lower_case(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
 
 // A line of text with two numbers of 17 significant digits is rarely longer.
 constexpr std::size_t kUsualBytesPerLine = 48;
@@ -36,18 +30,17 @@ std::string with_room_for(std::string header, std::size_t lines) {
     return header;
 }
 
-[[noreturn]] void refuse_line(const std::string& name, std::size_t number, std::string_view line,
-                              Between between) {
+[[noreturn]] void refuse_line(const std::string& name, std::size_t number, std::string_view line) {
     refuse(fmt::format("{}:{}", name, number),
-           fmt::format("{} must be two finite numbers, such as {}", excerpt(line),
-                       between == Between::comma ? "0.25,0.75" : "0.25 0.75"));
+           fmt::format("{} must be two finite numbers, such as 0.25 0.75", excerpt(line)));
 }
 
-bool read_line(std::string_view line, Between between, Point& point) {
+bool read_line(std::string_view line, Point& point) {
     skip_blanks(line);
-    if (take_number(line, point.x) != std::errc{} || !take_separator(line, between) ||
-        take_number(line, point.y) != std::errc{})
-        return false;
+    if (take_number(line, point.x) != std::errc{}) return false;
+    const std::size_t before = line.size();
+    skip_blanks(line);
+    if (line.size() == before || take_number(line, point.y) != std::errc{}) return false;
     skip_blanks(line);
     return line.empty() && std::isfinite(point.x) && std::isfinite(point.y);
 }

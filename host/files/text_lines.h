@@ -9,9 +9,6 @@
 
 namespace lacuna::files {
 
-// The separator between the two numbers of a line: blanks, or a comma with or without blanks.
-enum class Between { blanks, comma };
-
 // Returns `header`, with memory reserved for the given number of lines after it.
 std::string with_room_for(std::string header, std::size_t lines);
 
@@ -21,10 +18,10 @@ std::string_view without_byte_order_mark(std::string_view bytes);
 // Whether the line is blank or a comment.
 bool is_skipped(std::string_view line);
 
-// Reads the point of a line; false if the line is not exactly two finite numbers.
-bool read_line(std::string_view line, Between between, Point& point);
+// Reads the point of a line; false if the line is not exactly two finite numbers with blanks
+// between them.
+bool read_line(std::string_view line, Point& point);
 
-[[noreturn]] void refuse_line(const std::string& name, std::size_t number, std::string_view line,
-                              Between between);
+[[noreturn]] void refuse_line(const std::string& name, std::size_t number, std::string_view line);
 
 }  // namespace lacuna::files

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -14,6 +13,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "files/npy_numbers.h"
 #include "files/parse.h"
 #include "pictures/decode.h"
 #include "pictures/float_pixels.h"
@@ -21,41 +21,6 @@
 
 namespace lacuna::pictures {
 namespace {
-
-// NumPy's bool: one byte, 0 or 1.
-struct Bool {
-    std::uint8_t byte;
-};
-
-// IEEE 754's binary16: a sign, 5 bits of exponent and 10 bits of fraction.
-struct Half {
-    std::uint16_t bits;
-};
-
-double value_of(Bool value) {
-    return value.byte == 0 ? 0 : 1;
-}
-
-double value_of(Half half) {
-    const auto exponent = static_cast<int>(half.bits >> 10U & 0x1fU);
-    const double fraction = half.bits & 0x3ffU;
-    constexpr int kSpecial = 0x1f, kBias = 15, kFractionBits = 10;
-    double value = 0;
-    if (exponent == kSpecial)
-        value = fraction == 0 ? std::numeric_limits<double>::infinity()
-                              : std::numeric_limits<double>::quiet_NaN();
-    else if (exponent == 0)
-        value = std::ldexp(fraction, 1 - kBias - kFractionBits);
-    else
-        value = std::ldexp(fraction + 1024, exponent - kBias - kFractionBits);
-    return (half.bits & 0x8000U) != 0 ? -value : value;
-}
-
-// Whole numbers over 2^53 lose their last digits, which do not matter for a tone.
-template <class Number>
-double value_of(Number value) {
-    return static_cast<double>(value);
-}
 
 // An array's numbers, found by row, column and channel.
 template <class Number>
@@ -122,7 +87,7 @@ Image read_numbers(const Encoded& file, const Array<Number>& array, const NpyLay
     for (std::size_t y = 0; y < layout.size.rows; ++y)
         for (std::size_t x = 0; x < layout.size.columns; ++x) {
             for (std::size_t c = 0; c < layout.channels; ++c)
-                pixel[c] = value_of(array.at(y, x, c));
+                pixel[c] = files::value_of(array.at(y, x, c));
             pixels.set(y, x, std::span(pixel).first(layout.channels));
         }
     return std::move(pixels).finish();
@@ -148,24 +113,9 @@ Image decode_npy(const Encoded& file) {
     std::string_view data = file.bytes;
     const files::NpyHeader header = files::take_npy_header(data, file.name);
     const NpyLayout layout = layout_of(header, file);
-    const std::string_view type = header.descr;
-    const std::endian order = type.starts_with('>') ? std::endian::big : std::endian::little;
-    if (type == "|u1") return read<std::uint8_t>(file, data, order, layout);
-    if (type == "<u2" || type == ">u2") return read<std::uint16_t>(file, data, order, layout);
-    if (type == "|b1") return read<Bool>(file, data, order, layout);
-    if (type == "|i1") return read<std::int8_t>(file, data, order, layout);
-    if (type == "<i2" || type == ">i2") return read<std::int16_t>(file, data, order, layout);
-    if (type == "<i4" || type == ">i4") return read<std::int32_t>(file, data, order, layout);
-    if (type == "<u4" || type == ">u4") return read<std::uint32_t>(file, data, order, layout);
-    if (type == "<i8" || type == ">i8") return read<std::int64_t>(file, data, order, layout);
-    if (type == "<u8" || type == ">u8") return read<std::uint64_t>(file, data, order, layout);
-    if (type == "<f2" || type == ">f2") return read<Half>(file, data, order, layout);
-    if (type == "<f4" || type == ">f4") return read<float>(file, data, order, layout);
-    if (type == "<f8" || type == ">f8") return read<double>(file, data, order, layout);
-    file.refuse(
-        fmt::format("numbers of type {}: must be b1, i1 to i8, u1 to u8 or f2 to f8 (bool, int8 "
-                    "to uint64, float16 to float64)",
-                    files::excerpt(type)));
+    return files::with_npy_numbers(header.descr, file.name, [&](auto number, std::endian order) {
+        return read<decltype(number)>(file, data, order, layout);
+    });
 }
 
 }  // namespace lacuna::pictures

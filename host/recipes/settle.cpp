@@ -31,7 +31,8 @@ std::uint32_t relax_of(const Given& given) {
 
 void settle(const Given& given, Request& request) {
     const std::uint32_t relax = relax_of(given);
-    if (given.has_inks && relax == 0) throw BadRequest("relax", "0", "must be at least 1 for inks");
+    if (given.has_inks && relax == 0)
+        throw BadRequest("relax", "0", "must be at least 1 for inks, whose dots are relaxed");
     request.mode = mode_of(given, request);
     if (request.mode == Mode::stratified && relax == 0)
         throw BadRequest("mode", std::string(name_of(request.mode)), "is a start for --relax");

@@ -178,16 +178,30 @@ def fit_inside(
     request: Request,
 ) -> npt.NDArray[np.float64]: ...
 def density_of(field: Field, by_tone: float) -> Field: ...
+class Saved:
+    width: float
+    height: float
+    torus: bool
+    is_relaxed: bool
+    radius: float
+    least_radius: float
+    layers: list[tuple[Ink, int]]
+    classes: list[str]
+    mode: str
+    seed: int
+    maximal: bool
+    scale: float
+    options: str
+    levels: list[tuple[float, int]]
+    def __init__(self) -> None: ...
+
 def write_points(
     path: bytes,
     points: npt.NDArray[np.float64],
-    width: float,
-    height: float,
-    radius: float,
+    saved: Saved,
     radii: npt.NDArray[np.float64] | None,
-    layers: list[tuple[Ink, int]],
-    classes: list[str],
     class_of: npt.NDArray[np.uint8] | None,
+    ellipses: npt.NDArray[np.float64] | None,
 ) -> None: ...
 def read_polygons(path: bytes, as_lines: bool) -> dict[str, Any]: ...
 def draw_mask(

@@ -71,10 +71,20 @@ class HasPoints:
         """The names of classes, and the class of each point; none if there are no classes."""
         return [], None
 
+    def _ellipses(self) -> Floats | None:
+        """The ellipse of each point; None if there are none."""
+        return None
+
+    def _describe(self, saved: _core.Saved) -> None:
+        """Fills in what .json holds besides: how the set was made."""
+
     def save(self, path: str | bytes | os.PathLike[Any]) -> None:
         """Write the points to a file, whose extension names the format, as the command does.
 
         ``.txt``, ``.csv``, ``.npy``, ``.ply`` and ``.json`` hold every coordinate to the last bit.
+        ``.csv``, ``.npy``, ``.ply`` and ``.json`` hold the class, ink and ellipse of each point,
+        for which ``.txt`` has no place. ``.json`` says how the set was made, so that
+        ``lacuna verify`` can prove it.
         ``.svg``, ``.pdf`` and ``.png`` are pictures of dots on white, with the radii of ``radii``
         if the result has it, and black unless it has inks. The file appears whole or not at all.
 
@@ -88,20 +98,21 @@ class HasPoints:
         FileError
             An OSError: the file cannot be written.
         BadRequest
-            The extension is not one of these.
+            The extension is not one of these, or ``.txt`` for points with classes, inks or
+            ellipses.
         TypeError
             The argument is not a path.
         """
-        name, least = path_bytes("path", path), self._least_distance()
+        name, saved = path_bytes("path", path), _core.Saved()
+        saved.width, saved.height = self.domain
+        saved.torus = self.torus
+        saved.radius = self._least_distance()
+        saved.layers = self._layers()
+        saved.classes, class_of = self._classes()
+        self._describe(saved)
         try:
             _core.write_points(
-                name,
-                self.points,
-                *self.domain,
-                least,
-                self._radii(),
-                self._layers(),
-                *self._classes(),
+                name, self.points, saved, self._radii(), class_of, self._ellipses()
             )
         except BadRequest as error:
             raise error.called("path") from None

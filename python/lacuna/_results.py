@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import resource
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Mapping
@@ -65,6 +66,9 @@ class Relaxed(HasPoints):
     seconds: Mapping[str, float] = field(repr=False)
     backend: str
     device: str
+
+    def _describe(self, saved: _core.Saved) -> None:
+        saved.is_relaxed = True
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -144,6 +148,17 @@ class PointSet(HasPoints):
 
     def _classes(self) -> tuple[list[str], npt.NDArray[np.uint8] | None]:
         return list(self.classes), self.class_of
+
+    def _ellipses(self) -> Floats | None:
+        return self.ellipses
+
+    def _describe(self, saved: _core.Saved) -> None:
+        saved.least_radius, saved.scale = self.radius, self.scale or 0.0
+        # A relaxed set has kept no distance: mode stratified says so.
+        saved.mode = self.mode if self.relaxed is None else "stratified"
+        saved.seed, saved.maximal = self.seed, self.maximal
+        saved.levels = list(self.levels)
+        saved.options = json.dumps(self._request)
 
     def _radii(self) -> Floats | None:
         # Two thirds of the distance that two of a class keep is a dot's width.

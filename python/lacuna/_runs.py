@@ -242,6 +242,12 @@ def make(
     asked = request_of(request, field is not None, made["lines_per_radius"])
     if request.border:
         asked["border"] = request.border
+    # The command names the files of these.
+    for name, given in (("mask", mask), ("keep", keep)):
+        if given is not None:
+            asked[name] = "an array"
+    if field is not None:
+        asked["ellipses" if field.has_ellipses else "field"] = "an array"
     if keep is not None:
         asked["kept"] = len(keep)
     relaxed = None

@@ -212,7 +212,7 @@ def verify(
     outside: Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None = None,
     avoid: Obstacles | None = None,
     edge: SupportsFloat = 0,
-    border: SupportsFloat = 0,
+    border: SupportsFloat | None = None,
     keep: npt.ArrayLike | None = None,
     classes: ClassSizes | None = None,
     between: str | npt.ArrayLike = "sum",
@@ -252,9 +252,10 @@ def verify(
         spot that is inside by up to ``edge`` need not be covered.
     border : float
         No point may be closer to the domain's edges, nor to the outlines of ``inside`` and
-        ``outside``.
+        ``outside``. By default a PointSet's own, else 0.
     keep : array_like, shape (N, 2), optional
-        The first of the points must be equal to these, to the last bit.
+        The first of the points must be equal to these, to the last bit. By default those that a
+        PointSet has kept.
     classes, between
         As of ``sample``: each two classes have a least distance, and no spot may be left where a
         point of any class with a weight has room. By default a PointSet's own.
@@ -322,7 +323,17 @@ def verify(
     if ellipses is not None:
         importance = ellipses_of("ellipses", ellipses)
     allowed = None if mask is None else mask_of("mask", mask)
-    claim.border = real("border", border)
+    own = points._request if isinstance(points, PointSet) else {}
+    if not flag("distances_only", distances_only):
+        has_polygons = inside is not None or outside is not None or avoid is not None
+        for name, is_given in (
+            ("field", importance is not None),
+            ("ellipses", importance is not None),
+            ("mask", mask is not None or has_polygons),
+        ):
+            if name in own and not is_given:
+                raise BadRequest(f"{name} missing: the set was made with one: give it too", name)
+    claim.border = real("border", own.get("border", 0) if border is None else border)
     claim.edge = real("edge", edge)
     claim.width, claim.height, claim.torus = domain_of(
         points, domain, torus, _shape(importance or allowed, inside, outside)
@@ -334,7 +345,9 @@ def verify(
     sets = sets_on("inside", inside, size, distance=claim.border)
     sets += sets_on("outside", outside, size, forbidden=True, distance=claim.border)
     sets += obstacles_on(avoid, size, claim.torus)
-    kept = None if keep is None else points_array("keep", keep)
+    kept = array[: own["kept"]] if keep is None and "kept" in own else None
+    if keep is not None:
+        kept = points_array("keep", keep)
     found = _core.verify(array, claim, importance, allowed, sets, kept, of_points)
     in_place = all(found[name] is None for name in ("outside", "moved", "forbidden"))
     pair_known = in_place and len(array) > 1

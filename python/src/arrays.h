@@ -25,6 +25,10 @@ using PointArray =
 using RadiusArray =
     nb::ndarray<const double, nb::numpy, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
+// Two radii and an angle for each point, from python/lacuna, too.
+using EllipseArray =
+    nb::ndarray<const double, nb::numpy, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
+
 // The class of each point, from python/lacuna, too.
 using ClassArray =
     nb::ndarray<const std::uint8_t, nb::numpy, nb::ndim<1>, nb::c_contig, nb::device::cpu>;

@@ -163,7 +163,7 @@ TEST(Classes, AreInEveryFileOfSeeds) {
 TEST(Classes, AreRefusedInOneLine) {
     const Folder folder;
     const auto refusal = [](const Names& arguments) {
-        const Outcome outcome = sample_with(arguments);
+        const Outcome outcome = sample_with(with(arguments, {"--format", "csv"}));
         EXPECT_NE(outcome.exit_code, 0);
         return outcome.err;
     };

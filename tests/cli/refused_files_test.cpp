@@ -92,7 +92,7 @@ TEST(Refused, OfSampleAreFilesThatSayWherePointsMayLie) {
          "lacuna: black.pgm: black or transparent all over: as a mask it must allow samples "
          "somewhere, on pixels that are not 0\n"},
         {"--keep outside.txt", 2,
-         "lacuna: --keep point 1 at (2, 0.5): must lie in the domain, [0, 1) x [0, 1)\n"},
+         "lacuna: --keep point 1 at (2, 0.5): must lie in the domain, [0, 1] x [0, 1]\n"},
         {"--keep none.txt", 3, "lacuna: none.txt: No such file or directory\n"},
     };
     expect_refusals(files, "sample --radius 0.1 -o a.npy", refusals);
@@ -155,7 +155,8 @@ TEST(Refused, OfOtherCommandsAreFilesThatCannotBeReadOrUsed) {
         {"verify a.txt --radius 1 --mask none.png", 3, "none.png"},
         {"compare none.png --count 10", 3, "none.png"},
         {"relax outside.txt --iterations 10001", 2, "--iterations 10001: ", "10000"},
-        {"relax outside.txt", 2, "(0.25, 1.5)", "must lie in the domain"},
+        {"relax outside.txt", 3, "outside.txt: point ", "at (0.25, 1.5)", "must lie in the domain"},
+        {"order outside.txt", 3, "outside.txt: point ", "at (0.25, 1.5)", "must lie in the domain"},
         {"relax none.txt", 3, "none.txt"},
         {"relax outside.txt --domain 1x2 --backend abacus", 2, "--backend abacus"},
         // Before the work starts.

@@ -145,7 +145,7 @@ TEST(StippleInks, ThatCannotBeAreRefused) {
          {"raccoon.png --inks red --mode cells", 2, {"mode cells", "not for --inks"}},
          {"raccoon.png --inks red --scale 0.1", 2, {"--scale 0.1: is not for --inks"}},
          {"raccoon.png --inks red --metric min", 2, {"metric min", "not for --inks"}},
-         {"raccoon.png --inks red --relax 0", 2, {"--relax 0: ", "at least 1 with --inks"}},
+         {"raccoon.png --inks red --relax 0", 2, {"--relax 0: ", "at least 1 for inks"}},
          {"raccoon.png --inks red,blue --ink-counts 5", 2, {"ink-counts 1 numbers", "2"}},
          {"raccoon.png --inks red --ink-counts x", 2, {"ink-counts x", "whole number"}},
          {"raccoon.png --inks red --ink-counts 0", 2, {"ink-counts 0"}},

@@ -1,6 +1,7 @@
 // Columns besides the coordinates: of dots and of ellipses, in each format that has columns.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -51,7 +52,7 @@ TEST(EllipseColumns, ComeAfterThoseOfDots) {
     EXPECT_TRUE(contains(text("npy", set_of_ellipses(&dots)), "'shape': (2, 9)"));
 }
 
-TEST(EllipseColumns, AreSkippedByReaders) {
+TEST(EllipseColumns, AreReadAgain) {
     const Dots dots{{0.125, 0.25}, 100, 10, 20};
     for (const char* const format : {"csv", "npy", "ply", "json"})
         for (const Dots* const some : {static_cast<const Dots*>(nullptr), &dots}) {
@@ -59,7 +60,38 @@ TEST(EllipseColumns, AreSkippedByReaders) {
             const SetsOfFile file = find_format(format)->decode(bytes, "file");
             ASSERT_EQ(file.sets.size(), 1U) << format;
             EXPECT_EQ(file.sets.front(), kPoints) << format;
+            ASSERT_EQ(file.ellipses.size(), 2U) << format;
+            EXPECT_EQ(file.ellipses[0].b, 0.125) << format;
+            EXPECT_EQ(file.ellipses[0].angle, -1.5) << format;
+            EXPECT_EQ(file.other_columns.size(), some == nullptr ? 0U : 4U) << format;
         }
+}
+
+TEST(Columns, OfClassesInksAndEllipsesAreRefusedWhereAFormatHasNoPlaceForThem) {
+    const std::vector<Layer> layers =
+        layers_of_classes(std::vector<std::string>{"oak", "elm"}, std::vector<std::uint8_t>{1, 0});
+    const std::vector<std::uint8_t> of_points{1, 0};
+    PointSet classes{kPoints};
+    classes.layers = layers;
+    classes.layer_of_point = of_points;
+    classes.layers_are = LayersAre::classes;
+    PointSet inks = classes;
+    inks.layers_are = LayersAre::inks;
+    for (const Format& format : formats()) {
+        if (format.encode == nullptr) continue;
+        for (const PointSet& set : {classes, inks, set_of_ellipses()})
+            if (format.has_columns) {
+                EXPECT_NO_THROW(encode(set, format)) << format.name();
+            } else {
+                EXPECT_THROW(encode(set, format), BadRequest) << format.name();
+            }
+        EXPECT_NO_THROW(encode({kPoints}, format)) << format.name();
+    }
+    for (const char* const format : {"csv", "ply", "json"}) {
+        EXPECT_EQ(find_format(format)->decode(text(format, classes), "f").classes.of_point.size(),
+                  2U);
+        EXPECT_EQ(find_format(format)->decode(text(format, inks), "f").inks.of_point.size(), 2U);
+    }
 }
 
 TEST(EllipseColumns, AreOnlyWrittenOnRequest) {

@@ -61,7 +61,7 @@ TEST(Layers, GivenNpyThenAThirdColumnHasTheIndex) {
 }
 
 TEST(Layers, GivenThePointsAloneThenReadingGivesThemBack) {
-    for (const char* name : {"csv", "ply", "json", "txt"})
+    for (const char* name : {"csv", "ply", "json"})
         EXPECT_EQ(decoded(name, encoded(name)), kPoints) << name;
 }
 

@@ -57,15 +57,20 @@ void run(const OrderCommand& options) {
     Interruption interruption;
     Request request = options.common.request;
     const SetAndField given = read_given_set(options.set, request);
+    GivenColumns columns(options.set, given, options.drawing, outputs, true);
     if (given.field) request.field = &*given.field;
+    const std::vector<std::uint32_t> order = naming_points(options.set, [&] {
+        return progressive_order(given.points, request.field,
+                                 {request.width, request.height, request.boundary, request.seed});
+    });
     std::vector<Point> points;
-    points.reserve(given.points.size());
-    for (const std::uint32_t index :
-         progressive_order(given.points, request.field,
-                           {request.width, request.height, request.boundary, request.seed}))
-        points.push_back(given.points[index]);
+    points.reserve(order.size());
+    for (const std::uint32_t index : order) points.push_back(given.points[index]);
+    columns.put_in_order(order);
 
-    const files::PointSet set{points, request.width, request.height};
+    files::PointSet set{points, request.width, request.height};
+    set.boundary = request.boundary;
+    columns.add_to(set);
     Writing writing(interruption);
     write_set(writing, options.drawing, outputs, set,
               style_of(options.drawing, request.width, request.height),
@@ -83,7 +88,7 @@ void add_order(CLI::App& app) {
     const auto options = std::make_shared<OrderCommand>();
     Request& request = options->common.request;
     add_given_set(command, options->set, request);
-    add_importance(command, options->set.picture);
+    add_importance(command, options->set.picture, false);
     add_number(command, "seed", "S", request.seed,
                "Another seed gives another order of the points of a level (default 0)");
     add_how_to_draw(command, options->drawing,

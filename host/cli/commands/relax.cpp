@@ -97,14 +97,19 @@ void run(const RelaxCommand& options) {
     CommonOptions common = options.common;
     Request& request = common.request;
     SetAndField given = read_given_set(options.set, request);
+    const GivenColumns columns(options.set, given, options.drawing, outputs, false);
     Made made;
     made.result.points = std::move(given.points);
     if (given.field) request.field = &*given.field;
-    const Relaxation relaxation = relax_points(
-        common, outputs, relax_options_of(request, options.iterations), request.field, made);
+    const Relaxation relaxation = naming_points(options.set, [&] {
+        return relax_points(common, outputs, relax_options_of(request, options.iterations),
+                            request.field, made);
+    });
 
-    const files::PointSet set{made.result.points, request.width, request.height,
-                              made.result.radius};
+    files::PointSet set{made.result.points, request.width, request.height, made.result.radius};
+    set.boundary = request.boundary;
+    set.is_relaxed = true;
+    columns.add_to(set);
     const drawing::Style style = style_of(options.drawing, request.width, request.height);
     if (!common.quiet)
         warn_of_ink(options.drawing, request, request.field, set.points.size(), style);
@@ -124,7 +129,7 @@ void add_options(CLI::App& command, RelaxCommand& options) {
     add_number(
         command, "iterations", "K", options.iterations,
         fmt::format("Times that points are moved, at most 10000 (default {})", options.iterations));
-    add_importance(command, options.set.picture);
+    add_importance(command, options.set.picture, false);
     add_how_to_draw(command, options.drawing,
                     "dots have as much ink as the picture is dark, or are two thirds of the least "
                     "distance wide");

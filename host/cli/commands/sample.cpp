@@ -1,6 +1,7 @@
 // The options of `lacuna sample`, and its run.
 #include "cli/commands/sample.h"
 
+#include <fmt/core.h>
 #include <lacuna/lacuna.h>
 
 #include <CLI/App.hpp>
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/commands/made_set.h"
@@ -111,6 +113,15 @@ void run(const CLI::App& command, SampleCommand all) {
                                             ? checked_outputs(command, options, *all.seeds, read)
                                             : checked_outputs(options, read);
     check_drawing(all.drawing, outputs);
+    if (!all.domain.classes.given.empty() && !loss_of_columns(outputs).empty())
+        throw BadRequest("class", shown(all.domain.classes.given.front()),
+                         "the class of each point " + loss_of_columns(outputs));
+    check_ellipse_columns(all.ellipse_columns, outputs);
+    for (const auto& [name, size] :
+         {std::pair{"radius", all.common.request.radius}, {"scale", all.common.request.scale}})
+        if (size && !all.domain.classes.given.empty())
+            throw BadRequest(name, fmt::format("{}", *size),
+                             "is not for --class, which gives the radius of each class");
     DomainFiles files;
     read_domain_files(command, all.domain, request, files);
     const Showing showing{all.ellipse_columns, all.domain.ellipses.are_given()};

@@ -138,6 +138,12 @@ void add_pen_path(CLI::App& command, StippleCommand& options) {
         ->disable_flag_override();
 }
 
+std::string names_of(const std::vector<Ink>& inks) {
+    std::string names;
+    for (const Ink& ink : inks) names += (names.empty() ? "" : ",") + ink.name;
+    return names;
+}
+
 bool has_ellipses(const StippleCommand& options) {
     return options.picture.importance.along != 1;
 }
@@ -177,6 +183,10 @@ std::vector<Output> check_options(const StippleCommand& options) {
         checked_outputs(options.common, {{"IMAGE", options.picture.path}});
     pictures::check(options.picture.importance);
     check_drawing(options.drawing, outputs);
+    check_ellipse_columns(options.ellipse_columns, outputs);
+    if (!options.inks.inks.empty() && !loss_of_columns(outputs).empty())
+        throw BadRequest("inks", names_of(options.inks.inks),
+                         "the ink of each dot " + loss_of_columns(outputs));
     if (!(options.size_by_tone >= 0 && options.size_by_tone <= 1))
         throw BadRequest("size-by-tone", fmt::format("{}", options.size_by_tone), "must be 0 to 1");
     if (options.size_by_tone != 0 && options.drawing.pens)

@@ -19,11 +19,13 @@
 #include "cli/check_failed.h"
 #include "cli/options/domain_options.h"
 #include "cli/options/given_files.h"
+#include "cli/options/made_with.h"
 #include "cli/options/options.h"
 #include "cli/reports/verify_report.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
 #include "files/read_whole.h"
+#include "plan/sheets.h"
 #include "verify/verify.h"
 
 namespace lacuna::cli {
@@ -81,8 +83,8 @@ struct Given {
 };
 
 // The request for one set. If an option is not given, the set's file gives its value.
-Request request_of(const CLI::App& command, const Given& given, const files::SetsOfFile& file,
-                   const std::string& name) {
+Request request_of(const CLI::App& command, const VerifyCommand& options, const Given& given,
+                   const files::SetsOfFile& file, const std::string& name, SetClaim& claim) {
     if (file.mode == name_of(Mode::cells) && command.count("--distances-only") == 0)
         throw files::FileError(name +
                                ": made in mode cells, where radii follow a picture: give "
@@ -92,22 +94,30 @@ Request request_of(const CLI::App& command, const Given& given, const files::Set
                                ": made in mode stratified and relaxed, which promises no radius: "
                                "give --distances-only, for the least distance");
     Request request = given.request;
+    ask_for_files(command, options.domain, options.distances_only, file, name);
+    claim.own_field = use_values(command, file, request, claim.options.edge);
     if (command.count("--domain") == 0 && file.width) {
         request.width = *file.width;
         request.height = *file.height;
     }
     if (file.boundary == Boundary::torus) request.boundary = Boundary::torus;
     if (request.classes.names.empty() && !file.distances.empty())
-        request.classes = {file.class_names, file.distances, file.weights};
-    if (request.field != nullptr) return request;
+        request.classes = {file.classes.names, file.distances, file.weights};
+    if (request.field != nullptr && !request.scale && request.classes.names.empty())
+        throw BadRequest("scale", "missing",
+                         "give the radius that points should have where the field is black");
+    if (request.field != nullptr) {
+        if (!request.scale) request.scale = least_distance_of(request.classes);
+        return request;
+    }
     if (!request.radius) request.radius = file.radius;
+    if (!request.radius && request.classes.names.empty() && !file.classes.names.empty())
+        throw files::FileError(name +
+                               ": its points have classes, but it does not hold their distances: "
+                               "give --class for each, or --radius for all points alike");
     if (!request.radius)
         throw BadRequest("radius", "missing",
                          "give the radius that the points should have, or a .json that tells it");
-    if (file.has_scale && command.count("--distances-only") == 0)
-        throw files::FileError(name +
-                               ": its radii follow a picture: give that, as --field, and --scale; "
-                               "or --distances-only, for the least of them");
     return request;
 }
 
@@ -124,12 +134,14 @@ Extremes radii_of(const Request& request) {
 }
 
 SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Given& given,
-                  const files::SetsOfFile& file, const std::string& name) {
-    const Request request = request_of(command, given, file, name);
+                  const files::SetsOfFile& file, std::span<const Point> points,
+                  const std::string& name) {
     SetClaim claim;
+    claim.points = points;
+    claim.options = options.domain;
+    const Request request = request_of(command, options, given, file, name, claim);
     claim.name = name;
     claim.meant_to_be_maximal = file.maximal.value_or(true);
-    claim.options = options.domain;
     claim.radii = radii_of(request);
     claim.radius = request.radius.value_or(0);
     claim.width = request.width;
@@ -139,13 +151,17 @@ SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Given& 
     claim.scale = request.scale.value_or(0);
     claim.mask = request.mask;
     claim.border = request.border;
-    claim.keep = request.keep;
+    // What a .json says that it kept comes first in it.
+    claim.keep = request.keep.empty() ? points.first(kept_in(file)) : request.keep;
     claim.classes = request.classes;
     if (!claim.classes.names.empty()) claim.own_classes = classes_in(file, claim.classes, name);
     claim.rings = rings_of(request, given.files);
+    claim.kinds = given.files.kinds;
+    for (std::size_t i = 0; i < options.domain.inside.size() + options.domain.outside.size(); ++i)
+        claim.kinds[i].distance = request.border;
     if (!claim.rings.empty())
         claim.edge_tolerance = given.files.edge =
-            edge_of(options.domain, request, sets_of(given.files.kinds, claim.rings), given.files);
+            edge_of(claim.options, request, sets_of(claim.kinds, claim.rings), given.files);
     claim.given = json_of(options.domain, request, given.files);
     claim.tolerance = options.tolerance;
     claim.tolerance = verify::tolerance_of(claim);
@@ -160,8 +176,10 @@ SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Given& 
 void check(const CLI::App& command, const VerifyCommand& options) {
     check_domain(command, options.domain);
     const Request& request = options.request;
+    const auto is_json = [](const std::string& file) { return file.ends_with(".json"); };
     if (!options.domain.field.path.empty() && !request.scale &&
-        options.domain.classes.given.empty())
+        options.domain.classes.given.empty() &&
+        std::none_of(options.files.begin(), options.files.end(), is_json))
         throw BadRequest("scale", "missing",
                          "give the radius that points should have where the field is black");
     if (!options.domain.field.path.empty() && request.radius)
@@ -217,15 +235,14 @@ void run(const CLI::App& command, const VerifyCommand& options) {
         const auto& sets = all[i].sets;
         for (std::size_t k = 0; k < sets.size(); ++k) {
             claims.push_back(
-                claim_of(command, options, given, all[i],
+                claim_of(command, options, given, all[i], sets[k],
                          sets.size() == 1 ? name : fmt::format("{}: set {}", name, k + 1)));
-            claims.back().points = sets[k];
         }
     }
     bool all_hold = true;
     for (SetClaim& claim : claims) {
         // Now that `claims` does not move its elements any more.
-        claim.sets = sets_of(given.files.kinds, claim.rings);
+        claim.sets = sets_of(claim.kinds, claim.rings);
         claim.polygons = claim.sets;
         claim.class_of_points = claim.own_classes;
         claim.proof = prove(claim.points, claim);

@@ -113,7 +113,11 @@ void add_classes(CLI::App& command, ClassOptions& options) {
         ->allow_extra_args(false)
         ->take_all();
     add_text(
-        command, "between", "RULE", [&options](const std::string& text) { options.between = text; },
+        command, "between", "RULE",
+        [&options](const std::string& text) {
+            options.between = text;
+            options.has_between = true;
+        },
         "The least distance of two classes. sum (default): the sum of their radii, as of objects "
         "that do not overlap; union: each class alone and all together are evenly distributed; or "
         "a file of distances, .csv or .json, a row and a column a class, which leaves no R to "
@@ -128,7 +132,7 @@ void append_files(const ClassOptions& options, std::vector<GivenFile>& files) {
 Classes read_classes(const ClassOptions& options) {
     Classes classes;
     if (options.given.empty()) {
-        if (options.between != "sum")
+        if (options.has_between)
             throw BadRequest("between", shown(options.between),
                              "is for classes of points: give --class");
         return classes;
@@ -156,21 +160,26 @@ Classes read_classes(const ClassOptions& options) {
 
 std::vector<std::uint8_t> classes_in(const files::SetsOfFile& file, const Classes& classes,
                                      const std::string& name) {
-    if (file.class_names.empty() && !file.sets.front().empty())
+    if (file.classes.names.empty() && !file.sets.front().empty())
         throw files::FileError(name +
                                ": its points have no class: with --class a .csv needs a column "
                                "class with names, as lacuna writes it");
     std::vector<std::uint8_t> places;
-    for (const std::string& one : file.class_names) {
-        const auto found = std::find(classes.names.begin(), classes.names.end(), one);
+    for (const std::string& one : file.classes.names) {
+        // Numbers are places of the options, in their order.
+        const std::size_t number = places.size();
+        const auto found = file.classes.are_numbers
+                               ? classes.names.begin() + static_cast<std::ptrdiff_t>(
+                                                             std::min(number, classes.names.size()))
+                               : std::find(classes.names.begin(), classes.names.end(), one);
         if (found == classes.names.end())
             throw files::FileError(fmt::format(
                 "{}: has points of the class {}, which no --class names", name, shown(one)));
         places.push_back(static_cast<std::uint8_t>(found - classes.names.begin()));
     }
     std::vector<std::uint8_t> of_points;
-    of_points.reserve(file.class_of_point.size());
-    for (const std::uint8_t one : file.class_of_point) of_points.push_back(places[one]);
+    of_points.reserve(file.classes.of_point.size());
+    for (const std::uint8_t one : file.classes.of_point) of_points.push_back(places[one]);
     return of_points;
 }
 

@@ -19,6 +19,7 @@ namespace lacuna::cli {
 struct ClassOptions {
     std::vector<std::string> given;  // NAME:RADIUS:WEIGHT, where the last two may be missing
     std::string between = "sum";     // a rule, or the path of a matrix
+    bool has_between = false;        // --between was given
     bool has_file() const { return between != "sum" && between != "union"; }
 };
 

@@ -75,6 +75,12 @@ void check_ellipse_columns(bool is_given, bool has_ellipses) {
                          "is for sets of ellipses");
 }
 
+void check_ellipse_columns(bool is_given, const std::vector<Output>& outputs) {
+    if (is_given && !loss_of_columns(outputs).empty())
+        throw BadRequest("ellipse-columns", "with .txt",
+                         "the ellipse of each point " + loss_of_columns(outputs));
+}
+
 std::vector<Ellipse> ellipses_of(const Request& request, const Result& result) {
     if (request.field == nullptr || request.field->stretches.empty()) return {};
     return lacuna::ellipses_of(result.points, *request.field, result.scale, request.width,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/app_fwd.h"
+#include "cli/reports/output.h"
 
 namespace lacuna::cli {
 
@@ -38,5 +39,8 @@ void check_ellipse_columns(bool is_given, bool has_ellipses);
 
 // The ellipses of the points that were made of the request; empty if its field has no stretches.
 std::vector<Ellipse> ellipses_of(const Request& request, const Result& result);
+
+// Throws BadRequest if an output has no place for the columns.
+void check_ellipse_columns(bool is_given, const std::vector<Output>& outputs);
 
 }  // namespace lacuna::cli

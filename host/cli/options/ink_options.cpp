@@ -52,8 +52,7 @@ void add_inks(CLI::App& command, InkOptions& options) {
         "needs of each)");
 }
 
-void check_inks(const InkOptions& options, const Request& request, std::optional<Mode> mode,
-                std::uint32_t iterations) {
+void check_inks(const InkOptions& options, const Request& request, std::optional<Mode> mode) {
     if (options.inks.empty()) {
         if (options.black_ink)
             throw BadRequest("black-ink", fmt::format("{}", *options.black_ink), "needs --inks");
@@ -75,8 +74,6 @@ void check_inks(const InkOptions& options, const Request& request, std::optional
     refuse("lines-per-radius", request.lines_per_radius);
     refuse("round-size",
            request.round_size == 0 ? std::nullopt : std::optional(request.round_size));
-    if (iterations == 0)
-        throw BadRequest("relax", "0", "must be at least 1 with --inks, whose dots are relaxed");
     if (options.counts.empty()) return;
     if (request.count)
         throw BadRequest("ink-counts", fmt::format("with --count {}", *request.count),

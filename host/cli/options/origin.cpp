@@ -79,7 +79,7 @@ files::Origin origin_of(const CLI::App& command, const Request& request, const R
             result.maximal,
             options.dump(-1, ' ', false, Json::error_handler_t::replace),
             result.levels,
-            request.field != nullptr};
+            result.scale};
 }
 
 }  // namespace lacuna::cli

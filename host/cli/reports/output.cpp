@@ -85,6 +85,17 @@ std::vector<Output> outputs_of(const OutputOptions& options, const std::string& 
     return in_order;
 }
 
+std::string loss_of_columns(const std::vector<Output>& outputs) {
+    for (const Output& output : outputs)
+        if (!output.format.has_columns)
+            return fmt::format("has no place in {}: give --output FILE with one of {}, or --format",
+                               is_standard_output(output.path)
+                                   ? "standard output as " + std::string(output.format.extension)
+                                   : shown(output.path),
+                               files::column_extensions());
+    return "";
+}
+
 bool is_stream(const std::string& path) {
     if (path == "-" || files::descriptor_named(path)) return true;
     std::error_code error;

@@ -4,6 +4,7 @@
 #include <lacuna/lacuna.h>
 #include <lacuna/verify.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -26,7 +27,9 @@ struct SetClaim : Claim {
     DomainOptions options;
     nlohmann::ordered_json given;  // the options, for reports
     Extremes radii{};              // of the field; both are the radius if there is no field
+    std::shared_ptr<const Field> own_field;       // of the ellipse that its file says all have
     std::vector<std::vector<PolygonRing>> rings;  // of each file of polygons
+    std::vector<PolygonSet> kinds;                // of the rings, as in DomainFiles
     std::vector<PolygonSet> sets;                 // of the rings, once the claim has its place
     std::vector<std::uint8_t> own_classes;        // of the points
     Proof proof;

@@ -1,0 +1,113 @@
+// Compares the options of a command with those that a .json says its set was made with.
+#include "cli/options/made_with.h"
+
+#include <fmt/core.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+
+#include "cli/options/options.h"
+#include "cli/reports/report.h"
+#include "files/parse.h"
+
+namespace lacuna::cli {
+namespace {
+
+// The options that name files, as a .json and verify's command line call them.
+struct FileOption {
+    const char* key;
+    const char* option;
+};
+constexpr std::array<FileOption, 7> kFiles{{{"field", "field"},
+                                            {"image", "field"},
+                                            {"ellipses", "ellipses"},
+                                            {"mask", "mask"},
+                                            {"inside", "inside"},
+                                            {"outside", "outside"},
+                                            {"avoid", "avoid"}}};
+
+bool is_given(const CLI::App& command, const std::string& option) {
+    return command.count("--" + option) > 0;
+}
+
+[[noreturn]] void ask(const std::string& name, const std::string& option, const std::string& value,
+                      const char* or_else) {
+    throw files::FileError(fmt::format("{}: made with --{}{}: give that too{}", name, option,
+                                       value == "true" ? "" : " " + shown(value), or_else));
+}
+
+// A value as files::SetsOfFile::options has it.
+std::string text_of(const Json& value) {
+    if (value.is_boolean()) return value.get<bool>() ? "true" : "";
+    if (value.is_number()) return fmt::format("{}", value.get<double>());
+    std::string text;
+    for (const Json& one : value) text += (text.empty() ? "" : ":") + text_of(one);
+    return text;
+}
+
+std::optional<double> number_of(const files::SetsOfFile& file, const char* option) {
+    const auto found = file.options.find(option);
+    if (found == file.options.end()) return std::nullopt;
+    std::string_view text = found->second;
+    double number = 0;
+    if (files::take_number(text, number) != std::errc{} || !text.empty()) return std::nullopt;
+    return number;
+}
+
+}  // namespace
+
+void ask_for_files(const CLI::App& command, const DomainOptions& options, bool distances_only,
+                   const files::SetsOfFile& file, const std::string& name) {
+    // A set of disks tells its least radius, but the radius of an ellipse depends on the direction.
+    const bool has_ellipses = file.options.contains("ellipses") || file.options.contains("along");
+    if (distances_only && !has_ellipses) return;
+    for (const auto& [key, option] : kFiles) {
+        const auto found = file.options.find(key);
+        if (found == file.options.end() || is_given(command, option)) continue;
+        ask(name, option, found->second, has_ellipses ? "" : ", or --distances-only");
+    }
+    if (options.field.path.empty()) return;
+    const Json own = json_of_importance(options.field.importance);
+    for (const char* const key : {"invert", "gamma", "black", "white", "auto_levels",
+                                  "min_importance", "along", "sharpen"}) {
+        const auto found = file.options.find(key);
+        std::string option = key;
+        std::replace(option.begin(), option.end(), '_', '-');
+        if (found == file.options.end() || is_given(command, option)) continue;
+        if (!own.contains(key) || text_of(own.at(key)) != found->second)
+            ask(name, option, found->second, "");
+    }
+}
+
+std::shared_ptr<const Field> use_values(const CLI::App& command, const files::SetsOfFile& file,
+                                        Request& request, std::optional<double>& edge) {
+    std::shared_ptr<const Field> field;
+    const auto stretch = file.options.find("stretch");
+    if (request.field == nullptr && stretch != file.options.end()) {
+        EllipseOptions same;
+        same.same = stretch->second;
+        field = std::make_shared<const Field>(read_ellipses(same));
+        request.field = field.get();
+        if (!request.scale) request.scale = 1;
+    }
+    if (!is_given(command, "scale") && request.field != nullptr) {
+        const std::optional<double> scale = file.scale ? file.scale : number_of(file, "scale");
+        if (scale) request.scale = scale;
+    }
+    if (!is_given(command, "border")) request.border = number_of(file, "border").value_or(0);
+    if (!edge) edge = number_of(file, "edge");
+    return field;
+}
+
+std::size_t kept_in(const files::SetsOfFile& file) {
+    const double kept = number_of(file, "kept").value_or(0);
+    const auto most = static_cast<double>(file.sets.front().size());
+    return static_cast<std::size_t>(std::clamp(std::floor(kept), 0.0, most));
+}
+
+}  // namespace lacuna::cli
