@@ -255,7 +255,10 @@ def test_a_set_on_all_of_a_domain_is_proven_and_what_breaks_it_is_told() -> None
     assert verdict.tolerance == 2.0**-27
     for name in ("mask", "border"):
         less = {other: value for other, value in where.items() if other != name}
-        assert lacuna.verify(made, **less).covered is False, name
+        assert lacuna.verify(made.points, scale=0.02, **less).covered is False, name
+    without_mask = {other: value for other, value in where.items() if other != "mask"}
+    with pytest.raises(lacuna.BadRequest, match="^mask missing"):  # the set knows that it had one
+        lacuna.verify(made, **without_mask)
     assert not lacuna.verify(made.points[:-1], scale=0.02, **where).covered
     turned = lacuna.verify(made.points[[1, 0, *range(2, len(made))]], scale=0.02, **where)
     assert turned.moved == 0 and not turned and turned.covered is None
@@ -327,7 +330,7 @@ def test_a_set_in_cells_keeps_its_distances_but_is_not_maximal_in_the_plane() ->
         (TypeError, "border", {"border": None}),
         (TypeError, "border", {"border": [0.1, 0.1]}),
         (ValueError, "keep", {"keep": [0.1, 0.2, 0.3]}),
-        (ValueError, "keep", {"keep": [(0.1, 1)]}),
+        (ValueError, "keep", {"keep": [(0.1, 1.1)]}),
         (ValueError, "keep", {"keep": [(0.1, 0.1), (0.1, 0.11)]}),
         (ValueError, "keep", {"keep": [(0.1, NAN)]}),
         (ValueError, "keep", {"keep": [(0.01, 0.5)], "border": 0.02}),
