@@ -34,7 +34,11 @@ TEST(Refused, AreNamedAsTheyWereGiven) {
     for (int i = 0; i < 20; ++i)
         grid += "0." + std::to_string(10 + 4 * i) + "," + (i % 2 == 0 ? "0.2" : "0.7") + "\n";
     expect_refusals(
-        {{"grid.csv", grid}, {"one.txt", "0.5 0.5\n"}}, "",
+        {{"grid.csv", grid},
+         {"one.txt", "0.5 0.5\n"},
+         {"a.foo", ""},
+         {"far.csv", "x,y\n1e300,0.5\n"}},
+        "",
         {{"sample --count 5 --keep grid.csv", 2, {"--count 5: ", "at least 20", "kept points"}},
          {"stipple raccoon.png --inks cmyk --relax 0 -o a.svg", 2, {"--relax 0: ", "--inks"}},
          {"sample --class a:1e-300 --class b:2e-300 -o a.csv",
@@ -43,6 +47,9 @@ TEST(Refused, AreNamedAsTheyWereGiven) {
          {"sample --radius 1e-300", 2, {"--radius 1e-300: must be at least 9.5"}},
          {"relax one.txt raccoon.png --along 3", 2, {"--along: no such option"}},
          {"order one.txt raccoon.png --along 3", 2, {"--along: no such option"}},
+         {"sample --radius .1 --outside a.foo", 2, {"--outside a.foo: must end in .svg"}},
+         {"sample --radius .1 --inside a.foo", 2, {"--inside a.foo: must end in .svg"}},
+         {"sample --radius .1 --avoid far.csv:.1", 3, {"far.csv:2: (1e+300, 0.5): "}},
          {"sample --radius 1 --between sum", 2, {"--between sum: is for classes", "--class"}},
          {"sample --radius 1 --between union", 2, {"--between union: is for classes"}},
          {"sample --class a:1 --radius 1 -o a.csv", 2, {"--radius 1: is not for --class"}},

@@ -126,6 +126,18 @@ void give_size_of_classes(Request& request) {
     size = least_distance_of(request.classes);
 }
 
+// Reads the polygons. A BadRequest names the option that the path was given with.
+Polygons read_polygons_of(const std::string& option, const std::string& path) {
+    try {
+        return read_polygons(path);
+    } catch (const BadRequest& error) {
+        const std::string what = std::string(error.what()).substr(error.option().size() + 1);
+        const std::size_t colon = std::min(what.rfind(": "), what.size());
+        throw BadRequest(option, what.substr(0, colon),
+                         what.substr(std::min(colon + 2, what.size())));
+    }
+}
+
 // Adds the images of the rings around a torus.
 void repeat(const Request& request, std::vector<PolygonRing>& rings) {
     const std::vector<PolygonRing> own = rings;
@@ -246,7 +258,9 @@ void read_given_files(const CLI::App& command, const DomainOptions& options, Req
     }
     for (const std::vector<std::string>* paths : {&options.inside, &options.outside})
         for (const std::string& path : *paths) {
-            const Polygons& polygons = files.polygons.emplace_back(read_polygons(path));
+            const bool is_outside = paths == &options.outside;
+            const Polygons& polygons = files.polygons.emplace_back(
+                read_polygons_of(is_outside ? "outside" : "inside", path));
             files.kinds.push_back({{}, paths == &options.outside, request.border});
             if (polygons.width > 0) give_shape(polygons.width, polygons.height);
         }

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "cli/options/options.h"
+#include "domains/rings.h"
 #include "files/parse.h"
 #include "files/read_whole.h"
 #include "files/text_lines.h"
@@ -75,6 +76,8 @@ public:
               std::map<double, std::vector<PolygonRing>>& by_radius) const {
         const std::string place = fmt::format("{}:{}", name_, line);
         const Point point{number(fields, x_, place), number(fields, y_, place)};
+        if (!domains::is_fair(point))
+            files::refuse(place, fmt::format("({}, {}): {}", point.x, point.y, domains::kFair));
         if (!width_ && radius_ == kNone)
             throw BadRequest("avoid", shown(name_),
                              "has no column radius: give FILE:WIDTH, the distance to keep");
