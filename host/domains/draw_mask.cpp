@@ -1,10 +1,8 @@
-// Draws polygons onto a mask, one row of pixels at a time.
+// Draws polygons onto a mask.
 //
-// The code does not use cairo. Whether a pixel's middle lies inside must be the same on every
-// machine and with every version of a library; cairo rounds corners to 1/256 of a pixel and draws
-// at most 32,767 pixels a side. The even-odd rule makes a row simple: where an outline crosses the
-// line through the middles of a row's pixels, all pixels to the right of it switch between inside
-// and outside. Nothing is sorted, so even 100,000 crossings a row take linear time.
+// The code does not use cairo. Which pixels lie inside must be the same on every machine and with
+// every version of a library; cairo rounds corners to 1/256 of a pixel and draws at most 32,767
+// pixels a side.
 #include <fmt/core.h>
 #include <lacuna/domains.h>
 
@@ -14,130 +12,83 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "domains/bands.h"
+#include "domains/draw_tree.h"
 #include "domains/rings.h"
 #include "files/read_whole.h"
+#include "plan/mask_tree.h"
 
 namespace lacuna {
 namespace {
 
-using domains::first_middle_from;
-using domains::near_rings;
+// The least edge, in lengths of the longer side. It is a sixteenth of the least radius
+// (kSmallestRadius), and makes at most 2^25 pixels a side.
+constexpr double kLeastEdge = 0x1p-24;
+// By how much samplers may round the borders of a pixel, in lengths of the longer side.
+constexpr double kRounding = 0x1p-26;
 
-constexpr double kMostPixelsASide = 1U << 24U;
-
-// A piece of an outline, in pixels. It crosses the middles of the rows [first_row, end_row), which
-// are counted from the bottom.
-struct Side {
-    double x;  // of the lower end
-    double y;
-    double slope;  // change of x per unit of y
-    std::uint32_t first_row;
-    std::uint32_t end_row;
-};
-
-// Always computed from the lower to the upper end, whatever the direction of the ring. So rings
-// that coincide cross a row at exactly the same x.
-Side side_between(Point lower, Point upper, std::uint32_t rows) {
-    return {lower.x, lower.y, (upper.x - lower.x) / (upper.y - lower.y),
-            first_middle_from(lower.y, rows), first_middle_from(upper.y, rows)};
+// The number of pixels at which a pixel's diagonal, with what its borders are rounded by, is at
+// most `edge`.
+double pixels_along(double length, double edge, double longer) {
+    return std::max(1.0, std::ceil(length * std::sqrt(2.0) / (edge - longer * kRounding)));
 }
 
-void append_sides(const PolygonRing& ring, Point scale, std::uint32_t rows,
-                  std::vector<Side>& sides) {
-    if (ring.empty()) return;
-    const auto in_pixels = [scale](Point point) {
-        return Point{point.x * scale.x, point.y * scale.y};
-    };
-    Point from = in_pixels(ring.back());
-    for (const Point& point : ring) {
-        const Point to = in_pixels(point);
-        const Side side =
-            from.y < to.y ? side_between(from, to, rows) : side_between(to, from, rows);
-        if (side.first_row < side.end_row) sides.push_back(side);
-        from = to;
-    }
-}
-
-// Fills a row of the mask from the sides that cross its middles. The row must hold zeros at first.
-void fill_row(const std::vector<Side>& crossing, double middle, std::span<std::uint8_t> row) {
-    const auto columns = static_cast<std::uint32_t>(row.size());
-    std::uint32_t first = columns;
-    for (const Side& side : crossing) {
-        const double x = side.x + (middle - side.y) * side.slope;
-        const std::uint32_t column = first_middle_from(x, columns);
-        if (column == columns) continue;
-        row[column] ^= 1U;
-        first = std::min(first, column);
-    }
-    std::uint8_t inside = 0;
-    for (std::uint8_t& pixel : row.subspan(first)) {
-        inside ^= pixel;
-        pixel = inside;
-    }
-}
-
-void draw(std::vector<Side>& sides, Mask& mask) {
-    std::sort(sides.begin(), sides.end(),
-              [](const Side& a, const Side& b) { return a.first_row < b.first_row; });
-    std::vector<Side> crossing;
-    std::size_t next = 0;
-    for (std::uint32_t row = 0; row < mask.rows; ++row) {
-        crossing.erase(std::remove_if(crossing.begin(), crossing.end(),
-                                      [row](const Side& side) { return side.end_row <= row; }),
-                       crossing.end());
-        for (; next < sides.size() && sides[next].first_row == row; ++next)
-            crossing.push_back(sides[next]);
-        if (crossing.empty()) continue;
-        const std::size_t from_top = mask.rows - 1 - row;
-        fill_row(crossing, row + 0.5,
-                 std::span(mask.allowed).subspan(from_top * mask.columns, mask.columns));
-    }
-}
-
-// The number of pixels at which half of a pixel's diagonal is at most `edge`.
-std::uint32_t pixels_along(double length, double edge) {
-    return static_cast<std::uint32_t>(std::max(1.0, std::ceil(length / (edge * std::sqrt(2.0)))));
-}
-
-void check_numbers(double width, double height, double edge, double most_bytes) {
+domains::Canvas canvas_of(double width, double height, double edge) {
     const auto is_a_side = [](double side) { return side >= 1e-100 && side <= 1e100; };
     if (!is_a_side(width) || !is_a_side(height))
         throw BadRequest("domain", fmt::format("{}x{}", width, height),
                          "the sides must lie between 1e-100 and 1e100");
     if (!std::isfinite(edge) || !(edge > 0))
         throw BadRequest("edge", fmt::format("{}", edge), "must be a finite number greater than 0");
-    const double columns = std::ceil(width / (edge * std::sqrt(2.0)));
-    const double rows = std::ceil(height / (edge * std::sqrt(2.0)));
-    const double longer = std::max(columns, rows);
-    if (columns * rows <= most_bytes && longer <= kMostPixelsASide) return;
-    // 1 % more than needed, because both numbers of pixels are rounded up.
-    const double coarser =
-        edge * 1.01 * std::max(std::sqrt(columns * rows / most_bytes), longer / kMostPixelsASide);
-    throw BadRequest(
-        "edge", fmt::format("{}", edge),
-        fmt::format("takes a mask of {:.0f} x {:.0f} pixels, {:.3g} GB, of which {:.3g} "
-                    "GB are allowed: must be coarser, such as {:.2g}",
-                    columns, rows, columns * rows / 1e9, most_bytes / 1e9, coarser));
+    const double longer = std::max(width, height);
+    if (edge < longer * kLeastEdge)
+        throw BadRequest("edge", fmt::format("{}", edge),
+                         fmt::format("must be at least {:.2g}, the longer side / 2^24",
+                                     1.01 * longer * kLeastEdge));
+    const auto along = [&](double length) {
+        return static_cast<std::uint32_t>(pixels_along(length, edge, longer));
+    };
+    return {width, height, along(width), along(height)};
+}
+
+[[noreturn]] void refuse_memory(double edge, const std::string& what, double most_bytes,
+                                double coarser) {
+    throw BadRequest("edge", fmt::format("{}", edge),
+                     fmt::format("takes a mask of {}, of which {:.3g} GB are allowed: must be "
+                                 "coarser, such as {:.2g}",
+                                 what, most_bytes / 1e9, coarser));
 }
 
 struct Extent {
     Point least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     Point most{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+    void add(const PolygonSet& set, double reach) {
+        for (const PolygonRing& ring : set.rings)
+            for (const Point& point : ring) {
+                least = {std::min(least.x, point.x - reach), std::min(least.y, point.y - reach)};
+                most = {std::max(most.x, point.x + reach), std::max(most.y, point.y + reach)};
+            }
+    }
+    bool meets(double width, double height) const {
+        return least.x < width && most.x >= 0 && least.y < height && most.y >= 0;
+    }
+    std::string text() const {
+        return fmt::format("[{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]", least.x, most.x, least.y,
+                           most.y);
+    }
 };
 
 Extent extent_of(std::span<const PolygonSet> sets) {
     Extent all;
-    for (const PolygonSet& set : sets)
-        for (const PolygonRing& ring : set.rings)
-            for (const Point& point : ring) {
-                all.least = {std::min(all.least.x, point.x), std::min(all.least.y, point.y)};
-                all.most = {std::max(all.most.x, point.x), std::max(all.most.y, point.y)};
-            }
+    for (const PolygonSet& set : sets) all.add(set, 0);
     return all;
 }
 
@@ -145,15 +96,15 @@ bool is_allowed(const PolygonSet& set) {
     return !set.forbidden;
 }
 
-bool keeps_distance(const PolygonSet& set) {
-    return set.distance > 0;
-}
-
-const char* option_of(const PolygonSet& set) {
+std::string option_of(const PolygonSet& set) {
+    if (!set.option.empty()) return set.option;
     return set.forbidden ? "outside" : "inside";
 }
 
-void check_rings(const PolygonSet& set) {
+void check(const PolygonSet& set) {
+    if (!(set.distance >= 0 && std::isfinite(set.distance)))
+        throw BadRequest("border", fmt::format("{}", set.distance),
+                         "must be a finite number of at least 0");
     for (std::size_t i = 0; i < set.rings.size(); ++i)
         for (const Point& point : set.rings[i])
             if (!domains::is_fair(point))
@@ -161,54 +112,83 @@ void check_rings(const PolygonSet& set) {
                                  fmt::format("({}, {}): {}", point.x, point.y, domains::kFair));
 }
 
-// How far the middle of a pixel must be from the set's rings, so that all of the pixel keeps the
-// distance. Borders of pixels are rounded to a grid of samplers, by 2^-28 of the longer side.
-double reach_of(const PolygonSet& set, Point scale, const Mask& mask) {
-    const double longer = std::max(mask.columns / scale.x, mask.rows / scale.y);
-    return set.distance + std::hypot(1 / scale.x, 1 / scale.y) / 2 + longer * 0x1p-27;
-}
-
-// Allows the pixels inside of the set, or forbids them.
-void add_set(const PolygonSet& set, bool is_only, Point scale, Mask& mask) {
-    std::vector<Side> sides;
-    for (const PolygonRing& ring : set.rings) append_sides(ring, scale, mask.rows, sides);
-    if (is_only && !set.forbidden && set.distance == 0) return draw(sides, mask);
-    const Mask empty{mask.columns, mask.rows, std::vector<std::uint8_t>(mask.allowed.size())};
-    Mask inside = empty;
-    draw(sides, inside);
-    if (set.distance > 0) {
-        const Mask near = near_rings(set.rings, reach_of(set, scale, mask), scale, empty);
-        for (std::size_t i = 0; i < mask.allowed.size(); ++i)
-            if (near.allowed[i] != 0) inside.allowed[i] = set.forbidden ? 1 : 0;
-    }
-    const std::uint8_t value = set.forbidden ? 0 : 1;
-    for (std::size_t i = 0; i < mask.allowed.size(); ++i)
-        if (inside.allowed[i] != 0) mask.allowed[i] = value;
-}
-
 [[noreturn]] void refuse_empty(std::span<const PolygonSet> sets, double width, double height,
-                               double pixel) {
+                               double edge) {
     std::vector<PolygonSet> allowed;
     std::copy_if(sets.begin(), sets.end(), std::back_inserter(allowed), is_allowed);
     const bool has_forbidden = allowed.size() != sets.size();
     const std::string domain = fmt::format("the domain, [0, {:.6g}) x [0, {:.6g})", width, height);
-    if (allowed.empty())
-        throw BadRequest("outside",
-                         fmt::format("{} file{}", sets.size(), sets.size() == 1 ? "" : "s"),
-                         fmt::format("must leave some of {} open", domain));
     std::size_t rings = 0;
-    for (const PolygonSet& set : allowed) rings += set.rings.size();
-    const Extent extent = extent_of(allowed);
+    for (const PolygonSet& set : allowed.empty() ? sets : allowed) rings += set.rings.size();
+    const std::string count = fmt::format("{} ring{}", rings, rings == 1 ? "" : "s");
+    if (allowed.empty())
+        throw BadRequest(
+            option_of(sets.front()), count,
+            fmt::format("must leave some of {} open, wider than twice the edge, {:.3g}", domain,
+                        edge));
     throw BadRequest(
-        "inside",
-        fmt::format("{} ring{} in [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]", rings,
-                    rings == 1 ? "" : "s", extent.least.x, extent.most.x, extent.least.y,
-                    extent.most.y),
-        fmt::format("must enclose some of {}{}, and be wider than a pixel of the mask, {:.3g}",
-                    domain, has_forbidden ? ", that --outside leaves open" : "", pixel));
+        "inside", fmt::format("{} in {}", count, extent_of(allowed).text()),
+        fmt::format("must enclose some of {}{}, and be wider than twice the edge, {:.3g}", domain,
+                    has_forbidden ? ", that --outside and --avoid leave open" : "", edge));
+}
+
+// What a mask needs of the sets once they are drawn.
+std::shared_ptr<const DrawnMask> drawn(std::span<const PolygonSet> sets,
+                                       const domains::Canvas& canvas, MaskTree tree) {
+    struct Owned {
+        std::vector<std::vector<PolygonRing>> rings;
+        std::vector<PolygonSet> sets;
+    };
+    const auto owned = std::make_shared<Owned>();
+    for (const PolygonSet& set : sets)
+        owned->rings.emplace_back(set.rings.begin(), set.rings.end());
+    for (const PolygonSet& set : sets)
+        owned->sets.push_back({.rings = owned->rings[owned->sets.size()],
+                               .forbidden = set.forbidden,
+                               .distance = set.distance});
+    const auto mask = std::make_shared<DrawnMask>(DrawnMask{std::move(tree), {}});
+    const MaskTree* const pixels = &mask->tree;
+    mask->holds = [owned, pixels, canvas](Point at) {
+        const auto pixel = [](double share, std::uint32_t count) {
+            return static_cast<std::uint32_t>(std::clamp(share * count, 0.0, count - 1.0));
+        };
+        // Only near edges a pixel does not decide.
+        return pixels->at(pixel(at.x / canvas.width, canvas.columns),
+                          pixel(at.y / canvas.height, canvas.rows)) != ALLOWED_NONE ||
+               domains::allow(owned->sets, at);
+    };
+    return mask;
 }
 
 }  // namespace
+
+void check_places(std::span<const PolygonSet> sets, double width, double height) {
+    // The disks of a .csv are sets of one file, and only all of them together must lie there.
+    std::map<std::pair<std::string, std::string>, Extent> files;
+    for (const PolygonSet& set : sets) {
+        check(set);
+        files[{option_of(set), set.name}].add(set, set.forbidden ? set.distance : 0);
+    }
+    for (const auto& [file, extent] : files)
+        if (!extent.meets(width, height))
+            throw BadRequest(file.first, file.second.empty() ? "all of it" : file.second,
+                             fmt::format("lies in {}, and must not lie wholly outside of the "
+                                         "domain, [0, {:.6g}) x [0, {:.6g})",
+                                         extent.text(), width, height));
+}
+
+Mask draw_places(std::span<const PolygonSet> sets, double width, double height, double edge,
+                 std::uint64_t memory_limit_bytes) {
+    const domains::Canvas canvas = canvas_of(width, height, edge);
+    check_places(sets, width, height);
+    const std::uint64_t most = memory_limit_bytes != 0 ? memory_limit_bytes : files::most_bytes();
+    std::optional<MaskTree> tree =
+        domains::draw_tree(sets, canvas, static_cast<std::size_t>(most / sizeof(MaskTree::Node)));
+    if (!tree) refuse_memory(edge, "more memory", static_cast<double>(most), 2 * edge);
+    if (tree->over({0, canvas.columns - 1}, {0, canvas.rows - 1}) == ALLOWED_NONE)
+        refuse_empty(sets, width, height, edge);
+    return {canvas.columns, canvas.rows, {}, drawn(sets, canvas, std::move(*tree))};
+}
 
 Mask draw_mask(std::span<const PolygonRing> rings, double width, double height, double edge,
                std::uint64_t memory_limit_bytes) {
@@ -218,28 +198,25 @@ Mask draw_mask(std::span<const PolygonRing> rings, double width, double height, 
 
 Mask draw_mask(std::span<const PolygonSet> sets, double width, double height, double edge,
                std::uint64_t memory_limit_bytes) {
-    const std::uint64_t most = memory_limit_bytes != 0 ? memory_limit_bytes : files::most_bytes();
-    // Each of several sets is drawn onto a mask of its own.
-    const bool has_distance = std::any_of(sets.begin(), sets.end(), keeps_distance);
-    const double masks = has_distance ? 4 : sets.size() > 1 ? 2 : 1;
-    check_numbers(width, height, edge, static_cast<double>(most) / masks);
-    for (const PolygonSet& set : sets) {
-        check_rings(set);
-        if (!(set.distance >= 0 && std::isfinite(set.distance)))
-            throw BadRequest("border", fmt::format("{}", set.distance),
-                             "must be a finite number of at least 0");
-    }
-    Mask mask;
-    mask.columns = pixels_along(width, edge);
-    mask.rows = pixels_along(height, edge);
-    const Point scale{mask.columns / width, mask.rows / height};
-    const bool has_inside = std::any_of(sets.begin(), sets.end(), is_allowed);
-    mask.allowed.assign(std::size_t{mask.columns} * mask.rows, has_inside ? 0 : 1);
-    for (const bool forbidden : {false, true})
-        for (const PolygonSet& set : sets)
-            if (set.forbidden == forbidden) add_set(set, sets.size() == 1, scale, mask);
-    if (std::find(mask.allowed.begin(), mask.allowed.end(), 1) != mask.allowed.end()) return mask;
-    refuse_empty(sets, width, height, width / mask.columns);
+    const domains::Canvas canvas = canvas_of(width, height, edge);
+    const auto most =
+        static_cast<double>(memory_limit_bytes != 0 ? memory_limit_bytes : files::most_bytes());
+    const double bytes = static_cast<double>(canvas.columns) * canvas.rows;
+    if (bytes > most)  // 1 % more than needed, because both numbers of pixels are rounded up
+        refuse_memory(
+            edge,
+            fmt::format("{} x {} pixels, {:.3g} GB", canvas.columns, canvas.rows, bytes / 1e9),
+            most, edge * 1.01 * std::sqrt(bytes / most));
+    Mask mask = draw_places(sets, width, height, edge, memory_limit_bytes);
+    mask.allowed.resize(std::size_t{mask.columns} * mask.rows);
+    mask.drawn->tree.for_each_allowed(
+        [&](std::uint32_t column, std::uint32_t row, std::uint32_t columns, std::uint32_t rows) {
+            for (std::uint32_t i = row; i < row + rows; ++i)
+                std::fill_n(&mask.allowed[std::size_t{mask.rows - 1 - i} * mask.columns + column],
+                            columns, std::uint8_t{1});
+        });
+    mask.drawn = nullptr;
+    return mask;
 }
 
 }  // namespace lacuna

@@ -52,8 +52,12 @@ public:
             for (std::size_t i = 0; i < all.size(); ++i)
                 add_line(type == "MultiPoint" ? Json::array({all[i]}) : all[i],
                          fmt::format("{}[{}]", inner, i));
-        } else if (type != "Point" && type != "MultiPoint" && type != "LineString" &&
-                   type != "MultiLineString") {
+        } else if (type == "LineString" || type == "MultiLineString") {
+            refuse(place + "type",
+                   fmt::format("{}: a line encloses nothing: must be a polygon, or be given to "
+                               "--avoid",
+                               type));
+        } else if (type != "Point" && type != "MultiPoint") {
             refuse(place + "type", fmt::format("{}: must be a type of GeoJSON, such as Polygon",
                                                files::excerpt(type)));
         }
@@ -108,7 +112,8 @@ private:
         for (std::size_t i = 0; i < rings.size(); ++i)
             polygon.rings.push_back(ring_of(rings[i], fmt::format("{}[{}]", place, i)));
         if (take_ == Take::lines)
-            std::move(polygon.rings.begin(), polygon.rings.end(), std::back_inserter(lines_));
+            std::transform(polygon.rings.begin(), polygon.rings.end(), std::back_inserter(lines_),
+                           around_and_back);
         else
             polygons_.push_back(std::move(polygon));
     }

@@ -50,14 +50,18 @@ void Outline::move_to(Point to) {
 
 // A path that ends without being closed is closed, too, unless it is a line.
 void Outline::end() {
-    const bool is_closed = ring_.size() > 1 && ring_.front() == ring_.back();
-    if (take_ == Take::lines && !is_closed) ring_ = there_and_back(std::move(ring_));
-    close();
+    has_open_lines_ |= is_open();
+    if (take_ == Take::insides || !is_open()) return close();
+    rings_.push_back(there_and_back(std::move(ring_)));
+    ring_ = {};
+    current_ = begin_;
 }
 
 void Outline::close() {
     open(ring_);
-    if (ring_.size() >= 3 || (take_ == Take::lines && !ring_.empty()))
+    if (take_ == Take::lines && !ring_.empty())
+        rings_.push_back(around_and_back(std::move(ring_)));
+    else if (ring_.size() >= 3)
         rings_.push_back(std::move(ring_));
     else
         points_ -= ring_.size();
@@ -67,6 +71,7 @@ void Outline::close() {
 
 std::vector<PolygonRing> Outline::take_rings() {
     move_to({0, 0});
+    has_open_lines_ = false;
     return std::exchange(rings_, {});
 }
 

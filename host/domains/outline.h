@@ -59,6 +59,8 @@ public:
     std::size_t points() const { return points_; }
     // Whether all coordinates were finite, and none too large.
     bool is_fair() const { return is_fair_; }
+    // Whether a piece of the shape is not closed.
+    bool has_open_lines() const { return has_open_lines_ || is_open(); }
     // Ends the shape: the next one begins at (0, 0).
     std::vector<PolygonRing> take_rings();
 
@@ -67,6 +69,7 @@ private:
     std::size_t pieces(double bend) const;
     void quarter_to(const Affine& circle, Point from, Point to, int halvings);
 
+    bool is_open() const { return ring_.size() > 1 && ring_.front() != ring_.back(); }
     void end();  // of a path that is not closed
 
     double tolerance_;
@@ -78,6 +81,7 @@ private:
     std::vector<PolygonRing> rings_;
     std::size_t points_ = 0;
     bool is_fair_ = true;
+    bool has_open_lines_ = false;
 };
 
 }  // namespace lacuna::domains

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace lacuna::domains {
 
@@ -34,6 +35,13 @@ enum class Take { insides, lines };
 inline PolygonRing there_and_back(PolygonRing line) {
     for (std::size_t i = line.size(); i > 2; --i) line.push_back(line[i - 2]);
     return line;
+}
+
+// The ring that goes around an outline and back, so that nothing is inside of it.
+inline PolygonRing around_and_back(PolygonRing ring) {
+    if (ring.size() < 3) return ring;
+    ring.push_back(ring.front());
+    return there_and_back(std::move(ring));
 }
 
 Polygons decode_svg(std::string_view bytes, const std::string& name, Take take);

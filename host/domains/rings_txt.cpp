@@ -28,11 +28,9 @@ public:
 
     void end_ring() {
         if (ring_.empty()) return;
-        const bool is_closed = ring_.size() > 1 && ring_.front() == ring_.back();
         open(ring_);
         if (take_ == Take::lines) {
-            if (!is_closed) ring_ = there_and_back(std::move(ring_));
-            polygons_.rings.push_back(std::exchange(ring_, {}));
+            polygons_.rings.push_back(around_and_back(std::exchange(ring_, {})));
             return;
         }
         if (ring_.size() < 3)

@@ -1,17 +1,19 @@
 // Reads the outlines of an SVG drawing. pugixml ignores entities that a file defines.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -19,6 +21,7 @@
 #include "domains/outline.h"
 #include "domains/rings.h"
 #include "domains/svg_path.h"
+#include "domains/svg_style.h"
 #include "domains/svg_words.h"
 #include "files/parse.h"
 
@@ -65,17 +68,12 @@ std::optional<double> pixels_of(std::string_view text) {
 struct Inherited {
     Affine transform;
     Fill fill;
+    bool is_filled = true;
+    bool is_visible = true;
+    // An element that changes where its shapes are in a way that is not read, and its property.
+    pugi::xml_node changed{};
+    Property by{};
 };
-
-// A property, from the attribute `style` or one of its own; without blanks.
-std::string property(pugi::xml_node node, const std::string& name) {
-    std::string style = fmt::format(";{};", node.attribute("style").value());
-    std::erase(style, ' ');
-    const std::size_t at = style.rfind(";" + name + ":");
-    if (at == std::string::npos) return node.attribute(name.c_str()).value();
-    const std::size_t begin = at + name.size() + 2;
-    return style.substr(begin, style.find(';', begin) - begin);
-}
 
 class Drawing {
 public:
@@ -90,7 +88,14 @@ public:
     Polygons draw(pugi::xml_node root) {
         // The y axis is reversed, because y points down on an SVG page.
         const Affine upright{1, 0, 0, -1, -page_.left, page_.top + page_.height};
-        draw_children(root, {upright, fill_of(root, Fill::nonzero)}, 0);
+        const Style style = sheets_.style_of(root);
+        Inherited here = inherited(root, style, {upright, Fill::nonzero});
+        for (const Property property :
+             {Property::transform, Property::translate, Property::rotate, Property::scale})
+            if (!is_none(style.of(property)))
+                refuse(root, fmt::format("{} {} of the whole drawing: must stand in a group",
+                                         name_of(property), files::excerpt(style.of(property))));
+        if (is_drawn(root, style)) draw_children(root, here, 0);
         return {take_ == Take::lines ? std::move(lines_) : join(std::move(polygons_)), page_.width,
                 page_.height};
     }
@@ -104,51 +109,141 @@ private:
         files::refuse(fmt::format("{}: {}", name_, what), why);
     }
 
-    // Records the elements by their id, for `use`.
+    // Records the elements by their id, for `use`, and reads the style sheets.
     void remember(pugi::xml_node root) {
         struct Walker : pugi::xml_tree_walker {
-            std::map<std::string_view, pugi::xml_node>* by_id = nullptr;
+            Drawing* drawing = nullptr;
             bool for_each(pugi::xml_node& node) override {
                 const std::string_view id = node.attribute("id").value();
-                if (!id.empty()) by_id->emplace(id, node);
+                if (!id.empty()) drawing->by_id_.emplace(id, node);
+                if (local_name(node.name()) == "style") drawing->read_sheet(node);
                 return true;
             }
         } walker;
-        walker.by_id = &by_id_;
+        walker.drawing = this;
         root.traverse(walker);
+    }
+
+    void read_sheet(pugi::xml_node node) {
+        const std::string_view type = node.attribute("type").value();
+        if (!type.empty() && type != "text/css") return;
+        const std::string_view media = node.attribute("media").value();
+        if (!media.empty() && media != "all" && media != "screen")
+            refuse(node, fmt::format("media {}: conditions of a style sheet are not read",
+                                     files::excerpt(media)));
+        std::string css;
+        for (const pugi::xml_node part : node.children()) css += part.value();
+        sheets_.read(css, [&](const std::string& why) { refuse(node, why); });
     }
 
     void draw_children(pugi::xml_node parent, const Inherited& inherited, int depth) {
         for (const pugi::xml_node node : parent.children()) draw_node(node, inherited, depth);
     }
 
-    static Fill fill_of(pugi::xml_node node, Fill inherited) {
-        const std::string rule = property(node, "fill-rule");
-        if (rule == "evenodd") return Fill::even_odd;
-        return rule == "nonzero" ? Fill::nonzero : inherited;
+    // The value of a property whose other values are read as if it were not given.
+    std::string_view one_of(pugi::xml_node node, const Style& style, Property property,
+                            std::initializer_list<std::string_view> values) const {
+        const std::string& value = style.of(property);
+        if (value.empty() || value == "inherit" || value == "initial" || value == "unset")
+            return value;
+        const auto* const found = std::find(values.begin(), values.end(), value);
+        if (found == values.end())
+            refuse(node, fmt::format("{} {}: must be {}", name_of(property), files::excerpt(value),
+                                     fmt::join(values, ", ")));
+        return *found;
+    }
+
+    static bool is_none(std::string_view value) {
+        return value.empty() || value == "none" || value == "initial" || value == "unset";
+    }
+
+    // Whether an element and what is in it may be drawn at all.
+    bool is_drawn(pugi::xml_node node, const Style& style) const {
+        if (node.attribute("requiredExtensions")) return false;
+        if (node.attribute("systemLanguage"))
+            refuse(node, "systemLanguage: what depends on the reader's language is not read");
+        const std::string& display = style.of(Property::display);
+        if (display.find('(') != std::string::npos)
+            refuse(node, fmt::format("display {}: must be a word", files::excerpt(display)));
+        std::string_view opacity = style.of(Property::opacity);
+        double value = 1;
+        const bool is_number = files::take_number(opacity, value) == std::errc{};
+        return display != "none" && !(is_number && value <= 0);
+    }
+
+    // What an element hands on, with its own transform.
+    Inherited inherited(pugi::xml_node node, const Style& style, const Inherited& outer) const {
+        Inherited here = outer;
+        const std::string_view rule =
+            one_of(node, style, Property::fill_rule, {"nonzero", "evenodd"});
+        if (rule == "evenodd") here.fill = Fill::even_odd;
+        if (rule == "nonzero" || rule == "initial") here.fill = Fill::nonzero;
+        const std::string_view visibility =
+            one_of(node, style, Property::visibility, {"visible", "hidden", "collapse"});
+        if (visibility == "hidden" || visibility == "collapse") here.is_visible = false;
+        if (visibility == "visible" || visibility == "initial") here.is_visible = true;
+        const std::string& fill = style.of(Property::fill);
+        if (!fill.empty() && fill != "inherit" && fill != "unset") here.is_filled = fill != "none";
+        for (const Property property :
+             {Property::clip_path, Property::mask, Property::mask_image, Property::filter,
+              Property::transform_origin, Property::transform_box, Property::translate,
+              Property::rotate, Property::scale, Property::offset_path, Property::all})
+            if (!is_none(style.of(property))) {
+                here.changed = node;
+                here.by = property;
+            }
+        return here;
+    }
+
+    void move(pugi::xml_node node, const Style& style, Affine& transform) const {
+        const bool is_attribute = style.is_attribute(Property::transform);
+        const std::string& value = style.of(Property::transform);
+        if (is_attribute)
+            check(node, read_transform(node.attribute("transform").value(), transform));
+        else if (!is_none(value))
+            check(node, read_css_transform(value, transform));
     }
 
     void draw_node(pugi::xml_node node, const Inherited& outer, int depth) {
-        if (node.type() != pugi::node_element || property(node, "display") == "none") return;
+        if (node.type() != pugi::node_element) return;
+        const std::string_view kind = local_name(node.name());
+        const bool is_group = kind == "g" || kind == "a" || kind == "switch";
+        const bool is_nested = kind == "svg" || (kind == "symbol" && depth_of_use_ > 0);
+        if (!is_group && !is_nested && kind != "use" && kind != "line" && !is_shape(kind)) return;
+        const Style style = sheets_.style_of(node);
+        if (!is_drawn(node, style)) return;
         if (depth > kDeepest)
             refuse(node, fmt::format("more than {} elements within each other, or a use of itself",
                                      kDeepest));
         if (++elements_ > kMostElements)
             refuse(node, fmt::format("more than {} elements, with those in use", kMostElements));
-        const std::string_view kind = local_name(node.name());
-        const bool is_line = kind == "line" && take_ == Take::lines;
-        const bool is_group = kind == "g" || kind == "a" || kind == "switch";
-        if (kind == "svg" || (kind == "symbol" && depth_of_use_ > 0))
+        if (is_nested)
             refuse(node,
                    "is not read within another drawing: its outlines must stand in the outer "
                    "one, or in a group");
-        if (!is_group && kind != "use" && !is_shape(kind) && !is_line) return;
-        Inherited here{outer.transform, fill_of(node, outer.fill)};
-        check(node, read_transform(node.attribute("transform").value(), here.transform));
+        Inherited here = inherited(node, style, outer);
+        move(node, style, here.transform);
+        if (kind == "switch") return draw_first(node, here, depth + 1);
         if (is_group) return draw_children(node, here, depth + 1);
         if (kind == "use") return draw_used(node, here, depth);
+        if (here.is_visible) draw_visible(node, kind, style, here);
+    }
+
+    void draw_visible(pugi::xml_node node, std::string_view kind, const Style& style,
+                      const Inherited& here) {
+        if (here.changed)
+            refuse(here.changed,
+                   fmt::format("{} is not read, and changes where a shape is: cut or move the "
+                               "shape itself",
+                               name_of(here.by)));
+        check_geometry(node, kind, style);
         outline_.set_transform(here.transform);
         draw_shape(node, kind);
+        const bool has_open = outline_.has_open_lines();
+        if (take_ == Take::insides && (kind == "line" || (has_open && !here.is_filled)))
+            refuse(node,
+                   "a line, which encloses nothing: it must be closed or filled, or be given to "
+                   "--avoid");
         take_shape(here.fill);
         if (!outline_.is_fair())
             refuse(node,
@@ -156,6 +251,29 @@ private:
                    "1e100");
         if (outline_.points() > kMostPoints)
             refuse(node, fmt::format("more than {} points, with those of curves", kMostPoints));
+    }
+
+    // Of a switch, the first element whose conditions hold is drawn.
+    void draw_first(pugi::xml_node parent, const Inherited& here, int depth) {
+        for (const pugi::xml_node node : parent.children())
+            if (node.type() == pugi::node_element && !node.attribute("requiredExtensions"))
+                return draw_node(node, here, depth);
+    }
+
+    // Style sheets may give sizes, too, in place of attributes.
+    void check_geometry(pugi::xml_node node, std::string_view kind, const Style& style) const {
+        const auto refuse_if = [&](std::string_view of, std::initializer_list<Property> given) {
+            for (const Property property : given)
+                if (kind == of && !style.of(property).empty())
+                    refuse(node,
+                           fmt::format("{} {} of a style: must be an attribute", name_of(property),
+                                       files::excerpt(style.of(property))));
+        };
+        refuse_if("path", {Property::d});
+        refuse_if("rect", {Property::x, Property::y, Property::width, Property::height,
+                           Property::rx, Property::ry});
+        refuse_if("circle", {Property::cx, Property::cy, Property::r});
+        refuse_if("ellipse", {Property::cx, Property::cy, Property::rx, Property::ry});
     }
 
     void take_shape(Fill fill) {
@@ -262,6 +380,7 @@ private:
     std::vector<Polygon> polygons_;
     std::vector<PolygonRing> lines_;
     std::map<std::string_view, pugi::xml_node> by_id_;
+    StyleSheets sheets_;
     std::size_t elements_ = 0;
     int depth_of_use_ = 0;
 };
@@ -296,10 +415,14 @@ Page page_of(pugi::xml_node svg, const std::string& name) {
 
 Polygons decode_svg(std::string_view bytes, const std::string& name, Take take) {
     pugi::xml_document document;
-    const pugi::xml_parse_result parsed = document.load_buffer(bytes.data(), bytes.size());
+    const pugi::xml_parse_result parsed =
+        document.load_buffer(bytes.data(), bytes.size(), pugi::parse_default | pugi::parse_pi);
     if (!parsed)
         files::refuse(name, fmt::format("byte {}: cannot be read as XML ({}); is the file whole?",
                                         parsed.offset, parsed.description()));
+    for (const pugi::xml_node node : document.children())
+        if (node.type() == pugi::node_pi && std::string_view(node.name()) == "xml-stylesheet")
+            files::refuse(name, "<?xml-stylesheet?>: other files with styles are not read");
     const pugi::xml_node svg = document.document_element();
     if (local_name(svg.name()) != "svg")
         files::refuse(name, fmt::format("the outermost element is <{}>: must be <svg>",

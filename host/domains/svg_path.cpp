@@ -209,17 +209,78 @@ std::optional<std::string> draw_points(std::string_view points, Outline& outline
     return std::nullopt;
 }
 
+namespace {
+
+// Appends the numbers between brackets; `take` takes one.
+template <typename Take>
+bool take_arguments(SvgWords& words, std::vector<double>& numbers, Take take) {
+    if (!words.take('(')) return false;
+    while (!words.take(')')) {
+        const std::optional<double> number = take();
+        if (!number || numbers.size() == 6) return false;
+        numbers.push_back(*number);
+    }
+    return true;
+}
+
+// A function of CSS by the name and the arguments of SVG.
+std::string_view svg_name(std::string_view name, std::vector<double>& numbers) {
+    const bool has_one = numbers.size() == 1;
+    if (name == "rotate") return has_one ? name : "";
+    if (name == "skewx" && has_one) return "skewX";
+    if (name == "skewy" && has_one) return "skewY";
+    if (name == "skew" && has_one) return "skewX";
+    if (name == "matrix" || name == "translate" || name == "scale") return name;
+    if (!has_one) return "";
+    if (name == "translatex" || name == "translatey") {
+        numbers.insert(name.back() == 'x' ? numbers.end() : numbers.begin(), 0);
+        return "translate";
+    }
+    if (name == "scalex" || name == "scaley") {
+        numbers.insert(name.back() == 'x' ? numbers.end() : numbers.begin(), 1);
+        return "scale";
+    }
+    return "";
+}
+
+// Lengths have a unit unless they are 0, and angles are in degrees.
+std::optional<double> take_with_unit(SvgWords& words, std::string_view name) {
+    const std::optional<double> number = words.take_number();
+    const std::string_view unit = number ? words.take_word() : std::string_view();
+    const bool is_length = name.starts_with("translate");
+    const bool is_angle = name.starts_with("rotate") || name.starts_with("skew");
+    const std::string_view wanted = is_length ? "px" : is_angle ? "deg" : "";
+    if (!number || (unit != wanted && (*number != 0 || !unit.empty()))) return std::nullopt;
+    return number;
+}
+
+}  // namespace
+
+std::optional<std::string> read_css_transform(std::string_view text, Affine& transform) {
+    SvgWords words(text);
+    while (!words.at_end()) {
+        const std::string_view name = words.take_word();
+        std::vector<double> numbers;
+        const bool is_fine =
+            take_arguments(words, numbers, [&] { return take_with_unit(words, name); });
+        const std::optional<Affine> step =
+            is_fine ? affine_of(svg_name(name, numbers), numbers) : std::optional<Affine>{};
+        if (!step)
+            return fmt::format(
+                "transform {} of a style: must be matrix, translate, scale, rotate or skew with "
+                "their numbers, lengths in px and angles in deg",
+                files::excerpt(text));
+        transform = transform.after(*step);
+    }
+    return std::nullopt;
+}
+
 std::optional<std::string> read_transform(std::string_view text, Affine& transform) {
     SvgWords words(text);
     while (!words.at_end()) {
         const std::string_view name = words.take_word();
         std::vector<double> numbers;
-        bool is_fine = words.take('(');
-        while (is_fine && !words.take(')')) {
-            const std::optional<double> number = words.take_number();
-            is_fine = number.has_value() && numbers.size() < 6;
-            if (is_fine) numbers.push_back(*number);
-        }
+        const bool is_fine = take_arguments(words, numbers, [&] { return words.take_number(); });
         const std::optional<Affine> step =
             is_fine ? affine_of(name, numbers) : std::optional<Affine>{};
         if (!step)

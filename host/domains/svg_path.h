@@ -14,6 +14,8 @@ namespace lacuna::domains {
 std::optional<std::string> draw_path(std::string_view data, Outline& outline);
 std::optional<std::string> draw_points(std::string_view points, Outline& outline);
 std::optional<std::string> read_transform(std::string_view text, Affine& transform);
+// The property `transform` of a style, in lower case: with units.
+std::optional<std::string> read_css_transform(std::string_view text, Affine& transform);
 
 // A rotation by an angle, as in rotate(degrees); exact for multiples of 90.
 Affine turned_by(double degrees);

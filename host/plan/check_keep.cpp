@@ -13,6 +13,7 @@
 
 #include "plan/ellipse.h"
 #include "plan/kept.h"
+#include "plan/mask_tree.h"
 #include "plan/pixels_at.h"
 #include "plan/plan.h"
 
@@ -69,6 +70,7 @@ bool holds_way(const Request& request, Point point, Point way) {
 
 bool is_allowed(const Request& request, Point point) {
     const Mask& mask = *request.mask;
+    if (mask.drawn) return mask.drawn->holds(point);
     bool allowed = false;
     for_pixels_at(request, point, mask.columns, mask.rows,
                   [&](std::size_t pixel) { allowed |= mask.allowed[pixel] != 0; });
@@ -256,7 +258,8 @@ void check_kept_place(const Request& request, std::size_t index, const char* opt
         request.height - point.y < border)
         refuse("must be at least the border, " + shortest(border) + ", from the domain's edges");
     if (request.mask != nullptr && !is_allowed(request, point))
-        refuse("must lie where the mask is not 0");
+        refuse(request.mask->drawn ? "must lie where --inside, --outside and --avoid allow it"
+                                   : "must lie where the mask is not 0");
     if (request.field != nullptr && greatest_importance_at(request, point) == 0)
         refuse("must lie where the field is not 0");
 }

@@ -10,6 +10,7 @@ namespace lacuna {
 namespace {
 
 void check_mask(const Mask& mask) {
+    if (mask.drawn) return;  // drawing has checked it
     const std::string size = std::to_string(mask.columns) + "x" + std::to_string(mask.rows);
     if (mask.allowed.size() != std::size_t{mask.columns} * mask.rows || mask.allowed.empty())
         throw BadRequest("mask", size + " with " + std::to_string(mask.allowed.size()) + " values",

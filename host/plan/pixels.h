@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/polling.h"
+#include "portable/radius_field.h"
 
 namespace lacuna {
 
@@ -31,18 +32,21 @@ public:
     }
     // The first unit of a pixel. The pixel number pixels() gives the length of the axis. If there
     // are more pixels than units, some pixels have no unit.
-    std::uint32_t begin_of(std::uint32_t pixel) const { return begins_[pixel]; }
+    std::uint32_t begin_of(std::uint32_t pixel) const {
+        return portable::begin_of_pixel(pixel, pixels_, length_, static_cast<std::uint32_t>(scale_),
+                                        static_cast<std::uint32_t>(scale_ >> 32), shift_);
+    }
 
     // The numbers with which pixel_of and begin_of compute, for devices.
+    std::uint32_t length() const { return length_; }
     unsigned shift() const { return shift_; }
     std::uint64_t scale() const { return scale_; }
-    const std::vector<std::uint32_t>& begins() const { return begins_; }
 
 private:
+    std::uint32_t length_;
     std::uint32_t pixels_;
     unsigned shift_;
     std::uint64_t scale_;  // pixels per unit, times 2^shift_, rounded up: between 2^33 and 2^34
-    std::vector<std::uint32_t> begins_;
 };
 
 // The first and the last pixel that an interval of an axis touches.

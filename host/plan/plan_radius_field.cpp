@@ -7,6 +7,8 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "plan/first_boxes.h"
 #include "plan/plan.h"
@@ -29,9 +31,34 @@ double share_of(const Request& request, double greatest, const Poll& poll) {
                         [&](std::size_t i) { sum += field->importance[i] / greatest; });
         return inside * sum / static_cast<double>(field->importance.size());
     }
+    if (mask->drawn && field == nullptr) return inside * mask->drawn->tree.allowed_share();
     const auto middle_in = [](std::size_t i, std::size_t count, std::size_t pixels) {
         return (2 * i + 1) * pixels / (2 * count);
     };
+    if (mask->drawn) {
+        mask->drawn->tree.for_each_allowed([&](std::uint32_t column, std::uint32_t row,
+                                               std::uint32_t columns, std::uint32_t rows) {
+            // The pixels of a rectangle whose middles lie on one row of the field, and on one
+            // column.
+            const auto runs = [&](std::size_t first, std::size_t end, std::size_t count,
+                                  std::size_t pixels) {
+                std::vector<std::pair<std::size_t, double>> found;
+                for (std::size_t i = first; i < end; ++i) {
+                    const std::size_t pixel = middle_in(i, count, pixels);
+                    if (found.empty() || found.back().first != pixel) found.emplace_back(pixel, 0);
+                    found.back().second += 1;
+                }
+                return found;
+            };
+            const std::size_t top = mask->rows - row - rows;
+            const auto across = runs(column, column + columns, mask->columns, field->columns);
+            for (const auto& [down, lines] : runs(top, top + rows, mask->rows, field->rows))
+                for (const auto& [right, pixels] : across)
+                    sum += lines * pixels * field->importance[down * field->columns + right] /
+                           greatest;
+        });
+        return inside * sum / mask->columns / mask->rows;
+    }
     // For each pixel of a grid, mask and importance at its middle are taken.
     const auto share_on = [&](std::size_t columns, std::size_t rows) {
         sum = 0;
@@ -153,6 +180,9 @@ void check_size(const Request& request, const std::string& option, const std::st
                  static_cast<double>(request.field->stretches.size()) * kBytesPerEllipse;
     if (request.mask != nullptr)
         bytes += static_cast<double>(request.mask->allowed.size()) * kBytesPerMaskPixel;
+    if (request.mask != nullptr && request.mask->drawn)
+        bytes +=
+            static_cast<double>(request.mask->drawn->tree.nodes().size()) * sizeof(MaskTree::Node);
     refuse_more_memory(request, option, value, bytes);
 }
 

@@ -19,14 +19,11 @@ std::uint32_t middle_border(const PixelAxis& axis, std::uint32_t begin, std::uin
 
 }  // namespace
 
-PixelAxis::PixelAxis(std::uint32_t length, std::uint32_t pixels) : pixels_(pixels), shift_(0) {
+PixelAxis::PixelAxis(std::uint32_t length, std::uint32_t pixels)
+    : length_(length), pixels_(pixels), shift_(0) {
     __extension__ using Wide = unsigned __int128;
     while ((Wide{pixels} << shift_) / length < std::uint64_t{1} << 33) ++shift_;
     scale_ = static_cast<std::uint64_t>(((Wide{pixels} << shift_) + length - 1) / length);
-    begins_.reserve(pixels + std::size_t{1});
-    for (Wide pixel = 0; pixel < pixels; ++pixel)
-        begins_.push_back(static_cast<std::uint32_t>(((pixel << shift_) + scale_ - 1) / scale_));
-    begins_.push_back(length);
 }
 
 bool RadiusField::Radii::are_mixed() const {
@@ -96,19 +93,8 @@ RadiusField::RadiusField(const Field* field, double scale, const Mask* mask, con
     if (mask != nullptr) {
         mask_columns_.emplace(shape.width, mask->columns);
         mask_rows_.emplace(shape.height, mask->rows);
-        std::vector<std::uint8_t> allowed(mask->allowed.size());
-        for_each_polled(
-            mask->columns, poll,
-            [&](std::size_t column) {
-                for (std::uint32_t row = 0; row < mask->rows; ++row)
-                    allowed[column * mask->rows + row] =
-                        mask->allowed[std::size_t{mask->rows - 1 - row} * mask->columns + column] !=
-                                0
-                            ? kAll
-                            : kNone;
-            },
-            mask->rows);
-        mask_.emplace(mask->columns, mask->rows, std::move(allowed), poll);
+        mask_ = mask->drawn ? std::shared_ptr<const MaskTree>(mask->drawn, &mask->drawn->tree)
+                            : std::make_shared<const MaskTree>(*mask, poll);
     }
     least_radius_ = std::numeric_limits<std::uint32_t>::max();
     for (const Radii& radii : radii_.values())
@@ -139,14 +125,15 @@ Under RadiusField::under(const Box& on_sheet) const {
     const bool is_one = columns.first == columns.last && rows.first == rows.last;
     const std::uint8_t allowed = mask_ ? mask_->over(pixels_of(*mask_columns_, box.x, end),
                                                      pixels_of(*mask_rows_, box.begin, box.end))
-                                       : kAll;
-    if (allowed == kNone) return {0, 0, true};
-    return {radii.least, radii.greatest(), (is_one || !radii.are_mixed()) && allowed == kAll};
+                                       : ALLOWED_ALL;
+    if (allowed == ALLOWED_NONE) return {0, 0, true};
+    return {radii.least, radii.greatest(),
+            (is_one || !radii.are_mixed()) && allowed == ALLOWED_ALL};
 }
 
 bool RadiusField::is_mask_mixed(const Box& box) const {
     return mask_ && mask_->over(pixels_of(*mask_columns_, box.x, box.x + box.width),
-                                pixels_of(*mask_rows_, box.begin, box.end)) == kSome;
+                                pixels_of(*mask_rows_, box.begin, box.end)) == ALLOWED_SOME;
 }
 
 bool RadiusField::are_radii_mixed(const Box& box) const {

@@ -5,10 +5,12 @@
 
 #include <lacuna/lacuna.h>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "base/polling.h"
+#include "plan/mask_tree.h"
 #include "plan/pixels.h"
 #include "portable/ellipse.h"
 #include "portable/radius_field.h"
@@ -46,11 +48,6 @@ public:
     static Radii merge_radii(Radii a, Radii b);
     using RadiusPyramid = Pyramid<Radii, merge_radii>;
 
-    // Whether none, some or all of an area is allowed.
-    static constexpr std::uint8_t kNone = 0, kSome = 1, kAll = 2;
-    static std::uint8_t merge_allowed(std::uint8_t a, std::uint8_t b) { return a == b ? a : kSome; }
-    using Allowed = Pyramid<std::uint8_t, merge_allowed>;
-
     struct Shape {
         std::uint32_t width;  // of the domain
         std::uint32_t height;
@@ -78,7 +75,8 @@ public:
     // holds the ellipse.
     std::uint32_t radius_at(std::uint32_t x, std::uint32_t y) const {
         const std::uint32_t at = x & shape_.last_on_sheet;
-        if (mask_ && mask_->at(mask_columns_->pixel_of(at), mask_rows_->pixel_of(y)) == kNone)
+        if (mask_ &&
+            mask_->at(mask_columns_->pixel_of(at), mask_rows_->pixel_of(y)) == ALLOWED_NONE)
             return 0;
         return radii_.at(columns_.pixel_of(at), rows_.pixel_of(y)).greatest();
     }
@@ -107,7 +105,7 @@ public:
     const RadiusPyramid& radii() const { return radii_; }
     const PixelAxis* mask_columns() const { return mask_columns_ ? &*mask_columns_ : nullptr; }
     const PixelAxis* mask_rows() const { return mask_rows_ ? &*mask_rows_ : nullptr; }
-    const Allowed* mask() const { return mask_ ? &*mask_ : nullptr; }
+    const MaskTree* mask() const { return mask_.get(); }
     const std::vector<portable::Ellipse>& ellipses() const { return ellipses_; }
 
 private:
@@ -126,7 +124,7 @@ private:
     RadiusPyramid radii_;
     std::optional<PixelAxis> mask_columns_;
     std::optional<PixelAxis> mask_rows_;
-    std::optional<Allowed> mask_;
+    std::shared_ptr<const MaskTree> mask_;
     std::uint32_t least_radius_;
 };
 

@@ -33,7 +33,7 @@ RadiusField::RadiusField(const Domain& domain, const FieldParts& parts)
       edge_tolerance_(parts.edge_tolerance),
       border_(parts.border) {
     if (parts.mask != nullptr) mask_.emplace(domain, MaskLeaves{parts.mask});
-    if (!parts.polygons.empty()) region_.emplace(parts.polygons, parts.edge_tolerance);
+    if (!parts.polygons.empty()) region_.emplace(parts.polygons);
     const std::vector<Stretch>& stretches = parts.field->stretches;
     shapes_.reserve(stretches.size());
     for (std::size_t i = 0; i < stretches.size(); ++i)
@@ -81,8 +81,7 @@ std::optional<Proof::Closed> RadiusField::closed_to_sample(Point at) const {
         std::min(std::min(at.x, domain_.width - at.x), std::min(at.y, domain_.height - at.y));
     if (to_edges < border_ - blur()) return Proof::Closed::border;
     if (mask_ && !mask_->near(at, blur()).has_open) return Proof::Closed::mask;
-    if (region_ && region_->depth_of(at) < -(edge_tolerance_ + blur()))
-        return Proof::Closed::polygons;
+    if (region_ && region_->depth_of(at) < -rounding()) return Proof::Closed::polygons;
     return std::nullopt;
 }
 

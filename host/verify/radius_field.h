@@ -31,7 +31,7 @@ struct FieldParts {
     double scale;                          // radius where the importance is 1
     const Mask* mask = nullptr;            // null: samples may lie everywhere
     std::span<const PolygonSet> polygons;  // no set: samples may lie everywhere
-    double edge_tolerance = 0;             // how far the edges of polygons may be off
+    double edge_tolerance = 0;             // spots this near to polygons' edges are not covered
     double border = 0;                     // least distance to the domain's edges
 };
 
@@ -106,9 +106,9 @@ public:
     std::variant<std::vector<const EllipseShape*>, Proof::Closed> shapes_of_sample(Point at) const;
 
 private:
-    // How deep inside the polygons a spot must lie to need a sample. The small term is for the
-    // rounding of doubles.
-    double clearance() const { return edge_tolerance_ + 4 * kFinest * domain_.longer_side(); }
+    double rounding() const { return 4 * kFinest * domain_.longer_side(); }  // of doubles
+    // How deep inside the polygons a spot must lie to need a sample.
+    double clearance() const { return edge_tolerance_ + rounding(); }
 
     // Whether mask or polygons say that a spot need not be covered.
     bool is_closed(Point spot) const;

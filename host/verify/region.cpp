@@ -6,11 +6,9 @@
 
 namespace lacuna::verify {
 
-Region::Region(std::span<const PolygonSet> sets, double tolerance) {
-    for (const PolygonSet& set : sets) {
-        const double distance = set.distance > 0 ? set.distance + tolerance : 0;
-        (set.forbidden ? forbidden_ : allowed_).push_back({Outline(set.rings), distance});
-    }
+Region::Region(std::span<const PolygonSet> sets) {
+    for (const PolygonSet& set : sets)
+        (set.forbidden ? forbidden_ : allowed_).push_back({Outline(set.rings), set.distance});
 }
 
 Openness Region::under(const Cell& cell, double clearance) const {

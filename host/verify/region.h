@@ -13,9 +13,7 @@ namespace lacuna::verify {
 
 class Region {
 public:
-    // The edges of the polygons may be off by `tolerance`, those with a distance by twice as much
-    // to the safe side.
-    Region(std::span<const PolygonSet> sets, double tolerance);
+    explicit Region(std::span<const PolygonSet> sets);
 
     // Whether a cell has open places, which lie deeper in the region than `clearance`, and closed
     // places. As Outline::under(): near edges the answer may include a kind that there is not.

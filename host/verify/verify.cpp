@@ -158,6 +158,8 @@ void check_claim(const Claim& claim, std::size_t points, double tolerance) {
     check_classes(claim, points);
     // Without gaps to look for, a uniform set needs no tolerance.
     if (!is_uniform(claim) || !claim.distances_only) check_at_least_0("tolerance", tolerance);
+    if (claim.mask != nullptr && claim.mask->drawn)
+        throw BadRequest("mask", "drawn from polygons", "give the polygons themselves");
     if (claim.mask != nullptr)
         check_pixels("mask", claim.mask->columns, claim.mask->rows, claim.mask->allowed.size());
     check_polygons(claim);

@@ -189,7 +189,7 @@ LACUNA_END
 // (sheets.h). A visitor of a block is a candidate that reaches it, and the
 // number of the next visitor. The kernel split writes borders[] and strip_radii[].
 #define LOCATE_WITH_FIELD_BINDINGS(B) B(0, READ, u32, axes)                                   \
-    B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_bits) B(3, READ, u32x4, boxes)       \
+    B(1, READ, u32x2, radius_bounds) B(2, READ, u32, mask_nodes) B(3, READ, u32x4, boxes)       \
     B(4, READ, u32x2, origins) B(5, READ, u32x4, draws) B(6, WRITE, u32x4, candidates)        \
     B(7, WRITE, u32, candidate_radii) B(8, WRITE, u32, statuses) B(9, SHARED, u32, failure)
 #define SCREEN_WITH_FIELD_BINDINGS(B)                                                         \
@@ -216,7 +216,7 @@ LACUNA_END
     B(8, BOTH, u32, lists) B(9, SHARED, u32, failure)
 #define SPLIT_BINDINGS(B)                                                                    \
     B(0, READ, u32, undecided) B(1, READ, u32, axes) B(2, READ, u32x2, radius_bounds)        \
-    B(3, READ, u32, mask_bits) B(4, READ, u32x4, boxes) B(5, READ, u32x2, origins)           \
+    B(3, READ, u32, mask_nodes) B(4, READ, u32x4, boxes) B(5, READ, u32x2, origins)           \
     B(6, WRITE, u32x4, borders) B(7, WRITE, u32x4, strip_radii) B(8, SHARED, u32, failure)
 #define CUT_WITH_FIELD_BINDINGS(B)                                                           \
     B(0, READ, u32, undecided) B(1, READ, u32x4, boxes) B(2, READ, u32x2, origins)           \
@@ -228,7 +228,7 @@ LACUNA_END
     CUT_WITH_FIELD_BINDINGS(B) B(14, READ, u32, sums) B(15, WRITE, u32x4, new_boxes)
 #define MEASURE_BINDINGS(B)                                                                  \
     B(0, READ, u32, undecided) B(1, READ, u32, axes) B(2, READ, u32x2, radius_bounds)        \
-    B(3, READ, u32, mask_bits) B(4, READ, u32x4, new_boxes) B(5, BOTH, u32x2, new_origins)   \
+    B(3, READ, u32, mask_nodes) B(4, READ, u32x4, new_boxes) B(5, BOTH, u32x2, new_origins)   \
     B(6, READ, u32, total) B(7, SHARED, u32, failure)
 
 // All buffers. A kernel has the buffers that its bindings name.
@@ -241,7 +241,7 @@ LACUNA_END
     B(u32, bin_begins) B(u32, bits) B(u32, widest) B(u32, widest_rows) B(u32, column_of)          \
     B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii) B(u32, pixel_reaches)                   \
     B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, left_count) B(u32, axes)             \
-    B(u32x2, radius_bounds) B(u32, mask_bits) B(u32x2, origins) B(u32x2, new_origins)             \
+    B(u32x2, radius_bounds) B(u32, mask_nodes) B(u32x2, origins) B(u32x2, new_origins)             \
     B(u32x4, borders) B(u32x4, strip_radii) B(u32x4, tree_boxes) B(u32x4, tree_links) B(u32, node_of)    \
     B(u32, visitor_count) B(u32, visitor_heads) B(u32x2, visitors) B(u32, lists)                  \
     B(u32x4, entries) B(u32, entry_count) B(u32, survivors) B(u32, survivor_count) B(u32, factors) \

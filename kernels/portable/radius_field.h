@@ -3,8 +3,8 @@
 #define LACUNA_PORTABLE_RADIUS_FIELD_H
 #include "prelude.h"
 
-// The table `axes` begins with the axes of the field's pixels and of the mask's pixels. Without a
-// mask its axes have 0 pixels. Then come the begins of all pixels.
+// The table `axes` has the axes of the field's pixels and of the mask's pixels. Without a mask its
+// axes have 0 pixels.
 #define COLUMNS_OF_FIELD 0u
 #define ROWS_OF_FIELD 1u
 #define COLUMNS_OF_MASK 2u
@@ -14,15 +14,15 @@
 #define AXIS_PIXELS 0u
 #define AXIS_SHIFT 1u
 #define AXIS_SCALE 2u   // two words, the lower one first
-#define AXIS_BEGINS 4u  // index in the table of the begins of its pixels
+#define AXIS_LENGTH 4u  // in units
 #define AXIS_LAST 5u    // a mask of the bits that x has on its sheet (sheets.h)
-#define AXIS_WORDS 6u
+#define AXIS_ROOT 6u    // the slots of the root of a mask's tree are 2^root pixels wide
+#define AXIS_WORDS 7u
 
 // Whether none, some or all of an area is allowed, in two bits.
 #define ALLOWED_NONE 0u
 #define ALLOWED_SOME 1u
 #define ALLOWED_ALL 2u
-#define ALLOWED_PER_WORD 16u
 
 // The greatest radius of pixels shares a word with this bit. It is set if some of these pixels have
 // no radius, because no sample may lie there.
@@ -40,6 +40,18 @@ LACUNA_FN u32 pixel_at(u32 at, u32 scale_low, u32 scale_high, u32 shift) {
     scale = (scale << 32) + scale_low;
     u64 wide = at;
     return to_u32(wide * scale >> shift);
+}
+
+// The first unit of a pixel; the length if there is no such pixel. If there are more pixels than
+// units, some pixels have no unit.
+LACUNA_FN u32 begin_of_pixel(u32 pixel, u32 pixels, u32 length, u32 scale_low, u32 scale_high,
+                             u32 shift) {
+    u64 wide = pixel;
+    u64 units = length;
+    u32 at = to_u32(wide * units / pixels);
+    while (at < length && pixel_at(at, scale_low, scale_high, shift) < pixel) ++at;
+    while (at > 0u && pixel_at(at - 1u, scale_low, scale_high, shift) >= pixel) --at;
+    return at;
 }
 
 // 0 means "no radius". Subtracting 1 wraps it to the largest value: it never wins the minimum.

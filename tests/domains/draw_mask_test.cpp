@@ -1,22 +1,29 @@
-// Polygons on masks, compared with a test of each pixel's middle, one by one.
+// Polygons on masks, compared with a test of each pixel, one by one.
 #include <gtest/gtest.h>
 #include <lacuna/analysis.h>  // one program may include both
 #include <lacuna/domains.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "domains/picture_of_mask.h"
+#include "plan/mask_tree.h"
 
 namespace draw_mask_test {
 
 using namespace lacuna;
+
+std::uint8_t merge(std::uint8_t a, std::uint8_t b) {
+    return a == b ? a : std::uint8_t{ALLOWED_SOME};
+}
 
 std::string refusal_of(const std::vector<PolygonRing>& rings, double width, double height,
                        double edge, std::uint64_t memory = 0) {
@@ -28,49 +35,68 @@ std::string refusal_of(const std::vector<PolygonRing>& rings, double width, doub
     return "";
 }
 
-// Half the diagonal of a pixel of side 1, and a little more, in case the division rounds up.
-constexpr double kPixel = 0.70710678118654757 * (1 + 1e-12);
+// The diagonal of a pixel of side 1, and a little more, for what samplers round.
+constexpr double kPixel = 1.4142135623730951 * (1 + 1e-6);
 
-// A point in whole numbers, so that nothing is rounded. All corners below have even coordinates;
-// the middles of pixels, which are four units wide, have odd ones.
-struct Whole {
-    std::int64_t x;
-    std::int64_t y;
-};
-
-// Counts the crossings of a ray to the left.
-bool is_inside(const std::vector<std::vector<Whole>>& rings, Whole at) {
-    bool inside = false;
-    for (const std::vector<Whole>& ring : rings)
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            Whole low = ring[i];
-            Whole high = ring[(i + 1) % ring.size()];
-            if (low.y > high.y) std::swap(low, high);
-            if (at.y < low.y || at.y >= high.y) continue;
-            // Which side of the line: positive to its right.
-            const std::int64_t side =
-                (at.x - low.x) * (high.y - low.y) - (high.x - low.x) * (at.y - low.y);
-            if (side >= 0) inside = !inside;
-        }
-    return inside;
+double to_segment(Point p, Point a, Point b) {
+    const double dx = b.x - a.x, dy = b.y - a.y;
+    const double squared = dx * dx + dy * dy;
+    const double along = (p.x - a.x) * dx + (p.y - a.y) * dy;
+    const double t = squared > 0 ? std::clamp(along / squared, 0.0, 1.0) : 0;
+    return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
-// Whether a middle lies exactly on an outline, where both answers are right.
-bool is_on_an_edge(const std::vector<std::vector<Whole>>& rings, Whole at) {
-    for (const std::vector<Whole>& ring : rings)
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Whole a = ring[i];
-            const Whole b = ring[(i + 1) % ring.size()];
-            const std::int64_t side = (at.x - a.x) * (b.y - a.y) - (b.x - a.x) * (at.y - a.y);
-            if (side == 0 && at.x >= std::min(a.x, b.x) && at.x <= std::max(a.x, b.x) &&
-                at.y >= std::min(a.y, b.y) && at.y <= std::max(a.y, b.y))
-                return true;
-        }
-    return false;
+// The side of the line from a to b on which p lies.
+double side_of(Point p, Point a, Point b) {
+    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
 
-TEST(ADrawnMask, HasThePixelsWhoseMiddlesAreInside) {
-    const std::vector<PolygonRing> rings{{{1, 1}, {5, 1}, {1, 5}}};
+// The distance of a segment from a rectangle.
+double to_rectangle(Point a, Point b, Point low, Point high) {
+    const std::array<Point, 4> corners{low, Point{high.x, low.y}, high, Point{low.x, high.y}};
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Point p = corners[i], q = corners[(i + 1) % 4];
+        least = std::min(least, to_segment(p, a, b));
+        if (side_of(p, a, b) * side_of(q, a, b) < 0 && side_of(a, p, q) * side_of(b, p, q) < 0)
+            return 0;
+    }
+    for (const Point end : {a, b})
+        least = std::min(least, std::hypot(std::max({low.x - end.x, 0.0, end.x - high.x}),
+                                           std::max({low.y - end.y, 0.0, end.y - high.y})));
+    return least;
+}
+
+// Whether samples may lie on all of a pixel. Where an edge touches it or lies at its distance to
+// the last digits, `is_close` is set.
+bool is_allowed(const std::vector<PolygonSet>& sets, Point low, Point high, double margin,
+                bool& is_close) {
+    const Point middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
+    bool is_inside_some =
+        std::all_of(sets.begin(), sets.end(), [](const PolygonSet& set) { return set.forbidden; });
+    bool is_left_open = true;
+    for (const PolygonSet& set : sets) {
+        bool inside = false;
+        double least = std::numeric_limits<double>::infinity();
+        for (const PolygonRing& ring : set.rings)
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+                least = std::min(least, to_rectangle(a, b, low, high));
+                if ((a.y > middle.y) != (b.y > middle.y))
+                    inside ^= middle.x < a.x + (middle.y - a.y) / (b.y - a.y) * (b.x - a.x);
+            }
+        is_close = is_close || std::abs(least - set.distance - margin) < 1e-9;
+        const bool is_near = least <= set.distance + margin;
+        if (set.forbidden)
+            is_left_open = is_left_open && !inside && !is_near;
+        else
+            is_inside_some = is_inside_some || (inside && !is_near);
+    }
+    return is_inside_some && is_left_open;
+}
+
+TEST(ADrawnMask, HasThePixelsThatLieInsideWholly) {
+    const std::vector<PolygonRing> rings{{{0.9, 0.9}, {5.2, 0.9}, {0.9, 5.2}}};
     EXPECT_EQ(tests::picture_of(draw_mask(rings, 6, 6, kPixel)),
               "......\n"
               "......\n"
@@ -81,9 +107,9 @@ TEST(ADrawnMask, HasThePixelsWhoseMiddlesAreInside) {
 }
 
 TEST(ADrawnMask, LeavesOutHolesAndWhatIsEnclosedTwice) {
-    const PolygonRing outer{{0, 0}, {7, 0}, {7, 7}, {0, 7}};
-    const PolygonRing hole{{1, 1}, {1, 6}, {6, 6}, {6, 1}};
-    const PolygonRing island{{3, 3}, {4, 3}, {4, 4}, {3, 4}};
+    const PolygonRing outer{{-0.1, -0.1}, {7.1, -0.1}, {7.1, 7.1}, {-0.1, 7.1}};
+    const PolygonRing hole{{1.1, 1.1}, {1.1, 5.9}, {5.9, 5.9}, {5.9, 1.1}};
+    const PolygonRing island{{2.9, 2.9}, {4.1, 2.9}, {4.1, 4.1}, {2.9, 4.1}};
     const std::string expected =
         "#######\n"
         "#.....#\n"
@@ -101,63 +127,65 @@ TEST(ADrawnMask, LeavesOutHolesAndWhatIsEnclosedTwice) {
         expected);
 }
 
-TEST(ADrawnMask, IsRightPixelByPixelForRandomRings) {
+TEST(ADrawnMask, IsRightPixelByPixelForRandomSets) {
     std::mt19937_64 random(20261122);
-    const auto between = [&random](std::int64_t least, std::int64_t most) {
-        return std::uniform_int_distribution<std::int64_t>(least, most)(random);
-    };
-    std::size_t asked = 0;
+    const auto share = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+    std::size_t asked = 0, allowed = 0;
     for (int turn = 0; turn < 300; ++turn) {
-        const auto columns = static_cast<std::uint32_t>(between(1, 40));
-        const auto rows = static_cast<std::uint32_t>(between(1, 40));
-        // Corners are often far beyond the domain, and often on lines with other corners.
-        const std::int64_t reach = turn % 3 == 0 ? 1000 : 10;
-        std::vector<std::vector<Whole>> whole(static_cast<std::size_t>(between(1, 4)));
-        std::vector<PolygonRing> rings;
-        for (auto& ring : whole) {
-            PolygonRing points;
-            for (std::int64_t i = between(3, 20); i > 0; --i) {
-                ring.push_back({2 * between(-reach, 2 * columns + reach),
-                                2 * between(-reach, 2 * rows + reach)});
-                points.push_back({static_cast<double>(ring.back().x) / 4,
-                                  static_cast<double>(ring.back().y) / 4});
+        const double width = 1 + random() % 40, height = 1 + random() % 40;
+        // Corners are often far beyond the domain. Rings of one or two points are obstacles.
+        const double reach = turn % 3 == 0 ? 20 : 0.3;
+        const std::size_t least = turn % 5 == 0 ? 1 : 3;
+        std::vector<std::vector<PolygonRing>> rings(1 + random() % 4);
+        std::vector<PolygonSet> sets;
+        for (auto& own : rings) {
+            for (std::size_t k = random() % 3 + 1; k > 0; --k) {
+                PolygonRing& ring = own.emplace_back();
+                for (std::size_t i = random() % 9 + least; i > 0; --i)
+                    ring.push_back({((1 + 2 * reach) * share() - reach) * width,
+                                    ((1 + 2 * reach) * share() - reach) * height});
             }
-            rings.push_back(points);
+            sets.push_back({.rings = own,
+                            .forbidden = random() % 2 == 0,
+                            .distance = random() % 2 == 0 ? 0 : 4 * share()});
         }
         Mask mask;
         try {
-            mask = draw_mask(rings, columns, rows, kPixel);
+            mask = draw_mask(sets, width, height, kPixel);
         } catch (const BadRequest&) {
-            mask = {columns, rows, std::vector<std::uint8_t>(std::size_t{columns} * rows)};
+            continue;
         }
-        ASSERT_EQ(mask.columns, columns);
-        ASSERT_EQ(mask.rows, rows);
-        for (std::uint32_t row = 0; row < rows; ++row)
-            for (std::uint32_t column = 0; column < columns; ++column) {
-                const Whole middle{4 * std::int64_t{column} + 2,
-                                   4 * std::int64_t{rows - 1 - row} + 2};
-                if (is_on_an_edge(whole, middle)) continue;
+        ASSERT_EQ(mask.columns, width);
+        ASSERT_EQ(mask.rows, height);
+        for (std::uint32_t row = 0; row < mask.rows; ++row)
+            for (std::uint32_t column = 0; column < mask.columns; ++column) {
+                const Point low{1.0 * column, 1.0 * (mask.rows - 1 - row)};
+                bool is_close = false;
+                const bool wanted = is_allowed(sets, low, {low.x + 1, low.y + 1},
+                                               std::max(width, height) * 0x1p-27, is_close);
+                if (is_close) continue;
                 ++asked;
-                ASSERT_EQ(mask.allowed[std::size_t{row} * columns + column] != 0,
-                          is_inside(whole, middle))
+                allowed += wanted;
+                ASSERT_EQ(mask.allowed[std::size_t{row} * mask.columns + column] != 0, wanted)
                     << "turn " << turn << ", row " << row << ", column " << column;
             }
     }
     EXPECT_GT(asked, 50'000U);
+    EXPECT_GT(allowed, 5'000U);
 }
 
 TEST(ADrawnMask, IsFineEnoughForItsEdge) {
     const std::vector<PolygonRing> rings{{{0.1, 0.1}, {1.9, 0.1}, {1, 0.9}}};
     for (const double edge : {0.3, 0.07, 0.01, 0.0033}) {
         const Mask mask = draw_mask(rings, 2, 1, edge);
-        EXPECT_LE(std::hypot(2.0 / mask.columns, 1.0 / mask.rows) / 2, edge * (1 + 1e-12));
-        EXPECT_GT(std::hypot(2.0 / (mask.columns - 1), 1.0 / (mask.rows - 1)) / 2, edge);
+        EXPECT_LE(std::hypot(2.0 / mask.columns, 1.0 / mask.rows), edge);
+        EXPECT_GT(std::hypot(2.0 / (mask.columns - 1), 1.0 / (mask.rows - 1)), edge * (1 - 1e-4));
     }
 }
 
 TEST(ADrawnMask, TakesWhatIsWithinTheDomainOfRingsThatReachFarBeyond) {
     const std::vector<PolygonRing> rings{
-        {{-1e100, -1e100}, {1e100, -1e100}, {1e100, 2}, {-1e100, 2}}};
+        {{-1e100, -1e100}, {1e100, -1e100}, {1e100, 2.1}, {-1e100, 2.1}}};
     EXPECT_EQ(tests::picture_of(draw_mask(rings, 2, 3, kPixel)), "..\n##\n##\n");
 }
 
@@ -168,22 +196,22 @@ TEST(ADrawnMask, HasNothingOfRingsThatCoincide) {
               draw_mask(std::vector<PolygonRing>{ring}, 1, 1, 0.01).allowed);
     EXPECT_EQ(refusal_of({ring, ring}, 1, 1, 0.01),
               "inside 2 rings in [0.1, 0.77] x [0.2, 0.9]: must enclose some of the domain, [0, 1) "
-              "x [0, 1), and be wider than a pixel of the mask, 0.0141");
+              "x [0, 1), and be wider than twice the edge, 0.01");
 }
 
 TEST(ADrawnMask, TellsWhereTheRingsAreIfThatIsNotInTheDomain) {
     EXPECT_EQ(refusal_of({{{11, 45}, {12, 45}, {12, 46.5}}}, 1, 1, 0.1),
-              "inside 1 ring in [11, 12] x [45, 46.5]: must enclose some of the domain, [0, 1) x "
-              "[0, 1), and be wider than a pixel of the mask, 0.125");
+              "inside all of it: lies in [11, 12] x [45, 46.5], and must not lie wholly outside of "
+              "the domain, [0, 1) x [0, 1)");
 }
 
 TEST(ADrawnMask, IsRefusedWhereItTakesTooMuchMemory) {
     const std::vector<PolygonRing> rings{{{0, 0}, {1, 0}, {0, 1}}};
     EXPECT_EQ(refusal_of(rings, 1, 1, 1e-5, 1'000'000),
-              "edge 1e-05: takes a mask of 70711 x 70711 pixels, 5 GB, of which 0.001 GB are "
-              "allowed: must be coarser, such as 0.00071");
-    EXPECT_EQ(refusal_of(rings, 1, 1, 0.00072, 1'000'000), "");
-    EXPECT_NE(refusal_of(rings, 1, 1, 1e-300).find("must be coarser"), std::string::npos);
+              "edge 1e-05: takes a mask of 141633 x 141633 pixels, 20.1 GB, of which 0.001 GB are "
+              "allowed: must be coarser, such as 0.0014");
+    EXPECT_EQ(refusal_of(rings, 1, 1, 0.00143, 1'000'000), "");
+    EXPECT_NE(refusal_of(rings, 1, 1, 1e-300).find("must be at least"), std::string::npos);
 }
 
 TEST(ADrawnMask, IsRefusedForNumbersThatMakeNoSense) {
@@ -203,10 +231,60 @@ TEST(ADrawnMask, IsRefusedForNumbersThatMakeNoSense) {
 }
 
 TEST(ADrawnMask, TakesAHundredThousandCrossingsARow) {
-    PolygonRing zigzag;
-    for (int i = 0; i < 100'000; ++i) zigzag.push_back({i / 1e5, i % 2 == 0 ? -0.5 : 1.5});
+    PolygonRing zigzag{{0.5, 1.5}, {0.5, 2}, {-1, 2}, {-1, -1}, {2, -1}};
+    for (int i = 100'000; i > 0; --i) zigzag.push_back({0.6 + i / 1e5, i % 2 == 0 ? -0.5 : 1.5});
     const Mask mask = draw_mask(std::vector<PolygonRing>{zigzag}, 1, 1, 0.005);
-    EXPECT_EQ(mask.columns, 142U);
+    EXPECT_EQ(mask.columns, 283U);
+    EXPECT_EQ(mask.allowed[0], 1);
+    EXPECT_EQ(mask.allowed[282], 0);
+}
+
+// The tree of a mask has the values of a pyramid over all of its pixels, and takes little memory.
+TEST(DrawnPlaces, HaveThePixelsOfAMaskInATree) {
+    std::mt19937_64 random(3);
+    const std::vector<PolygonRing> rings{{{0.13, 0.1}, {0.21, 0.12}, {0.17, 0.2}},
+                                         {{0.8, 0.7}, {0.97, 0.9}, {0.7, 0.95}}};
+    const PolygonSet set{rings};
+    for (const double height : {1.0, 0.97}) {
+        const Mask dense = draw_mask(std::span(&set, 1), 1, height, 0.004);
+        const MaskTree tree(dense);
+        const Mask places = draw_places(std::span(&set, 1), 1, height, 0.004);
+        const MaskTree& drawn = places.drawn->tree;
+        EXPECT_EQ(tree.nodes().size(), drawn.nodes().size());
+        EXPECT_LT(drawn.nodes().size() * 40, dense.allowed.size());
+        std::vector<std::uint8_t> values;
+        for (std::uint32_t column = 0; column < dense.columns; ++column)
+            for (std::uint32_t row = 0; row < dense.rows; ++row)
+                values.push_back(
+                    dense.allowed[std::size_t{dense.rows - 1 - row} * dense.columns + column] != 0
+                        ? ALLOWED_ALL
+                        : ALLOWED_NONE);
+        const Pyramid<std::uint8_t, merge> pyramid(dense.columns, dense.rows, values);
+        for (int i = 0; i < 20'000; ++i) {
+            const auto range = [&](std::uint32_t pixels) {
+                const auto a = static_cast<std::uint32_t>(random() % pixels);
+                const auto b = static_cast<std::uint32_t>(random() % (i % 2 == 0 ? 9 : pixels));
+                return PixelRange{a, std::min(a + b, pixels - 1)};
+            };
+            const PixelRange columns = range(dense.columns), rows = range(dense.rows);
+            ASSERT_EQ(tree.over(columns, rows), pyramid.over(columns, rows));
+            ASSERT_EQ(drawn.over(columns, rows), pyramid.over(columns, rows));
+            ASSERT_EQ(drawn.at(columns.first, rows.first), pyramid.at(columns.first, rows.first));
+        }
+    }
+}
+
+// Two islands cost the same in an extent of 3,000 and of a million: their own outlines.
+TEST(DrawnPlaces, CostByTheirOutlinesWhateverTheExtent) {
+    for (const double extent : {3e3, 1e6}) {
+        std::vector<PolygonRing> rings;
+        for (const double at : {0.0, extent - 6})
+            rings.push_back({{at, at}, {at + 6, at}, {at + 6, at + 6}, {at, at + 6}});
+        const PolygonSet set{rings};
+        const Mask mask = draw_places(std::span(&set, 1), extent, extent, 0.0625);
+        EXPECT_LT(mask.drawn->tree.nodes().size(), 1200U);
+        EXPECT_NEAR(mask.drawn->tree.allowed_share() * extent * extent, 72, 3);
+    }
 }
 
 }  // namespace draw_mask_test

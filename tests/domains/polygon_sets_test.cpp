@@ -21,12 +21,13 @@ PolygonRing rectangle(double left, double right, double bottom, double top) {
     return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
-constexpr double kPixel = 0.7072;  // half the diagonal of a pixel of side 1
+constexpr double kPixel = 1.41422;  // the diagonal of a pixel of side 1
 
 TEST(SetsOfPolygons, AreJoinedAndTheForbiddenTakenAway) {
-    const std::vector<PolygonRing> low{rectangle(0, 4, 0, 3)};
-    const std::vector<PolygonRing> high{rectangle(2, 6, 2, 5), rectangle(4, 5, 3, 4)};
-    const std::vector<PolygonRing> gone{rectangle(1, 3, 1, 4)};
+    const std::vector<PolygonRing> low{rectangle(-0.1, 4.1, -0.1, 3.1)};
+    const std::vector<PolygonRing> high{rectangle(1.9, 6.1, 1.9, 5.1),
+                                        rectangle(4.1, 4.9, 3.1, 3.9)};
+    const std::vector<PolygonRing> gone{rectangle(1.1, 2.9, 1.1, 3.9)};
     EXPECT_EQ(tests::picture_of(draw_mask(std::vector<PolygonSet>{{low}, {high}}, 6, 5, kPixel)),
               "..####\n"
               "..##.#\n"
@@ -60,11 +61,13 @@ TEST(SetsOfPolygons, ThatLeaveNothingAreRefused) {
         }
         return "";
     };
-    EXPECT_EQ(refusal({{all, true}}),
-              "outside 1 file: must leave some of the domain, [0, 1) x [0, 1) open");
+    EXPECT_EQ(
+        refusal({{all, true}}),
+        "outside 1 ring: must leave some of the domain, [0, 1) x [0, 1) open, wider than twice "
+        "the edge, 0.1");
     EXPECT_TRUE(refusal({{part}, {all, true}})
                     .starts_with("inside 1 ring in [0, 0.5] x [0, 0.5]: must enclose some of the "
-                                 "domain, [0, 1) x [0, 1), that --outside leaves open"));
+                                 "domain, [0, 1) x [0, 1), that --outside and --avoid leave open"));
     EXPECT_EQ(refusal({{all}, {part, true}}), "");
     const std::vector<PolygonRing> broken{{{0, 0}, {1, 0}, {std::nan(""), 1}}};
     EXPECT_TRUE(refusal({{all}, {broken, true}}).starts_with("outside ring 0"));

@@ -213,6 +213,125 @@ TEST(AnSvg, ShowsWhatIsUsedAndHidesWhatIsOnlyDefined) {
               (Rings{triangle}));
 }
 
+TEST(AnSvg, HidesWhatItsPropertiesHide) {
+    const Rings shown{{{0, 10}, {1, 10}, {1, 8}}};
+    const std::string path = "<path class='b' id='p' d='M0 0h1v2z'/>";
+    const std::string other = "<path d='M5 5h1v2z'/>";
+    for (const std::string_view hidden :
+         {"visibility='hidden'", "style='visibility:collapse'", "style='display:none !important'",
+          "opacity='0'", "style='fill:url(\"a;b\");DISPLAY : NONE'", "class='st0 x'", "id='layer'",
+          "requiredExtensions='x'"}) {
+        const std::string group = "<g " + std::string(hidden) + ">" + other + "</g>" + path;
+        EXPECT_EQ(rings_of_svg("<style>/* {} */ .st0{display:none;} #layer , .y{visibility:hidden}"
+                               "@font-face{src:url(a)} .z > g{stroke:red}</style>" +
+                               group),
+                  shown)
+            << hidden;
+    }
+    // The more specific rule counts, and an attribute `style` over all but important ones.
+    const auto is_shown = [&](const std::string& rules, const std::string& attributes) {
+        try {
+            rings_of_svg("<style><![CDATA[" + rules + "]]></style><path " + attributes +
+                         " d='M0 0h1v2z'/>");
+        } catch (const FileError&) {
+            return false;
+        }
+        return true;
+    };
+    EXPECT_TRUE(is_shown(".a{display:none} #i{display:inline}", "class='a' id='i'"));
+    EXPECT_TRUE(is_shown("path{display:inline}", "display='none'"));
+    EXPECT_TRUE(is_shown("path.a{display:none}", "class='b'"));
+    EXPECT_TRUE(is_shown(".a{display:none}", "class='a' style='display:inline'"));
+    EXPECT_FALSE(is_shown(".a{display:none!important}", "class='a' style='display:inline'"));
+    EXPECT_FALSE(is_shown("path.a{display:none}.a{display:inline}", "class='a'"));
+    EXPECT_FALSE(is_shown("*{visibility:hidden}", ""));
+    // What is visible in a hidden group is shown, but nothing in one that is not displayed. Of a
+    // switch, the first that fits is shown.
+    EXPECT_EQ(rings_of_svg("<g visibility='hidden'>" + other + "<g visibility='visible'>" + path +
+                           "</g></g>"),
+              shown);
+    EXPECT_EQ(
+        rings_of_svg("<g display='none'><path visibility='visible' d='M5 5h1v2z'/></g>" + path),
+        shown);
+    EXPECT_EQ(rings_of_svg("<switch><g requiredExtensions='x'/>" + path + other + "</switch>"),
+              shown);
+}
+
+TEST(AnSvg, IsMovedByItsStyles) {
+    const auto moved = [](const std::string& css) {
+        return rings_of_svg("<style>.a{transform:" + css +
+                            "}</style><path class='a' transform='scale(9)' d='M0 0h1v2z'/>")
+            .at(0);
+    };
+    EXPECT_EQ(moved("translate(3px)"), (PolygonRing{{3, 10}, {4, 10}, {4, 8}}));
+    EXPECT_EQ(moved("TranslateX(1px) translateY(2px) scale(2)"),
+              (PolygonRing{{1, 8}, {3, 8}, {3, 4}}));
+    EXPECT_EQ(moved("rotate(90deg)"), (PolygonRing{{0, 10}, {0, 9}, {-2, 9}}));
+    EXPECT_EQ(moved("matrix(1, 0, 1, 1, 0, 0)"), (PolygonRing{{0, 10}, {1, 10}, {3, 8}}));
+    EXPECT_EQ(moved("none"), (PolygonRing{{0, 10}, {1, 10}, {1, 8}}));
+    EXPECT_EQ(rings_of_svg("<path style='transform: scalex(2)' d='M0 0h1v2z'/>").at(0),
+              (PolygonRing{{0, 10}, {2, 10}, {2, 8}}));
+}
+
+// Nothing that changes where a shape is may be skipped.
+TEST(AnSvg, IsRefusedWhereSomethingElseMovesOrCutsAShape) {
+    const std::string path = "<path d='M0 0h1v2z'/>";
+    const auto refused = [](const std::string& elements, std::string_view message) {
+        EXPECT_EQ(refusal_of(svg(elements)), "file: " + std::string(message)) << elements;
+    };
+    const std::string why =
+        " is not read, and changes where a shape is: cut or move the shape "
+        "itself";
+    for (const std::string property : {"clip-path", "mask", "filter", "transform-origin"})
+        refused("<g id='a' " + property + "='url(#b)'>" + path + "</g>",
+                "<g id=\"a\">: " + property + why);
+    for (const std::string property : {"clip-path", "mask-image", "rotate", "offset-path", "all"})
+        refused("<style>#a{" + property + ":x}</style><g id='a'>" + path + "</g>",
+                "<g id=\"a\">: " + property + why);
+    EXPECT_EQ(rings_of_svg("<g clip-path='url(#b)'><text>no shape</text></g>"
+                           "<g clip-path='url(#b)' display='none'>" +
+                           path + "</g>" + path)
+                  .size(),
+              1U);
+    refused("<style id='s'>g path{display:none}</style>" + path,
+            "<style id=\"s\">: the selector \"g path\" sets display: only elements, classes and "
+            "ids are read, such as g, .hidden or #layer");
+    refused("<style id='s'>@media print{.a{display:none}}</style>" + path,
+            "<style id=\"s\">: \"@media print\": conditions of a style sheet are not read");
+    refused("<style id='s'>@import url(a.css);</style>" + path,
+            "<style id=\"s\">: \"@import url(a.css)\": other style sheets are not read");
+    refused("<circle id='a' r='2' style='r:1px'/>",
+            "<circle id=\"a\">: r \"1px\" of a style: must be an attribute");
+    refused("<g id='a' style='transform:translate(1,2)'/>",
+            "<g id=\"a\">: transform \"translate(1,2)\" of a style: must be matrix, translate, "
+            "scale, rotate or skew with their numbers, lengths in px and angles in deg");
+    refused("<g id='a' style='visibility:var(--v)'/>",
+            "<g id=\"a\">: visibility \"var(--v)\": must be visible, hidden, collapse");
+    refused("<path id='a' systemLanguage='de' d='M0 0h1v2z'/>",
+            "<path id=\"a\">: systemLanguage: what depends on the reader's language is not read");
+    EXPECT_EQ(refusal_of("<svg viewBox='0 0 1 1' transform='scale(2)'/>"),
+              "file: byte 1: <svg>: transform \"scale(2)\" of the whole drawing: must stand in a "
+              "group");
+    EXPECT_EQ(refusal_of("<?xml-stylesheet href='a.css'?><svg viewBox='0 0 1 1'/>"),
+              "file: <?xml-stylesheet?>: other files with styles are not read");
+}
+
+// A road that is drawn as a line has no inside.
+TEST(AnSvg, IsRefusedWhereItHasLinesAndAnAreaIsWanted) {
+    const std::string why =
+        ": a line, which encloses nothing: it must be closed or filled, or be given to --avoid";
+    for (const std::string line :
+         {"<path id='a' fill='none' d='M0 0h1v2'/>", "<path id='a' class='n' d='M0 0h1'/>",
+          "<polyline id='a' style='fill:none' points='0,0 1,0 1,2'/>",
+          "<path id='a' fill='none' d='M0 0h1v2z M3 3h1v2'/>", "<line id='a' x2='1'/>"})
+        EXPECT_EQ(refusal_of(svg("<style>.n{fill:none}</style><g>" + line + "</g>")),
+                  "file: <" + line.substr(1, line.find(' ') - 1) + " id=\"a\">" + why);
+    EXPECT_EQ(rings_of_svg("<g fill='none'><path d='M0 0h1v2z'/><path fill='red' d='M5 5h1v2'/>"
+                           "</g>")
+                  .size(),
+              2U);
+}
+
 TEST(AnSvg, IsRefusedByElementAndValue) {
     const auto refused = [](std::string_view elements, std::string_view message) {
         EXPECT_EQ(refusal_of(svg(elements)), "file: " + std::string(message)) << elements;

@@ -120,7 +120,7 @@ verify::GapOfClass verify::largest_gap_of_classes(const RadiusField&, const Clai
                                                   std::span<const Disk>, double, const Patience&) {
     refuse();
 }
-verify::Region::Region(std::span<const PolygonSet>, double) {}
+verify::Region::Region(std::span<const PolygonSet>) {}
 verify::Openness verify::Region::under(const Cell&, double) const {
     refuse();
 }

@@ -113,7 +113,7 @@ private:
         const FieldTables tables = tables_of(*round_.plan.field().radius_field);
         Memory& m = round_.memory;
         m.axes = round_.copy_of(tables.axes);
-        m.mask_bits = round_.copy_of(tables.mask_bits);
+        m.mask_nodes = round_.copy_of(tables.mask_nodes);
         m.factors = round_.copy_of(round_.plan.field().sheets.factors());
         m.ellipses = round_.copy_of(tables.ellipses);
         using Radii = RadiusField::Radii;

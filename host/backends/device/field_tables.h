@@ -11,8 +11,8 @@ namespace lacuna::device {
 
 struct FieldTables {
     std::vector<std::uint32_t> axes;
-    std::vector<std::uint32_t> mask_bits;  // at least one word
-    std::vector<std::uint32_t> ellipses;   // four words for each pixel; without ellipses four
+    std::vector<std::uint32_t> mask_nodes;  // NODE_WORDS each; without a mask one word
+    std::vector<std::uint32_t> ellipses;    // four words for each pixel; without ellipses four
 };
 
 FieldTables tables_of(const RadiusField& radius_field);

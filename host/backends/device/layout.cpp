@@ -177,15 +177,14 @@ Needs needs_of_field(const Plan& plan, std::uint64_t round) {
     // A pyramid has a third more values than pixels.
     const std::uint64_t radii =
         std::uint64_t{radius_field.columns().pixels()} * radius_field.rows().pixels() * 8 * 4 / 3;
-    const std::uint64_t mask = radius_field.mask() == nullptr
-                                   ? 0
-                                   : std::uint64_t{radius_field.mask()->values().size()} / 3;
+    const std::uint64_t mask =
+        radius_field.mask() == nullptr ? 0 : std::uint64_t{radius_field.mask()->nodes().size()} * 8;
     const std::uint64_t ellipses = radius_field.ellipses().size() * sizeof(portable::Ellipse);
     const std::uint64_t entries = room_for_entries(plan) * kBytesPerEntry;
     const std::uint64_t boxes = room_for_boxes(plan);
     return {radii + mask + ellipses + entries + boxes * kFieldBytesPerBox +
                 plan.field().first_boxes->nodes.size() * 48 + round * kFieldBytesPerDraw,
-            std::max({radii, ellipses, entries, boxes * 32, round * 10 * 8})};
+            std::max({radii, mask, ellipses, entries, boxes * 32, round * 10 * 8})};
 }
 
 Needs needs_of(const Plan& plan, std::uint64_t round) {

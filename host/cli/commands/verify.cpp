@@ -159,9 +159,12 @@ SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Given& 
     claim.kinds = given.files.kinds;
     for (std::size_t i = 0; i < options.domain.inside.size() + options.domain.outside.size(); ++i)
         claim.kinds[i].distance = request.border;
-    if (!claim.rings.empty())
+    if (!claim.rings.empty()) {
+        const std::vector<PolygonSet> sets = sets_of(claim.kinds, claim.rings);
+        check_places(sets, request.width, request.height);
         claim.edge_tolerance = given.files.edge =
-            edge_of(claim.options, request, sets_of(claim.kinds, claim.rings), given.files);
+            edge_of(claim.options, request, sets, given.files);
+    }
     claim.given = json_of(options.domain, request, given.files);
     claim.tolerance = options.tolerance;
     claim.tolerance = verify::tolerance_of(claim);

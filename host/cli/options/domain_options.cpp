@@ -26,6 +26,7 @@
 #include "files/read_sets.h"
 #include "files/read_whole.h"
 #include "pictures/importance.h"
+#include "plan/plan.h"
 #include "plan/sheets.h"
 
 namespace lacuna::cli {
@@ -50,23 +51,33 @@ double greatest_of(const DomainFiles& files) {
     return *std::max_element(files.field->importance.begin(), files.field->importance.end());
 }
 
-// The mean importance of the domain, 0 outside of `mask`. A coarse mask will do: the importance is
-// read at one point of each of its pixels.
-double filled_share(const Mask& mask, const DomainFiles& files) {
-    double sum = 0;
-    for (std::uint32_t row = 0; row < mask.rows; ++row)
-        for (std::uint32_t column = 0; column < mask.columns; ++column) {
-            if (mask.allowed[std::size_t{row} * mask.columns + column] == 0) continue;
-            if (!files.field) {
-                sum += 1;
-                continue;
+// An edge for the estimate of an area: fine enough for the places to have some thousand pixels
+// along their outlines, whatever the extent of the domain.
+double coarse_edge(const Request& request, std::span<const PolygonSet> sets) {
+    constexpr double kSteps = 8192;
+    const double longer = std::max(request.width, request.height);
+    double length = 0;
+    for (const PolygonSet& set : sets)
+        for (const PolygonRing& ring : set.rings)
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Point& to = ring[(i + 1) % ring.size()];
+                length += std::hypot(to.x - ring[i].x, to.y - ring[i].y) + set.distance;
             }
-            const Field& field = *files.field;
-            const std::size_t field_row = std::size_t{row} * field.rows / mask.rows;
-            const std::size_t field_column = std::size_t{column} * field.columns / mask.columns;
-            sum += field.importance[field_row * field.columns + field_column];
+    return std::clamp(length / kSteps, longer * 0x1p-23, longer / 1000);
+}
+
+// The places with a coarse outline. Where nothing is wide enough for it, with a finer one.
+Mask coarse_places(const Request& request, std::span<const PolygonSet> sets) {
+    constexpr double kLeast = 0x1p-22;  // of the longer side
+    const double longer = std::max(request.width, request.height);
+    double edge = coarse_edge(request, sets);
+    for (; edge >= longer * kLeast; edge /= 4) {
+        try {
+            return draw_places(sets, request.width, request.height, edge);
+        } catch (const BadRequest&) {  // finer places may be left
         }
-    return sum / static_cast<double>(mask.allowed.size());
+    }
+    return draw_places(sets, request.width, request.height, edge);
 }
 
 // The least radius of the set. For a count it is the radius of a maximal set of this size.
@@ -75,12 +86,13 @@ double least_radius(const Request& request, std::span<const PolygonSet> sets,
     const double greatest = greatest_of(files);
     if (request.radius) return *request.radius;
     if (request.scale) return *request.scale / std::sqrt(greatest);
-    const double coarse = std::max(request.width, request.height) / 1000;
-    if (!request.count || *request.count == 0) return coarse;
-    const Mask mask = draw_mask(sets, request.width, request.height, coarse);
-    const double area = filled_share(mask, files) * request.width * request.height;
-    const double density = expected_count(1, 1, Boundary::torus, 1);
-    return std::sqrt(density * area / static_cast<double>(*request.count) / greatest);
+    if (!request.count || *request.count == 0)
+        return std::max(request.width, request.height) / 1000;
+    const Mask mask = coarse_places(request, sets);
+    Request trial = request;
+    trial.mask = &mask;
+    return radius_field_scale_for_count(trial, static_cast<double>(*request.count)) /
+           std::sqrt(greatest);
 }
 
 struct Extent {
@@ -104,19 +116,15 @@ struct Extent {
     }
 };
 
-// Throws BadRequest unless the polygons lie within the domain. Without this check, all of a map in
-// metres that begins far from 0, 0 would be cut off.
-void check_within_default(const std::string& path, const std::vector<PolygonRing>& rings,
-                          const Request& request) {
-    Extent all;
-    all.add(rings);
-    if (all.is_within(request.width, request.height)) return;
+// Throws BadRequest: the domain begins at 0, 0, and these places do not.
+[[noreturn]] void refuse_far(const Extent& all) {
     const auto& [least, most] = all;
     throw BadRequest(
         "domain", "missing",
-        fmt::format("the polygons of {} lie in [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}], far from "
-                    "0, 0, where a domain begins: subtract ({:.10g}, {:.10g}) from all points",
-                    shown(path), least.x, most.x, least.y, most.y, least.x, least.y));
+        fmt::format("the places given lie in [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}], far from 0, "
+                    "0, where a domain begins: subtract ({:.10g}, {:.10g}) from all points, or "
+                    "give --domain",
+                    least.x, most.x, least.y, most.y, least.x, least.y));
 }
 
 // The radius or scale of classes is their least distance, unless one is given or there is a count.
@@ -181,8 +189,8 @@ void add_domain(CLI::App& command, DomainOptions& options, Request& request) {
         ->allow_extra_args(false)
         ->take_all();
     add_number(command, "edge", "E", options.edge,
-               "How far the outline of polygons may be off (default: a sixteenth of the least "
-               "radius)");
+               "How far inside the outline of polygons points may begin (default: a sixteenth of "
+               "the least radius)");
     add_number(
         command, "border", "D", request.border,
         "Least distance of points to the domain's edges, and to the outlines of --inside and "
@@ -258,10 +266,13 @@ void read_given_files(const CLI::App& command, const DomainOptions& options, Req
     }
     for (const std::vector<std::string>* paths : {&options.inside, &options.outside})
         for (const std::string& path : *paths) {
-            const bool is_outside = paths == &options.outside;
-            const Polygons& polygons = files.polygons.emplace_back(
-                read_polygons_of(is_outside ? "outside" : "inside", path));
-            files.kinds.push_back({{}, paths == &options.outside, request.border});
+            const bool forbidden = paths == &options.outside;
+            const char* const option = forbidden ? "outside" : "inside";
+            const Polygons& polygons = files.polygons.emplace_back(read_polygons_of(option, path));
+            files.kinds.push_back({.forbidden = forbidden,
+                                   .distance = request.border,
+                                   .option = option,
+                                   .name = shown(path)});
             if (polygons.width > 0) give_shape(polygons.width, polygons.height);
         }
     for (const std::string& text : options.avoid)
@@ -269,15 +280,19 @@ void read_given_files(const CLI::App& command, const DomainOptions& options, Req
             if (obstacles.lines.width > 0)
                 give_shape(obstacles.lines.width, obstacles.lines.height);
             files.polygons.push_back(std::move(obstacles.lines));
-            files.kinds.push_back({{}, true, obstacles.distance});
+            files.kinds.push_back({.forbidden = true,
+                                   .distance = obstacles.distance,
+                                   .option = "avoid",
+                                   .name = shown(path_of_obstacles(text))});
         }
-    // The domain of polygons without a page reaches from 0, 0 to their farthest corner, unless they
+    // The domain of places without a page reaches from 0, 0 to their farthest corner, unless they
     // lie within 1x1 already.
-    Extent inside;
-    for (std::size_t i = 0; i < options.inside.size(); ++i) inside.add(files.polygons[i].rings);
-    if (!options.inside.empty() && !inside.is_within(request.width, request.height) &&
-        inside.begins_near_0())
-        give_shape(inside.most.x, inside.most.y);
+    Extent places;
+    for (const Polygons& polygons : files.polygons) places.add(polygons.rings);
+    if (!has_shape && !files.polygons.empty() && !places.is_within(request.width, request.height)) {
+        if (!places.begins_near_0()) refuse_far(places);
+        give_shape(places.most.x, places.most.y);
+    }
     if (!options.mask.empty()) {
         files.mask = read_mask(options.mask);
         const double longer = std::max(files.mask->columns, files.mask->rows);
@@ -330,15 +345,10 @@ void read_domain_files(const CLI::App& command, const DomainOptions& options, Re
     read_given_files(command, options, request, files);
     if (files.polygons.empty()) return;
     const std::vector<std::vector<PolygonRing>> rings = rings_of(request, files);
-    const bool has_page = std::any_of(files.polygons.begin(), files.polygons.end(),
-                                      [](const Polygons& file) { return file.width > 0; });
-    if (!has_page && command.count("--domain") == 0)
-        for (std::size_t i = 0; i < options.inside.size(); ++i)
-            check_within_default(options.inside[i], rings[i], request);
     const std::vector<PolygonSet> sets = sets_of(files.kinds, rings);
     files.edge = edge_of(options, request, sets, files);
     files.mask =
-        draw_mask(sets, request.width, request.height, files.edge, request.memory_limit_bytes);
+        draw_places(sets, request.width, request.height, files.edge, request.memory_limit_bytes);
     request.mask = &*files.mask;
 }
 

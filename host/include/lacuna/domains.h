@@ -48,14 +48,16 @@ Mask decode_mask(std::string_view bytes, const std::string& name);
 
 // The polygons of a file, by its extension:
 //   .svg             the outlines of paths, polygons, polylines, rects, circles and ellipses,
-//                    filled or not, with their transforms, also in groups and by `use`. Elements
-//                    that are not drawn (in defs, display none) are skipped. Each shape is filled
+//                    with their transforms, also in groups and by `use`. What is hidden (in defs,
+//                    by display, visibility or opacity 0) is skipped, and a line without fill is
+//                    refused, as is what moves or cuts shapes in another way, such as clip-path.
+//                    Attributes, `style` and simple rules of <style> count. Each shape is filled
 //                    by its fill-rule, nonzero unless the file says evenodd. Coordinates are user
 //                    units of the page, which is the viewBox, or width x height in px (96 an inch).
 //                    The page's lower left corner is (0, 0). Curves become lines with an error of
 //                    at most 2^-20 of the page's longer side.
 //   .geojson .json   Polygon, MultiPolygon, Feature, FeatureCollection and GeometryCollection;
-//                    coordinates are not converted; other geometries are skipped
+//                    coordinates are not converted; points are skipped, and lines refused
 //   .txt             `x y` on each line; a blank line, or one that begins with #, ends a ring. All
 //                    rings are one polygon, by the even-odd rule.
 // Polygons of .svg and .geojson become the rings of their union: none runs where two overlap or
@@ -68,7 +70,9 @@ Polygons decode_polygons(std::string_view bytes, std::string_view format, const 
 // Reads lines and points from which samples keep a distance: the rings of a PolygonSet with one.
 //   .svg             the outlines of its shapes; an open path is a line
 //   .geojson .json   points, lines, and the rings of polygons
-//   .txt             lines; a line that ends at its first point is closed
+//   .txt             rings, as read_polygons() reads them, and lines and points that are rings of
+//                    two points or one
+// An outline becomes a ring that goes around it and back: its inside is not avoided.
 // Throws what read_polygons throws.
 Polygons read_lines(const std::string& path);
 // The same for bytes that have been read.
@@ -78,17 +82,25 @@ Polygons decode_lines(std::string_view bytes, std::string_view format, const std
 // page the coordinates do not change.
 std::vector<PolygonRing> fitted(Polygons polygons, double width, double height);
 
+// Throws BadRequest for sets of an option, or of one of its files, that lie wholly outside of the
+// domain [0, width) x [0, height), and for coordinates and distances that are not finite.
+// draw_places() and draw_mask() do this.
+void check_places(std::span<const PolygonSet> sets, double width, double height);
+
 // The mask of the inside of `rings` for a domain [0, width) x [0, height): a pixel is allowed if
-// its centre is inside. Pixels are small enough that no point of one is farther than `edge` from
-// its centre, so the mask's outline is off by at most `edge`. Throws BadRequest for invalid
-// numbers, for rings that leave no pixel allowed, and for a mask of more bytes than the limit (0:
-// a quarter of the machine's memory).
+// all of it is inside, with 2^-27 of the longer side to spare. No two points of a pixel are farther
+// apart than `edge`. So no sample lies outside, and every spot is allowed that is farther than
+// `edge` from the rings. Throws BadRequest for invalid numbers, for rings that leave no pixel
+// allowed, and for a mask of more bytes than the limit (0: a quarter of the machine's memory).
 Mask draw_mask(std::span<const PolygonRing> rings, double width, double height, double edge,
                std::uint64_t memory_limit_bytes = 0);
-// The same for several sets of polygons: a pixel is allowed if its centre is where samples may lie
-// and, for sets with a distance, no point of the pixel is nearer to their rings. Their outline is
-// off by up to twice `edge`, to the safe side.
+// The same for several sets of polygons: a pixel is allowed if samples may lie on all of it. With a
+// distance, every spot is allowed that is farther than this and `edge` from the rings.
 Mask draw_mask(std::span<const PolygonSet> sets, double width, double height, double edge,
                std::uint64_t memory_limit_bytes = 0);
+// The same pixels as Mask::drawn. Time and memory are in proportion to the length of the outlines,
+// whatever the extent of the domain.
+Mask draw_places(std::span<const PolygonSet> sets, double width, double height, double edge,
+                 std::uint64_t memory_limit_bytes = 0);
 
 }  // namespace lacuna

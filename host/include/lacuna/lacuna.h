@@ -29,6 +29,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -80,14 +81,19 @@ struct Field {
 std::vector<Ellipse> ellipses_of(std::span<const Point> points, const Field& field, double scale,
                                  double width, double height);
 
+struct DrawnMask;  // internal: plan/mask_tree.h
+
 // Where samples may lie, whatever the importance: pixels that are stretched over the domain. A
 // sample on the border of two pixels lies in the right or the upper one.
 struct Mask {
-    std::uint32_t columns = 0;          // pixels
-    std::uint32_t rows = 0;             // pixels
-    std::vector<std::uint8_t> allowed;  // rows * columns values, at least one of them not 0 (0: no
-                                        // sample there); row by row, row 0 is the top of the
-                                        // picture (largest y)
+    std::uint32_t columns = 0;            // pixels
+    std::uint32_t rows = 0;               // pixels
+    std::vector<std::uint8_t> allowed{};  // rows * columns values, at least one of them not 0 (0:
+                                          // no sample there); row by row, row 0 is the top of the
+                                          // picture (largest y)
+    // Instead of `allowed`: what draw_places() of lacuna/domains.h has drawn. It takes memory in
+    // proportion to the length of the outlines, whatever the number of pixels.
+    std::shared_ptr<const DrawnMask> drawn{};
 };
 
 // A closed outline: its last point is joined to its first.
@@ -99,9 +105,12 @@ using PolygonRing = std::vector<Point>;
 // set's rings, on either side. A line is a ring that goes there and back, and a point is a ring of
 // one point: nothing is inside of these.
 struct PolygonSet {
-    std::span<const PolygonRing> rings;
+    std::span<const PolygonRing> rings{};
     bool forbidden = false;
     double distance = 0;
+    // For messages: the option that the set comes from, by default inside or outside, and the file.
+    std::string option{};
+    std::string name{};
 };
 
 // Kinds of points in one set, such as trees, bushes and grass. Every two kinds have a least

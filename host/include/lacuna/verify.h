@@ -19,11 +19,10 @@
 //     in proportion, until its shorter radius is longer by the tolerance. On a torus no ellipse may
 //     be longer than the shorter side.
 //   - A mask, polygons and a border say where points may lie, as in Request. A spot where no point
-//     may lie need not be covered. The edges of polygons may be off by Claim::edge_tolerance: a
-//     point may lie outside by up to that much. A spot that is inside of every set of polygons by
-//     less than that, plus 4e-12 of the longer side, need not be covered. A line that two rings
-//     share is an edge of both. Edges from which a set keeps a distance may be off by twice the
-//     tolerance, but never so that a point is nearer than that distance.
+//     may lie need not be covered. Near the edges of polygons, neither need a spot that is
+//     nearer to them than Claim::edge_tolerance, plus the distance that the set keeps from them. A
+//     line that two rings share is an edge of both. No point may lie outside, nor nearer than that
+//     distance; 4e-12 of the longer side are for the rounding of doubles.
 //   - Samplers round the borders of pixels to the lines of a grid. So a point that is within 2^-28
 //     of the longer side of such a border counts as lying on both pixels. Its distances are checked
 //     with the smaller radius, and the spots that it covers with the larger one. With ellipses it
@@ -73,7 +72,7 @@ struct Claim {
     // outlive the call.
     const Mask* mask = nullptr;
     std::span<const PolygonSet> polygons{};
-    double edge_tolerance = 0;  // how far the polygons' edges may be off
+    double edge_tolerance = 0;  // spots this near to the polygons' edges need no point
     double border = 0;
 
     // Classes of points, as in Request: names, distances and weights. No two points may be closer

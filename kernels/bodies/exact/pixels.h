@@ -9,8 +9,9 @@ struct Axis {
     u32 shift;
     u32 scale_low;
     u32 scale_high;
-    u32 begins;
+    u32 units;  // its length
     u32 last;  // in x, the last unit of a sheet (portable/sheets.h); in y all bits are set
+    u32 root;  // of the mask's tree
 };
 LACUNA_TYPEDEF(Axis)
 
@@ -24,7 +25,8 @@ BODY Axis axis_of(MEMORY const u32 number) {
     const u32 first = number * AXIS_WORDS;
     const Axis axis = {AT(axes, first + AXIS_PIXELS), AT(axes, first + AXIS_SHIFT),
                        AT(axes, first + AXIS_SCALE),  AT(axes, first + AXIS_SCALE + 1u),
-                       AT(axes, first + AXIS_BEGINS), AT(axes, first + AXIS_LAST)};
+                       AT(axes, first + AXIS_LENGTH), AT(axes, first + AXIS_LAST),
+                       AT(axes, first + AXIS_ROOT)};
     return axis;
 }
 
@@ -36,6 +38,11 @@ BODY Grid grid_of(MEMORY const u32 columns) {
 
 BODY u32 pixel_of(const Axis axis, const u32 at) {
     return pixel_at(at & axis.last, axis.scale_low, axis.scale_high, axis.shift);
+}
+
+BODY u32 begin_of(const Axis axis, const u32 pixel) {
+    return begin_of_pixel(pixel, axis.pixels, axis.units, axis.scale_low, axis.scale_high,
+                          axis.shift);
 }
 
 #endif

@@ -2,6 +2,9 @@
 // (plan/radius_field.h). A rectangle is x, width, begin, end; a rectangle of pixels is first
 // column, last column, first row, last row.
 #include "bodies/exact/pixels.h"
+#include "portable/mask_tree.h"
+
+#define NO_NODE 0xffffffffu
 
 struct Under {
     u32 least;      // least radius except 0; 0 where no sample may lie
@@ -76,17 +79,58 @@ BODY u32x2 radii_over(MEMORY const Grid field, const u32x4 pixels) {
     return all;
 }
 
-// Value `number` of the mask's pyramid.
-BODY u32 allowed_of(MEMORY const u32 number) {
-    return AT(mask_bits, number / ALLOWED_PER_WORD) >> number % ALLOWED_PER_WORD * 2u & 3u;
+// A node of the mask's tree (portable/mask_tree.h), and how wide its slots are: 2^shift pixels.
+struct Node {
+    u32 number;
+    u32 shift;
+};
+LACUNA_TYPEDEF(Node)
+
+// The merged value of the square of 2^level pixels that a pixel lies in. The square lies in the
+// node, and is at most half as wide.
+BODY u32 allowed_from(MEMORY const Node root, const u32 level, const u32 column, const u32 row) {
+    Node node = root;
+    u32 values = AT(mask_nodes, node.number * NODE_WORDS);
+    u32 slot = slot_of(column, row, node.shift);
+    while (node.shift > level && value_of_slot(values, slot) == ALLOWED_SOME) {
+        node.number = AT(mask_nodes, node.number * NODE_WORDS + 1u) + rank_of_slot(values, slot);
+        node.shift -= 2u;
+        values = AT(mask_nodes, node.number * NODE_WORDS);
+        slot = slot_of(column, row, node.shift);
+    }
+    return node.shift < level ? value_of_quadrant(values, slot) : value_of_slot(values, slot);
+}
+
+// The lowest node that contains a rectangle of pixels and is not lower than 2^level, or none: then
+// `shift` is the value of the rectangle, and `number` is NO_NODE.
+BODY Node node_over(MEMORY const Grid mask, const u32 level, const u32x4 pixels) {
+    Node node = {0u, mask.columns.root};
+    while (pixels.x >> node.shift == pixels.y >> node.shift &&
+           pixels.z >> node.shift == pixels.w >> node.shift) {
+        const u32 values = AT(mask_nodes, node.number * NODE_WORDS);
+        const u32 slot = slot_of(pixels.x, pixels.z, node.shift);
+        const u32 value = value_of_slot(values, slot);
+        if (value != ALLOWED_SOME || node.shift <= level) {
+            const Node none = {NO_NODE, value};
+            return none;
+        }
+        node.number = AT(mask_nodes, node.number * NODE_WORDS + 1u) + rank_of_slot(values, slot);
+        node.shift -= 2u;
+    }
+    return node;
 }
 
 BODY u32 allowed_over(MEMORY const Grid mask, const u32x4 pixels) {
     const Level level = level_over(mask, pixels);
+    const Node node = node_over(ON mask, level.shift, pixels);
+    if (node.number == NO_NODE) return node.shift;
     u32 seen = 0u;  // a bit for each value
     for (u32 i = pixels.x >> level.shift; i <= pixels.y >> level.shift; ++i) {
-        for (u32 j = pixels.z >> level.shift; j <= pixels.w >> level.shift; ++j)
-            seen = seen | 1u << allowed_of(ON level.first + i * level.rows + j);
+        for (u32 j = pixels.z >> level.shift; j <= pixels.w >> level.shift; ++j) {
+            seen =
+                seen | 1u << allowed_from(ON node, level.shift, i << level.shift, j << level.shift);
+            if ((seen & (seen - 1u)) != 0u) return ALLOWED_SOME;
+        }
     }
     if (seen == 1u << ALLOWED_NONE) return ALLOWED_NONE;
     return seen == 1u << ALLOWED_ALL ? ALLOWED_ALL : ALLOWED_SOME;
@@ -116,35 +160,36 @@ BODY u32 radius_at(MEMORY const Grids grids, const u32 x, const u32 y) {
     const u32 radius = AT(radius_bounds, pixel).y & ~HAS_ZEROS;
     if (!has_mask(grids)) return radius;
     const Grid mask = grids.mask;
+    const Node root = {0u, mask.columns.root};
     const u32 allowed =
-        allowed_of(ON pixel_of(mask.columns, x) * mask.rows.pixels + pixel_of(mask.rows, y));
+        allowed_from(ON root, 0u, pixel_of(mask.columns, x), pixel_of(mask.rows, y));
     return allowed == ALLOWED_NONE ? 0u : radius;
 }
 
 // The beginning of the middle one of the pixels first + 1 to last; 0 if first == last.
-BODY u32 middle_border(MEMORY const Axis axis, const u32 first, const u32 last) {
+BODY u32 middle_border(const Axis axis, const u32 first, const u32 last) {
     if (first == last) return 0u;
-    return AT(axes, axis.begins + first + (last - first + 1u) / 2u);
+    return begin_of(axis, first + (last - first + 1u) / 2u);
 }
 
 // The x at which to halve a box: at a border of pixels near its middle if the pixels are unlike,
 // otherwise in its middle. 0: not to be cut. `all` describes what lies under the box.
-BODY u32 cut_x(MEMORY const Grids grids, const u32x4 box, const Touched touched, const Under all) {
+BODY u32 cut_x(const Grids grids, const u32x4 box, const Touched touched, const Under all) {
     const u32 sheet = box.x & ~grids.field.columns.last;
     u32 cut = 0u;
     if (all.allowed == ALLOWED_SOME)
-        cut = middle_border(ON grids.mask.columns, touched.mask.x, touched.mask.y);
+        cut = middle_border(grids.mask.columns, touched.mask.x, touched.mask.y);
     if (cut == 0u && all.is_mixed)
-        cut = middle_border(ON grids.field.columns, touched.field.x, touched.field.y);
+        cut = middle_border(grids.field.columns, touched.field.x, touched.field.y);
     if (cut == 0u) return box.y > 1u ? box.x + box.y / 2u : 0u;
     return sheet | cut;
 }
 
-BODY u32 cut_y(MEMORY const Grids grids, const Touched touched, const Under all) {
+BODY u32 cut_y(const Grids grids, const Touched touched, const Under all) {
     u32 cut = 0u;
     if (all.allowed == ALLOWED_SOME)
-        cut = middle_border(ON grids.mask.rows, touched.mask.z, touched.mask.w);
+        cut = middle_border(grids.mask.rows, touched.mask.z, touched.mask.w);
     if (cut == 0u && all.is_mixed)
-        cut = middle_border(ON grids.field.rows, touched.field.z, touched.field.w);
+        cut = middle_border(grids.field.rows, touched.field.z, touched.field.w);
     return cut;
 }

@@ -8,7 +8,7 @@ BODY u32x4 borders_in(MEMORY const Grids grids, const u32x4 part) {
     if (part.y == 0u) return U32X4(part.w, 0u, 0u, 0u);
     const Touched touched = touched_by(grids, part);
     const Under all = under(ON grids, touched);
-    const u32 y = cut_y(ON grids, touched, all);
+    const u32 y = cut_y(grids, touched, all);
     if (y == 0u) return U32X4(part.w, radius_under(all), 0u, 0u);
     return U32X4(
         y, radius_under(under(ON grids, touched_by(grids, U32X4(part.x, part.y, part.z, y)))),
@@ -27,7 +27,7 @@ BODY void serve_split(MEMORY const StripArguments a, const u32 item) {
         if (number == end) break;
         const u32x4 box = AT(boxes, number);
         const Touched touched = touched_by(grids, box);
-        const u32 cut = cut_x(ON grids, box, touched, under(ON grids, touched));
+        const u32 cut = cut_x(grids, box, touched, under(ON grids, touched));
         const u32 x = cut == 0u ? box.x + box.y : cut;
         const u32x4 left = borders_in(ON grids, U32X4(box.x, x - box.x, box.z, box.w));
         const u32x4 right = borders_in(ON grids, U32X4(x, box.x + box.y - x, box.z, box.w));

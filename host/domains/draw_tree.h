@@ -1,0 +1,34 @@
+// Draws polygons onto the tree of a mask.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "plan/mask_tree.h"
+
+namespace lacuna::domains {
+
+struct Canvas {
+    double width;  // of the domain
+    double height;
+    std::uint32_t columns;  // of the mask
+    std::uint32_t rows;
+
+    double longer_side() const { return width > height ? width : height; }
+};
+
+// A pixel is allowed if all of it lies where samples may lie, by the sets' edges as they are given.
+// Borders of pixels may be off by 2^-27 of the longer side: samplers round them to a grid. Empty if
+// there would be more than `most_nodes`. The time is in proportion to the number of edges, and of
+// the pixels along edges or at their distance.
+std::optional<MaskTree> draw_tree(std::span<const PolygonSet> sets, const Canvas& canvas,
+                                  std::size_t most_nodes);
+
+// Whether samples may lie at a position, computed in double from all edges.
+bool allow(std::span<const PolygonSet> sets, Point at);
+
+}  // namespace lacuna::domains

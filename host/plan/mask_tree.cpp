@@ -1,0 +1,120 @@
+// Builds the tree of a mask, and merges its values.
+#include "plan/mask_tree.h"
+
+namespace lacuna {
+
+MaskTree::MaskTree(std::uint32_t columns, std::uint32_t rows) : columns_(columns), rows_(rows) {
+    while ((std::uint64_t{4} << root_) < std::max(columns, rows)) root_ += 2;
+}
+
+MaskTree::MaskTree(const Mask& mask, const Poll& poll) : MaskTree(mask.columns, mask.rows) {
+    set_root(from_pixels(mask, root_, 0, 0, poll));
+}
+
+MaskTree::Piece MaskTree::from_pixels(const Mask& mask, unsigned shift, std::uint32_t column,
+                                      std::uint32_t row, const Poll& poll) {
+    constexpr std::size_t kNodesBetweenPolls = kBetweenPolls / kSlots;
+    if (++joined_ % kNodesBetweenPolls == 0) poll();
+    std::array<Piece, kSlots> slots;
+    for (std::uint32_t y = 0; y < 4; ++y)
+        for (std::uint32_t x = 0; x < 4; ++x) {
+            const std::uint32_t i = column + (x << shift);
+            const std::uint32_t j = row + (y << shift);
+            if (i >= columns_ || j >= rows_) continue;
+            Piece& slot = slots[portable::slot_of(x, y, 0)];
+            if (shift > 0) {
+                slot = from_pixels(mask, shift - 2, i, j, poll);
+            } else if (mask.allowed[std::size_t{rows_ - 1 - j} * columns_ + i] != 0) {
+                slot.value = ALLOWED_ALL;
+            }
+        }
+    return join(shift, column, row, slots);
+}
+
+// A slot beyond the mask gets a value that changes no merged value of its quadrant: that of another
+// slot, or none if samples are allowed on some pixels of the quadrant in any case.
+MaskTree::Piece MaskTree::join(unsigned shift, std::uint32_t column, std::uint32_t row,
+                               std::array<Piece, kSlots>& slots) {
+    std::uint32_t seen = 0;
+    std::array<bool, kSlots> is_within{};
+    for (std::uint32_t y = 0; y < 4; ++y)
+        for (std::uint32_t x = 0; x < 4; ++x) {
+            const std::uint32_t slot = portable::slot_of(x, y, 0);
+            is_within[slot] = column + (std::uint64_t{x} << shift) < columns_ &&
+                              row + (std::uint64_t{y} << shift) < rows_;
+            if (is_within[slot]) seen |= 1U << slots[slot].value;
+        }
+    if (seen == 1U << ALLOWED_NONE) return {ALLOWED_NONE, {}};
+    if (seen == 1U << ALLOWED_ALL) return {ALLOWED_ALL, {}};
+    Piece piece{ALLOWED_SOME, {0, static_cast<std::uint32_t>(nodes_.size())}};
+    for (std::size_t slot = 0; slot < kSlots; ++slot) {
+        const std::size_t quadrant = slot & ~std::size_t{3};
+        std::uint32_t value = slots[slot].value;
+        if (!is_within[slot]) value = is_within[quadrant] ? slots[quadrant].value : ALLOWED_NONE;
+        if (!is_within[slot] && value == ALLOWED_SOME) value = ALLOWED_NONE;
+        piece.node.values |= value << 2 * slot;
+        if (value == ALLOWED_SOME) nodes_.push_back(slots[slot].node);
+    }
+    return piece;
+}
+
+// A mask of which all or no pixels are allowed has a root of these.
+void MaskTree::set_root(const Piece& root) {
+    nodes_.front() = root.value == ALLOWED_SOME ? root.node : Node{root.value * 0x55555555U, 0};
+}
+
+std::uint8_t MaskTree::over(PixelRange columns, PixelRange rows) const {
+    constexpr std::uint32_t kMost = 4;
+    unsigned level = 0;
+    while ((columns.last >> level) - (columns.first >> level) >= kMost ||
+           (rows.last >> level) - (rows.first >> level) >= kMost)
+        ++level;
+    Place at{0, root_};
+    while (columns.first >> at.shift == columns.last >> at.shift &&
+           rows.first >> at.shift == rows.last >> at.shift) {
+        const std::uint32_t slot = portable::slot_of(columns.first, rows.first, at.shift);
+        const std::uint32_t value = portable::value_of_slot(nodes_[at.node].values, slot);
+        if (value != ALLOWED_SOME || at.shift <= level) return static_cast<std::uint8_t>(value);
+        at = child(at, slot);
+    }
+    std::uint32_t seen = 0;  // a bit for each value
+    for (std::uint32_t i = columns.first >> level; i <= columns.last >> level; ++i)
+        for (std::uint32_t j = rows.first >> level; j <= rows.last >> level; ++j) {
+            seen |= 1U << below(at, level, i << level, j << level);
+            if ((seen & (seen - 1)) != 0) return ALLOWED_SOME;
+        }
+    return seen == 1U << ALLOWED_NONE  ? ALLOWED_NONE
+           : seen == 1U << ALLOWED_ALL ? ALLOWED_ALL
+                                       : ALLOWED_SOME;
+}
+
+void MaskTree::for_each_allowed(const Visit& visit) const {
+    visit_node({0, root_}, 0, 0, visit);
+}
+
+void MaskTree::visit_node(Place at, std::uint32_t column, std::uint32_t row,
+                          const Visit& visit) const {
+    for (std::uint32_t y = 0; y < 4; ++y)
+        for (std::uint32_t x = 0; x < 4; ++x) {
+            const std::uint32_t i = column + (x << at.shift);
+            const std::uint32_t j = row + (y << at.shift);
+            if (i >= columns_ || j >= rows_) continue;
+            const std::uint32_t slot = portable::slot_of(x, y, 0);
+            const std::uint32_t value = portable::value_of_slot(nodes_[at.node].values, slot);
+            const std::uint32_t side = 1U << at.shift;
+            if (value == ALLOWED_SOME)
+                visit_node(child(at, slot), i, j, visit);
+            else if (value == ALLOWED_ALL)
+                visit(i, j, std::min(side, columns_ - i), std::min(side, rows_ - j));
+        }
+}
+
+double MaskTree::allowed_share() const {
+    double pixels = 0;
+    for_each_allowed([&](std::uint32_t, std::uint32_t, std::uint32_t columns, std::uint32_t rows) {
+        pixels += static_cast<double>(columns) * rows;
+    });
+    return pixels / columns_ / rows_;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,102 @@
+// A mask as a tree of squares of pixels. Squares whose pixels are alike are not cut further, so the
+// memory is in proportion to the length of the outline, whatever the extent of the page.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "base/polling.h"
+#include "plan/pixels.h"
+#include "portable/mask_tree.h"
+
+namespace lacuna {
+
+// Pixels are counted from the lower left corner of the domain.
+class MaskTree {
+public:
+    struct Node {
+        std::uint32_t values;
+        std::uint32_t first;
+    };
+    // A square of pixels: whether none, some or all of them are allowed; if some, its node.
+    struct Piece {
+        std::uint32_t value = ALLOWED_NONE;
+        Node node{};
+    };
+    static constexpr std::size_t kSlots = 16;
+
+    MaskTree(std::uint32_t columns, std::uint32_t rows);
+    explicit MaskTree(const Mask& mask, const Poll& poll = nobody_asks);
+
+    std::uint32_t columns() const { return columns_; }
+    std::uint32_t rows() const { return rows_; }
+    // The slots of the root are 2^root pixels wide.
+    unsigned root() const { return root_; }
+    const std::vector<Node>& nodes() const { return nodes_; }
+
+    // To build a tree: the piece of a node whose slots are 2^shift pixels wide, and which has the
+    // pixel (column, row) in its lower left corner. Slots beyond the mask do not count.
+    Piece join(unsigned shift, std::uint32_t column, std::uint32_t row,
+               std::array<Piece, kSlots>& slots);
+    void set_root(const Piece& root);
+
+    // What at() and over() of a Pyramid (plan/pixels.h) would say.
+    std::uint8_t at(std::uint32_t column, std::uint32_t row) const {
+        return static_cast<std::uint8_t>(below({0, root_}, 0, column, row));
+    }
+    std::uint8_t over(PixelRange columns, PixelRange rows) const;
+
+    // Calls visit(column, row, columns, rows) for rectangles of pixels that do not overlap, and
+    // together are all allowed pixels.
+    using Visit = std::function<void(std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t)>;
+    void for_each_allowed(const Visit& visit) const;
+    double allowed_share() const;  // of all pixels
+
+private:
+    struct Place {
+        std::uint32_t node;
+        unsigned shift;
+    };
+
+    Piece from_pixels(const Mask& mask, unsigned shift, std::uint32_t column, std::uint32_t row,
+                      const Poll& poll);
+    Place child(Place at, std::uint32_t slot) const {
+        const Node& node = nodes_[at.node];
+        return {node.first + portable::rank_of_slot(node.values, slot), at.shift - 2};
+    }
+    // The merged value of the square of 2^level pixels that a pixel lies in. The square lies in the
+    // node, and is at most half as wide.
+    std::uint32_t below(Place at, unsigned level, std::uint32_t column, std::uint32_t row) const {
+        std::uint32_t slot = portable::slot_of(column, row, at.shift);
+        while (at.shift > level &&
+               portable::value_of_slot(nodes_[at.node].values, slot) == ALLOWED_SOME) {
+            at = child(at, slot);
+            slot = portable::slot_of(column, row, at.shift);
+        }
+        const std::uint32_t values = nodes_[at.node].values;
+        return at.shift < level ? portable::value_of_quadrant(values, slot)
+                                : portable::value_of_slot(values, slot);
+    }
+    void visit_node(Place at, std::uint32_t column, std::uint32_t row, const Visit& visit) const;
+
+    std::uint32_t columns_;
+    std::uint32_t rows_;
+    unsigned root_ = 0;
+    std::vector<Node> nodes_{{}};  // the first one is the root
+    std::size_t joined_ = 0;
+};
+
+// A mask that was drawn: Mask::drawn has it. What kept points are told does not depend on pixels.
+struct DrawnMask {
+    MaskTree tree;
+    std::function<bool(Point)> holds;  // whether samples may lie at a position
+};
+
+}  // namespace lacuna
