@@ -77,6 +77,11 @@ struct Extent {
                 most = {std::max(most.x, point.x + reach), std::max(most.y, point.y + reach)};
             }
     }
+    // Whether a domain that begins at 0, 0 is at most twice as wide and high as needed.
+    bool begins_near_0() const {
+        return least.x >= 0 && least.y >= 0 && least.x <= most.x - least.x &&
+               least.y <= most.y - least.y;
+    }
     bool meets(double width, double height) const {
         return least.x < width && most.x >= 0 && least.y < height && most.y >= 0;
     }
@@ -161,6 +166,17 @@ std::shared_ptr<const DrawnMask> drawn(std::span<const PolygonSet> sets,
 }
 
 }  // namespace
+
+Point domain_around(std::span<const PolygonSet> sets) {
+    const Extent all = extent_of(sets);
+    if (all.least.x >= 0 && all.least.y >= 0 && all.most.x <= 1 && all.most.y <= 1) return {1, 1};
+    if (all.begins_near_0()) return all.most;
+    throw BadRequest(
+        "domain", "missing",
+        fmt::format("the places given lie in {}, far from 0, 0, where a domain begins: subtract "
+                    "({:.10g}, {:.10g}) from all points, or give a domain",
+                    all.text(), all.least.x, all.least.y));
+}
 
 void check_places(std::span<const PolygonSet> sets, double width, double height) {
     // The disks of a .csv are sets of one file, and only all of them together must lie there.

@@ -233,7 +233,13 @@ double radius_field_scale_for_count(const Request& request, double count, const 
     const double most = 2 * std::hypot(request.width, request.height);
     const double radius =
         std::min(most, std::sqrt(kTorusDensity * share * request.width * request.height / count));
-    return radius * std::sqrt(greatest) * std::sqrt(crowd_of(request));
+    const double size = radius * std::sqrt(greatest) * std::sqrt(crowd_of(request));
+    // Small islands have more points than the formula says. So if it asks for a little less than
+    // the least radius, that one is tried.
+    constexpr double kLittle = 0.8;
+    const double least =
+        std::max(request.width, request.height) * kSmallestRadius * std::sqrt(greatest);
+    return size > kLittle * least ? std::max(size, least) : size;
 }
 
 FieldSize check_radius_field_size(const Request& request, double size, const Poll& poll) {

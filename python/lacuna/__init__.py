@@ -14,7 +14,7 @@ backends and devices. ``lacuna.qmc`` has an engine like those in scipy.stats.qmc
 from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._domains import Polygons, draw_mask, read_lines, read_polygons
+from ._domains import Polygons, domain_around, draw_mask, read_lines, read_polygons
 from ._errors import BadRequest, DeviceError, Error, FileError, MemoryRefused, Unavailable
 from ._judging import analyze, devices
 from ._many import sample_many
@@ -43,6 +43,7 @@ __all__ = [
     "Verdict",
     "analyze",
     "devices",
+    "domain_around",
     "draw_mask",
     "order",
     "read_lines",

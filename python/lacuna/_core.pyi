@@ -204,6 +204,9 @@ def write_points(
     ellipses: npt.NDArray[np.float64] | None,
 ) -> None: ...
 def read_polygons(path: bytes, as_lines: bool) -> dict[str, Any]: ...
+def domain_around(
+    sets: list[tuple[list[npt.NDArray[np.float64]], bool, float]],
+) -> tuple[float, float]: ...
 def draw_mask(
     sets: list[tuple[list[npt.NDArray[np.float64]], bool, float]],
     width: float,

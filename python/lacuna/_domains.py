@@ -96,14 +96,14 @@ def _read(path: str | bytes | os.PathLike[Any], as_lines: bool) -> Polygons:
 def read_lines(path: str | bytes | os.PathLike[Any]) -> Polygons:
     """Read lines and outlines from a file, for ``avoid`` of ``draw_mask`` and ``verify``.
 
-    A line becomes a ring that goes there and back, and a point a ring of one point: nothing lies
-    inside of these.
+    A line becomes a ring that goes there and back, an outline one that goes around and back, and a
+    point a ring of one point: nothing lies inside of these.
 
     Parameters
     ----------
     path : str, bytes or os.PathLike
         A .svg, whose open paths are lines and whose closed ones are outlines; a .geojson with
-        points, lines and polygons; or a .txt with lines.
+        points, lines and polygons; or a .txt with rings, of which one of two points is a line.
 
     Returns
     -------
@@ -159,10 +159,7 @@ def sets_on(
     return [(rings_on(name, one, domain), forbidden, distance) for one in several]
 
 
-def obstacles_on(
-    avoid: object, domain: tuple[float, float], torus: bool = False
-) -> list[tuple[list[Floats], bool, float]]:
-    """A set for each pair of lines and their distance; on a torus with its images."""
+def _pairs(avoid: object) -> list[tuple[object, object]]:
     if avoid is None:
         return []
     if not isinstance(avoid, (list, tuple)) or not all(
@@ -171,8 +168,19 @@ def obstacles_on(
         raise TypeError(
             f"avoid must be a list of pairs of lines and their distance, not {shown(avoid)}"
         )
+    return list(avoid)
+
+
+def lines_of(avoid: object) -> list[object]:
+    return [lines for lines, _ in _pairs(avoid)]
+
+
+def obstacles_on(
+    avoid: object, domain: tuple[float, float], torus: bool = False
+) -> list[tuple[list[Floats], bool, float]]:
+    """A set for each pair of lines and their distance; on a torus with its images."""
     sets = []
-    for lines, distance in avoid:
+    for lines, distance in _pairs(avoid):
         rings = rings_on("avoid", lines, domain)
         if torus:
             around = (-1.0, 0.0, 1.0)
@@ -194,6 +202,41 @@ def page_of(*given: object) -> tuple[float, float] | None:
     return None
 
 
+def domain_around(*places: object) -> tuple[float, float]:
+    """The domain of places: what ``draw_mask`` and ``verify`` take unless they are given one.
+
+    The first page of Polygons that have one; else (1, 1), or the farthest corner if the places
+    reach beyond it.
+
+    Parameters
+    ----------
+    *places : Polygons, iterable of array_like, each of shape (N, 2), or list of Polygons
+
+    Returns
+    -------
+    tuple of float
+        Width and height.
+
+    Raises
+    ------
+    BadRequest
+        The places lie far from (0, 0), where a domain begins.
+    TypeError
+        An argument is of the wrong type.
+
+    Examples
+    --------
+    >>> import lacuna
+    >>> lacuna.domain_around([[(10, 5), (90, 5), (50, 60)]])
+    (90.0, 60.0)
+    """
+    page = page_of(*places)
+    if page is not None:
+        return page
+    sets = [one for given in places for one in sets_on("places", given, (1.0, 1.0))]
+    return _core.domain_around(sets) if sets else (1.0, 1.0)
+
+
 def draw_mask(
     rings: Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None,
     edge: SupportsFloat,
@@ -207,10 +250,11 @@ def draw_mask(
 ) -> npt.NDArray[np.bool_]:
     """Draw polygons onto a mask, for ``sample``.
 
-    A pixel is True if an odd number of rings goes around its centre: a ring within another is a
-    hole. Pixels are small enough that no point of one is farther than ``edge`` from its centre, so
-    the mask's outline is off by at most ``edge``. The same rings give the same mask on every
-    machine, which is also the mask of the command's ``--inside`` with this ``--edge``.
+    A pixel is True if all of it is inside: if an odd number of rings goes around it. So a ring
+    within another is a hole, and no point of ``sample`` lies outside. The diagonal of a pixel is at
+    most ``edge``, so all that is farther than ``edge`` from the rings is True. The same rings give
+    the same mask on every machine, which is also the mask of the command's ``--inside`` with this
+    ``--edge``.
 
     Parameters
     ----------
@@ -227,11 +271,11 @@ def draw_mask(
     torus : bool
         Whether ``avoid`` reaches around the edges of the domain.
     edge : float
-        How far the outline may be off. With a distance it may be off by twice as much, but never
-        so that a pixel is too near. The command takes a sixteenth of the least radius.
+        How far inside of the outline pixels may begin to be True. The command takes a sixteenth of
+        the least radius.
     domain : tuple of float, optional
-        Width and height, which must be passed to ``sample`` too. By default the page of Polygons,
-        else (1, 1). A page is stretched over it.
+        Width and height, which must be passed to ``sample`` too. By default ``domain_around`` all
+        these places. A page is stretched over it.
     memory_limit : int, optional
         Refuse a mask of more bytes; a pixel takes one. By default a quarter of the machine's
         memory.
@@ -254,17 +298,24 @@ def draw_mask(
     >>> outer, hole = [(0, 0), (1, 0), (1, 1), (0, 1)], [(0.2, 0.2), (0.6, 0.2), (0.2, 0.6)]
     >>> mask = lacuna.draw_mask([outer, hole], 0.01)
     >>> mask.shape, round(float(mask.mean()), 2)  # all but a triangle of 0.08
-    ((71, 71), 0.92)
+    ((142, 142), 0.89)
     >>> lacuna.sample(0.05, mask=mask, seed=1).maximal
     True
     """
-    page = page_of(rings, outside) or (1.0, 1.0)
-    width, height = pair("domain", domain if domain is not None else page)
     most = 0 if memory_limit is None else whole("memory_limit", memory_limit, 1, MOST_64)
-    size, distance = (width, height), real("border", border)
-    sets = sets_on("rings", rings, size, distance=distance)
-    sets += sets_on("outside", outside, size, forbidden=True, distance=distance)
-    sets += obstacles_on(avoid, size, flag("torus", torus))
+    distance = real("border", border)
+
+    def sets_for(size: tuple[float, float], around: bool) -> list[tuple[list[Floats], bool, float]]:
+        sets = sets_on("rings", rings, size, distance=distance)
+        sets += sets_on("outside", outside, size, forbidden=True, distance=distance)
+        return sets + obstacles_on(avoid, size, around)
+
+    page = page_of(rings, outside, *lines_of(avoid))
+    if domain is not None:
+        width, height = pair("domain", domain)
+    else:
+        width, height = page or _core.domain_around(sets_for((1.0, 1.0), False))
+    sets = sets_for((width, height), flag("torus", torus))
     try:
         mask = _core.draw_mask(sets, width, height, real("edge", edge), most)
     except BadRequest as error:

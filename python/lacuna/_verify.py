@@ -10,10 +10,10 @@ import numpy as np
 from . import _core, _plots
 from ._arguments import ellipses_of, field_of, flag, mask_of, points_array, real, shown
 from ._classes import class_numbers, classes_of
-from ._domains import Polygons, obstacles_on, page_of, sets_on
+from ._domains import Polygons, domain_around, lines_of, obstacles_on, sets_on
 from ._errors import BadRequest
 from ._judging import domain_of
-from ._results import PointSet
+from ._results import PointSet, Relaxed
 from ._runs import shape_of
 
 if TYPE_CHECKING:
@@ -197,7 +197,7 @@ def _shape(pixels: _core.Field | _core.Mask | None, *polygons: object) -> tuple[
     """The domain if neither the caller nor a PointSet gives it."""
     if pixels is not None:
         return shape_of(pixels)
-    return page_of(*polygons) or (1.0, 1.0)
+    return domain_around(*polygons)
 
 
 def verify(
@@ -248,8 +248,8 @@ def verify(
     avoid : list of (Polygons or iterable of array_like, float), optional
         Obstacles and the distance that points keep from them, as of ``draw_mask``.
     edge : float
-        How far the polygons' edges may be off: a point may lie outside by up to ``edge``, and a
-        spot that is inside by up to ``edge`` need not be covered.
+        Spots that are inside of the polygons by up to ``edge`` need not be covered. No point may
+        lie outside.
     border : float
         No point may be closer to the domain's edges, nor to the outlines of ``inside`` and
         ``outside``. By default a PointSet's own, else 0.
@@ -263,7 +263,7 @@ def verify(
         The class of each point: its name, or its place in ``classes``. By default a PointSet's own.
     domain : tuple of float, optional
         Width and height. By default a PointSet's own, else the shape of the field or of the mask,
-        its longer side 1, else the page of ``inside``, or (1, 1).
+        its longer side 1, else ``domain_around`` the polygons and obstacles.
     torus : bool, optional
         Whether the edges wrap. By default as in the PointSet, else False.
     tolerance : float, optional
@@ -335,9 +335,10 @@ def verify(
                 raise BadRequest(f"{name} missing: the set was made with one: give it too", name)
     claim.border = real("border", own.get("border", 0) if border is None else border)
     claim.edge = real("edge", edge)
-    claim.width, claim.height, claim.torus = domain_of(
-        points, domain, torus, _shape(importance or allowed, inside, outside)
-    )
+    shape = (1.0, 1.0)
+    if domain is None and not isinstance(points, (PointSet, Relaxed)):
+        shape = _shape(importance or allowed, inside, outside, *lines_of(avoid))
+    claim.width, claim.height, claim.torus = domain_of(points, domain, torus, shape)
     claim.distances_only = flag("distances_only", distances_only)
     if tolerance is not None:
         claim.tolerance = real("tolerance", tolerance)

@@ -53,6 +53,12 @@ Mask mask_of(const nb::list& given, double width, double height, double edge,
     return draw_mask(sets.copy(), width, height, edge, memory_limit);
 }
 
+nb::tuple domain_of(const nb::list& given) {
+    PolygonSets sets(given);
+    const Point corner = domain_around(sets.copy());
+    return nb::make_tuple(corner.x, corner.y);
+}
+
 }  // namespace
 
 void add_domains(nb::module_& module) {
@@ -62,6 +68,7 @@ void add_domains(nb::module_& module) {
         .def_prop_ro("values", truths_of);
     module.def("make_mask", make_mask);
     module.def("read_polygons", polygons_of);
+    module.def("domain_around", domain_of);
     module.def("draw_mask", mask_of);
 }
 

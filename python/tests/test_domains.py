@@ -197,8 +197,8 @@ def test_rings_of_arrays_and_of_lists_are_drawn_alike() -> None:
     outer, hole = [(0, 0), (2, 0), (2, 1), (0, 1)], [(0.5, 0.25), (1.5, 0.25), (1, 0.75)]
     mask = lacuna.draw_mask([outer, hole], 0.01, domain=(2, 1))
     assert mask.dtype == np.bool_ and mask.ndim == 2
-    assert mask.mean() == pytest.approx(1 - 0.25 / 2, abs=0.005)
-    assert not mask[mask.shape[0] // 2, mask.shape[1] // 2] and mask[0, 0]
+    assert mask.mean() == pytest.approx(1 - 0.25 / 2 - 0.026, abs=0.005)
+    assert not mask[mask.shape[0] // 2, mask.shape[1] // 2] and mask[3, 3]
     same = lacuna.draw_mask(
         (np.asarray(ring, ">f4") for ring in (hole[::-1], outer)), 0.01, domain=(2, 1)
     )
@@ -213,7 +213,24 @@ def test_polygons_of_geojson_have_no_page(tmp_path: Path) -> None:
     half = lacuna.read_polygons(str(path))
     assert half.domain is None
     mask = lacuna.draw_mask(half, 0.1)
-    assert not mask[0].any() and mask[-1].all()
+    assert not mask[0].any() and mask[-2, 1:-1].all()
+    assert lacuna.domain_around(half) == (1, 1)
+
+
+def test_places_have_the_domain_around_them_whatever_reads_them() -> None:
+    lake = [[(12, 3), (88, 14), (95, 60), (60, 92), (20, 70), (3, 40)]]
+    assert lacuna.domain_around(lake) == (95, 92)
+    assert lacuna.domain_around(None, [[(0.5, 0.5)]]) == (1, 1)
+    inside = lacuna.draw_mask(lake, 0.5)
+    outside = lacuna.draw_mask(None, 0.5, outside=lake)
+    avoiding = lacuna.draw_mask(None, 0.5, avoid=[(lake, 6)])
+    assert inside.shape == outside.shape == avoiding.shape
+    made = lacuna.sample(4, mask=inside, domain=lacuna.domain_around(lake), seed=1)
+    assert lacuna.verify(made.points, 4, inside=lake, edge=0.5).maximal
+    with pytest.raises(lacuna.BadRequest, match="domain missing: the places given lie in"):
+        lacuna.domain_around([[(500, 500), (600, 500), (500, 600)]])
+    with pytest.raises(lacuna.BadRequest, match="must not lie wholly outside of the domain"):
+        lacuna.draw_mask(None, 0.01, outside=lake, domain=(1, 1))
 
 
 # ------------------------------------------------------------------------------------- judging
@@ -377,7 +394,8 @@ RING = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
         (ValueError, "domain", {"domain": (0, 1)}),
         (TypeError, "domain", {"domain": 3}),
         (ValueError, "rings", {"rings": []}),
-        (ValueError, "rings", {"rings": [[(2, 2), (3, 2), (2, 3)]]}),
+        (ValueError, "domain", {"rings": [[(2, 2), (3, 2), (2, 3)]]}),
+        (ValueError, "rings", {"rings": [[(2, 2), (3, 2), (2, 3)]], "domain": (1, 1)}),
         (ValueError, "rings", {"rings": [[(0, 0), (1, NAN), (0, 1)]]}),
         (ValueError, "rings", {"rings": RING}),  # one ring is a list of one
         (ValueError, "rings", {"rings": [np.ones((3, 3))]}),

@@ -76,7 +76,7 @@ TEST(SampleInsidePolygons, MayBeGivenSeveralFilesAndOthersToLeaveOut) {
     };
     const double edge = 0.03 / 16 * (1 + 1e-3);
     const std::vector<Point> points = points_of(folder, arguments);
-    for (const Point& point : points) EXPECT_TRUE(is_allowed(point, -edge));
+    for (const Point& point : points) EXPECT_TRUE(is_allowed(point, 0));
     EXPECT_TRUE(is_full(points, 1, 1, 0.03, [&](Point at) { return is_allowed(at, edge); }));
 
     const std::string json = folder.path("a.json");
@@ -129,8 +129,8 @@ TEST(SampleInsidePolygons, FillsThemUpToTheirEdges) {
     const auto from_middle = [](Point at) { return distance(at, {5, 5}); };
     const double edge = 0.5 / 16 * (1 + 1e-3);
     for (const Point& point : points) {
-        EXPECT_LE(from_middle(point), 4 + edge);
-        EXPECT_GE(from_middle(point), 2 - edge);
+        EXPECT_LE(from_middle(point), 4);
+        EXPECT_GE(from_middle(point), 2);
     }
     EXPECT_TRUE(is_full(points, 20, 10, 0.5, [&](Point at) {
         return from_middle(at) < 4 - edge && from_middle(at) > 2 + edge;
@@ -145,9 +145,9 @@ TEST(SampleInsidePolygons, AsksForADomainWhereTheyReachBeyondTheDefault) {
         return sample_to(folder.path("points.npy"), {"--inside", map, "--radius", "4"}).err;
     };
     EXPECT_EQ(refused(),
-              "lacuna: --domain missing: the polygons of " + map +
-                  " lie in [500000, 500100] x [5400000, 5400080], far from 0, 0, where a domain "
-                  "begins: subtract (500000, 5400000) from all points\n");
+              "lacuna: --domain missing: the places given lie in [500000, 500100] x [5400000, "
+              "5400080], far from 0, 0, where a domain begins: subtract (500000, 5400000) from all "
+              "points, or give a domain\n");
     write_file(map, "0 0\n100 0\n100 80\n0 80\n");
     const std::vector<Point> asked =
         points_of(folder, {"--inside", map, "--radius", "4", "--domain", "100x80"});
@@ -155,6 +155,63 @@ TEST(SampleInsidePolygons, AsksForADomainWhereTheyReachBeyondTheDefault) {
     EXPECT_EQ(points_of(folder, {"--inside", map, "--radius", "4"}), asked);
     EXPECT_FALSE(
         points_of(folder, {"--inside", map, "--radius", "0.1", "--domain", "1x1"}).empty());
+}
+
+// The same places, by whatever option, have the same domain: one around them.
+TEST(SampleAroundPlaces, HasTheirDomainWhateverOptionReadsThem) {
+    const Folder folder;
+    const std::string lake = folder.path("lake.geojson"), report = folder.path("report.json");
+    write_file(lake, R"({"type":"Polygon","coordinates":[[[12,3],[88,14],[95,60],[60,92],[20,70],)"
+                     R"([3,40],[12,3]]]})");
+    for (const Names& option :
+         {Names{"--inside", lake}, Names{"--outside", lake}, Names{"--avoid", lake + ":6"}}) {
+        const std::vector<Point> points =
+            points_of(folder, {option[0], option[1], "--radius", "4", "--report", report});
+        EXPECT_GT(points.size(), 40U) << option[0];
+        EXPECT_EQ(Json::parse(content_of(report))["request"]["domain"], Json({95, 92}))
+            << option[0];
+        // A file that has nothing to do with the domain is refused.
+        const Outcome refused = sample_to(
+            folder.path("a.csv"), {option[0], option[1], "--radius", "0.1", "--domain", "1x1"});
+        if (option[0] == "--avoid")
+            EXPECT_EQ(refused.exit_code, 0) << refused.err;  // 6 from its lines is in the domain
+        else
+            EXPECT_EQ(refused.err, "lacuna: " + option[0] + " " + lake +
+                                       ": lies in [3, 95] x [3, 92], and must not lie wholly "
+                                       "outside of the domain, [0, 1) x [0, 1)\n");
+    }
+}
+
+// The inside of an outline is avoided only by --outside.
+TEST(SampleAroundPlaces, AvoidsOutlinesAndNotTheirInside) {
+    const Folder folder;
+    const std::string square = folder.path("square.txt");
+    write_file(square, "20 20\n80 20\n80 80\n20 80\n");
+    const std::vector<Point> points =
+        points_of(folder, {"--avoid", square + ":5", "--domain", "100x100", "--radius", "2"});
+    const auto is_within = [&](double low, double high) {
+        return std::count_if(points.begin(), points.end(), [&](Point p) {
+            return p.x > low && p.x < high && p.y > low && p.y < high;
+        });
+    };
+    EXPECT_GT(is_within(25, 75), 300);
+    EXPECT_EQ(is_within(15.0001, 84.9999), is_within(25, 75));
+}
+
+// No point lies outside, and two islands cost no more for lying far apart.
+TEST(SampleInsidePolygons, LeavesNoPointOutsideAndCostsNothingBetweenIslands) {
+    const Folder folder;
+    const std::string islands = folder.path("islands.geojson"), csv = folder.path("a.csv");
+    write_file(islands,
+               R"({"type":"MultiPolygon","coordinates":[[[[0,0],[6,0],[6,6],[0,6],[0,0]]],)"
+               R"([[[999994,999994],[1e6,999994],[1e6,1e6],[999994,1e6],[999994,999994]]]]})");
+    ASSERT_EQ(sample_to(csv, {"--inside", islands, "--count", "50"}).exit_code, 0);
+    const std::vector<Point> points = files::read_points(csv);
+    EXPECT_EQ(points.size(), 50U);
+    for (const Point& p : points)
+        EXPECT_TRUE((p.x >= 0 && p.x <= 6 && p.y >= 0 && p.y <= 6) ||
+                    (p.x >= 999994 && p.y >= 999994))
+            << p.x << " " << p.y;
 }
 
 TEST(SampleInsidePolygons, TakesAnEdgeAndStretchesAPageOverTheDomain) {

@@ -84,7 +84,7 @@ TEST(Refused, OfSampleAreFilesThatSayWherePointsMayLie) {
          "lacuna: --relax 3: cannot be used with --mask, --inside, --outside, --avoid, --border or "
          "--keep\n"},
         {"--inside triangle.txt --edge 1e-9", 2,
-         "lacuna: --edge 1e-09: takes a mask of 707106782 x 7"},
+         "lacuna: --edge 1e-09: must be at least 6e-08, the longer side / 2^24"},
         {"--inside half.pgm", 2,
          "lacuna: --inside half.pgm: must end in .svg, .geojson, .json or .txt\n"},
         {"--inside line.txt", 3, "lacuna: line.txt:1: a ring of 2 points: must be at least 3\n"},

@@ -84,19 +84,19 @@ TEST(TheLargestGap, OnTheBorderOfTwoPixelsHasTheRadiusOfItsOwn) {
         4,
         {0.028346520423628493, 0.44465125638244218, 0.5860780187163902, 0.46800308668215068,
          0.082640200544060696, 0.012321018429127409, 0.80813086434415005, 0.092045216582603132}};
-    const std::vector<PolygonRing> rings{{{20.056026015478047, 0},
-                                          {0, 0},
-                                          {0, 24.662595494027226},
-                                          {18.169732270695686, 24.662595494027226},
-                                          {18.169732270695686, 1.2980313417909066},
-                                          {36.339464541391372, 1.2980313417909066}}};
+    const std::vector<PolygonRing> rings{{{20.056026015478047, -0.6},
+                                          {-0.6, -0.6},
+                                          {-0.6, 25.262595494027226},
+                                          {18.769732270695686, 25.262595494027226},
+                                          {18.769732270695686, 1.8980313417909066},
+                                          {36.939464541391372, 1.8980313417909066}}};
     Claim claim;
     claim.width = 20.056026015478047;
     claim.height = 25.960626835818132;
     claim.field = &field;
     claim.scale = 5.8205682657952513;
     claim.polygons = polygons_of(rings);
-    claim.edge_tolerance = 1.5141443558913072;
+    claim.edge_tolerance = 2.1141443558913072;
     claim.border = 1.0028013007739024e-08;
     const std::vector<Point> points{
         {10.69488433251901, 13.05564567412701},    {1.915294664401761, 12.510053977451616},
@@ -110,7 +110,7 @@ TEST(TheLargestGap, OnTheBorderOfTwoPixelsHasTheRadiusOfItsOwn) {
     EXPECT_NEAR(proof.largest_gap_distance - proof.largest_gap_limit, 0.0989, 1e-4);
 }
 
-TEST(Polygons, MayBeOffByTheirEdgesTolerance) {
+TEST(Polygons, NeedNoPointsNearTheirEdgesAndLetNoneLieOutside) {
     const std::vector<PolygonRing> rings{square(0.25, 0.75)};
     Claim claim = unit_claim(0.36);  // the middle of the square is 0.354 from a corner
     claim.polygons = polygons_of(rings);
@@ -120,7 +120,8 @@ TEST(Polygons, MayBeOffByTheirEdgesTolerance) {
     EXPECT_EQ(outside.forbidden, 0U);
     EXPECT_EQ(outside.forbidden_by, Proof::Closed::polygons);
     claim.edge_tolerance = 0.011;
-    EXPECT_FALSE(prove(std::vector<Point>{{0.76, 0.5}}, claim).forbidden);
+    EXPECT_EQ(prove(std::vector<Point>{{0.750001, 0.5}}, claim).forbidden, 0U);
+    EXPECT_FALSE(prove(std::vector<Point>{{0.75, 0.5}}, claim).forbidden);
     // Spots that are inside by no more than the tolerance need not be covered.
     claim.radius = 0.34;
     EXPECT_TRUE(prove(std::vector<Point>{{0.5, 0.5}}, claim).maximal);

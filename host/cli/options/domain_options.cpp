@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -93,38 +92,6 @@ double least_radius(const Request& request, std::span<const PolygonSet> sets,
     trial.mask = &mask;
     return radius_field_scale_for_count(trial, static_cast<double>(*request.count)) /
            std::sqrt(greatest);
-}
-
-struct Extent {
-    Point least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    Point most{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-
-    void add(std::span<const PolygonRing> rings) {
-        for (const PolygonRing& ring : rings)
-            for (const Point& point : ring) {
-                least = {std::min(least.x, point.x), std::min(least.y, point.y)};
-                most = {std::max(most.x, point.x), std::max(most.y, point.y)};
-            }
-    }
-    bool is_within(double width, double height) const {
-        return least.x >= 0 && least.y >= 0 && most.x <= width && most.y <= height;
-    }
-    // Whether a domain that begins at 0, 0 is at most twice as wide and high as needed.
-    bool begins_near_0() const {
-        return least.x >= 0 && least.y >= 0 && least.x <= most.x - least.x &&
-               least.y <= most.y - least.y;
-    }
-};
-
-// Throws BadRequest: the domain begins at 0, 0, and these places do not.
-[[noreturn]] void refuse_far(const Extent& all) {
-    const auto& [least, most] = all;
-    throw BadRequest(
-        "domain", "missing",
-        fmt::format("the places given lie in [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}], far from 0, "
-                    "0, where a domain begins: subtract ({:.10g}, {:.10g}) from all points, or "
-                    "give --domain",
-                    least.x, most.x, least.y, most.y, least.x, least.y));
 }
 
 // The radius or scale of classes is their least distance, unless one is given or there is a count.
@@ -285,13 +252,11 @@ void read_given_files(const CLI::App& command, const DomainOptions& options, Req
                                    .option = "avoid",
                                    .name = shown(path_of_obstacles(text))});
         }
-    // The domain of places without a page reaches from 0, 0 to their farthest corner, unless they
-    // lie within 1x1 already.
-    Extent places;
-    for (const Polygons& polygons : files.polygons) places.add(polygons.rings);
-    if (!has_shape && !files.polygons.empty() && !places.is_within(request.width, request.height)) {
-        if (!places.begins_near_0()) refuse_far(places);
-        give_shape(places.most.x, places.most.y);
+    if (!has_shape && !files.polygons.empty()) {
+        std::vector<PolygonSet> sets = files.kinds;
+        for (std::size_t i = 0; i < sets.size(); ++i) sets[i].rings = files.polygons[i].rings;
+        const Point corner = domain_around(sets);
+        give_shape(corner.x, corner.y);
     }
     if (!options.mask.empty()) {
         files.mask = read_mask(options.mask);

@@ -91,11 +91,9 @@ std::string reason(const SetClaim& claim) {
         case Proof::Closed::mask:
             return "where the mask lets none lie";
         case Proof::Closed::polygons:
-            return fmt::format("{}, by more than {}",
-                               claim.options.outside.empty() && claim.options.avoid.empty()
-                                   ? "outside the polygons"
-                                   : "where the polygons let none lie",
-                               claim.edge_tolerance);
+            return claim.options.outside.empty() && claim.options.avoid.empty() && claim.border == 0
+                       ? "outside the polygons"
+                       : "where the polygons let none lie";
         case Proof::Closed::border:
             break;
     }

@@ -82,6 +82,10 @@ Polygons decode_lines(std::string_view bytes, std::string_view format, const std
 // page the coordinates do not change.
 std::vector<PolygonRing> fitted(Polygons polygons, double width, double height);
 
+// The upper right corner of the domain of sets that have no page: (1, 1), or their farthest corner
+// if they reach beyond it. Throws BadRequest if they lie far from (0, 0), where a domain begins.
+Point domain_around(std::span<const PolygonSet> sets);
+
 // Throws BadRequest for sets of an option, or of one of its files, that lie wholly outside of the
 // domain [0, width) x [0, height), and for coordinates and distances that are not finite.
 // draw_places() and draw_mask() do this.
