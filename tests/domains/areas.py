@@ -63,6 +63,7 @@ class Painter:
              [ctypes.c_char_p, ctypes.c_size_t, pointer]),
             (self.rsvg, "rsvg_handle_render_document", ctypes.c_int,
              [pointer, pointer, pointer, pointer]),
+            (self.rsvg, "rsvg_handle_set_dpi", None, [pointer, ctypes.c_double]),
             (self.cairo, "cairo_image_surface_create", pointer, [ctypes.c_int] * 3),
             (self.cairo, "cairo_create", pointer, [pointer]),
             (self.cairo, "cairo_image_surface_get_data", pointer, [pointer]),
@@ -76,12 +77,13 @@ class Painter:
             function.restype, function.argtypes = result, arguments
 
     def paint(self, text: str, width: float, height: float):
-        """Row 0 is the top. None if librsvg cannot read the drawing."""
+        """The opacity of each pixel, 0 to 255; row 0 is the top. None if librsvg cannot read it."""
         columns, rows = round(width * SCALE), round(height * SCALE)
         data = text.encode()
         handle = self.rsvg.rsvg_handle_new_from_data(data, len(data), None)
         if not handle:
             return None
+        self.rsvg.rsvg_handle_set_dpi(handle, 96)  # its own default is 90
         surface = self.cairo.cairo_image_surface_create(0, columns, rows)
         context = self.cairo.cairo_create(surface)
         viewport = (ctypes.c_double * 4)(0, 0, columns, rows)
@@ -94,7 +96,7 @@ class Painter:
         self.cairo.cairo_destroy(context)
         self.cairo.cairo_surface_destroy(surface)
         self.object.g_object_unref(handle)
-        return alpha > 127 if painted else None
+        return alpha if painted else None
 
 
 class Drawing:
@@ -178,7 +180,8 @@ class Drawing:
         attributes, style = [], []
         identity = None
         for property_, attribute, css in wanted:
-            important = choose(["", "", "", " !important"])
+            # librsvg 2.54 ignores transforms that are important.
+            important = choose(["", "", "", " !important"]) if property_ != "transform" else ""
             where = choose(["attribute", "style", "class", "id", "both"])
             if where in ("attribute", "both"):
                 attributes.append(f'{property_}="{attribute}"')
@@ -327,14 +330,14 @@ def judge_drawing(random_: random.Random, program: Program, painter: Painter):
     if painted is None:
         return "", True
     points, refusal = program.points("--inside", "a.svg")
-    deep = ~spread(~np.pad(painted, 4), 4)[4:-4, 4:-4]
+    deep = ~spread(~np.pad(painted > 250, 4), 4)[4:-4, 4:-4]
     if points is None:
         empty = refusal.find("no polygon") >= 0 or refusal.find("must enclose some") >= 0
         if empty and spread(deep, 0).any():
             return f"{refusal}, but something is painted\n{drawing.text}", True
         return "", True
     rows, columns = painted.shape
-    near = spread(painted, 2)
+    near = spread(painted > 0, 1)  # also where something narrower than a pixel is
     for x, y in points:
         pixel = min(int(x * SCALE), columns - 1), min(int(y * SCALE), rows - 1)
         if not near[rows - 1 - pixel[1], pixel[0]]:
