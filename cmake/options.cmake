@@ -1,7 +1,9 @@
 # Compiler options of every target, in one interface target: lacuna_options.
 add_library(lacuna_options INTERFACE)
 # No float decides anything, but the reported numbers should not differ between compilers either.
+# Nothing replaces the library's own functions, so those of one file may be inlined in a shared library.
 target_compile_options(lacuna_options INTERFACE -ffp-contract=off -fno-math-errno
+    -fno-semantic-interposition
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
     -Wold-style-cast -Woverloaded-virtual -Wimplicit-fallthrough
     $<$<BOOL:${LACUNA_WERROR}>:-Werror>)

@@ -3,6 +3,8 @@
 
 - in code and pages, a page of docs/, a section of it by number, or a quoted name in that section;
 - in pages, a relative link, or a path in backticks. NAME, GROUP and X in a path stand for anything.
+
+It also fails for an option of CMake that README.md does not name.
 """
 import pathlib
 import re
@@ -21,6 +23,7 @@ CITATION = re.compile(
 LINK = re.compile(r"\]\((?!https?:|#)(?P<target>[^)#\s]+)")
 BACKTICKS = re.compile(r"`([^`]+)`")
 PATH = re.compile(rf"(?:{'|'.join(FOLDERS)}|\.ci)/[\w./*-]*$")
+OPTION = re.compile(r'^(?:option\((LACUNA_\w+)|set\((LACUNA_\w+) "" CACHE)', re.MULTILINE)
 SOURCE = re.compile(r"[\w/*-]+\.(?:cpp|h|cl|comp|cmake)$")
 
 
@@ -69,6 +72,10 @@ def main() -> int:
     code = (path for folder in FOLDERS for path in (ROOT / folder).rglob("*") if path.suffix in CODE)
     faults = [(path, fault) for path in [*PAGES, *code] for fault in wrong_citations(path.read_text())]
     faults += [(page, fault) for page in PAGES for fault in wrong_paths(page, page.read_text())]
+    readme = (ROOT / "README.md").read_text()
+    for path in [ROOT / "CMakeLists.txt", *(ROOT / "cmake").glob("*.cmake")]:
+        options = ("".join(found) for found in OPTION.findall(path.read_text()))
+        faults += [(PAGES[0], f"a word on the option {one}") for one in options if f"`{one}`" not in readme]
     for path, fault in faults:
         print(f"{path.relative_to(ROOT)}: {fault} does not exist")
     return 1 if faults else 0

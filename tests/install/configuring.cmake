@@ -38,6 +38,23 @@ if(NOT code EQUAL 0 OR NOT targets STREQUAL "-- target lacuna;-- target lacuna_f
     message(FATAL_ERROR "with LACUNA_EXTRAS (${code}): got ${targets}\n${out}${err}")
 endif()
 
+# A static library of the project's own is exported: it needs Lacuna's target, so Lacuna's too is.
+file(WRITE ${SCRATCH}/exported/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
+project(exported LANGUAGES C CXX)
+set(LACUNA_INSTALL ON)
+add_subdirectory(${SOURCE} lacuna)
+file(WRITE \${CMAKE_BINARY_DIR}/own.cpp \"int own() { return 0; }\")
+add_library(own STATIC \${CMAKE_BINARY_DIR}/own.cpp)
+target_link_libraries(own PUBLIC lacuna::lacuna)
+install(TARGETS own EXPORT own-targets)
+install(EXPORT own-targets DESTINATION lib/cmake/own)
+")
+execute_process(COMMAND ${CMAKE_COMMAND} ${toolchain} -S ${SCRATCH}/exported
+    -B ${SCRATCH}/exported/build OUTPUT_VARIABLE out ERROR_VARIABLE err RESULT_VARIABLE code)
+if(NOT code EQUAL 0)
+    message(FATAL_ERROR "with a static library that is exported (${code}):\n${out}${err}")
+endif()
+
 # expect(MISSING DEBIAN OPTION...)
 function(expect missing debian)
     execute_process(COMMAND ${CMAKE_COMMAND} ${toolchain} -S ${SOURCE} -B ${SCRATCH}/${missing} ${ARGN}

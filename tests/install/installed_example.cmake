@@ -19,8 +19,10 @@ set(toolchain -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPI
 if(SHARED_SOURCE)
     run("configuring the shared library" ${CMAKE_COMMAND} ${toolchain} -S ${SHARED_SOURCE} -B ${BUILD}
         -D BUILD_SHARED_LIBS=ON -D LACUNA_COMMAND=OFF -D LACUNA_TESTS=OFF -D LACUNA_BENCHMARKS=OFF
-        # Without optimisation and in a unity build: only building and finding are tested.
-        -D CMAKE_BUILD_TYPE=None -D CMAKE_UNITY_BUILD=ON)
+        # Without optimisation, in few units, and without the headers of devices, which take most of
+        # the time: only building and finding are tested.
+        -D CMAKE_BUILD_TYPE=None -D CMAKE_UNITY_BUILD=ON -D CMAKE_UNITY_BUILD_BATCH_SIZE=16
+        -D LACUNA_OPENCL=OFF -D LACUNA_VULKAN=OFF)
     run("building the shared library" ${CMAKE_COMMAND} --build ${BUILD})
 endif()
 
@@ -57,8 +59,40 @@ if(NOT output MATCHES "^2[5-9][0-9] points\n${first}\n$")
     message(FATAL_ERROR "built by pkg-config the example printed:\n${output}")
 endif()
 
+# Libraries of one's own that use Lacuna, and are installed too.
+set(own ${CMAKE_CURRENT_LIST_DIR}/own)
+file(REMOVE_RECURSE ${SCRATCH}/own ${SCRATCH}/program)
+run("configuring libraries that use it" ${CMAKE_COMMAND} ${toolchain} -S ${own} -B ${SCRATCH}/own
+    -D CMAKE_PREFIX_PATH=${prefix} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS} -Wall -Wextra -Werror")
+run("building them" ${CMAKE_COMMAND} --build ${SCRATCH}/own)
+run("installing them" ${CMAKE_COMMAND} --install ${SCRATCH}/own --prefix ${prefix})
+run("configuring a program that uses them" ${CMAKE_COMMAND} ${toolchain} -S ${own}
+    -B ${SCRATCH}/program -D OWN_PROGRAM=ON -D CMAKE_PREFIX_PATH=${prefix}
+    "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}")
+run("building it" ${CMAKE_COMMAND} --build ${SCRATCH}/program)
+run("running it" ${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${prefix}/lib:${pc_folder}/.. ${SCRATCH}/program/program)
+
+# find_missing(COMPONENT REASON) fails unless find_package says REASON of a component that is missing.
+function(find_missing component reason)
+    file(WRITE ${SCRATCH}/missing/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
+project(missing LANGUAGES C CXX)
+find_package(lacuna REQUIRED COMPONENTS ${component})
+")
+    execute_process(COMMAND ${CMAKE_COMMAND} ${toolchain} -S ${SCRATCH}/missing
+        -B ${SCRATCH}/missing/build -D CMAKE_PREFIX_PATH=${prefix}
+        OUTPUT_QUIET ERROR_VARIABLE err RESULT_VARIABLE code)
+    string(REGEX REPLACE "[ \n]+" " " err "${err}")
+    if(code EQUAL 0 OR NOT err MATCHES "${reason}")
+        message(FATAL_ERROR "COMPONENTS ${component} (${code}): expected '${reason}', got:\n${err}")
+    endif()
+endfunction()
+find_missing(picture "component picture: the only one is extras")
+
 # The example that uses everything beside the library alone, by CMake and pkg-config.
 file(GLOB_RECURSE extras ${prefix}/lacuna-extras.pc)
+if(NOT extras)
+    find_missing(extras "component extras is not installed .*LACUNA_EXTRAS=ON")
+endif()
 if(extras)
     set(example ${EXAMPLE}/../stippled_picture)
     set(picture ${EXAMPLE}/../raccoon.png)

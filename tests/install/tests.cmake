@@ -13,6 +13,15 @@ if(LACUNA_SANITIZE)
     set(example_flags "-fsanitize=${LACUNA_SANITIZE}")
 endif()
 lacuna_install_test(as_built -D BUILD=${PROJECT_BINARY_DIR} -D CXX_FLAGS=${example_flags})
+# Every compiler that is here must find an initialiser for each member of the public structs.
+find_program(LACUNA_CLANG NAMES clang++ clang++-15 clang++-14)
+set(compilers ${CMAKE_CXX_COMPILER})
+if(LACUNA_CLANG)
+    list(APPEND compilers ${LACUNA_CLANG})
+endif()
+add_test(NAME install.initialisers COMMAND ${Python3_EXECUTABLE}
+    ${PROJECT_SOURCE_DIR}/tests/install/initialisers.py ${PROJECT_SOURCE_DIR}/host/include
+    ${PROJECT_BINARY_DIR}/install-test/initialisers ${compilers})
 # Lacuna as a part of another project, and with a missing package.
 add_test(NAME install.configuring COMMAND ${CMAKE_COMMAND}
     -D SCRATCH=${PROJECT_BINARY_DIR}/install-test/configuring -D SOURCE=${PROJECT_SOURCE_DIR}

@@ -21,25 +21,25 @@ namespace lacuna {
 
 // A ring of the periodogram P(k) = |sum over points of exp(-2 pi i k.x)|^2 / count, without k = 0.
 struct Ring {
-    double frequency;  // mean |k| / sqrt(count) of its frequencies
-    double power;      // mean P: 1 for independent points
+    double frequency = 0;  // mean |k| / sqrt(count) of its frequencies
+    double power = 0;      // mean P: 1 for independent points
     // Variance of P over its squared mean, in dB (Ulichney 1988); -10 log10(sets) for isotropic
     // sets. Unset where power is 0.
-    std::optional<double> anisotropy_db;
+    std::optional<double> anisotropy_db{};
 };
 
 // Statistics that do not exist, such as distances in sets of one point, are unset or empty.
 struct Statistics {
     double mean_count = 0;
-    std::optional<double> least_distance;   // of all sets, in the domain's unit
-    std::optional<double> mean_distance;    // to the nearest other point
-    std::optional<double> relative_radius;  // least_distance over a hexagonal lattice's (Lagae &
-                                            // Dutre 2008)
-    std::vector<double> pair_correlation;   // entry i: the mean of g over [i, i + 1) / 20 spacings
-    std::vector<Ring> rings;                // by rising frequency, up to max_frequency
-    std::optional<double> effective_nyquist;  // in units of sqrt(count) / 2 (Heck et al. 2013)
-    std::optional<double> oscillations;       // Heck et al. 2013
-    std::optional<double> psi_6;              // mean of |psi_6|: 1 for a hexagonal lattice
+    std::optional<double> least_distance{};   // of all sets, in the domain's unit
+    std::optional<double> mean_distance{};    // to the nearest other point
+    std::optional<double> relative_radius{};  // least_distance over a hexagonal lattice's (Lagae &
+                                              // Dutre 2008)
+    std::vector<double> pair_correlation{};  // entry i: the mean of g over [i, i + 1) / 20 spacings
+    std::vector<Ring> rings{};               // by rising frequency, up to max_frequency
+    std::optional<double> effective_nyquist{};  // in units of sqrt(count) / 2 (Heck et al. 2013)
+    std::optional<double> oscillations{};       // Heck et al. 2013
+    std::optional<double> psi_6{};              // mean of |psi_6|: 1 for a hexagonal lattice
 };
 
 // `sets`: at least one, each with at least one point, all points inside the domain. `keep_going`,

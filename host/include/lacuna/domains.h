@@ -32,7 +32,7 @@
 namespace lacuna {
 
 struct Polygons {
-    std::vector<PolygonRing> rings;  // of at least three points each, or lines; y upwards
+    std::vector<PolygonRing> rings{};  // of at least three points each, or lines; y upwards
     // The page is [0, width) x [0, height). Both are 0 for files without a page.
     double width = 0;
     double height = 0;

@@ -22,8 +22,8 @@ namespace lacuna {
 
 // An ink, or a pen.
 struct Ink {
-    std::string name;
-    std::array<std::uint8_t, 3> colour;  // of the ink on white paper, in sRGB
+    std::string name{};
+    std::array<std::uint8_t, 3> colour{};  // of the ink on white paper, in sRGB
     friend bool operator==(const Ink&, const Ink&) = default;
 };
 
@@ -34,11 +34,11 @@ struct InkPart {
 };
 
 struct InkDots {
-    std::vector<Point> points;  // all of the first ink, then all of the second, and so on
+    std::vector<Point> points{};  // all of the first ink, then all of the second, and so on
     std::uint64_t lattice_columns = 0;
     std::uint64_t lattice_rows = 0;
-    std::string backend;
-    std::string device;
+    std::string backend{};
+    std::string device{};
 };
 
 // Places the dots of up to 64 inks, and moves them options.iterations times, at least once. They

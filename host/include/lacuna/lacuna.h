@@ -41,8 +41,8 @@ namespace lacuna {
 
 // A position in the user's own units.
 struct Point {
-    double x;
-    double y;
+    double x = 0;
+    double y = 0;
     friend bool operator==(const Point&, const Point&) = default;
 };
 
@@ -59,17 +59,17 @@ struct Stretch {
 // Two radii in the user's units, a >= b, and the angle from the x axis to the radius a,
 // counterclockwise in radians.
 struct Ellipse {
-    double a;
-    double b;
-    double angle;
+    double a = 0;
+    double b = 0;
+    double angle = 0;
 };
 
 // Importance over the domain: where samples are wanted, and how densely (section 4.2).
 struct Field {
-    std::uint32_t columns = 0;       // pixels
-    std::uint32_t rows = 0;          // pixels
-    std::vector<double> importance;  // rows * columns values, finite, >= 0 (0: no sample there);
-                                     // row by row, row 0 is the top of the picture (largest y)
+    std::uint32_t columns = 0;         // pixels
+    std::uint32_t rows = 0;            // pixels
+    std::vector<double> importance{};  // rows * columns values, finite, >= 0 (0: no sample there);
+                                       // row by row, row 0 is the top of the picture (largest y)
     // In mode exact: the stretch of each pixel, in the order of the importance, or empty: disks.
     // With it each sample has an ellipse instead of a disk, and two samples conflict if each lies
     // in the other's (section 6). On a torus no ellipse may be longer than its shorter side.
@@ -116,15 +116,15 @@ struct PolygonSet {
 // Kinds of points in one set, such as trees, bushes and grass. Every two kinds have a least
 // distance of their own (Wei 2010, "Multi-class Blue Noise Sampling").
 struct Classes {
-    std::vector<std::string> names;  // 1 to 16, all different, without spaces, commas or colons
+    std::vector<std::string> names{};  // 1 to 16, all different, without spaces, commas or colons
     // The least distance of each two classes, row by row: a symmetric matrix of names.size()^2
     // values >= 0, on its diagonal > 0. 0 means that two classes do not know of each other. The
     // greatest may be 4000 times the least that is not 0. See distances_by_sum and
     // distances_by_union.
-    std::vector<double> distances;
+    std::vector<double> distances{};
     // How often each class is drawn, in proportion to the room that it still has; >= 0, not all 0.
     // Empty: all alike. A class of weight 0 is not drawn: its points are the kept ones.
-    std::vector<double> weights;
+    std::vector<double> weights{};
 };
 
 // The distances of round objects of these radii that do not overlap: the sum of two radii. Two
@@ -161,9 +161,9 @@ struct Request {
 
     // Least distance between two points, in the unit of width and height; not with a field. At
     // least 2^-20 of the longer side, at most the shorter side of a torus or the diagonal of a box.
-    std::optional<double> radius;
+    std::optional<double> radius{};
     // Exactly this many points, at a radius that has room for a few more: the set is not maximal.
-    std::optional<std::uint64_t> count;
+    std::optional<std::uint64_t> count{};
 
     Mode mode = Mode::exact;
     // In modes exact and cells: importance, stretched over the domain. It must outlive the call. In
@@ -171,13 +171,13 @@ struct Request {
     const Field* field = nullptr;
     // The paper's g (section 4.2): the radius at a point is g / sqrt(importance there), in the unit
     // of width and height. Where the importance is 1 it is the radius itself.
-    std::optional<double> scale;
+    std::optional<double> scale{};
     Metric metric = Metric::min;
     // The paper's m, 1 to 1000. Default: 6 in exact, where it changes only the speed; 30, the
     // paper's, in lines; 10 lattice steps per least radius in cells. In exact with a field, a mask,
     // a border or kept points there are no lines. There the first boxes are at most 2 radii / m
     // long, the default is 1, and m again changes only the speed.
-    std::optional<std::uint32_t> lines_per_radius;
+    std::optional<std::uint32_t> lines_per_radius{};
     // In mode lines only.
     bool snap = false;       // points on the lines themselves: keeps every distance >= radius
     bool uniform_x = false;  // end of section 4.1: lines with room are equally likely
@@ -193,15 +193,15 @@ struct Request {
     // count the distances are in proportion: the least that is not 0 becomes the radius or scale.
     // With a field all distances are at a spot what they are where the importance is 1, over the
     // root of the importance there.
-    Classes classes;
+    Classes classes{};
 
     // Points that are there already. They come first in the result, in this order and bit for bit,
     // and samples keep their distance from them as from each other. Each must lie in the domain or
     // on a box's edge, where samples may lie, and keep its distance from the others. They count for
     // limit and count. They must outlive the call.
-    std::span<const Point> keep;
+    std::span<const Point> keep{};
     // With classes the class of each kept point: its place in Classes::names.
-    std::span<const std::uint8_t> keep_classes;
+    std::span<const std::uint8_t> keep_classes{};
 
     // In mode exact: an order in which every prefix is as even as a set of its own size. A maximal
     // set of about 16 points is kept, then one at a radius smaller by 2^(-1/32), and so on down to
@@ -209,14 +209,14 @@ struct Request {
     // the same sequence.
     bool progressive = false;
 
-    std::optional<std::uint64_t> limit;  // stop after this many points, >= 1
-    std::uint64_t round_size = 0;        // draws in a round; 0: automatic, 1: the paper's algorithm
+    std::optional<std::uint64_t> limit{};  // stop after this many points, >= 1
+    std::uint64_t round_size = 0;  // draws in a round; 0: automatic, 1: the paper's algorithm
     std::uint64_t seed = 0;
 
     // A Device::backend that devices() lists. "auto" is the backend that the environment variable
     // LACUNA_BACKEND names or, where it is unset or empty, the first in the list.
     std::string backend = "auto";
-    std::string device;         // for backends with devices: a number or part of a name
+    std::string device{};       // for backends with devices: a number or part of a name
     std::uint32_t threads = 0;  // at most 1024; 0: one for each core
 
     std::uint64_t memory_limit_bytes = 0;  // refuse a larger set; 0: the machine's memory
@@ -224,15 +224,15 @@ struct Request {
 
 // A level of a progressive order: the first `points` points are a maximal set of this size.
 struct Level {
-    double size;  // the radius, or with a field the scale
-    std::uint64_t points;
+    double size = 0;  // the radius, or with a field the scale
+    std::uint64_t points = 0;
 };
 
 // A point set, and how it was made.
 struct Result {
-    std::vector<Point> points;  // in order of admission
+    std::vector<Point> points{};  // in order of admission
     // With classes, of each point: its class, the place of its name in Classes::names.
-    std::vector<std::uint8_t> classes;
+    std::vector<std::uint8_t> classes{};
     // The radius asked for, or chosen for Request::count; with a field the least of all radii. With
     // classes the least distance of any two classes; the other distances are in proportion.
     double radius = 0;
@@ -243,8 +243,8 @@ struct Result {
     // they became points or not. Runs that chose a radius for Request::count are not included.
     std::uint64_t rounds = 0;
     std::uint64_t draws = 0;
-    std::string backend;          // the name of the backend that did the work
-    std::string device;           // the name of its device
+    std::string backend{};        // the name of the backend that did the work
+    std::string device{};         // the name of its device
     std::vector<Level> levels{};  // the finished levels of a progressive order
 };
 
@@ -264,9 +264,9 @@ enum class Verb {
 std::string_view name_of(Verb verb);
 
 struct Progress {
-    std::uint64_t points;           // that have been admitted
-    std::uint64_t expected_points;  // an estimate, at least `points`
-    std::uint64_t rounds;           // that have been finished
+    std::uint64_t points = 0;           // that have been admitted
+    std::uint64_t expected_points = 0;  // an estimate, at least `points`
+    std::uint64_t rounds = 0;           // that have been finished
 };
 
 // Watches a run from the calling thread. The library has no clock: an observer that wants times
@@ -298,7 +298,7 @@ struct RelaxOptions {
 
     // As in Request: "auto", or a backend by name.
     std::string backend = "auto";
-    std::string device;
+    std::string device{};
     std::uint32_t threads = 0;
 
     bool measure = false;  // fill in Relaxed::evenness; costs two more passes over the lattice
@@ -307,18 +307,18 @@ struct RelaxOptions {
 // How equal the points' capacities are; a capacity is the importance inside a point's cell. Each
 // number is a coefficient of variation, standard deviation over mean: 0 when all are equal.
 struct Evenness {
-    double before;         // in the Voronoi cells of the points given
-    double after;          // in the final power cells
-    double after_voronoi;  // in the Voronoi cells of the moved points
+    double before = 0;         // in the Voronoi cells of the points given
+    double after = 0;          // in the final power cells
+    double after_voronoi = 0;  // in the Voronoi cells of the moved points
 };
 
 struct Relaxed {
-    std::vector<Point> points;  // in the order given
+    std::vector<Point> points{};  // in the order given
     std::uint64_t lattice_columns = 0;
     std::uint64_t lattice_rows = 0;
-    std::optional<Evenness> evenness;
-    std::string backend;
-    std::string device;
+    std::optional<Evenness> evenness{};
+    std::string backend{};
+    std::string device{};
 };
 
 // Moves points until their cells hold equal importance and each point is the centroid of its cell:
@@ -333,12 +333,12 @@ Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOpti
 
 // A device that a backend can run on, or a backend that cannot run: `unusable` then says why.
 struct Device {
-    std::string backend;
-    std::string name;  // as the driver gives it
-    std::string kind;  // cpu, gpu or other
+    std::string backend{};
+    std::string name{};  // as the driver gives it
+    std::string kind{};  // cpu, gpu or other
     std::uint64_t memory_bytes = 0;
     std::uint64_t largest_buffer_bytes = 0;
-    std::string unusable;  // why it cannot be used; empty when it can
+    std::string unusable{};  // why it cannot be used; empty when it can
 };
 
 // The devices of all backends. Backends come in order of preference, and the devices of each in the

@@ -58,7 +58,7 @@ struct Claim {
     // How far over the radius a gap may be. If unset, it is 2^-28 of the longer side, which is more
     // than sample() may lose by rounding the radius up. With a field, mask, polygons, border or
     // kept points it is twice as much, because these are rounded too.
-    std::optional<double> tolerance;
+    std::optional<double> tolerance{};
     bool distances_only = false;  // gaps are not looked for, which takes most of the time
 
     // Radii that differ from place to place: the field, stretched over the domain, and the radius
@@ -89,14 +89,14 @@ struct Claim {
 struct Proof {
     // The first point outside the domain. The far edges belong to a box, and not to a torus. If
     // there is such a point, only `moved` was looked at besides.
-    std::optional<std::size_t> outside;
+    std::optional<std::size_t> outside{};
     // The first point of Claim::keep that is not in its place. If there is one, nothing else was
     // looked at.
-    std::optional<std::size_t> moved;
+    std::optional<std::size_t> moved{};
     // The first point that lies where no point may, and what forbids it. If there is one, nothing
     // else was looked at.
     enum class Closed { importance, mask, polygons, border };
-    std::optional<std::size_t> forbidden;
+    std::optional<std::size_t> forbidden{};
     Closed forbidden_by = Closed::importance;
 
     // The closest pair, if there are two points: with a field, the two whose distance is the
