@@ -6,6 +6,7 @@
 #include <string>
 
 #include "analysis/analyse.h"
+#include "base/polling.h"
 #include "verify/verify.h"
 
 namespace lacuna {
@@ -39,9 +40,12 @@ Statistics analyze(std::span<const std::vector<Point>> sets, double width, doubl
                    double max_frequency, std::uint32_t threads) {
     const analysis::Domain domain{width, height, boundary == Boundary::torus};
     check(sets, domain);
-    const analysis::Analysis found = analysis::analyse(
-        sets, domain, {}, [&](double share) { return !keep_going || keep_going(share); },
-        {max_frequency, threads});
+    const analysis::Analysis found = analysis::analyse(sets, domain, {},
+                                                       [&](double share) {
+                                                           ask();
+                                                           return !keep_going || keep_going(share);
+                                                       },
+                                                       {max_frequency, threads});
     Statistics statistics;
     statistics.mean_count = found.counts.mean;
     if (found.distances) {

@@ -1,5 +1,5 @@
-// Preparations, which may take seconds before the first round, ask now and then whether to go on.
-// The name poll.h would hide the system's header.
+// Work that may take long asks now and then whether to go on. The name poll.h would hide the
+// system's header.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,10 @@ namespace lacuna {
 using Poll = std::function<void()>;
 
 inline void nobody_asks() {}
+
+// Asks the thread's scopes (lacuna/cancel.h), if there are any. Throws Cancelled if the work is to
+// stop.
+void ask();
 
 constexpr std::size_t kBetweenPolls = 65536;  // pixels or points: about a millisecond
 
@@ -26,5 +30,9 @@ void for_each_polled(std::size_t count, const Poll& poll, Work work, std::size_t
         for (std::size_t i = begin; i < end; ++i) work(i);
     }
 }
+
+// For loops that are no simple count: asks once in a while, as the thread's work adds up. `pixels`
+// is the work since the last call, which takes as long as that on this many pixels.
+void ask_after(std::size_t pixels = 1);
 
 }  // namespace lacuna

@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/polling.h"
 #include "domains/draw_tree.h"
 #include "domains/rings.h"
 #include "files/read_whole.h"
@@ -112,7 +113,7 @@ void check(const PolygonSet& set) {
                          "must be a finite number of at least 0");
     for (std::size_t i = 0; i < set.rings.size(); ++i)
         for (const Point& point : set.rings[i])
-            if (!domains::is_fair(point))
+            if (ask_after(); !domains::is_fair(point))
                 throw BadRequest(option_of(set), fmt::format("ring {}", i),
                                  fmt::format("({}, {}): {}", point.x, point.y, domains::kFair));
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/polling.h"
 #include "domains/join.h"
 #include "domains/rings.h"
 #include "files/parse.h"
@@ -19,6 +20,33 @@ namespace lacuna::domains {
 namespace {
 
 using Json = nlohmann::json;
+
+// Lets the parser, which knows no polls, ask now and then: it reads the file through this iterator.
+class Polled {
+public:
+    using difference_type = std::ptrdiff_t;
+    using value_type = char;
+    using pointer = const char*;
+    using reference = const char&;
+    using iterator_category = std::input_iterator_tag;
+
+    explicit Polled(const char* at) : at_(at) {}
+    reference operator*() const { return *at_; }
+    Polled& operator++() {
+        if (++at_; ++read_ % kBetweenPolls == 0) ask();
+        return *this;
+    }
+    Polled operator++(int) {
+        const Polled before = *this;
+        ++*this;
+        return before;
+    }
+    friend bool operator==(const Polled& a, const Polled& b) { return a.at_ == b.at_; }
+
+private:
+    const char* at_;
+    std::size_t read_ = 0;
+};
 
 // The deepest nesting of collections that is read. Ordinary files need two or three.
 constexpr int kDeepestCollections = 64;
@@ -107,6 +135,7 @@ private:
     }
 
     void read_polygon(const Json& rings, const std::string& place) {
+        ask_after(16);
         array(rings, place);
         Polygon polygon;
         for (std::size_t i = 0; i < rings.size(); ++i)
@@ -168,7 +197,7 @@ Polygons decode_geojson(std::string_view bytes, const std::string& name, Take ta
     bytes = files::without_byte_order_mark(bytes);
     Json json;
     try {
-        json = Json::parse(bytes);
+        json = Json::parse(Polled(bytes.data()), Polled(bytes.data() + bytes.size()));
     } catch (const Json::parse_error& error) {
         // The parser's own message is not used: it quotes the file, which may hold any bytes.
         files::refuse(

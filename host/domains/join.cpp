@@ -12,6 +12,8 @@
 #include <span>
 #include <utility>
 
+#include "base/polling.h"
+
 namespace lacuna::domains {
 namespace {
 
@@ -35,6 +37,7 @@ Path whole_path(const PolygonRing& ring, int exponent) {
         return std::llrint(std::ldexp(value, exponent));
     };
     Path path;
+    ask_after(ring.size());
     path.reserve(ring.size());
     for (const Point& point : ring) path.emplace_back(whole(point.x), whole(point.y));
     return path;
@@ -42,6 +45,7 @@ Path whole_path(const PolygonRing& ring, int exponent) {
 
 PolygonRing ring_of(const Path& path, int exponent) {
     PolygonRing ring;
+    ask_after(path.size());
     ring.reserve(path.size());
     for (const auto& [x, y] : path)
         ring.push_back({std::ldexp(static_cast<double>(x), -exponent),
@@ -51,6 +55,7 @@ PolygonRing ring_of(const Path& path, int exponent) {
 
 // The rings go around each place once that is inside of `paths` by the rule.
 Paths united(const Paths& paths, ClipperLib::PolyFillType fill) {
+    ask();
     ClipperLib::Clipper clipper;
     clipper.AddPaths(paths, ClipperLib::ptSubject, true);
     Paths all;

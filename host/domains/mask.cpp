@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/polling.h"
 #include "files/parse.h"
 #include "files/read_whole.h"
 #include "pictures/image.h"
@@ -27,8 +28,8 @@ Mask decode_mask(std::string_view bytes, const std::string& name) {
     mask.columns = image.columns;
     mask.rows = image.rows;
     mask.allowed.resize(image.luminance.size());
-    std::transform(image.luminance.begin(), image.luminance.end(), mask.allowed.begin(),
-                   [](double value) { return value == 0 ? 0 : 1; });
+    for_each_polled(image.luminance.size(), ask,
+                    [&](std::size_t i) { mask.allowed[i] = image.luminance[i] == 0 ? 0 : 1; });
     if (std::find(mask.allowed.begin(), mask.allowed.end(), 1) == mask.allowed.end())
         files::refuse(name,
                       "black or transparent all over: as a mask it must allow samples "

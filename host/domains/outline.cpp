@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/polling.h"
 #include "domains/rings.h"
 #include "domains/svg_path.h"
 
@@ -38,6 +39,7 @@ double length(Point a) {
 }  // namespace
 
 void Outline::add(Point point) {
+    ask_after();
     is_fair_ = is_fair_ && domains::is_fair(point);
     ring_.push_back(point);
     ++points_;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/polling.h"
 #include "domains/rings.h"
 #include "files/parse.h"
 #include "files/point_files.h"
@@ -88,7 +89,9 @@ std::vector<PolygonRing> fitted(Polygons polygons, double width, double height) 
     const double along = width / polygons.width;
     const double up = height / polygons.height;
     for (PolygonRing& ring : polygons.rings)
-        for (Point& point : ring) point = {point.x * along, point.y * up};
+        for_each_polled(ring.size(), ask, [&](std::size_t i) {
+            ring[i] = {ring[i].x * along, ring[i].y * up};
+        });
     return std::move(polygons.rings);
 }
 

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/polling.h"
 #include "domains/join.h"
 #include "domains/outline.h"
 #include "domains/rings.h"
@@ -217,6 +218,7 @@ private:
                                      kDeepest));
         if (++elements_ > kMostElements)
             refuse(node, fmt::format("more than {} elements, with those in use", kMostElements));
+        ask_after(16);
         if (is_nested)
             refuse(node,
                    "is not read within another drawing: its outlines must stand in the outer "

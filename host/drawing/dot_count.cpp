@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/polling.h"
 #include "files/point_files.h"
 
 namespace lacuna::drawing {
@@ -17,8 +18,10 @@ std::uint64_t rounded(double count) {
 }  // namespace
 
 double darkness_of(const Field& field) {
-    return std::accumulate(field.importance.begin(), field.importance.end(), 0.0) /
-           static_cast<double>(field.importance.size());
+    double sum = 0;
+    for_each_polled(field.importance.size(), ask,
+                    [&](std::size_t i) { sum += field.importance[i]; });
+    return sum / static_cast<double>(field.importance.size());
 }
 
 std::uint64_t dot_count(const Field& field, double width, double height) {

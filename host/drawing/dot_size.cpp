@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "base/polling.h"
 #include "base/power.h"
 #include "drawing/dot_count.h"
 
@@ -80,8 +81,10 @@ double Sizing::area_at(double importance) const {
 
 Field density_of(const Field& field, const Sizing& sizing) {
     Field density = field;
-    for (double& one : density.importance)
+    for_each_polled(density.importance.size(), ask, [&](std::size_t i) {
+        double& one = density.importance[i];
         if (one > 0) one /= sizing.area_at(one);
+    });
     return density;
 }
 
@@ -94,6 +97,7 @@ std::vector<double> dot_diameters(std::span<const Point> points, const Field& fi
     std::vector<double> diameters;
     diameters.reserve(points.size());
     for (const Point& point : points) {
+        ask_after(4);
         const double importance = importance_at(point, field, width, height);
         diameters.push_back(diameter * in_steps(std::sqrt(sizing.area_at(importance))) *
                             wider_at(importance, spread, sizing.solid_black));
@@ -107,6 +111,7 @@ std::vector<double> pen_diameters(std::span<const Point> points, const Field& fi
     std::vector<double> diameters;
     diameters.reserve(points.size());
     for (const Point& point : points) {
+        ask_after(4);
         const double importance = importance_at(point, field, width, height);
         const double part = std::round(importance / kSizeStep) * kSizeStep;
         diameters.push_back(std::lerp(pens.least_mm, pens.most_mm, part) / millimetres_per_unit);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/polling.h"
 #include "drawing/crowd.h"
 #include "drawing/dot_size.h"
 
@@ -118,6 +119,7 @@ std::optional<Point> White::nearest(Point from, double reach) const {
         return static_cast<std::size_t>((at % pixels + pixels) % pixels);
     };
     for (std::int64_t y = low; y <= high; ++y) {
+        ask_after(static_cast<std::size_t>(last - first + 1));
         const double* row =
             &field.importance[(field.rows - 1 - wrap(y, rows)) * std::size_t{field.columns}];
         const double nearest_y = nearest_in_pixel(from.y, y, step_y);

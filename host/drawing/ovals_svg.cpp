@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "base/polling.h"
 #include "drawing/page.h"
 #include "drawing/picture_svg.h"
 
@@ -28,6 +29,7 @@ void append_ovals(std::string& bytes, const files::PointSet& set, const Style& s
             bytes += "<path fill=\"black\" stroke=\"none\" d=\"";
         }
         ++dots;
+        ask_after(32);
         const double x = oval.a * std::cos(oval.turn), y = 0.0 - oval.a * std::sin(oval.turn);
         const std::string arc =
             fmt::format("a{:.5g} {:.5g} {:.5g} 1 0 ", oval.a, oval.b, 0.0 - oval.turn * kDegrees);

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 
+#include "base/polling.h"
 #include "drawing/cairo_surface.h"
 #include "drawing/page.h"
 #include "drawing/picture_svg.h"
@@ -56,6 +57,7 @@ void fill_circles(cairo_t* context, const files::PointSet& set, const Style& sty
     constexpr double kTolerance = 1e-3;
     for_each_stroke(set, style, [&](std::span<const Point> dots, double diameter) {
         const double radius = diameter * page.scale / 2;
+        ask_after(64 * dots.size());
         cairo_set_tolerance(context, kTolerance * radius);
         for (const Point& point : dots) {
             cairo_new_sub_path(context);
@@ -70,6 +72,7 @@ void fill_ovals(cairo_t* context, const files::PointSet& set, const Style& style
                 const Page& page) {
     std::size_t dots = 0;
     for_each_oval(set, style, page, [&](const Oval& oval) {
+        ask_after(64);
         cairo_save(context);
         cairo_translate(context, oval.x, oval.y);
         cairo_rotate(context, -oval.turn);
@@ -119,6 +122,7 @@ void stroke_dots(cairo_t* context, const files::PointSet& set, const Style& styl
                  const Page& page) {
     cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
     for_each_stroke(set, style, [&](std::span<const Point> dots, double diameter) {
+        ask_after(64 * dots.size());
         cairo_set_line_width(context, diameter * page.scale);
         for (const Point& point : dots) {
             cairo_move_to(context, page.x_of(point), page.y_of(point));

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "base/polling.h"
 #include "drawing/page.h"
 #include "drawing/xml.h"
 
@@ -78,6 +79,7 @@ std::string draw_svg(const files::PointSet& set, const Style& style) {
             fmt::format("h{:.3g}", std::min(kLongestLine, kLargestShare * width));
         fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("<path stroke-width=\"{:.6g}\" d=\""),
                        width);
+        ask_after(16 * dots.size());
         for (const Point& point : dots)
             fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("M{:.4f} {:.4f}{}\n"),
                            page.x_of(point), page.y_of(point), line);

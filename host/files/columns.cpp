@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/polling.h"
 #include "files/point_files.h"
 
 namespace lacuna::files {
@@ -10,7 +11,7 @@ std::vector<Column> columns_of(const PointSet& set) {
     std::vector<Column> columns;
     const auto add = [&](const char* name, const auto& value) {
         std::vector<double>& values = columns.emplace_back(Column{name, {}}).values;
-        for (std::size_t i = 0; i < set.points.size(); ++i) values.push_back(value(i));
+        for_each_polled(set.points.size(), ask, [&](std::size_t i) { values.push_back(value(i)); });
     };
     if (const Dots* const dots = set.dots) {
         add("radius", [&](std::size_t i) { return dots->radii[i]; });

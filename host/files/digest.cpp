@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 
+#include "base/polling.h"
 #include "files/little_endian.h"
 #include "files/point_files.h"
 
@@ -46,6 +47,7 @@ void Sha256OfPoints::add(std::span<const Point> points) {
     auto& [context, bytes] = *state_;
     while (!points.empty()) {
         const std::size_t count = std::min(kPointsPerUpdate, points.size());
+        ask_after(4 * count);
         bytes.clear();
         for (const Point& point : points.first(count)) {
             append_little_endian(bytes, point.x);

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/polling.h"
 #include "files/csv_rows.h"
 #include "files/parse.h"
 #include "files/point_columns.h"
@@ -62,6 +63,7 @@ std::string encode_csv(const PointSet& set) {
     std::string bytes =
         with_room_for(header + '\n', (1 + (columns.size() + 3) / 4) * set.points.size());
     for (std::size_t i = 0; i < set.points.size(); ++i) {
+        ask_after(16);
         const Point& point = set.points[i];
         fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{:.17g},{:.17g}"), point.x, point.y);
         for (const Column& column : columns)

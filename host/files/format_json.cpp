@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 
+#include "base/polling.h"
 #include "files/point_files.h"
 #include "files/text_lines.h"
 
@@ -19,6 +20,7 @@ namespace {
 // Appends the shortest digits that read back as `value`. Whole numbers get ".0", so that readers
 // which distinguish 1 from 1.0 see a float, and -0.0 keeps its sign.
 void append_json_number(std::string& bytes, double value) {
+    ask_after(8);
     const std::size_t begin = bytes.size();
     fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{}"), value);
     if (bytes.find_first_of(".e", begin) == std::string::npos) bytes += ".0";

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/polling.h"
 #include "files/little_endian.h"
 #include "files/npy.h"
 #include "files/npy_numbers.h"
@@ -91,6 +92,7 @@ std::string encode_npy(const PointSet& set) {
     std::string bytes = npy_header(set.points.size(), static_cast<int>(numbers));
     bytes.reserve(bytes.size() + set.points.size() * numbers * sizeof(double));
     for (std::size_t i = 0; i < set.points.size(); ++i) {
+        ask_after(16);
         const Point& point = set.points[i];
         append_little_endian(bytes, point.x);
         append_little_endian(bytes, point.y);

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/polling.h"
 #include "files/parse.h"
 #include "files/ply.h"
 #include "files/point_columns.h"
@@ -44,6 +45,7 @@ public:
         : rest_(rest), element_(element), is_binary_(header.is_binary), order_(header.order) {}
 
     void read(std::uint64_t index, std::vector<double>& values) {
+        ask_after(16);
         if (!is_binary_) {
             if (rest_.bytes.empty()) refuse_end(index);
             line_ = rest_.take_line();

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/polling.h"
 #include "files/parse.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
@@ -59,9 +60,11 @@ private:
 
 std::string encode_txt(const PointSet& set) {
     std::string bytes = with_room_for("", set.points.size());
-    for (const Point& point : set.points)
+    for (const Point& point : set.points) {
+        ask_after(16);
         fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{:.17g} {:.17g}\n"), point.x,
                        point.y);
+    }
     return bytes;
 }
 

@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "base/polling.h"
 #include "files/links.h"
 
 namespace lacuna::files {
@@ -43,8 +44,10 @@ void fail_to_write(const std::string& path, int error) {
 }
 
 void write_all(int descriptor, std::string_view bytes, const std::string& path) {
+    constexpr std::size_t kAtOnce = std::size_t{1} << 24U;
     while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        ask();
+        const ssize_t written = ::write(descriptor, bytes.data(), std::min(bytes.size(), kAtOnce));
         if (written >= 0)
             bytes.remove_prefix(static_cast<std::size_t>(written));
         else if (errno == EPIPE)

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/polling.h"
 #include "files/formats.h"
 #include "files/parse.h"
 
@@ -88,6 +89,7 @@ inline SetsOfFile one_set(std::vector<Point> points) {
 }
 
 inline void check_finite(Point point, std::size_t index, const std::string& name) {
+    ask_after(4);
     if (!std::isfinite(point.x) || !std::isfinite(point.y))
         refuse(name, fmt::format("point {} is ({}, {}): both must be finite numbers", index,
                                  point.x, point.y));

@@ -12,6 +12,7 @@
 #include <string>
 #include <system_error>
 
+#include "base/polling.h"
 #include "files/parse.h"
 #include "plan/plan.h"
 
@@ -31,6 +32,7 @@ namespace {
 std::string read_all(int descriptor, const std::string& name, std::uint64_t most,
                      const LookAtFirst& look) {
     constexpr std::size_t kFirstRoom = std::size_t{1} << 16U;
+    constexpr std::size_t kAtOnce = std::size_t{1} << 24U;
     struct stat status {};
     const bool has_size = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
     if (has_size && static_cast<std::uint64_t>(status.st_size) > most) refuse_more(name, most);
@@ -39,9 +41,10 @@ std::string read_all(int descriptor, const std::string& name, std::uint64_t most
     for (;;) {
         if (size > most) refuse_more(name, most);
         if (size == bytes.size()) bytes.resize(std::min(2 * size, std::size_t{most} + 1));
+        ask();
         const std::size_t room =
             size < kFirstRoom ? std::min(kFirstRoom, bytes.size()) : bytes.size();
-        const ssize_t got = ::read(descriptor, bytes.data() + size, room - size);
+        const ssize_t got = ::read(descriptor, bytes.data() + size, std::min(room - size, kAtOnce));
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) fail_to_read(name, errno);
         if (got == 0) break;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/polling.h"
 #include "files/parse.h"
 #include "files/point_files.h"
 
@@ -18,6 +19,8 @@ constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // which some sprea
 
 }  // namespace
 
+// In pixels, see base/polling.h.
+constexpr std::size_t kWorkOfLine = 16;
 char lower_case(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -46,6 +49,7 @@ bool read_line(std::string_view line, Point& point) {
 }
 
 bool is_skipped(std::string_view line) {
+    ask_after(kWorkOfLine);
     skip_blanks(line);
     return line.empty() || line.starts_with('#');
 }

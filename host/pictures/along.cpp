@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/angle.h"
+#include "base/polling.h"
 #include "base/power.h"
 #include "pictures/blur.h"
 #include "pictures/importance.h"
@@ -31,6 +32,7 @@ Tensor products_of_gradients(std::span<const double> values, std::size_t columns
     for (std::vector<double>* const one : {&tensor.xx, &tensor.xy, &tensor.yy})
         one->reserve(values.size());
     for (std::size_t row = 0; row < rows; ++row) {
+        ask_after(columns);
         const std::size_t above = row == 0 ? 0 : row - 1, below = std::min(row + 1, rows - 1);
         for (std::size_t column = 0; column < columns; ++column) {
             const std::size_t left = column == 0 ? 0 : column - 1;
@@ -60,7 +62,7 @@ std::vector<Stretch> stretches_along(std::span<const double> darkness, std::size
         blur(*one, columns, rows, radius);
     std::vector<Stretch> stretches;
     stretches.reserve(darkness.size());
-    for (std::size_t i = 0; i < darkness.size(); ++i) {
+    for_each_polled(darkness.size(), ask, [&](std::size_t i) {
         const double difference = tensor.xx[i] - tensor.yy[i];
         const double twice = 2 * tensor.xy[i];
         // The difference of the eigenvalues over their sum: 1 if all gradients have one direction.
@@ -69,7 +71,7 @@ std::vector<Stretch> stretches_along(std::span<const double> darkness, std::size
         const double across = angle_of(difference, twice) / 2;
         stretches.push_back(
             {1 / power(1 / ratio, std::min(coherence, 1.0)), across + std::numbers::pi / 2});
-    }
+    });
     return stretches;
 }
 

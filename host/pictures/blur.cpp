@@ -6,12 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "base/polling.h"
+
 namespace lacuna::pictures {
 namespace {
 
 // The mean along a row, or along a column with `step` between its values.
 void blur_line(std::span<double> values, std::size_t step, std::size_t count, std::size_t radius,
                std::vector<double>& before) {
+    ask_after(count);
     before.resize(count);
     for (std::size_t i = 0; i < count; ++i) before[i] = values[i * step];
     const auto at = [&](std::ptrdiff_t i) {

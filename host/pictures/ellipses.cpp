@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/polling.h"
 #include "files/npy.h"
 #include "files/parse.h"
 #include "files/read_whole.h"
@@ -54,8 +55,9 @@ std::vector<Ellipse> ellipses_in(std::string_view data, std::size_t pixels,
     };
     std::vector<Ellipse> ellipses;
     ellipses.reserve(pixels);
-    for (std::size_t i = 0; i < pixels; ++i)
+    for_each_polled(pixels, ask, [&](std::size_t i) {
         ellipses.push_back({number(3 * i), number(3 * i + 1), number(3 * i + 2)});
+    });
     return ellipses;
 }
 
@@ -64,6 +66,7 @@ std::vector<Ellipse> ellipses_in(std::string_view data, std::size_t pixels,
 bool is_allowed(const Ellipse& ellipse) {
     constexpr double kMostRatio = 1000;
     const auto& [first, second, angle] = ellipse;
+    ask_after();
     return first > 0 && second > 0 && std::isfinite(first * second) && first * second > 0 &&
            std::max(first, second) <= kMostRatio * std::min(first, second) && std::isfinite(angle);
 }
@@ -72,6 +75,7 @@ bool is_allowed(const Ellipse& ellipse) {
 Field field_of(std::uint32_t columns, std::uint32_t rows, std::span<const Ellipse> ellipses) {
     Field field{columns, rows, {}};
     for (const auto& [first, second, angle] : ellipses) {
+        ask_after();
         const double turned = first >= second ? angle : angle + std::numbers::pi / 2;
         field.importance.push_back(first == 0 ? 0 : 1 / (first * second));
         field.stretches.push_back(first == 0

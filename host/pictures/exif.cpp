@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/polling.h"
 #include "files/parse.h"
 
 namespace lacuna::pictures {
@@ -84,11 +85,13 @@ Image upright(Image image, int orientation) {
     const bool is_turned = orientation >= 5;
     const std::size_t columns = is_turned ? image.rows : image.columns;
     const std::size_t rows = is_turned ? image.columns : image.rows;
-    for (std::size_t y = 0; y < rows; ++y)
+    for (std::size_t y = 0; y < rows; ++y) {
+        ask_after(columns);
         for (std::size_t x = 0; x < columns; ++x) {
             const auto [from_x, from_y] = stored_at(x, y, image, orientation);
             seen[y * columns + x] = image.luminance[from_y * image.columns + from_x];
         }
+    }
     image.luminance = std::move(seen);
     if (is_turned) std::swap(image.columns, image.rows);
     return image;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/polling.h"
 #include "pictures/decode.h"
 
 namespace lacuna::pictures {
@@ -27,7 +28,7 @@ public:
                 refuse(row, column, value, "must be a finite number, 0 or more");
         const std::size_t index = row * image_.columns + column;
         image_.luminance[index] = channels.size() == 1 ? channels[0] : luminance(channels);
-        if (alpha_.empty()) return;
+        if (alpha_.empty() || channels.size() < 4) return;
         if (channels[3] > 1) refuse(row, column, channels[3], "must be 0 to 1, as alpha");
         alpha_[index] = channels[3];
     }
@@ -36,8 +37,9 @@ public:
         std::vector<double>& all = image_.luminance;
         image_.white = std::max(1.0, *std::max_element(all.begin(), all.end()));
         const double behind = file_.reading.backdrop == Backdrop::white ? image_.white : 0;
-        for (std::size_t i = 0; i < alpha_.size(); ++i)
+        for_each_polled(alpha_.size(), ask, [&](std::size_t i) {
             all[i] = std::min(all[i] * alpha_[i] + behind * (1 - alpha_[i]), image_.white);
+        });
         return std::move(image_);
     }
 

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/polling.h"
 #include "files/parse.h"
 #include "pictures/decode.h"
 #include "pictures/float_pixels.h"
@@ -155,6 +156,7 @@ Image decode_hdr(const Encoded& file) {
     std::vector<Pixel> row(header.size.columns);
     RowReader reader(file, rest);
     for (std::size_t y = 0; y < header.size.rows; ++y) {
+        ask_after(row.size());
         reader.read(y, row);
         for (std::size_t x = 0; x < row.size(); ++x) {
             const std::array<double, 3> colour = to_doubles(row[x]);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/polling.h"
 #include "base/power.h"
 #include "files/parse.h"
 
@@ -25,7 +26,10 @@ Levels auto_levels_of(const Image& image) {
     const std::size_t beyond = (values.size() - 1) / kOneIn;
     const auto at = [&](std::size_t index) {
         const auto place = values.begin() + static_cast<std::ptrdiff_t>(index);
-        std::nth_element(values.begin(), place, values.end());
+        std::nth_element(values.begin(), place, values.end(), [](double a, double b) {
+            ask_after();
+            return a < b;
+        });
         return *place / image.white;
     };
     const Levels levels{at(beyond), at(values.size() - 1 - beyond)};
@@ -74,11 +78,11 @@ Levels levels_of(const Image& image, const Importance& options) {
 
 void to_darkness(Image& image, const Levels& levels, bool invert) {
     const bool stretches = levels.black != 0 || levels.white != 1;
-    for (double& value : image.luminance) {
-        double brightness = value / image.white;
+    for_each_polled(image.luminance.size(), ask, [&](std::size_t i) {
+        double brightness = image.luminance[i] / image.white;
         if (stretches) brightness = stretched(brightness, levels);
-        value = invert ? brightness : 1 - brightness;
-    }
+        image.luminance[i] = invert ? brightness : 1 - brightness;
+    });
 }
 
 bool is_zero_all_over(const std::vector<double>& values) {
@@ -96,9 +100,10 @@ void refuse_blank(const std::string& name, bool invert) {
 void apply_gamma_and_least(std::vector<double>& values, const std::string& name,
                            const Importance& options) {
     if (is_zero_all_over(values) && options.min_importance == 0) return;
-    if (options.gamma != 1)
-        for (double& value : values) value = power(value, options.gamma);
-    for (double& value : values) value = std::max(options.min_importance, value);
+    for_each_polled(values.size(), ask, [&](std::size_t i) {
+        if (options.gamma != 1) values[i] = power(values[i], options.gamma);
+        values[i] = std::max(options.min_importance, values[i]);
+    });
     if (is_zero_all_over(values))
         throw BadRequest("gamma", fmt::format("{}", options.gamma),
                          fmt::format("must be smaller: it rounds all importance in {} to 0", name));

@@ -11,12 +11,14 @@
 #include <csetjmp>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/polling.h"
 #include "files/parse.h"
 #include "pictures/decode.h"
 #include "pictures/exif.h"
@@ -76,9 +78,11 @@ private:
     // that has a destructor.
     template <class Step>
     void guarded(const Step& step) {
-        if (setjmp(where_) != 0)
+        if (setjmp(where_) != 0) {
+            if (stopped_) std::rethrow_exception(stopped_);
             file_.refuse(fmt::format("not a whole JPEG: libjpeg says {}",
                                      files::excerpt(complaint_.data())));
+        }
         step();
     }
 
@@ -94,11 +98,22 @@ private:
 
     static void on_progress(j_common_ptr jpeg) {
         auto& self = *static_cast<JpegReader*>(jpeg->client_data);
+        if (self.must_stop()) std::longjmp(self.where_, 1);
         if (self.jpeg_.input_scan_number <= kMaxScans) return;
         constexpr std::string_view kText = "more than 100 scans";
         self.complaint_ = {};
         kText.copy(self.complaint_.data(), kText.size());
         std::longjmp(self.where_, 1);
+    }
+
+    // libjpeg calls on_progress for each row of blocks. Exceptions may not pass through it.
+    bool must_stop() {
+        try {
+            ask_after(std::size_t{jpeg_.image_width} * DCTSIZE);
+        } catch (...) {
+            stopped_ = std::current_exception();
+        }
+        return stopped_ != nullptr;
     }
 
     Size size() const { return {jpeg_.image_width, jpeg_.image_height}; }
@@ -175,6 +190,7 @@ private:
     jpeg_progress_mgr progress_{};
     std::jmp_buf where_{};
     std::array<char, JMSG_LENGTH_MAX> complaint_{};
+    std::exception_ptr stopped_;  // what ask_after() threw
 };
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/polling.h"
 #include "files/npy_numbers.h"
 #include "files/parse.h"
 #include "pictures/decode.h"
@@ -84,12 +85,14 @@ template <class Number>
 Image read_numbers(const Encoded& file, const Array<Number>& array, const NpyLayout& layout) {
     FloatPixels pixels(file, layout.size, layout.channels == 4);
     std::array<double, 4> pixel{};
-    for (std::size_t y = 0; y < layout.size.rows; ++y)
+    for (std::size_t y = 0; y < layout.size.rows; ++y) {
+        ask_after(layout.size.columns);
         for (std::size_t x = 0; x < layout.size.columns; ++x) {
             for (std::size_t c = 0; c < layout.channels; ++c)
                 pixel[c] = files::value_of(array.at(y, x, c));
             pixels.set(y, x, std::span(pixel).first(layout.channels));
         }
+    }
     return std::move(pixels).finish();
 }
 

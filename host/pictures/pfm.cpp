@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/polling.h"
 #include "files/parse.h"
 #include "pictures/decode.h"
 #include "pictures/float_pixels.h"
@@ -64,7 +65,8 @@ Image decode_pfm(const Encoded& file) {
     FloatPixels pixels(file, size, false);
     std::array<double, 3> pixel{};
     const std::span<double> used = std::span(pixel).first(channels);
-    for (std::size_t y = size.rows; y-- > 0;)
+    for (std::size_t y = size.rows; y-- > 0;) {
+        ask_after(size.columns);
         for (std::size_t x = 0; x < size.columns; ++x) {
             for (double& value : used) {
                 value = double{files::load<float>(rest, order)};
@@ -72,6 +74,7 @@ Image decode_pfm(const Encoded& file) {
             }
             pixels.set(y, x, used);
         }
+    }
     return std::move(pixels).finish();
 }
 

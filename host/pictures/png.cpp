@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/polling.h"
 #include "files/parse.h"
 #include "pictures/decode.h"
 #include "pictures/whole_samples.h"
@@ -146,8 +147,10 @@ private:
         std::vector<png_byte> bytes(row_size * image.rows);
         guarded([&] {
             for (int pass = 0; pass < passes; ++pass)
-                for (std::size_t y = 0; y < image.rows; ++y)
+                for (std::size_t y = 0; y < image.rows; ++y) {
+                    ask_after(image.columns);
                     png_read_row(png_, bytes.data() + y * row_size, nullptr);
+                }
         });
         const std::span<double> all = image.luminance;
         for (std::size_t y = 0; y < image.rows; ++y)

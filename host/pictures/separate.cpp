@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "base/polling.h"
 #include "pictures/importance.h"
 
 namespace lacuna::pictures {
@@ -90,6 +91,7 @@ public:
 
     // The result holds until the next call.
     std::span<const double> amounts(const Light& picture) {
+        ask_after(64);
         const Light wanted = no_darker_than_black(picture);
         std::fill(amounts_.begin(), amounts_.end(), 0.0);
         if (has_black()) {
@@ -247,6 +249,7 @@ std::vector<Field> separated(Colours colours, std::span<const Ink> inks, const I
     for (Field& field : fields) field.importance.resize(pixels);
     Remembered remembered(inks, black_ink);
     for (std::size_t i = 0; i < pixels; ++i) {
+        ask_after();
         const std::span<const double> amounts = remembered.amounts(
             {colours.red.luminance[i], colours.green.luminance[i], colours.blue.luminance[i]});
         for (std::size_t k = 0; k < inks.size(); ++k) fields[k].importance[i] = amounts[k];

@@ -6,6 +6,7 @@
 #include <span>
 #include <type_traits>
 
+#include "base/polling.h"
 #include "pictures/image.h"
 
 namespace lacuna::pictures {
@@ -27,6 +28,7 @@ inline double over(Backdrop backdrop, std::int64_t weighted, std::int64_t alpha,
 // are grey and alpha, 3 are red, green and blue, 4 also alpha.
 template <unsigned kChannels, class At>
 void fill_row(std::span<double> row, std::int32_t max, const Reading& reading, const At& at) {
+    ask_after(row.size());
     const Weights weights = reading.weights;
     const Backdrop backdrop = reading.backdrop;
     const double whole = max;

@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/polling.h"
 #include "plan/ellipse.h"
 #include "plan/kept.h"
 #include "plan/mask_tree.h"
@@ -168,6 +169,9 @@ private:
     std::vector<std::uint32_t> next_;
 };
 
+// Between two polls 1024 points are looked up among the cells near them.
+constexpr std::size_t kWorkOfPoint = kBetweenPolls / 1024;
+
 struct Pair {
     std::uint32_t first;
     std::uint32_t second;
@@ -188,8 +192,9 @@ std::optional<Pair> find_too_close(const Request& request, std::span<const doubl
         const double least = std::ldexp(1.0, level);
         Cells cells(request, radii, least);
         for (const std::uint32_t i : is_one_class ? std::span<const std::uint32_t>() : added)
-            if (radii[i] >= least) cells.add(i);
+            if (ask_after(kWorkOfPoint); radii[i] >= least) cells.add(i);
         for (const std::uint32_t i : asking) {
+            ask_after(kWorkOfPoint);
             if (radii[i] < least) continue;
             if (const auto other = cells.too_close_to(i)) return Pair{*other, i};
             if (is_one_class) cells.add(i);
@@ -234,7 +239,8 @@ std::optional<Pair> find_too_close(const Request& request, std::span<const doubl
 std::vector<double> radii_of_kept(const Request& request) {
     std::vector<double> radii;
     radii.reserve(request.keep.size());
-    for (const Point point : request.keep) radii.push_back(longest_at(request, point));
+    for_each_polled(request.keep.size(), ask,
+                    [&](std::size_t i) { radii.push_back(longest_at(request, request.keep[i])); });
     return radii;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/polling.h"
 #include "base/threads.h"
 #include "plan/plan.h"
 
@@ -52,7 +53,7 @@ void check_stretches(const Request& request) {
         throw BadRequest("stretches", std::to_string(stretches.size()) + " values",
                          "there must be one for each pixel of the field, " +
                              std::to_string(request.field->importance.size()));
-    for (std::size_t i = 0; i < stretches.size(); ++i)
+    for_each_polled(stretches.size(), ask, [&](std::size_t i) {
         if (const auto& [ratio, angle] = stretches[i];
             !(ratio >= 1 && ratio <= kMostStretch) || !(std::abs(angle) <= kMostAngle))
             throw BadRequest("stretches",
@@ -62,6 +63,7 @@ void check_stretches(const Request& request) {
                              "ratios must lie between 1 and " + shortest(kMostStretch) +
                                  ", angles between -" + shortest(kMostAngle) + " and " +
                                  shortest(kMostAngle));
+    });
     if (request.mode != Mode::exact)
         throw BadRequest("stretches", "with mode " + std::string(name_of(request.mode)),
                          "are for mode exact");
@@ -128,10 +130,11 @@ void check_importance(const Field& field) {
     // One pass without a branch, because there may be 2^28 pixels.
     bool is_fine = true;
     bool is_zero = true;
-    for (const double one : field.importance) {
+    for_each_polled(field.importance.size(), ask, [&](std::size_t i) {
+        const double one = field.importance[i];
         is_fine &= one >= 0 && one <= std::numeric_limits<double>::max();
         is_zero &= one == 0;
-    }
+    });
     for (std::size_t i = 0; !is_fine && i < field.importance.size(); ++i)
         if (!std::isfinite(field.importance[i]) || field.importance[i] < 0)
             throw BadRequest("field",

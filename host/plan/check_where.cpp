@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 
+#include "base/polling.h"
 #include "plan/kept.h"
 #include "plan/plan.h"
 
@@ -15,7 +16,10 @@ void check_mask(const Mask& mask) {
     if (mask.allowed.size() != std::size_t{mask.columns} * mask.rows || mask.allowed.empty())
         throw BadRequest("mask", size + " with " + std::to_string(mask.allowed.size()) + " values",
                          "needs columns * rows values, at least one");
-    if (std::all_of(mask.allowed.begin(), mask.allowed.end(), [](auto one) { return one == 0; }))
+    bool is_zero = true;
+    for_each_polled(mask.allowed.size(), ask,
+                    [&](std::size_t i) { is_zero &= mask.allowed[i] == 0; });
+    if (is_zero)
         throw BadRequest("mask", size + " of zeros",
                          "samples must be allowed somewhere: some value must not be 0");
 }
@@ -41,7 +45,7 @@ void check_where(const Request& request) {
     if (!request.keep.empty() && !exact) throw BadRequest("keep", mode, "is for mode exact only");
     if (request.mask != nullptr) check_mask(*request.mask);
     check_border(request);
-    for (std::size_t i = 0; i < request.keep.size(); ++i) check_kept_place(request, i);
+    for_each_polled(request.keep.size(), ask, [&](std::size_t i) { check_kept_place(request, i); });
     if (request.count && *request.count < request.keep.size())
         throw BadRequest("count", std::to_string(*request.count),
                          "must be at least " + std::to_string(request.keep.size()) +

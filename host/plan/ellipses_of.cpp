@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/polling.h"
 #include "plan/ellipse.h"
 #include "plan/pixels_at.h"
 
@@ -15,7 +16,8 @@ std::vector<Ellipse> ellipses_of(std::span<const Point> points, const Field& fie
     std::vector<Ellipse> ellipses;
     if (field.stretches.empty()) return ellipses;
     ellipses.reserve(points.size());
-    for (const Point& point : points) {
+    for_each_polled(points.size(), ask, [&](std::size_t i) {
+        const Point& point = points[i];
         std::size_t found = 0;
         double greatest = -1;
         for_pixels_at(point, {width, height}, field.columns, field.rows, [&](std::size_t pixel) {
@@ -24,7 +26,7 @@ std::vector<Ellipse> ellipses_of(std::span<const Point> points, const Field& fie
             found = pixel;
         });
         ellipses.push_back(stretched(scale / std::sqrt(greatest), field.stretches[found]));
-    }
+    });
     return ellipses;
 }
 

@@ -11,6 +11,8 @@
 #include <string>
 #include <utility>
 
+#include "base/asked.h"
+#include "base/polling.h"
 #include "plan/plan.h"
 #include "relax/lattice.h"
 #include "relax/relax_backends.h"
@@ -26,7 +28,10 @@ using relaxing::Site;
 constexpr std::size_t kMostInks = 64;
 
 double sum_of(const Field& field) {
-    return std::accumulate(field.importance.begin(), field.importance.end(), 0.0);
+    double sum = 0;
+    for_each_polled(field.importance.size(), ask,
+                    [&](std::size_t i) { sum += field.importance[i]; });
+    return sum;
 }
 
 void check_inks(std::span<const InkPart> inks) {
@@ -54,8 +59,9 @@ Field density_of(std::span<const InkPart> inks) {
                   std::vector<double>(inks[0].field->importance.size(), 0.0)};
     for (const InkPart& ink : inks) {
         const double scale = static_cast<double>(ink.dots) / sum_of(*ink.field);
-        for (std::size_t i = 0; i < density.importance.size(); ++i)
+        for_each_polled(density.importance.size(), ask, [&](std::size_t i) {
             density.importance[i] += scale * ink.field->importance[i];
+        });
     }
     return density;
 }
@@ -230,7 +236,8 @@ private:
 }  // namespace
 
 InkDots place_inks(std::span<const InkPart> inks, std::uint64_t seed, const RelaxOptions& options,
-                   Observer& observer) {
+                   Observer& given) {
+    Asked observer(given, {});
     check_inks(inks);
     if (options.iterations == 0)
         throw BadRequest("relax", "0", "must be at least 1: several inks are even once relaxed");

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/polling.h"
+
 namespace lacuna::relaxing::reference {
 namespace {
 
@@ -35,7 +37,10 @@ public:
     void accumulate() override {
         std::fill(shares_.begin(), shares_.end(), Share{});
         for (std::uint32_t row = 0; row < numbers_.rows; ++row)
-            for (std::uint32_t column = 0; column < numbers_.columns; ++column) add(column, row);
+            for (std::uint32_t column = 0; column < numbers_.columns; ++column) {
+                ask_after(1);
+                add(column, row);
+            }
     }
 
     void move() override {
@@ -69,7 +74,7 @@ private:
     }
 
     std::uint32_t owner_of(std::uint32_t column, std::uint32_t row) {
-        ask_now_and_then();
+        ask_after(sites_.size());
         std::uint32_t owner = NO_OWNER;
         std::uint64_t least = kFarther;
         for (std::uint32_t i = 0; i < sites_.size(); ++i) {
@@ -101,6 +106,7 @@ private:
         std::uint64_t least = kFarther;
         for (std::uint32_t row = 0; row < numbers_.rows; ++row) {
             for (std::uint32_t column = 0; column < numbers_.columns; ++column) {
+                ask_after(1);
                 const std::uint32_t owner = owners_[index_of(column, row)];
                 if (owner == NO_OWNER || (shares_[i].points != 0 && owner != i)) continue;
                 const std::uint64_t distance = power_of(column, row, from);
@@ -112,9 +118,11 @@ private:
         }
     }
 
-    void ask_now_and_then() {
-        constexpr std::uint32_t kPointsPerPoll = 64;
-        if (asked_++ % kPointsPerPoll == 0 && may_go_on_ && !may_go_on_()) throw Cancelled();
+    // `work`: how many sites or lattice points were looked at.
+    void ask_after(std::size_t work) {
+        if (done_ += work; done_ < kBetweenPolls) return;
+        done_ = 0;
+        if (may_go_on_ && !may_go_on_()) throw Cancelled();
     }
 
     const Lattice& lattice_;
@@ -123,7 +131,7 @@ private:
     std::vector<std::uint32_t> owners_;
     std::vector<Share> shares_;
     std::function<bool()> may_go_on_;
-    std::uint32_t asked_ = 0;
+    std::size_t done_ = kBetweenPolls;  // work since the last question
 };
 
 }  // namespace

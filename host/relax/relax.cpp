@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/asked.h"
+#include "base/polling.h"
 #include "lacuna/lacuna.h"
 #include "plan/plan.h"
 #include "relax/lattice.h"
@@ -107,7 +109,8 @@ std::vector<Site> iterate(Iterations& run, RelaxBackend& backend, const RelaxOpt
 }  // namespace
 
 Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOptions& options,
-              Observer& observer) {
+              Observer& given) {
+    Asked observer(given, {0, points.size() * std::max<std::uint64_t>(options.iterations, 1), 0});
     relaxing::check_options(options);
     if (field != nullptr) {
         check_importance(*field);
@@ -116,14 +119,10 @@ Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOpti
     Relaxed relaxed;
     relaxed.points.assign(points.begin(), points.end());
     if (points.empty()) return relaxed;
-    const Poll poll = [&] {
-        const std::uint64_t all = points.size() * std::max<std::uint64_t>(options.iterations, 1);
-        if (!observer.keep_going({0, all, 0})) throw Cancelled();
-    };
-    const Lattice lattice = relaxing::make_lattice(points.size(), field, options, poll);
-    const std::vector<Site> start = relaxing::sites_of(points, lattice, options, poll);
+    const Lattice lattice = relaxing::make_lattice(points.size(), field, options, ask);
+    const std::vector<Site> start = relaxing::sites_of(points, lattice, options, ask);
     observer.begin(Verb::first_use);
-    const relaxing::Chosen chosen = relaxing::make_relax_backend(options, lattice, start, poll);
+    const relaxing::Chosen chosen = relaxing::make_relax_backend(options, lattice, start, ask);
     observer.end(Verb::first_use);
     relaxed.backend = chosen.name;
     relaxed.device = chosen.backend->device();

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "backends/backends.h"
+#include "base/polling.h"
 #include "base/threads.h"
 
 namespace lacuna {
@@ -77,14 +78,15 @@ Result made(const Request& request, std::uint64_t seed, OfAll& all) {
     return sample(with_seed(request, seed), observer);
 }
 
-void ask(OfAll& all) {
+void ask_all(OfAll& all) {
+    ask();
     if (!all.keep_going()) throw Cancelled();
 }
 
 void one_by_one(const Request& request, std::span<const std::uint64_t> seeds, const TakeSet& take,
                 OfAll& all) {
     for (const std::uint64_t seed : seeds) {
-        ask(all);
+        ask_all(all);
         take(seed, made(request, seed, all));
         all.add_one();
     }
@@ -102,7 +104,7 @@ void in_batches(const Request& request, std::span<const std::uint64_t> seeds, co
     std::vector<std::optional<Result>> results(std::min(batch, seeds.size()));
     for (std::size_t begin = 0; begin < seeds.size(); begin += batch) {
         const std::size_t size = std::min(batch, seeds.size() - begin);
-        ask(all);
+        ask_all(all);
         arena.execute([&] {
             tbb::parallel_for(
                 std::size_t{0}, size,
@@ -110,7 +112,7 @@ void in_batches(const Request& request, std::span<const std::uint64_t> seeds, co
                 tbb::simple_partitioner());
         });
         for (std::size_t i = 0; i < size; ++i) {
-            ask(all);
+            ask_all(all);
             take(seeds[begin + i], std::move(*results[i]));
             results[i].reset();
             all.add_one();

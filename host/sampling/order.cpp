@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/polling.h"
 #include "base/power.h"
 #include "plan/kept.h"
 #include "plan/plan.h"
@@ -30,10 +31,13 @@ public:
           rows_(cells_along(options.height)),
           begins_(std::size_t{columns_} * rows_ + 1),
           members_(points.size()) {
-        for (const Point& point : points) ++begins_[cell_of(point) + 1];
+        for_each_polled(points.size(), ask,
+                        [&](std::size_t i) { ++begins_[cell_of(points[i]) + 1]; });
         std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
         std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
-        for (std::uint32_t i = 0; i < points.size(); ++i) members_[next[cell_of(points[i])]++] = i;
+        for_each_polled(points.size(), ask, [&](std::size_t i) {
+            members_[next[cell_of(points[i])]++] = static_cast<std::uint32_t>(i);
+        });
     }
 
     // Calls visit(index, squared distance) for each point nearer than `reach`, perhaps twice where
@@ -44,6 +48,7 @@ public:
             for_each_cell(
                 from.x, reach, options_.width, columns_, [&](std::size_t column, double right) {
                     const std::size_t cell = row * columns_ + column;
+                    ask_after(1 + begins_[cell + 1] - begins_[cell]);
                     for (std::uint32_t k = begins_[cell]; k < begins_[cell + 1]; ++k) {
                         const Point& point = points_[members_[k]];
                         const double dx = point.x + right - from.x, dy = point.y + up - from.y;
@@ -103,8 +108,10 @@ private:
 std::vector<std::uint32_t> shuffled(std::size_t count, std::uint64_t seed) {
     std::vector<std::uint32_t> order(count);
     std::iota(order.begin(), order.end(), 0U);
-    for (std::size_t i = count; i > 1; --i)
+    for_each_polled(count, ask, [&](std::size_t k) {
+        const std::size_t i = count - k;
         std::swap(order[i - 1], order[scaled(random_bits(seed, i).first, i)]);
+    });
     return order;
 }
 
@@ -121,7 +128,8 @@ Request checked_request(std::span<const Point> points, const Field* field,
     request.count.reset();
     (field != nullptr ? request.scale : request.radius) = 1;
     request.keep = points;
-    for (std::size_t i = 0; i < points.size(); ++i) check_kept_place(request, i, "points");
+    for_each_polled(points.size(), ask,
+                    [&](std::size_t i) { check_kept_place(request, i, "points"); });
     return request;
 }
 
@@ -140,12 +148,12 @@ public:
     // others.
     std::vector<std::uint32_t> take_level(const std::vector<std::uint32_t>& waiting, double size) {
         std::vector<std::uint32_t> others;
-        for (const std::uint32_t index : waiting) {
-            if (free_[index] >= size * size)
-                take(index, size);
+        for_each_polled(waiting.size(), ask, [&](std::size_t i) {
+            if (free_[waiting[i]] >= size * size)
+                take(waiting[i], size);
             else
-                others.push_back(index);
-        }
+                others.push_back(waiting[i]);
+        });
         return others;
     }
     void take_all(const std::vector<std::uint32_t>& waiting) {
@@ -185,7 +193,7 @@ std::vector<std::uint32_t> progressive_order(std::span<const Point> points, cons
                             *std::max_element(radii.begin(), radii.end());
     Order order(points, radii, options);
     std::vector<std::uint32_t> waiting = shuffled(points.size(), options.seed);
-    const double first = radius_field_scale_for_count(request, kFirstPoints);
+    const double first = radius_field_scale_for_count(request, kFirstPoints, ask);
     double size = first;
     for (int level = 1; !waiting.empty() && size > smallest; ++level) {
         waiting = order.take_level(waiting, size);

@@ -7,7 +7,9 @@
 #include <string_view>
 #include <utility>
 
+#include "base/asked.h"
 #include "base/large_pages.h"
+#include "base/polling.h"
 #include "lacuna/lacuna.h"
 #include "plan/kept.h"
 #include "plan/plan.h"
@@ -19,17 +21,15 @@
 namespace lacuna {
 namespace {
 
-// Asks whether to go on before there is a point.
-void ask(const Request& request, Observer& observer) {
-    const std::uint64_t expected = request.count.value_or(request.limit.value_or(1));
-    if (!observer.keep_going({0, expected, 0})) throw Cancelled();
+// The progress before there is a point.
+Progress nothing_yet(const Request& request) {
+    return {0, request.count.value_or(request.limit.value_or(1)), 0};
 }
 
 // The request must have been checked. `sums` are the field's sums, in mode cells only.
 Result run(const Request& request, const std::optional<FieldSums>& sums, Observer& observer) {
-    const Poll poll = [&] { ask(request, observer); };
-    const Plan plan = sums                          ? make_cells_plan(request, *sums, poll)
-                      : needs_radius_field(request) ? make_radius_field_plan(request, poll)
+    const Plan plan = sums                          ? make_cells_plan(request, *sums, ask)
+                      : needs_radius_field(request) ? make_radius_field_plan(request, ask)
                                                     : make_plan(request);
     const Run run = run_on_backend(request, plan, observer);
     Result result;
@@ -125,18 +125,17 @@ std::string_view name_of(Verb verb) {
 namespace {
 
 Result sample_settled(const Request& request, Observer& observer) {
-    const Poll poll = [&] { ask(request, observer); };
-    if (request.mode == Mode::stratified) return stratified(request, observer, poll);
-    if (request.progressive) return progressive(request, observer, poll);
+    if (request.mode == Mode::stratified) return stratified(request, observer, ask);
+    if (request.progressive) return progressive(request, observer, ask);
     std::optional<FieldSums> sums;
-    if (request.mode == Mode::cells) sums = sums_of(*request.field, poll);
+    if (request.mode == Mode::cells) sums = sums_of(*request.field, ask);
     if (!request.count) {
         check_kept_distances(request);
         return run(request, sums, observer);
     }
 
     // A count: the first points of a maximal set that has somewhat more.
-    const auto search = search_for_count(request, sums ? &*sums : nullptr, poll);
+    const auto search = search_for_count(request, sums ? &*sums : nullptr, ask);
     Silent silent(observer);
     for (;;) {
         const Trial trial = search->next();
@@ -153,8 +152,9 @@ Result sample_settled(const Request& request, Observer& observer) {
 }  // namespace
 
 Result sample(const Request& request, Observer& observer) {
+    Asked asked(observer, nothing_yet(request));
     check_request(request);
-    Result result = sample_settled(settled(request), observer);
+    Result result = sample_settled(settled(request), asked);
     if (request.classes.names.size() == 1) result.classes.assign(result.points.size(), 0);
     return result;
 }

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "base/polling.h"
+
 namespace lacuna::verify {
 
 class Patience {
@@ -15,6 +17,7 @@ public:
 
     // Throws Cancelled if the proof is not wanted any more.
     void look() const {
+        ask();
         if (keep_going_ != nullptr && *keep_going_ && !(*keep_going_)()) throw Cancelled();
     }
 

@@ -13,6 +13,7 @@
 #include "arrays.h"
 #include "parts.h"
 #include "polygon_sets.h"
+#include "watch.h"
 
 namespace nb = nanobind;
 
@@ -34,7 +35,7 @@ nb::dict polygons_of(const nb::bytes& bytes, bool as_lines) {
     const std::string path(bytes.c_str(), bytes.size());
     Polygons polygons;
     {
-        const nb::gil_scoped_release no_gil;
+        const Unlocked unlocked;
         polygons = as_lines ? read_lines(path) : read_polygons(path);
     }
     nb::list rings;
@@ -49,7 +50,7 @@ nb::dict polygons_of(const nb::bytes& bytes, bool as_lines) {
 Mask mask_of(const nb::list& given, double width, double height, double edge,
              std::uint64_t memory_limit) {
     PolygonSets sets(given);
-    const nb::gil_scoped_release no_gil;
+    const Unlocked unlocked;
     return draw_mask(sets.copy(), width, height, edge, memory_limit);
 }
 

@@ -20,6 +20,7 @@
 #include "drawing/picture.h"
 #include "files/formats.h"
 #include "parts.h"
+#include "watch.h"
 
 namespace nb = nanobind;
 
@@ -75,7 +76,7 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, const Saved
                const std::optional<RadiusArray>& radii, const std::optional<ClassArray>& class_of,
                const std::optional<EllipseArray>& ellipse_array) {
     const std::string path(path_bytes.c_str(), path_bytes.size());
-    const nb::gil_scoped_release no_gil;
+    const Unlocked unlocked;
     const files::Format& format = files::format_of(path);
     const std::vector<Point> points = points_of(array);
     std::vector<files::Layer> its_layers;

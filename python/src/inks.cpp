@@ -26,7 +26,7 @@ namespace {
 std::vector<Field> read_separated(const nb::bytes& bytes, const std::vector<Ink>& inks,
                                   const Tone& tone, double black_ink) {
     const std::string path(bytes.c_str(), bytes.size());
-    const nb::gil_scoped_release no_gil;
+    const Unlocked unlocked;
     return read_inks(path, inks, tone, black_ink);
 }
 
@@ -34,7 +34,7 @@ std::vector<Field> decode_separated(const nb::bytes& bytes, const std::string& n
                                     const std::vector<Ink>& inks, const Tone& tone,
                                     double black_ink) {
     const std::string_view content(static_cast<const char*>(bytes.data()), bytes.size());
-    const nb::gil_scoped_release no_gil;
+    const Unlocked unlocked;
     return decode_inks(content, name, inks, tone, black_ink);
 }
 
@@ -69,6 +69,7 @@ void add_inks(nb::module_& module) {
     module.def("read_inks", read_separated);
     module.def("decode_inks", decode_separated);
     module.def("dots_by_ink", [](std::uint64_t dots, const std::vector<Field*>& inks) {
+        const Unlocked unlocked;
         std::vector<Field> fields;
         for (const Field* field : inks) fields.push_back(*field);
         return dots_by_ink(dots, fields);

@@ -45,6 +45,7 @@ using EllipseArray =
     nb::ndarray<const double, nb::numpy, nb::shape<-1, -1, 3>, nb::c_contig, nb::device::cpu>;
 
 Field field_of_ellipses(const EllipseArray& array) {
+    const Unlocked unlocked;
     std::vector<Ellipse> ellipses(array.shape(0) * array.shape(1));
     const double* from = array.data();
     for (Ellipse& ellipse : ellipses) {
@@ -57,7 +58,12 @@ Field field_of_ellipses(const EllipseArray& array) {
 
 nb::object ellipses_at(const PointArray& array, const Field& field, double scale, double width,
                        double height) {
-    return array_of(ellipses_of(points_of(array), field, scale, width, height));
+    std::vector<Ellipse> ellipses;
+    {
+        const Unlocked unlocked;
+        ellipses = ellipses_of(points_of(array), field, scale, width, height);
+    }
+    return array_of(std::move(ellipses));
 }
 
 nb::dict dict_of(Result result) {
@@ -146,7 +152,7 @@ nb::object order_points(const PointArray& array, const Field* field, double widt
     const std::vector<Point> points = points_of(array);
     std::vector<std::uint32_t> order;
     {
-        const nb::gil_scoped_release no_gil;
+        const Unlocked unlocked;
         order = progressive_order(points, field,
                                   {width, height, torus ? Boundary::torus : Boundary::box, seed});
     }
@@ -155,7 +161,7 @@ nb::object order_points(const PointArray& array, const Field* field, double widt
 
 // The number of dots that the command makes without --count.
 std::uint64_t dot_count(const Field& field, double width, double height) {
-    const nb::gil_scoped_release no_gil;
+    const Unlocked unlocked;
     return drawing::dot_count(field, width, height);
 }
 
@@ -164,7 +170,7 @@ nb::object dot_radii(const PointArray& array, const Field& field, double width, 
                      bool relaxed, double by_tone, bool solid_black) {
     std::vector<double> sizes;
     {
-        const nb::gil_scoped_release no_gil;
+        const Unlocked unlocked;
         sizes = drawing::dot_diameters(points_of(array), field, width, height,
                                        relaxed ? drawing::Spread::even : drawing::Spread::random,
                                        {by_tone, {}, solid_black});
@@ -189,7 +195,7 @@ nb::object pull_inside(const PointArray& array, const RadiusArray& radii, const 
     std::vector<Point> points = points_of(array);
     const std::vector<double> diameters = diameters_of(radii);
     {
-        const nb::gil_scoped_release no_gil;
+        const Unlocked unlocked;
         drawing::pull_inside(points, diameters, white_of(white, request));
     }
     return array_of(std::move(points));
@@ -201,7 +207,7 @@ nb::object fit_inside(const PointArray& array, const RadiusArray& radii, const F
     const std::vector<Point> points = points_of(array);
     std::vector<double> sizes = diameters_of(radii);
     {
-        const nb::gil_scoped_release no_gil;
+        const Unlocked unlocked;
         drawing::fit_inside(points, sizes, white_of(white, request));
         for (double& size : sizes) size /= 2;
     }
@@ -210,13 +216,13 @@ nb::object fit_inside(const PointArray& array, const RadiusArray& radii, const F
 
 Field read_picture(const nb::bytes& bytes, const Tone& tone) {
     const std::string path(bytes.c_str(), bytes.size());
-    const nb::gil_scoped_release no_gil;
+    const Unlocked unlocked;
     return read_field(path, tone);
 }
 
 Field decode_picture(const nb::bytes& bytes, const std::string& name, const Tone& tone) {
     const std::string_view content(static_cast<const char*>(bytes.data()), bytes.size());
-    const nb::gil_scoped_release no_gil;
+    const Unlocked unlocked;
     return decode_field(content, name, tone);
 }
 
@@ -337,6 +343,7 @@ void add_sampling(nb::module_& module) {
     module.def("pull_inside", pull_inside);
     module.def("fit_inside", fit_inside);
     module.def("density_of", [](const Field& field, double by_tone) {
+        const Unlocked unlocked;
         return drawing::density_of(field, {by_tone, {}});
     });
 }

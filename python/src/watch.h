@@ -2,6 +2,7 @@
 // verb.
 #pragma once
 
+#include <lacuna/cancel.h>
 #include <lacuna/lacuna.h>
 #include <nanobind/nanobind.h>
 
@@ -66,6 +67,17 @@ private:
     Clock::time_point next_ = start_ + kInterval;
     std::array<Clock::time_point, kVerbs> begun_{};
     std::array<Seconds, kVerbs> spent_{};
+};
+
+// Releases the GIL. Meanwhile work of the library that has no observer answers Ctrl-C.
+class Unlocked {
+public:
+    Unlocked() : scope_([this] { return watch_.keep_going({}); }) {}
+
+private:
+    Watch watch_{nb::none()};
+    CancelScope scope_;
+    nb::gil_scoped_release no_gil_;
 };
 
 }  // namespace lacuna::python

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "backends/reference/free_space.h"
+#include "base/polling.h"
 #include "plan/first_free.h"
 #include "portable/distance.h"
 #include "portable/metric.h"
@@ -20,10 +21,12 @@ public:
           free_lengths_(first_free_lengths(plan)),
           widest_(*std::max_element(plan.cells().radii->radii.begin(),
                                     plan.cells().radii->radii.end())) {
-        for (std::uint32_t x = 0; x < plan.lines; ++x)
+        for (std::uint32_t x = 0; x < plan.lines; ++x) {
+            ask_after(plan.height);
             for (const Span span : first_spans(plan, x))
                 for (std::uint32_t y = span.begin; y < span.end; ++y)
                     is_free_[index_of(x, y)] = true;
+        }
     }
 
     std::span<const std::uint32_t> free_lengths() const override { return free_lengths_; }
@@ -44,6 +47,7 @@ public:
             plan_.cells().metric == Metric::min ? radius_at(sample) : widest_;
         const std::uint32_t reach = radius / 256 + 1;  // in lattice steps
         for_each_within(sample.x, reach, plan_.lines, plan_.period_x, [&](std::uint32_t x) {
+            ask_after(std::min(2 * reach + 1, plan_.height));
             for_each_within(sample.y, reach, plan_.height, plan_.period_y, [&](std::uint32_t y) {
                 if (!is_free_[index_of(x, y)] || !conflict(sample, {x, y})) return;
                 is_free_[index_of(x, y)] = false;

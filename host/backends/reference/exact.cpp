@@ -10,6 +10,7 @@
 
 #include "backends/reference/free_space.h"
 #include "backends/reference/lines.h"
+#include "base/polling.h"
 #include "plan/first_boxes.h"
 #include "plan/radius_field.h"
 #include "portable/conflict.h"
@@ -33,6 +34,7 @@ public:
     explicit Samples(const Plan& plan) : plan_(&plan), magnitudes_(kMagnitudes) {}
 
     void add(const Neighbour& sample) {
+        ask_after();
         const auto& [x, y, radius] = sample.sized;
         const std::uint32_t reach = portable::times_factor(radius, sample.factor);
         const auto index = static_cast<unsigned>(std::bit_width(reach));
@@ -40,9 +42,11 @@ public:
     }
 
     // Visits every sample that could be closer to the box than the distance that it keeps, and
-    // others. The box lies on the domain.
+    // others, until visit(sample) returns false. Returns whether it always returned true. The box
+    // lies on the domain.
     template <typename Visit>
-    void for_each_near(const Box& box, Visit visit) const {
+    bool for_each_near(const Box& box, Visit visit) const {
+        ask_after();
         for (unsigned index = 0; index < kMagnitudes; ++index) {
             if (magnitudes_[index].empty()) continue;
             const std::int64_t reach = std::int64_t{1} << index;
@@ -52,8 +56,9 @@ public:
                 for (const auto& y :
                      stretches(std::int64_t{box.begin} - reach, std::int64_t{box.end} + reach,
                                plan_->height, plan_->period_y))
-                    visit_bins(index, x, y, visit);
+                    if (!visit_bins(index, x, y, visit)) return false;
         }
+        return true;
     }
 
 private:
@@ -84,14 +89,18 @@ private:
     }
 
     template <typename Visit>
-    void visit_bins(unsigned index, Span x, Span y, Visit& visit) const {
+    bool visit_bins(unsigned index, Span x, Span y, Visit& visit) const {
         const Bins& bins = magnitudes_[index];
         const std::uint32_t low = bin_of(y.begin, index);
         const std::uint32_t high = bin_of(y.end - 1, index);
         for (std::uint32_t i = bin_of(x.begin, index); i <= bin_of(x.end - 1, index); ++i)
             for (auto bin = bins.lower_bound({i, low});
                  bin != bins.end() && bin->first <= std::pair(i, high); ++bin)
-                for (const Neighbour& sample : bin->second) visit(sample);
+                for (const Neighbour& sample : bin->second) {
+                    ask_after();
+                    if (!visit(sample)) return false;
+                }
+        return true;
     }
 
     const Plan* plan_;
@@ -128,16 +137,14 @@ public:
     bool is_free(Sample candidate) const override {
         const Sized sized{sheets_.x_on_sheet(candidate.x), candidate.y, radius_at(candidate)};
         if (sized.radius == 0) return false;
-        bool covered = false;
-        samples_[sheets_.of(candidate.x)].for_each_near(
+        return samples_[sheets_.of(candidate.x)].for_each_near(
             {sized.x, 1, sized.y, sized.y + 1}, [&](const Neighbour& near) {
-                covered |= has_ellipses() ? portable::ellipses_conflict(
-                                                near.sized, ellipse_of(near.sized), sized,
-                                                ellipse_of(sized), plan_.period_x, plan_.period_y)
-                                          : portable::conflicts(near.sized, sized, near.factor,
-                                                                plan_.period_x, plan_.period_y);
+                return has_ellipses() ? !portable::ellipses_conflict(
+                                            near.sized, ellipse_of(near.sized), sized,
+                                            ellipse_of(sized), plan_.period_x, plan_.period_y)
+                                      : !portable::conflicts(near.sized, sized, near.factor,
+                                                             plan_.period_x, plan_.period_y);
             });
-        return !covered;
     }
     void add(Sample sample) override { add(Sized{sample.x, sample.y, radius_at(sample)}); }
 
@@ -251,16 +258,21 @@ private:
         const std::uint32_t half = box.width / 2;
         const std::uint32_t x = sheets_.x_on_sheet(box.x);
         std::vector<Span> chords;
-        samples[sheets_.of(box.x)].for_each_near(
+        const auto covers = [&](Span chord) {
+            return chord.begin <= box.begin && chord.end >= box.end;
+        };
+        const bool is_open = samples[sheets_.of(box.x)].for_each_near(
             {x, box.width, box.begin, box.end}, [&](const Neighbour& near) {
                 if (has_ellipses() && radius != 0) append_chord(box, near.sized, chords);
-                if (has_ellipses()) return;
+                if (has_ellipses()) return true;
                 const std::uint32_t dx =
                     portable::axis_distance(near.sized.x, x + half, plan_.period_x) + half;
                 for_each_window(plan_, near.sized.y,
                                 portable::chord(near.sized, dx, radius, near.factor),
                                 [&](Span chord) { chords.push_back(chord); });
+                return chords.empty() || !covers(chords.back());
             });
+        if (!is_open) return;
         chords.push_back({box.end, box.end});
         std::sort(chords.begin(), chords.end(), [](Span a, Span b) { return a.begin < b.begin; });
         std::uint32_t free_from = box.begin;

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "backends/reference/free_space.h"
+#include "base/polling.h"
 #include "plan/first_free.h"
 #include "portable/stretch.h"
 
@@ -38,8 +39,10 @@ std::unique_ptr<FreeSpace> make_lines(const Plan& plan) {
 }
 
 FreeSpans::FreeSpans(const Plan& plan) : plan_(plan), lengths_(first_free_lengths(plan)) {
-    for (std::uint32_t line = 0; line < plan.lines; ++line)
+    for (std::uint32_t line = 0; line < plan.lines; ++line) {
+        ask_after();
         spans_.push_back(first_spans(plan, line));
+    }
 }
 
 std::uint32_t FreeSpans::y_at_rank(std::uint32_t line, std::uint32_t rank) const {
@@ -63,6 +66,7 @@ void FreeSpans::subtract_disk(Sample sample) {
     const portable::Stretch near = portable::stretch_around(
         plan_.line_of(sample), plan_.radius / plan_.strip_width + 1, plan_.lines, plan_.period_x);
     for (std::uint32_t i = 0; i < near.count; ++i) {
+        ask_after();
         const std::uint32_t line = portable::nth_of_stretch(near, i, plan_.lines);
         for_each_chord(plan_, sample, plan_.centre_of_line(line), plan_.chord_margin(),
                        [&](Span chord) { subtract(line, chord); });

@@ -13,12 +13,16 @@
 #include <vector>
 
 #include "backends/reference/free_space.h"
+#include "base/polling.h"
 #include "rounds/random.h"
 #include "rounds/round_policy.h"
 #include "rounds/sheet_shares.h"
 
 namespace lacuna::reference {
 namespace {
+
+// Between two polls 128 draws are made: each walks along a line or a column of the lattice.
+constexpr std::size_t kWorkOfDraw = kBetweenPolls / 128;
 
 std::unique_ptr<FreeSpace> make_free_space(const Plan& plan) {
     if (plan.is_exact()) return make_exact(plan);
@@ -107,12 +111,14 @@ Outcome sample(const Plan& plan, Observer& observer) {
         // Survivors are the draws that no sample of an earlier round covers.
         std::vector<Candidate> survivors;
         for (std::uint64_t i = 0; i < policy.size(); ++i) {
+            ask_after(kWorkOfDraw);
             const Candidate candidate =
                 draw(plan, *space, cdf, shares, plan.first_draw + outcome.draws++);
             if (space->is_free(candidate.sample)) survivors.push_back(candidate);
         }
         const std::size_t before = outcome.samples.size();
         for (const auto& [candidate, number] : survivors) {
+            ask_after(kWorkOfDraw);
             if (!space->is_free(candidate)) continue;
             space->add(candidate);
             outcome.samples.push_back(candidate);

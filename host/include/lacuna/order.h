@@ -23,8 +23,8 @@ struct OrderOptions {
 // point that is at least the radius away from all points taken before. With a field, distances are
 // in units of 1 / sqrt(importance), of the two points' the smaller; the importance must not be 0 at
 // a point. The result is the same on every machine. It takes O(n log n) time for points that are
-// spread evenly. Throws BadRequest for a point outside the domain or on importance 0, and what
-// sample() throws for a domain or a field.
+// spread evenly; a CancelScope (lacuna/cancel.h) ends it early. Throws BadRequest for a point
+// outside the domain or on importance 0, and what sample() throws for a domain or a field.
 // It is not for dithering. The places of a lattice, such as the centres of all pixels, have few
 // different distances: once some 36 % are taken, each free one has a neighbour that is taken, and
 // all are equally good. The first half then has .6 of the power of white noise at low frequencies

@@ -187,7 +187,7 @@ TEST_P(ReferenceInMode, ARadiusOfTheWholeDomainGivesOneSample) {
 TEST_P(ReferenceInMode, CancelsWhenToldTo) {
     class StopAtOnce : public Observer {
         bool keep_going(const Progress& progress) override {
-            EXPECT_EQ(progress.rounds, 1u);
+            EXPECT_LE(progress.rounds, 1u);
             EXPECT_GE(progress.expected_points, progress.points);
             return false;
         }
