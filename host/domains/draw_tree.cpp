@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/polling.h"
+
 namespace lacuna::domains {
 namespace {
 
@@ -187,6 +189,7 @@ private:
     }
 
     void add(Point lower, Point upper, double far) {
+        ask_after();
         if (lower.y > upper.y) std::swap(lower, upper);
         Edge edge{lower, upper, (upper.x - lower.x) / (upper.y - lower.y),
                   first_middle_from(lower.y * scale_.y, canvas_.rows),
@@ -267,6 +270,7 @@ private:
 
     // Pushes the set with shorter lists, unless it decides about all of the square.
     Answer narrow(const Active& outer, const Square& square) {
+        ask_after(1 + outer.near.end - outer.near.begin + outer.left.end - outer.left.begin);
         const Kind& kind = kinds_[outer.kind];
         Active active{outer.kind, outer.is_odd, {near_.size(), 0}, {left_.size(), 0}};
         const Point centre = square.centre();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/large_pages.h"
+#include "base/polling.h"
 #include "plan/radius_field.h"
 
 namespace lacuna {
@@ -54,25 +55,13 @@ public:
 
     void cut_sheet(std::uint32_t sheet, const Box& domain) {
         const std::size_t node = first_.nodes.size();
-        factor_ = factor_of(sheet);
+        factor_ = sheets_.factor_of_boxes(sheet);
         cut({sheets_.x_on(sheet, domain.x), domain.width, domain.begin, domain.end}, 0);
         if (first_.nodes.size() > node) first_.sheets.push_back(static_cast<std::uint32_t>(node));
     }
 
-    // Boxes are as long as the distance within the class allows. If samples of another class may
-    // lie far closer together, boxes are shorter, so that a block has at most some hundred
-    // neighbours.
-    std::uint32_t factor_of(std::uint32_t sheet) const {
-        constexpr std::uint32_t kMostTimes = 2;
-        std::uint32_t factor = sheets_.factor(sheet, sheet);
-        for (std::uint32_t other = 0; other < sheets_.count(); ++other)
-            if (sheets_.factor(sheet, other) != 0)
-                factor =
-                    std::min(factor, kMostTimes * std::min(sheets_.factor(other, other), factor));
-        return factor;
-    }
-
     void cut(const Box& box, std::size_t whole) {
+        ask_after(8);
         const Under under = radius_field_.under(box);
         if (under.least == 0) return;
         const std::size_t node = first_.nodes.size();
@@ -82,8 +71,8 @@ public:
             const std::uint32_t first = boxes();
             cut_block(box, under);
             if (boxes() > first)
-                first_.blocks.push_back(
-                    {first, under.is_even ? under.greatest : 0, static_cast<std::uint32_t>(node)});
+                first_.blocks.push_back({first, under.is_even ? under.greatest : 0,
+                                         static_cast<std::uint32_t>(node), under.least});
         } else {
             cut_in_two(box, under, [&](const Box& part) { cut(part, node); });
         }
@@ -97,7 +86,7 @@ public:
 
     FirstBoxes take() {
         most_in_region_ = std::max(kFewBoxes, boxes() / kRegions);
-        first_.blocks.push_back({boxes(), 0, 0});
+        first_.blocks.push_back({boxes(), 0, 0, 0});
         if (!first_.sheets.empty()) cut_zone(first_.sheets);
         for (std::size_t sheet = 0; sheet < first_.sheets.size(); ++sheet)
             for (FirstBoxes::Zone& zone : first_.zones) find_regions(zone.nodes[sheet], zone);
@@ -222,6 +211,15 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::uint32_t> FirstBoxes::part_counts() const {
+    std::vector<std::uint32_t> counts(nodes.size());
+    for (std::uint32_t node = 0; node < nodes.size(); ++node) {
+        if (nodes[node].next == node + 1) counts[node] = 1;
+        if (node != 0) ++counts[nodes[node].whole];
+    }
+    return counts;
+}
 
 FirstBoxes first_boxes(const Plan& plan) {
     const RadiusField::Shape& shape = plan.field().radius_field->shape();

@@ -25,6 +25,7 @@ struct FirstBoxes {
         std::uint32_t first;        // the first of its boxes
         std::uint32_t even_radius;  // the radius, if it is the same under all of the block, or 0
         std::uint32_t node;
+        std::uint32_t least;  // the least radius under it
     };
 
     std::vector<Box> boxes;
@@ -43,6 +44,9 @@ struct FirstBoxes {
             visit(box, block);
         }
     }
+
+    // The number of parts of each node. One without parts, which belongs to a block, has 1.
+    std::vector<std::uint32_t> part_counts() const;
 
     // Nodes that do not overlap and together contain all boxes; each is a unit of work for threads.
     // `begins` has the first box of each, then the number of boxes.

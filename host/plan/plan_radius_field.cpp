@@ -87,7 +87,11 @@ double share_of(const Request& request, double greatest, const Poll& poll) {
 
 double greatest_of(const Request& request) {
     if (request.field == nullptr) return 1;
-    return *std::max_element(request.field->importance.begin(), request.field->importance.end());
+    double greatest = 0;
+    for_each_polled(request.field->importance.size(), ask, [&](std::size_t i) {
+        greatest = std::max(greatest, request.field->importance[i]);
+    });
+    return greatest;
 }
 
 // The part of the domain inside the border. Distances from the edges are computed from the
@@ -147,6 +151,7 @@ std::vector<Sized> kept_on(const RadiusField& radius_field, const Sheets& sheets
     std::vector<Sized> kept;
     kept.reserve(request.keep.size());
     for (const Point& point : request.keep) {
+        ask_after(8);
         const auto along = [](double at, double unit, std::uint32_t units) {
             return std::min(static_cast<std::uint32_t>(at / unit), units - 1);
         };
@@ -164,6 +169,20 @@ std::vector<Sized> kept_on(const RadiusField& radius_field, const Sheets& sheets
     return kept;
 }
 
+// The memory that all classes take, over that of one class that keeps the least distance. It grows
+// with the number of first boxes, which are short on every sheet on which samples of a dense class
+// are seen.
+double crowd_of_boxes(const Request& request) {
+    const Sheets sheets = sheets_of(request);
+    double crowd = 0;
+    for (std::uint32_t sheet = 0; sheet < sheets.count(); ++sheet) {
+        const double length = static_cast<double>(sheets.factor_of_boxes(sheet)) / FACTOR_ONE;
+        if (sheets.weight(sheet) != 0) crowd += 1 / (length * length);
+    }
+    return crowd;
+}
+
+// `samples` is the number that a class of the least distance has where it is alone.
 void check_size(const Request& request, const std::string& option, const std::string& value,
                 double least_radius, double samples) {
     constexpr double kBytesPerSample = 250, kBytesPerPixel = 12, kBytesPerMaskPixel = 4. / 3;
@@ -174,7 +193,7 @@ void check_size(const Request& request, const std::string& option, const std::st
                          "makes the least radius " + shortest(least_radius) +
                              ": it must be at least " + shortest(longer * kSmallestRadius) +
                              ", the longer side / 2^20, or the grid's units run out");
-    double bytes = samples * kBytesPerSample;
+    double bytes = samples * crowd_of_boxes(request) * kBytesPerSample;
     if (request.field != nullptr)
         bytes += static_cast<double>(request.field->importance.size()) * kBytesPerPixel +
                  static_cast<double>(request.field->stretches.size()) * kBytesPerEllipse;
@@ -252,10 +271,9 @@ FieldSize check_radius_field_size(const Request& request, double size, const Pol
     const double greatest = greatest_of(request);
     const double least_radius = size / std::sqrt(greatest);
     const double samples = kTorusDensity * share_of(request, greatest, poll) *
-                           (request.width / least_radius) * (request.height / least_radius) *
-                           crowd_of(request);
+                           (request.width / least_radius) * (request.height / least_radius);
     check_size(request, option, value, least_radius, samples);
-    return {least_radius, samples};
+    return {least_radius, samples * crowd_of(request)};
 }
 
 Plan make_radius_field_plan(const Request& request, const Poll& poll,

@@ -121,6 +121,16 @@ std::uint32_t Sheets::greatest_factor(std::uint32_t sheet) const {
     return *std::max_element(row, row + static_cast<std::ptrdiff_t>(count_));
 }
 
+std::uint32_t Sheets::factor_of_boxes(std::uint32_t sheet) const {
+    std::uint32_t least = factor(sheet, sheet);
+    for (std::uint32_t other = 0; other < count_; ++other) {
+        const std::uint32_t own = factor(other, other);
+        // At most twice as long. Twice a large factor would exceed 32 bits.
+        if (factor(sheet, other) != 0 && own <= least / 2) least = 2 * own;
+    }
+    return least;
+}
+
 double least_distance_of(const Classes& classes) {
     double least = std::numeric_limits<double>::infinity();
     for (const double distance : classes.distances)

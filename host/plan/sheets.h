@@ -37,6 +37,10 @@ public:
     }
     // The greatest factor of a class with any other.
     std::uint32_t greatest_factor(std::uint32_t sheet) const;
+    // The factor by which first boxes are long on the sheet. It is that within the class. But if
+    // samples of another class may lie far closer together, boxes are shorter, so that a block has
+    // at most some hundred neighbours.
+    std::uint32_t factor_of_boxes(std::uint32_t sheet) const;
     const std::vector<std::uint32_t>& factors() const { return factors_; }
 
     // A class is drawn in proportion to its weight and its free area. One of weight 0 is never

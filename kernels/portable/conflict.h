@@ -40,6 +40,17 @@ LACUNA_FN u32 chord(Sized neighbour, u32 dx, u32 box_radius, u32 factor) {
     return chord_reach(dx, squared_limit(neighbour.radius, box_radius, factor));
 }
 
+// Whether a sample's disk holds a whole box, so that every candidate there conflicts with it. The
+// distances from the far edges are computed as for a chord.
+LACUNA_FN bool covers_box(Sized one, u32 x, u32 width, u32 begin, u32 end, u32 box_radius,
+                          u32 factor, u32 period_x, u32 period_y) {
+    u32 half_width = width / 2u;
+    u32 half_height = (end - begin) / 2u;
+    return squared_length(axis_distance(one.x, x + half_width, period_x) + half_width,
+                          axis_distance(one.y, begin + half_height, period_y) + half_height) <
+           squared_limit(one.radius, box_radius, factor);
+}
+
 // The same with ellipses. Two samples conflict if each lies in the other's.
 LACUNA_FN bool ellipses_conflict(Sized a, Ellipse of_a, Sized b, Ellipse of_b, u32 period_x,
                                  u32 period_y) {

@@ -43,6 +43,11 @@ struct Geometry {
 };
 LACUNA_TYPEDEF(Geometry)
 
+// A candidate that reaches more blocks than a loop may have turns (failure.h) visits the nodes of the
+// tree of blocks in several launches.
+#define NODES_AT_ONCE 0x4000u
+#define ALL_NODES 0xffffffffu
+
 // Arguments of kernels that serve the round's draws or candidates.
 struct DrawArguments {
     u32 first_item OR_ZERO;
@@ -59,6 +64,7 @@ struct DrawArguments {
     u32 most_reach OR_ZERO;  // samples that reach farther wait for the next launch
     u32 is_listed OR_ZERO;   // 1: serve the candidates in `todo` or `survivors`; screen lists these
     u32 room OR_ZERO;        // in reach: most visitors of blocks
+    u32 first_node OR_ZERO;  // in reach: of the NODES_AT_ONCE to visit, or ALL_NODES
 };
 LACUNA_TYPEDEF(DrawArguments)
 
@@ -199,11 +205,11 @@ LACUNA_END
     B(9, READ, u32, factors) B(10, READ, u32, axes) B(11, READ, u32x4, ellipses)
 #define REACH_BINDINGS(B)                                                                    \
     B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, READ, u32, statuses)    \
-    B(3, READ, u32x4, tree_boxes) B(4, READ, u32x4, tree_links) B(5, READ, u32, node_of)    \
+    B(3, READ, u32x4, tree_boxes) B(4, READ, u32x4, tree_links) B(5, READ, u32x2, node_of)  \
     B(6, SHARED, u32, visitor_count) B(7, SHARED, u32, visitor_heads)                        \
     B(8, WRITE, u32x2, visitors) B(9, READ, u32, survivors) B(10, READ, u32, survivor_count) \
     B(11, SHARED, u32, failure) B(12, READ, u32, factors) B(13, READ, u32, axes)             \
-    B(14, READ, u32x4, ellipses)
+    B(14, READ, u32x4, ellipses) B(15, READ, u32, open_parts)
 #define ADMIT_WITH_FIELD_BINDINGS(B)                                                          \
     B(0, READ, u32x4, candidates) B(1, READ, u32, candidate_radii) B(2, SHARED, u32, statuses)  \
     B(3, READ, u32, visitor_heads) B(4, READ, u32x2, visitors) B(5, SHARED, u32, undecided)  \
@@ -213,7 +219,9 @@ LACUNA_END
     B(0, READ, u32, undecided) B(1, READ, u32x4, candidates)                                 \
     B(2, READ, u32, candidate_radii) B(3, READ, u32, statuses) B(4, READ, u32, visitor_heads)   \
     B(5, READ, u32x2, visitors) B(6, SHARED, u32, entry_count) B(7, WRITE, u32x4, entries)   \
-    B(8, BOTH, u32, lists) B(9, SHARED, u32, failure)
+    B(8, BOTH, u32, lists) B(9, SHARED, u32, failure) B(10, READ, u32x2, node_of)            \
+    B(11, READ, u32x4, tree_boxes) B(12, READ, u32x4, tree_links) B(13, READ, u32, factors)  \
+    B(14, SHARED, u32, open_parts)
 #define SPLIT_BINDINGS(B)                                                                    \
     B(0, READ, u32, undecided) B(1, READ, u32, axes) B(2, READ, u32x2, radius_bounds)        \
     B(3, READ, u32, mask_nodes) B(4, READ, u32x4, boxes) B(5, READ, u32x2, origins)           \
@@ -241,11 +249,11 @@ LACUNA_END
     B(u32, bin_begins) B(u32, bits) B(u32, widest) B(u32, widest_rows) B(u32, column_of)          \
     B(u32, row_of) B(u32, row_begins) B(u32, pixel_radii) B(u32, pixel_reaches)                   \
     B(u32, candidate_radii) B(u32, todo) B(u32, left) B(u32, left_count) B(u32, axes)             \
-    B(u32x2, radius_bounds) B(u32, mask_nodes) B(u32x2, origins) B(u32x2, new_origins)             \
-    B(u32x4, borders) B(u32x4, strip_radii) B(u32x4, tree_boxes) B(u32x4, tree_links) B(u32, node_of)    \
+    B(u32x2, radius_bounds) B(u32, mask_nodes) B(u32x2, origins) B(u32x2, new_origins)            \
+    B(u32x4, borders) B(u32x4, strip_radii) B(u32x4, tree_boxes) B(u32x4, tree_links) B(u32x2, node_of) \
     B(u32, visitor_count) B(u32, visitor_heads) B(u32x2, visitors) B(u32, lists)                  \
     B(u32x4, entries) B(u32, entry_count) B(u32, survivors) B(u32, survivor_count) B(u32, factors) \
-    B(u32x4, ellipses)                                                                            \
+    B(u32x4, ellipses) B(u32, open_parts)                                                         \
     LACUNA_RELAX_BUFFERS(B)
 
 // All kernels: name, arguments, bindings.

@@ -258,6 +258,13 @@ inline std::vector<FieldRequest> class_requests() {
                      {1, 1e-3}),
         with_classes(uniform("one large beside many small ones", 1, box), {0.9, 0.02, 0.02, 0.03},
                      {1, 1}),
+        with_classes(uniform("a class far sparser than another", 1, box),
+                     distances_by_sum(std::vector{0.25, 0.007}), {1, 1}),
+        with_keep_in_classes(
+            with_classes(radius_field_request("far sparser, on a field, with kept points",
+                                              ramp_field(7, 9), 1, torus),
+                         distances_by_sum(std::vector{0.3, 0.08, 0.012}), {1, 3, 1}),
+            {{0.5, 0.5}, {0.52, 0.9}, {0.9, 0.95}}, {1, 2, 2}),
         with_keep_in_classes(with_classes(uniform("kept in a class that is not drawn", 1, torus),
                                           {0.1, 0.2, 0.2, 0.07}, {0, 1}),
                              {{0.5, 0.5}, {0.1, 0.99}, {0.7, 0.9}}, {0, 0, 1}),

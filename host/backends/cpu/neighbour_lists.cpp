@@ -49,8 +49,28 @@ NeighbourLists::NeighbourLists(const Plan& plan)
 void NeighbourLists::put(std::span<const Sized> samples) {
     few_ = ZeroedArray<Few>(first_.block_count() + std::size_t{1});  // vector loads read past it
     states_.assign(first_.block_count(), 0);
+    if (sheets_.are_several()) {
+        closed_.begin(first_);
+        all_marked_.begin(first_);
+    }
     for (const Sized& sample : samples)
-        for_each_on_sheets(sample, [&](std::uint32_t block) { push(sample, block); });
+        for (const std::uint32_t root : first_.sheets) {
+            const There here = there(sample, sheets_.of(first_.nodes[root].box.x));
+            for_each_reached(here, root, plan_.period_x != 0, closed_,
+                             [&](std::uint32_t block) { push(here, sample, block); });
+        }
+}
+
+void NeighbourLists::close(std::uint32_t block) {
+    if (is_closed(block)) return;
+    states_[block] |= kClosed;
+    if (closed_.has_begun()) closed_.finish(block);
+}
+
+bool NeighbourLists::covers(const There& there, std::uint32_t block) const {
+    const auto& [x, width, begin, end] = box_of(block);
+    return portable::covers_box(there.sample, x, width, begin, end, first_.blocks[block].least,
+                                there.factor, plan_.period_x, plan_.period_y);
 }
 
 NeighbourLists::There NeighbourLists::there(const Sized& sample, std::uint32_t sheet) const {
@@ -90,11 +110,15 @@ bool NeighbourLists::is_within(const There& there, std::uint32_t node, std::uint
 
 template <typename Visit>
 void NeighbourLists::for_each_reached(const There& there, std::uint32_t root, bool wraps,
-                                      Visit visit) const {
+                                      const DoneNodes& done, Visit visit) const {
     const std::uint32_t end = first_.nodes[root].next;
     const auto& [sample, factor, reach, ellipse] = there;
     for (std::uint32_t i = root; i < end;) {
         const FirstBoxes::Node& node = first_.nodes[i];
+        if (done.is_done(i)) {
+            i = node.next;
+            continue;
+        }
         const bool is_near = wraps ? is_reached(node.box, node.greatest, sample, factor,
                                                 plan_.period_x, plan_.period_y)
                                    : is_reached(node.box, node.greatest, sample, factor);
@@ -107,36 +131,32 @@ void NeighbourLists::for_each_reached(const There& there, std::uint32_t root, bo
     }
 }
 
-template <typename Visit>
-void NeighbourLists::for_each_on_sheets(const Sized& sample, Visit visit) const {
-    for (const std::uint32_t root : first_.sheets)
-        for_each_reached(there(sample, sheets_.of(first_.nodes[root].box.x)), root,
-                         plan_.period_x != 0, visit);
-}
-
 // On the sample's own sheet, climbs the tree from the block, and descends into the siblings that it
 // passes. All lists to be written are prefetched before the first one is written.
 void NeighbourLists::insert(const Sized& sample, std::uint32_t block,
                             const FirstBoxes::Zone* within) {
     std::array<std::uint32_t, 32> reached;
     std::size_t count = 0;
+    There here{};
     const auto push_all = [&] {
-        for (std::size_t i = 0; i < count; ++i) push(sample, reached[i]);
+        for (std::size_t i = 0; i < count; ++i) push(here, sample, reached[i]);
         count = 0;
     };
     const auto note = [&](std::uint32_t near) {
-        if ((states_[near] & kClosed) != 0) return;
+        if (is_closed(near)) return;
         fetch_list(near);
         reached[count++] = near;
         if (count == reached.size()) push_all();
     };
     for (std::size_t k = 0; k < first_.sheets.size(); ++k) {
+        push_all();
         const std::uint32_t root = first_.sheets[k];
         const std::uint32_t sheet = sheets_.of(first_.nodes[root].box.x);
-        const There here = there(sample, sheet);
+        here = there(sample, sheet);
         const bool wraps = sticks_out(here, root);
         if (wraps || sheets_.of(sample.x) != sheet) {
-            for_each_reached(here, within == nullptr ? root : within->nodes[k], wraps, note);
+            for_each_reached(here, within == nullptr ? root : within->nodes[k], wraps, closed_,
+                             note);
             continue;
         }
         note(block);
@@ -145,7 +165,7 @@ void NeighbourLists::insert(const Sized& sample, std::uint32_t block,
             const std::uint32_t part = node;
             node = first_.nodes[node].whole;
             for (std::uint32_t i = node + 1; i < first_.nodes[node].next; i = first_.nodes[i].next)
-                if (i != part) for_each_reached(here, i, false, note);
+                if (i != part) for_each_reached(here, i, false, closed_, note);
         }
     }
     push_all();
@@ -176,6 +196,11 @@ bool NeighbourLists::is_any_ellipse_closer(const SizedSpan& near, Sample at,
                                         plan_.period_x, plan_.period_y))
             return true;
     return false;
+}
+
+void NeighbourLists::push(const There& there, const Sized& sample, std::uint32_t block) {
+    push(sample, block);
+    if (sheets_.are_several() && covers(there, block)) close(block);
 }
 
 void NeighbourLists::push(const Sized& sample, std::uint32_t block) {
@@ -288,16 +313,19 @@ void NeighbourLists::mark(const Sized& candidate, std::uint32_t zone) {
         if (is_marked(near)) return;
         states_[near] |= kMarked;
         marked_[zone].push_back(near);
+        if (all_marked_.has_begun()) all_marked_.finish(near);
     };
     for (const std::uint32_t node : first_.zones[zone].nodes)
         for_each_reached(there(candidate, sheets_.of(first_.nodes[node].box.x)), node,
-                         first_.nodes[node].whole == 0 && plan_.period_x != 0, note);
+                         first_.nodes[node].whole == 0 && plan_.period_x != 0, all_marked_, note);
 }
 
 void NeighbourLists::unmark_all() {
     for (std::vector<std::uint32_t>& of_zone : marked_) {
-        for (const std::uint32_t block : of_zone)
+        for (const std::uint32_t block : of_zone) {
             states_[block] &= static_cast<std::uint8_t>(~kMarked);
+            if (all_marked_.has_begun()) all_marked_.undo(block);
+        }
         of_zone.clear();
     }
 }

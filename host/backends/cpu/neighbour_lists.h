@@ -4,6 +4,11 @@
 // A sample reaches a block if it is closer to the block than both its own radius and the greatest
 // radius under the block. A tree of the blocks, with the greatest radius under each node, leads to
 // the blocks that a sample reaches, whatever the range of radii.
+//
+// With classes a sample may reach thousands of blocks, because it may keep a far larger distance
+// from another class than samples of that class would need short blocks for. But it covers nearly
+// all of these: every candidate in them is too close to it. A covered block is closed. So each
+// block gets few samples, and samples skip the nodes of the tree of which all blocks are closed.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "backends/cpu/done_nodes.h"
 #include "backends/cpu/sized.h"
 #include "backends/cpu/vectors.h"
 #include "base/large_pages.h"
@@ -41,8 +47,8 @@ public:
     // Whether a sample was listed since note_cuts(): call that after all listed samples cut boxes.
     bool has_latest(std::uint32_t block) const { return (states_[block] & kLatest) != 0; }
     void note_cuts(std::uint32_t block);
-    // The block has no boxes any more: no more samples are listed for it.
-    void close(std::uint32_t block) { states_[block] |= kClosed; }
+    // The block has no boxes any more: no more samples are listed for it. May run in parallel.
+    void close(std::uint32_t block);
 
     // Whether a sample in the block's list conflicts with a candidate of this radius in the block:
     // their distance is less than the smaller of both radii.
@@ -154,10 +160,14 @@ private:
     // the sheet that has this root.
     bool is_within(const There& there, std::uint32_t node, std::uint32_t root) const;
     bool sticks_out(const There& there, std::uint32_t root) const;
+    // Skips nodes of which all blocks are `done`.
     template <typename Visit>
-    void for_each_reached(const There& there, std::uint32_t root, bool wraps, Visit visit) const;
-    template <typename Visit>
-    void for_each_on_sheets(const Sized& sample, Visit visit) const;
+    void for_each_reached(const There& there, std::uint32_t root, bool wraps, const DoneNodes& done,
+                          Visit visit) const;
+    bool is_closed(std::uint32_t block) const { return (states_[block] & kClosed) != 0; }
+    // Whether the block lies in the sample's disk, which then conflicts with every candidate there.
+    bool covers(const There& there, std::uint32_t block) const;
+    void push(const There& there, const Sized& sample, std::uint32_t block);
 
     const Plan& plan_;
     const FirstBoxes& first_;
@@ -167,6 +177,8 @@ private:
     ZeroedArray<Few> few_;
     std::vector<std::unique_ptr<List>> long_;
     std::vector<std::uint8_t> states_;
+    DoneNodes closed_;                                // with several classes
+    DoneNodes all_marked_;                            // the same
     std::vector<std::vector<std::uint32_t>> marked_;  // the marked blocks of each zone
 };
 

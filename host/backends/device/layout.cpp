@@ -183,7 +183,7 @@ Needs needs_of_field(const Plan& plan, std::uint64_t round) {
     const std::uint64_t entries = room_for_entries(plan) * kBytesPerEntry;
     const std::uint64_t boxes = room_for_boxes(plan);
     return {radii + mask + ellipses + entries + boxes * kFieldBytesPerBox +
-                plan.field().first_boxes->nodes.size() * 48 + round * kFieldBytesPerDraw,
+                plan.field().first_boxes->nodes.size() * 52 + round * kFieldBytesPerDraw,
             std::max({radii, mask, ellipses, entries, boxes * 32, round * 10 * 8})};
 }
 

@@ -2,6 +2,7 @@
 #include "backends/device/neighbour_lists.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -20,10 +21,16 @@ constexpr std::uint64_t kEnlistWork = 1;
 // blocks are listed again.
 constexpr std::uint64_t kVisitsPerDraw = 8;
 
+// With classes a sample may reach most blocks. The samples of the first part close most of these
+// before later parts, each as large as all before it, would be listed for them.
+constexpr std::uint32_t kFirstPart = 64;
+
 }  // namespace
 
 NeighbourLists::NeighbourLists(RoundMemory& round)
-    : round_(round), first_(*round.plan.field().first_boxes) {
+    : round_(round),
+      first_(*round.plan.field().first_boxes),
+      visits_all_at_once_(!may_visit_many()) {
     make_tree();
     Memory& m = round_.memory;
     round_.make_room(m.lists, blocks());
@@ -33,6 +40,26 @@ NeighbourLists::NeighbourLists(RoundMemory& round)
     round_.make_room(m.visitor_count, 1);
     round_.make_room(m.survivors, 1);
     round_.make_room(m.survivor_count, 1);
+}
+
+// Whether the nodes that a candidate reaches, at most, are more than may be visited
+// at once. Within a class they are few.
+bool NeighbourLists::may_visit_many() const {
+    const Sheets& sheets = round_.plan.field().sheets;
+    if (!sheets.are_several()) return false;
+    double visits = 0;
+    for (const std::uint32_t root : first_.sheets) {
+        const auto& [box, greatest, next, first, whole] = first_.nodes[root];
+        const double reach =
+            portable::times_factor(greatest, sheets.greatest_factor(sheets.of(box.x)));
+        const double nodes = next - root;
+        // As many nodes lie beside the reach as would fit between two rows of blocks.
+        const auto share = [&](double length) {
+            return std::min(1.0, 2 * reach / length + 4 / std::sqrt(nodes));
+        };
+        visits += nodes * share(box.width) * share(box.end - box.begin);
+    }
+    return visits > NODES_AT_ONCE;
 }
 
 void NeighbourLists::make_tree() {
@@ -46,9 +73,11 @@ void NeighbourLists::make_tree() {
     round_.make_room(m.tree_boxes, 4 * boxes.size());
     round_.put<Box>(m.tree_boxes, boxes);
     m.tree_links = round_.copy_of(links);
-    std::vector<std::uint32_t> node_of;
-    for (std::uint32_t i = 0; i < blocks(); ++i) node_of.push_back(first_.blocks[i].node);
+    std::vector<std::uint32_t> node_of;  // of each block, and the least radius under it
+    for (std::uint32_t i = 0; i < blocks(); ++i)
+        node_of.insert(node_of.end(), {first_.blocks[i].node, first_.blocks[i].least});
     m.node_of = round_.copy_of(node_of);
+    round_.make_room(m.open_parts, first_.nodes.size());
     round_.queue.wait();
 }
 
@@ -56,6 +85,8 @@ void NeighbourLists::put(std::span<const Sized> samples) {
     Memory& m = round_.memory;
     round_.queue.fill(m.lists, NO_SAMPLE, blocks());
     round_.queue.fill(m.entry_count, 0, 1);
+    const std::vector<std::uint32_t> open_parts = first_.part_counts();
+    round_.put<std::uint32_t>(m.open_parts, open_parts);
     entry_count_.front() = first_recent_ = 0;
     const auto count = static_cast<std::uint32_t>(samples.size());
     if (count == 0) return round_.queue.wait();
@@ -71,13 +102,16 @@ void NeighbourLists::put(std::span<const Sized> samples) {
     round_.put_in_room<std::uint32_t>(m.statuses, statuses);
     round_.queue.fill(m.failure, 0, 1);
     round_.queue.fill(m.undecided, 0, kPasses);
-    round_.part = {0, count};
-    begin_part();
-    enlist();
-    start_download();
-    round_.start_download(false);
-    round_.queue.wait();
-    round_.throw_if_failed();
+    const std::uint32_t first_part = round_.plan.field().sheets.are_several() ? kFirstPart : count;
+    for (std::uint32_t begin = 0; begin < count; begin = round_.part.end) {
+        round_.part = {begin, std::min(count, std::max(first_part, 2 * begin))};
+        begin_part();
+        enlist();
+        start_download();
+        round_.start_download(false);
+        round_.queue.wait();
+        round_.throw_if_failed();
+    }
 }
 
 std::vector<Sample> NeighbourLists::get() const {
@@ -109,7 +143,12 @@ void NeighbourLists::list_visitors() {
         portable::DrawArguments arguments = round_.arguments();
         arguments.room = static_cast<std::uint32_t>(room);
         arguments.is_listed = listed_ == Listed::survivors ? 1 : 0;
-        round_.launch_over_draws<kernels::reach>(arguments, kReachWork);
+        const std::uint64_t nodes = visits_all_at_once_ ? 1 : first_.nodes.size();
+        for (std::uint64_t node = 0; node < nodes; node += NODES_AT_ONCE) {
+            arguments.first_node =
+                visits_all_at_once_ ? ALL_NODES : static_cast<std::uint32_t>(node);
+            round_.launch_over_draws<kernels::reach>(arguments, kReachWork);
+        }
         round_.get<std::uint32_t>(m.visitor_count, visitors);
         round_.queue.wait();
     } while (visitors.front() > room);

@@ -42,6 +42,7 @@ private:
     enum class Listed { none, survivors, visitors };  // of the open part
 
     std::uint32_t blocks() const { return first_.block_count(); }
+    bool may_visit_many() const;
     void make_tree();
     void make_room_for_entries(std::uint64_t count);
 
@@ -50,6 +51,7 @@ private:
     std::array<std::uint32_t, 1> entry_count_{};
     std::uint32_t first_recent_ = 0;
     Listed listed_ = Listed::none;
+    bool visits_all_at_once_;  // the nodes that a candidate reaches
 };
 
 }  // namespace lacuna::device

@@ -28,7 +28,7 @@ BODY bool is_within(const u32 at, const u32 radius, const u32x2 part, const u32x
 BODY u32 node_around(MEMORY const DrawArguments a, const u32x4 candidate, const u32 radius,
                      const u32 root) {
     const u32x4 all = AT(tree_boxes, root);
-    u32 node = AT(node_of, candidate.z);
+    u32 node = AT(node_of, candidate.z).x;
     while (node > root) {  // a part has a higher number than what it is a part of
         const u32x4 box = AT(tree_boxes, node);
         if (is_within(candidate.x, radius, U32X2(box.x, box.x + box.y), U32X2(all.x, all.x + all.y),
@@ -40,8 +40,8 @@ BODY u32 node_around(MEMORY const DrawArguments a, const u32x4 candidate, const 
     return node;
 }
 
-// Lists a candidate for the blocks of one sheet that it reaches, and returns the node after the
-// sheet. `root` is the node of the whole sheet.
+// Lists a candidate for the open blocks of one sheet that it reaches, and returns the node after
+// the sheet. `root` is the node of the whole sheet.
 BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root) {
     const u32x4 candidate = AT(candidates, i);
     const u32 sheet_x = AT(tree_boxes, root).x;
@@ -57,12 +57,16 @@ BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root
     const bool has_ellipse = a.g.rule == RULE_OF_ELLIPSES;
     Ellipse ellipse = {0u, 0u, 0u, 0u};
     if (has_ellipse) ellipse = ellipse_at(ON candidate.x, candidate.y);
-    const u32 end = AT(tree_links, first).y;
-    u32 node = first;
+    const bool has_classes = a.g.sheet_bits != BITS_OF_ONE_SHEET;
+    const bool is_all = a.first_node == ALL_NODES;
+    const u32 next = AT(tree_links, first).y;
+    const u32 end = is_all ? next : min(next, a.first_node + NODES_AT_ONCE);
+    u32 node = is_all ? first : max(first, a.first_node);
     while (node < end) {
         const u32x4 links = AT(tree_links, node);
         const u32x4 box = AT(tree_boxes, node);
-        if (!is_reached(box, links.x, there, factor, period_x, period_y) ||
+        if ((has_classes && AT(open_parts, node) == 0u) ||
+            !is_reached(box, links.x, there, factor, period_x, period_y) ||
             (has_ellipse &&
              ellipse_misses(there, ellipse, box.x, box.y, box.z, box.w, period_x, period_y))) {
             node = links.y;
@@ -72,8 +76,8 @@ BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root
         if (node != links.y) continue;
         const u32 number = ATOMIC_ADD(visitor_count, 0, 1u);
         if (number >= a.room) continue;
-        const u32 next = ATOMIC_SET(visitor_heads, links.z, number);
-        AT(visitors, number) = U32X2(i, next);
+        const u32 earlier = ATOMIC_SET(visitor_heads, links.z, number);
+        AT(visitors, number) = U32X2(i, earlier);
     }
     return AT(tree_links, root).y;
 }

@@ -168,7 +168,7 @@ TEST_P(Faults, WithARadiusFieldAreNoticed) {
          {"bodies/exact/reach.h", "(candidate.radius, greatest,",
           "(candidate.radius / 2u, greatest,"},
          {"bodies/exact/reach.h", "first == root ? a.g.period_y : 0u", "0u"},
-         {"bodies/exact/reach.h", "root) : root;", "root) : AT(node_of, 0u);"},
+         {"bodies/exact/reach.h", "root) : root;", "root) : AT(node_of, 0u).x;"},
          {"bodies/exact/decide_with_field.h", "other.w >= candidate.w", "other.w <= candidate.w"},
          {"bodies/exact/decide_with_field.h", "AT(candidate_radii, visitor.x);", "0xffffffffu;"},
          {"bodies/exact/enlist.h", "AT(lists, block) = next;", ""},
