@@ -32,6 +32,10 @@ bool is_reached(const Box& box, std::uint32_t greatest, const Sized& sample, std
            portable::squared_limit(sample.radius, greatest, factor);
 }
 
+bool lies_in(const Box& box, const Sized& sample) {
+    return sample.x - box.x < box.width && sample.y >= box.begin && sample.y < box.end;
+}
+
 }  // namespace
 
 NeighbourLists::NeighbourLists(const Plan& plan)
@@ -78,7 +82,8 @@ NeighbourLists::There NeighbourLists::there(const Sized& sample, std::uint32_t s
     return {{sheets_.x_on(sheet, sample.x), sample.y, sample.radius},
             factor,
             portable::times_factor(sample.radius, factor),
-            radius_field_.has_ellipses() ? &radius_field_.ellipse_at(sample.x, sample.y) : nullptr};
+            radius_field_.has_ellipses() ? &radius_field_.ellipse_at(sample.x, sample.y) : nullptr,
+            sheets_.of(sample.x) == sheet};
 }
 
 bool NeighbourLists::misses(const There& there, const Box& box, bool wraps) const {
@@ -89,7 +94,7 @@ bool NeighbourLists::misses(const There& there, const Box& box, bool wraps) cons
 
 bool NeighbourLists::sticks_out(const There& there, std::uint32_t root) const {
     const Box& all = first_.nodes[root].box;
-    const auto& [sample, factor, reach, ellipse] = there;
+    const auto& [sample, factor, reach, ellipse, is_own] = there;
     return plan_.period_x != 0 &&
            (sample.x - all.x < reach || all.x + all.width - sample.x <= reach ||
             sample.y - all.begin < reach || all.end - sample.y <= reach);
@@ -112,10 +117,10 @@ template <typename Visit>
 void NeighbourLists::for_each_reached(const There& there, std::uint32_t root, bool wraps,
                                       const DoneNodes& done, Visit visit) const {
     const std::uint32_t end = first_.nodes[root].next;
-    const auto& [sample, factor, reach, ellipse] = there;
+    const auto& [sample, factor, reach, ellipse, is_own] = there;
     for (std::uint32_t i = root; i < end;) {
         const FirstBoxes::Node& node = first_.nodes[i];
-        if (done.is_done(i)) {
+        if (done.is_done(i) && !(is_own && lies_in(node.box, sample))) {
             i = node.next;
             continue;
         }
@@ -143,7 +148,7 @@ void NeighbourLists::insert(const Sized& sample, std::uint32_t block,
         count = 0;
     };
     const auto note = [&](std::uint32_t near) {
-        if (is_closed(near)) return;
+        if (is_closed(near) && near != block) return;
         fetch_list(near);
         reached[count++] = near;
         if (count == reached.size()) push_all();
@@ -185,7 +190,8 @@ bool NeighbourLists::is_any_ellipse_closer(const SizedSpan& near, Sample at,
                                            std::uint32_t radius) const {
     const Sized candidate{at.x, at.y, radius};
     const portable::Ellipse& own = radius_field_.ellipse_at(at.x, at.y);
-    const bool wraps = sticks_out({candidate, FACTOR_ONE, radius, &own}, first_.sheets.front());
+    const bool wraps =
+        sticks_out({candidate, FACTOR_ONE, radius, &own, true}, first_.sheets.front());
     const FloatEllipse in_floats = cpu::in_floats(own);
     const auto next = [&](std::size_t from) {
         return wraps ? from : vectors_.next_in_ellipse(near, at, in_floats, from);

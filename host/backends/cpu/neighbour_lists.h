@@ -152,6 +152,7 @@ private:
         std::uint32_t factor;
         std::uint32_t reach;               // of the sample: its radius times the factor
         const portable::Ellipse* ellipse;  // null where there are none
+        bool is_own;                       // whether it is the sample's own sheet
     };
     // Whether the sample's ellipse, which there must be, misses the box. This is not always told.
     bool misses(const There& there, const Box& box, bool wraps) const;
@@ -160,7 +161,7 @@ private:
     // the sheet that has this root.
     bool is_within(const There& there, std::uint32_t node, std::uint32_t root) const;
     bool sticks_out(const There& there, std::uint32_t root) const;
-    // Skips nodes of which all blocks are `done`.
+    // Skips nodes of which all blocks are `done`, but not the sample's own block.
     template <typename Visit>
     void for_each_reached(const There& there, std::uint32_t root, bool wraps, const DoneNodes& done,
                           Visit visit) const;

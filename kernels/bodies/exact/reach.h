@@ -40,8 +40,8 @@ BODY u32 node_around(MEMORY const DrawArguments a, const u32x4 candidate, const 
     return node;
 }
 
-// Lists a candidate for the open blocks of one sheet that it reaches, and returns the node after
-// the sheet. `root` is the node of the whole sheet.
+// Lists a candidate for its own block and the open ones of one sheet that it reaches, and returns
+// the node after the sheet. `root` is the node of the whole sheet.
 BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root) {
     const u32x4 candidate = AT(candidates, i);
     const u32 sheet_x = AT(tree_boxes, root).x;
@@ -65,7 +65,10 @@ BODY u32 list_on_sheet(MEMORY const DrawArguments a, const u32 i, const u32 root
     while (node < end) {
         const u32x4 links = AT(tree_links, node);
         const u32x4 box = AT(tree_boxes, node);
-        if ((has_classes && AT(open_parts, node) == 0u) ||
+        const bool is_closed = has_classes && AT(open_parts, node) == 0u;
+        const bool is_own = there.x == candidate.x && there.x - box.x < box.y && there.y >= box.z &&
+                            there.y < box.w;
+        if ((is_closed && !is_own) ||
             !is_reached(box, links.x, there, factor, period_x, period_y) ||
             (has_ellipse &&
              ellipse_misses(there, ellipse, box.x, box.y, box.z, box.w, period_x, period_y))) {
