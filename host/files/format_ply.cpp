@@ -156,6 +156,7 @@ std::string encode_ply(const PointSet& set) {
                                                                       : "property uchar class\n"),
                       set.points.size());
     for (std::size_t i = 0; i < set.points.size(); ++i) {
+        ask_after(16);
         const Point& point = set.points[i];
         fmt::format_to(std::back_inserter(bytes), FMT_COMPILE("{:.17g} {:.17g} 0"), point.x,
                        point.y);

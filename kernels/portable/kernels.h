@@ -43,8 +43,8 @@ struct Geometry {
 };
 LACUNA_TYPEDEF(Geometry)
 
-// A candidate that reaches more blocks than a loop may have turns (failure.h) visits the nodes of the
-// tree of blocks in several launches.
+// A candidate that reaches more blocks than a loop may have turns (failure.h) visits the nodes of
+// the tree of blocks in several launches.
 #define NODES_AT_ONCE 0x4000u
 #define ALL_NODES 0xffffffffu
 

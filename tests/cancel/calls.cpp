@@ -11,6 +11,7 @@
 #include <lacuna/pictures.h>
 #include <lacuna/verify.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -33,7 +34,9 @@ struct Given {
         points = sample(request).points;
         for (std::size_t i = 0; i < 2000 * size; ++i)
             rings.push_back(ring_at(points[i], 0.3 * *request.radius));
-        stretched = field;
+        dark = field;  // orders refuse points on importance 0
+        for (double& one : dark.importance) one = std::max(one, 0.1);
+        stretched = dark;
         stretched.stretches.assign(field.importance.size(), {3, 0.5});
         ellipses.assign(field.importance.size(), {2, 1, 0.5});
         seeds.resize(40 * size);
@@ -88,6 +91,7 @@ struct Given {
 
     std::uint32_t side;
     Field field;
+    Field dark;
     Field stretched;
     Mask mask;
     std::vector<Point> points;
@@ -186,7 +190,7 @@ void add_others(const Shared& given, std::size_t size, std::vector<Call>& all) {
     add("dots_by_ink", [](const Given& g) { dots_by_ink(1000, std::vector<Field>(8, g.field)); });
     add("progressive_order", [](const Given& g) { progressive_order(g.points, nullptr, {}); });
     add("progressive_order on a field",
-        [](const Given& g) { progressive_order(g.points, &g.field, {}); });
+        [](const Given& g) { progressive_order(g.points, &g.dark, {}); });
     add("ellipses_of", [](const Given& g) { ellipses_of(g.points, g.stretched, 1, 1, 1); });
     add("ellipse_field", [](const Given& g) { ellipse_field(g.side, g.side, g.ellipses); });
     add("prove", [=](const Given& g) { prove(g.points, {.radius = 0.006 * length}); });

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "backends/field_snapshot.h"
+#include "base/polling.h"
 #include "plan/radius_field.h"
 #include "portable/distance.h"
 
@@ -32,6 +33,9 @@ bool is_reached(const Box& box, std::uint32_t greatest, const Sized& sample, std
            portable::squared_limit(sample.radius, greatest, factor);
 }
 
+// Between two polls 2048 samples are listed.
+constexpr std::size_t kWorkOfSample = kBetweenPolls / 2048;
+
 bool lies_in(const Box& box, const Sized& sample) {
     return sample.x - box.x < box.width && sample.y >= box.begin && sample.y < box.end;
 }
@@ -57,12 +61,14 @@ void NeighbourLists::put(std::span<const Sized> samples) {
         closed_.begin(first_);
         all_marked_.begin(first_);
     }
-    for (const Sized& sample : samples)
+    for (const Sized& sample : samples) {
+        ask_after(kWorkOfSample);
         for (const std::uint32_t root : first_.sheets) {
             const There here = there(sample, sheets_.of(first_.nodes[root].box.x));
             for_each_reached(here, root, plan_.period_x != 0, closed_,
                              [&](std::uint32_t block) { push(here, sample, block); });
         }
+    }
 }
 
 void NeighbourLists::close(std::uint32_t block) {
