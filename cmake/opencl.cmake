@@ -65,7 +65,7 @@ function(lacuna_add_opencl)
         cut_with_field keep_with_field scan measure)
     set(cells locate_in_cells sort_columns look_up_radii screen_in_cells admit_in_cells
         subtract_in_cells)
-    set(relax find_hints find_rivals assign tell_owners assign_crowded move level_sites)
+    set(relax find_hints find_rivals assign tell_owners assign_crowded limit move level_sites)
     set(groups)
     foreach(group IN ITEMS spans cells radius_field relax)
         list(TRANSFORM ${group} REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/kernels/\\1.cl")

@@ -186,10 +186,10 @@ public:
     }
 
     // One iteration. After the last one each dot lies where its ink is wanted.
-    void iterate(Observer& observer, bool is_last) {
-        all_sites_ = moved(groups_.back(), observer, false);
+    void iterate(Observer& observer, std::uint32_t way, bool is_last) {
+        all_sites_ = moved(groups_.back(), observer, way, false);
         for (std::size_t k = 0; k + 1 < groups_.size(); ++k) {
-            std::vector<Site> sites = moved(groups_[k], observer, is_last);
+            std::vector<Site> sites = moved(groups_[k], observer, way, is_last);
             for (std::size_t i = 0; i < sites.size(); ++i)
                 join(lattices_[k], sites[i], all_sites_[groups_[k].first + i], is_last);
             if (!is_last) groups_[k].backend->restore(sites);
@@ -202,7 +202,8 @@ public:
     std::string device() const { return groups_.back().backend->device(); }
 
 private:
-    static std::vector<Site> moved(Group& group, Observer& observer, bool is_last) {
+    static std::vector<Site> moved(Group& group, Observer& observer, std::uint32_t way,
+                                   bool is_last) {
         const auto run = [&](Verb verb, auto work) {
             observer.begin(verb);
             work();
@@ -211,7 +212,7 @@ private:
         RelaxBackend& backend = *group.backend;
         run(Verb::assign, [&] { backend.assign(); });
         run(Verb::accumulate, [&] { backend.accumulate(); });
-        run(Verb::move, [&] { is_last ? backend.rest() : backend.move(); });
+        run(Verb::move, [&] { is_last ? backend.rest() : backend.move(way); });
         return backend.sites();
     }
 
@@ -268,7 +269,8 @@ InkDots place_inks(std::span<const InkPart> inks, std::uint64_t seed, const Rela
     observer.end(Verb::first_use);
     both.watch(may_go_on);
     while (done < options.iterations) {
-        both.iterate(observer, done + 1 == options.iterations);
+        both.iterate(observer, relaxing::way_of(done, options.iterations),
+                     done + 1 == options.iterations);
         ++done;
         poll();
     }

@@ -28,16 +28,20 @@ struct Share {
     friend bool operator==(const Share&, const Share&) = default;
 };
 
-// The site after a move: at its centre of mass, or where it was if it has no mass, and with its new
-// weight.
-inline Site moved(const portable::RelaxLattice& numbers, Site site, const Share& share) {
+// The site after a move of way / 256 of the way to its centre of mass, with its new weight. Without
+// mass it stays where it was.
+inline Site moved(const portable::RelaxLattice& numbers, Site site, const Share& share,
+                  std::uint32_t way) {
     site.weight = portable::moved_weight(numbers, site.weight, share.mass,
                                          static_cast<std::uint32_t>(share.points));
     if (share.mass == 0) return site;
-    site.x = portable::centre_of_mass(share.moment_x, share.mass, site.x, numbers.step_x,
-                                      numbers.columns, numbers.period_x);
-    site.y = portable::centre_of_mass(share.moment_y, share.mass, site.y, numbers.step_y,
-                                      numbers.rows, numbers.period_y);
+    const std::uint32_t x = portable::centre_of_mass(
+        share.moment_x, share.mass, site.x, numbers.step_x, numbers.columns, numbers.period_x);
+    const std::uint32_t y = portable::centre_of_mass(
+        share.moment_y, share.mass, site.y, numbers.step_y, numbers.rows, numbers.period_y);
+    site.x =
+        portable::moved_place(site.x, x, way, numbers.columns * numbers.step_x, numbers.period_x);
+    site.y = portable::moved_place(site.y, y, way, numbers.rows * numbers.step_y, numbers.period_y);
     return site;
 }
 

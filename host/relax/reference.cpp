@@ -28,6 +28,7 @@ public:
     std::string device() const override { return "1 thread"; }
 
     void assign() override {
+        limit_weights();
         for (std::uint32_t row = 0; row < numbers_.rows; ++row)
             for (std::uint32_t column = 0; column < numbers_.columns; ++column)
                 if (lattice_.mass_at(column, row) != 0)
@@ -43,13 +44,13 @@ public:
             }
     }
 
-    void move() override {
+    void move(std::uint32_t way) override {
         for (std::size_t i = 0; i < sites_.size(); ++i)
-            sites_[i] = moved(numbers_, sites_[i], shares_[i]);
+            sites_[i] = moved(numbers_, sites_[i], shares_[i], way);
     }
 
     void rest() override {
-        move();
+        move(WHOLE_WAY);
         for (std::uint32_t i = 0; i < sites_.size(); ++i)
             if (lattice_.mass_under(sites_[i]) == 0) go_to_importance(i);
     }
@@ -65,6 +66,22 @@ public:
 private:
     std::size_t index_of(std::uint32_t column, std::uint32_t row) const {
         return std::size_t{row} * numbers_.columns + column;
+    }
+
+    void limit_weights() {
+        for (std::size_t i = 0; i < sites_.size(); ++i) {
+            ask_now_and_then();
+            std::uint64_t nearest = portable::reach_of_weight(numbers_.farthest, sites_[i].weight);
+            for (std::size_t other = 0; other < sites_.size(); ++other)
+                if (other != i) nearest = std::min(nearest, distance(sites_[i], sites_[other]));
+            sites_[i].weight =
+                portable::bounded_weight(numbers_.farthest, sites_[i].weight, nearest);
+        }
+    }
+
+    // Squared.
+    std::uint64_t distance(const Site& a, const Site& b) const {
+        return portable::power_of(a.x, a.y, b.x, b.y, 0, numbers_.period_x, numbers_.period_y);
     }
 
     std::uint64_t power_of(std::uint32_t column, std::uint32_t row, const Site& site) const {

@@ -50,7 +50,7 @@ public:
         if (done_ + 1 == iterations_)
             backend_.rest();
         else
-            backend_.move();
+            backend_.move(relaxing::way_of(done_, iterations_));
         observer_.end(Verb::move);
         ++done_;
         if (!keep_going()) throw Cancelled();
@@ -65,9 +65,9 @@ public:
         observer_.end(Verb::accumulate);
     }
 
-    double variation_without_weights() {
+    double variation_without_weights(const Lattice& lattice) {
         std::vector<Site> plain = backend_.sites();
-        for (Site& site : plain) site.weight = 0;
+        for (Site& site : plain) site.weight = portable::even_weight(lattice.numbers.farthest);
         backend_.restore(plain);
         look();
         return variation(backend_.shares());
@@ -88,8 +88,8 @@ private:
 
 // Runs all iterations and returns the final sites. Measurements that do not affect the result come
 // after them: with the final weights, and with all weights 0.
-std::vector<Site> iterate(Iterations& run, RelaxBackend& backend, const RelaxOptions& options,
-                          Relaxed& relaxed) {
+std::vector<Site> iterate(Iterations& run, RelaxBackend& backend, const Lattice& lattice,
+                          const RelaxOptions& options, Relaxed& relaxed) {
     Evenness evenness{};
     for (std::uint32_t i = 0; i < options.iterations; ++i) {
         run.iterate();
@@ -100,7 +100,7 @@ std::vector<Site> iterate(Iterations& run, RelaxBackend& backend, const RelaxOpt
         run.look();
         evenness.after = variation(backend.shares());
         if (options.iterations == 0) evenness.before = evenness.after;
-        evenness.after_voronoi = run.variation_without_weights();
+        evenness.after_voronoi = run.variation_without_weights(lattice);
         relaxed.evenness = evenness;
     }
     return sites;
@@ -130,7 +130,7 @@ Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOpti
     relaxed.lattice_rows = lattice.numbers.rows;
 
     Iterations run(*chosen.backend, observer, points.size(), options.iterations);
-    const std::vector<Site> sites = iterate(run, *chosen.backend, options, relaxed);
+    const std::vector<Site> sites = iterate(run, *chosen.backend, lattice, options, relaxed);
     if (options.iterations == 0) return relaxed;
     for (std::size_t i = 0; i < sites.size(); ++i) relaxed.points[i] = lattice.to_user(sites[i]);
     return relaxed;

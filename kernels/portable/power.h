@@ -98,31 +98,68 @@ LACUNA_FN u64 even_weight(u64 farthest) {
     return farthest / 2u;
 }
 
-// The new weight of a sample with this mass and number of lattice points. A sample's own weight is
-// at most a quarter of its cell's area, or of the mean area if that is larger, either way. The
-// circle of a larger weight would be wider than the cell, and reach across places without
-// importance for mass that other samples need. A sample without mass has no cell: its weight here
-// sinks until it has one. No sum here is over 2^62.
+// The new weight of a sample with this mass and number of lattice points. The weight here of a
+// sample without mass sinks, so that its cell grows. No sum here is over 2^62.
 LACUNA_FN u64 moved_weight(RelaxLattice lattice, u64 weight, u64 mass, u32 points) {
-    u64 even = even_weight(lattice.farthest);
     u64 step = lattice.lonely_step;
-    u64 most = even;
-    if (mass != 0u) {
-        u64 area = points;
-        area = area * (lattice.step_x * lattice.step_y);
+    if (mass != 0u)
         step = weight_step(weight_growth(mass, lattice.mean_mass), points, lattice.step_x,
                            lattice.step_y);
-        most = area / 4u > lattice.lonely_step ? area / 4u : lattice.lonely_step;
-        most = most < even ? most : even;
-    }
     // In signed numbers: NVIDIA's Vulkan driver 580.159 made wrong weights of unsigned ones that
     // were cut off at 0.
-    i64 least = to_i64(even - most);
-    i64 greatest = to_i64(even + most);
+    i64 greatest = to_i64(even_weight(lattice.farthest) * 2u);
     i64 change = to_i64(step);
     i64 moved = to_i64(weight) + (mass < lattice.mean_mass ? -change : change);
-    moved = moved < least ? least : moved;
+    moved = moved < 0 ? 0 : moved;
     return to_u64(moved < greatest ? moved : greatest);
+}
+
+// The bounds of a sample's own weight, in sixteenths of the squared distance to the nearest other
+// sample. Two own weights differ by less than the squared distance of their samples. So each sample
+// lies inside its own cell, and none takes all mass of another.
+#define MOST_WEIGHT 10u
+#define LEAST_WEIGHT 5u
+
+// A squared distance, at least 16. Samples at least so far away do not change this weight.
+LACUNA_FN u64 reach_of_weight(u64 farthest, u64 weight) {
+    u64 even = even_weight(farthest);
+    u64 reach = weight < even ? (even - weight) / MOST_WEIGHT : (weight - even) / LEAST_WEIGHT;
+    return reach * 16u + 16u;
+}
+
+// The weight here within its bounds, which are never 0: of two samples on one spot one must get a
+// cell. `nearest` is the squared distance to the nearest other sample, or the reach if that is
+// less: below 2^62. In signed numbers, as above.
+LACUNA_FN u64 bounded_weight(u64 farthest, u64 weight, u64 nearest) {
+    i64 even = to_i64(even_weight(farthest));
+    i64 part = to_i64(nearest / 16u) + 1;
+    i64 least = even - part * MOST_WEIGHT;
+    i64 greatest = even + part * LEAST_WEIGHT;
+    i64 bounded = to_i64(weight);
+    bounded = bounded < least ? least : bounded;
+    return to_u64(bounded < greatest ? bounded : greatest);
+}
+
+// How far a sample moves, in 256ths of its way to its centre of mass. A long way, 1.7 times the
+// whole one, needs fewer iterations; the last iterations go the whole way.
+#define WHOLE_WAY 256u
+#define LONG_WAY 435u
+
+// A coordinate after a move towards `centre`; the way is the shorter one where the axis wraps. On a
+// box it stays below `length` units. The product is below 2^30 * 2^9.
+LACUNA_FN u32 moved_place(u32 at, u32 centre, u32 way, u32 length, u32 period) {
+    bool is_above = centre > at;
+    u32 off = is_above ? centre - at : at - centre;
+    if (period != 0u && period - off < off) {
+        off = period - off;
+        is_above = !is_above;
+    }
+    u64 wide = off;
+    u32 step = to_u32(wide * way / 256u);
+    u32 room = is_above ? length - 1u - at : at;
+    if (step <= room) return is_above ? at + step : at - step;
+    if (period == 0u) return is_above ? length - 1u : 0u;
+    return is_above ? at + step - period : at + period - step;
 }
 
 LACUNA_END

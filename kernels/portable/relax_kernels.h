@@ -28,6 +28,8 @@ struct SiteArguments {
     RelaxLattice lattice;
     u32 level;
     u32 level_begin;  // index at which the level begins
+    u32 depth;        // level of the root
+    u32 way;          // of a move, in 256ths
 };
 LACUNA_TYPEDEF(SiteArguments)
 
@@ -43,7 +45,8 @@ LACUNA_END
 
 // A site is x, y and weight. A rival is its lag behind another rival of its unit, and its order
 // among ties; its id, 16 site + 3 y + x, names site and image. Hints are for all leaves of the
-// lattice; `winners` are numbers of rivals.
+// lattice; `winners` are numbers of rivals. `limited` are sites with the weights that they may
+// have.
 // clang-format off
 #define LEVEL_SITES_BINDINGS(B)                                                    \
     B(0, BOTH, u32x4, sites) B(1, BOTH, u32x4, node_boxes)                          \
@@ -73,6 +76,9 @@ LACUNA_END
     B(2, READ, u32x2, node_weights) B(3, READ, u32, units) B(4, READ, u32, indices)   \
     B(5, READ, u32, hints) B(6, READ, u32, masses) B(7, SHARED, u32, shares)        \
     B(8, SHARED, u32, moments) B(9, WRITE, u32, owners) B(10, SHARED, u32, failure)
+#define LIMIT_BINDINGS(B)                                                           \
+    B(0, READ, u32x4, sites) B(1, READ, u32x4, node_boxes) B(2, BOTH, u32x4, limited) \
+    B(3, SHARED, u32, failure)
 #define MOVE_BINDINGS(B)                                                          \
     B(0, BOTH, u32x4, sites) B(1, READ, u32, shares) B(2, READ, u32, moments)
 
@@ -80,7 +86,8 @@ LACUNA_END
     B(u32x4, sites) B(u32x4, node_boxes) B(u32x2, node_weights) B(u32, units)       \
     B(u32, tile_leaves) B(u32, indices) B(u32, hints) B(u32x4, rivals) B(u32, rival_ids)        \
     B(u32, rival_counts) B(u32, winners) B(u32, masses) B(u32, owners) B(u32, shares)           \
-    B(u32, moments) B(u32, late) B(u32, late_count)
+    B(u32, moments) B(u32, late) B(u32, late_count)           \
+    B(u32x4, limited)
 
 #define LACUNA_RELAX_KERNELS(K)                             \
     K(level_sites, SiteArguments, LEVEL_SITES_BINDINGS)     \
@@ -89,6 +96,7 @@ LACUNA_END
     K(assign, LeafArguments, ASSIGN_BINDINGS)                     \
     K(tell_owners, LeafArguments, TELL_OWNERS_BINDINGS)     \
     K(assign_crowded, LeafArguments, ASSIGN_CROWDED_BINDINGS)     \
+    K(limit, SiteArguments, LIMIT_BINDINGS)                 \
     K(move, SiteArguments, MOVE_BINDINGS)
 // clang-format on
 

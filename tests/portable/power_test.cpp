@@ -76,25 +76,55 @@ TEST(Power, weights_stay_between_zero_and_the_farthest_distance) {
                 EXPECT_LE(moved_weight(lattice, weight, mass, points), lattice.farthest);
 }
 
-TEST(Power, a_weight_is_at_most_a_quarter_of_its_cells_area_or_of_the_mean_area) {
-    RelaxLattice lattice = largest_lattice();
-    lattice.mean_mass = 1000;
-    for (const u64 mean : {u64{1000}, u64{1} << 16}) {
-        lattice.lonely_step = mean / 4 + 1;
-        const u64 even = even_weight(lattice.farthest);
-        constexpr u32 kPoints = 12;
-        const u64 most =
-            std::max(u64{kPoints} * lattice.step_x * lattice.step_y / 4, lattice.lonely_step);
-        u64 hungry = even;
-        u64 full = even;
-        for (int i = 0; i < 5000; ++i) {
-            hungry = moved_weight(lattice, hungry, 10, kPoints);
-            full = moved_weight(lattice, full, 90000, kPoints);
-            ASSERT_GE(hungry, even - most);
-            ASSERT_LE(full, even + most);
+TEST(Power, a_weight_is_bounded_by_the_squared_distance_to_the_nearest_sample) {
+    const u64 farthest = largest_lattice().farthest;
+    const u64 even = even_weight(farthest);
+    std::mt19937_64 random(3);
+    for (int i = 0; i < 100000; ++i) {
+        const u64 weight = i % 5 == 0 ? farthest : random_below(random, farthest + 1);
+        const u64 reach = reach_of_weight(farthest, weight);
+        const u64 nearest = std::min(random_below(random, farthest + 1), reach);
+        const SignedWide part = SignedWide(nearest / 16) + 1;
+        const SignedWide own = SignedWide(even) - SignedWide(weight);
+        const SignedWide expected = std::clamp<SignedWide>(own, -5 * part, 10 * part);
+        const u64 bounded = bounded_weight(farthest, weight, nearest);
+        ASSERT_EQ(SignedWide(even) - SignedWide(bounded), expected) << weight << " " << nearest;
+        ASSERT_LE(bounded, farthest);
+        ASSERT_EQ(bounded_weight(farthest, bounded, nearest), bounded);
+        ASSERT_EQ(bounded_weight(farthest, weight, reach), weight);
+    }
+}
+
+// So no other sample wins the lattice points at a sample's own position.
+TEST(Power, two_weights_differ_by_less_than_the_squared_distance_of_their_samples) {
+    const u64 farthest = largest_lattice().farthest;
+    for (u64 distance = 256; distance < u64{1} << 60; distance *= 3)
+        EXPECT_LT(
+            bounded_weight(farthest, farthest, distance) - bounded_weight(farthest, 0, distance),
+            distance);
+}
+
+TEST(Power, a_move_is_a_part_of_the_way_and_stays_in_the_domain) {
+    constexpr u32 kLength = kMostOfSide * kLongestStep;
+    std::mt19937_64 random(4);
+    for (int i = 0; i < 100000; ++i) {
+        const u32 length = 1 + static_cast<u32>(random_below(random, kLength));
+        const u32 at = static_cast<u32>(random() % length);
+        const u32 centre = static_cast<u32>(random() % length);
+        for (const u32 way : {WHOLE_WAY, LONG_WAY}) {
+            const std::int64_t off = std::int64_t{centre} - at;
+            const std::int64_t moved = at + off * way / 256;
+            EXPECT_EQ(moved_place(at, centre, way, length, 0),
+                      std::clamp<std::int64_t>(moved, 0, length - 1));
+            const std::int64_t shortest =
+                off - (2 * off > length                  ? length
+                       : 2 * off < -std::int64_t{length} ? -std::int64_t{length}
+                                                         : 0);
+            const std::int64_t round = at + shortest * way / 256;
+            EXPECT_EQ(moved_place(at, centre, way, length, length), (round + length) % length);
         }
-        EXPECT_EQ(hungry, even - most);
-        EXPECT_EQ(full, even + most);
+        EXPECT_EQ(moved_place(at, centre, WHOLE_WAY, length, 0), centre);
+        EXPECT_EQ(moved_place(at, centre, WHOLE_WAY, length, length), centre);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -152,25 +153,92 @@ TEST_P(Relax, is_asked_before_the_first_iteration_too) {
     }
 }
 
+Relaxed relaxed_from_shares(const Field& field, std::uint64_t count, std::uint32_t iterations) {
+    Request request;
+    request.mode = Mode::stratified;
+    request.field = &field;
+    request.width = 1;
+    request.height = static_cast<double>(field.rows) / field.columns;
+    request.count = count;
+    RelaxOptions options = on(request.width, request.height, Boundary::box);
+    options.iterations = iterations;
+    options.measure = true;
+    return relax(sample(request).points, &field, options);
+}
+
 // Each of 15 faint islands on white has less than half of a point's importance. If weights had no
 // bound, points on islands would take cells in the dark half: 0.35 instead of 0.07.
-TEST(FaintIslands, do_not_take_importance_from_other_shapes) {
+TEST(FaintIslands, never_take_importance_from_other_shapes) {
     Field field = lacuna::tests::constant_field(100, 100, 0);
     for (std::size_t row = 0; row < 100; ++row)
         for (std::size_t column = 0; column < 100; ++column) {
             const bool is_island = column >= 70 && column % 10 < 6 && row % 20 < 12;
             field.importance[100 * row + column] = column < 50 ? 1 : is_island ? 0.01 : 0;
         }
-    Request request;
-    request.mode = Mode::stratified;
-    request.field = &field;
-    request.count = 300;
-    RelaxOptions options;
-    options.iterations = 60;
-    options.measure = true;
-    const Relaxed relaxed = relax(sample(request).points, &field, options);
-    EXPECT_LT(relaxed.evenness->after_voronoi, 0.1);
-    EXPECT_LT(relaxed.evenness->after, 0.1);
+    double before = 0.12;
+    for (const std::uint32_t iterations : {5u, 15u, 60u, 200u}) {
+        const Relaxed relaxed = relaxed_from_shares(field, 300, iterations);
+        EXPECT_LE(relaxed.evenness->after_voronoi, before) << iterations;
+        EXPECT_LE(relaxed.evenness->after, relaxed.evenness->after_voronoi) << iterations;
+        before = relaxed.evenness->after_voronoi;
+    }
+}
+
+constexpr std::size_t kLineWidths = 4;  // 1 to 4 pixels
+constexpr std::size_t kLineFrom = 30;   // row
+constexpr std::size_t kLineTo = 210;
+
+std::size_t left_of_line(std::size_t width) {
+    return 75 * width - 35;
+}
+
+Field lines_on_ground(double ground) {
+    Field field = lacuna::tests::constant_field(320, 240, ground);
+    for (std::size_t width = 1; width <= kLineWidths; ++width)
+        for (std::size_t row = kLineFrom; row < kLineTo; ++row)
+            for (std::size_t i = 0; i < width; ++i)
+                field.importance[320 * row + left_of_line(width) + i] = 1;
+    return field;
+}
+
+// The points on the lines, over their fair number. A point on half a pixel beside a line counts.
+double share_of_lines(const Field& field, const std::vector<Point>& points) {
+    double on_lines = 0;
+    for (const Point& point : points) {
+        const double x = point.x * 320;
+        const double y = point.y * 320;
+        for (std::size_t width = 1; width <= kLineWidths; ++width) {
+            const auto left = static_cast<double>(left_of_line(width));
+            const bool is_on = x > left - 0.5 && x < left + static_cast<double>(width) + 0.5 &&
+                               y > kLineFrom - 0.5 && y < kLineTo + 0.5;
+            on_lines += is_on ? 1 : 0;
+        }
+    }
+    const double all = std::accumulate(field.importance.begin(), field.importance.end(), 0.0);
+    const double fair = (kLineTo - kLineFrom) * (1 + 2 + 3 + 4) / all;
+    return on_lines / static_cast<double>(points.size()) / fair;
+}
+
+// If weights were bounded by areas, points of a line would take each other's cells, and a third of
+// them would leave it.
+TEST(Lines, keep_their_points_on_grey_ground) {
+    for (const double grey : {250, 253}) {
+        const Field field = lines_on_ground((255 - grey) / 255);
+        for (const std::uint64_t count : {300u, 1000u})
+            for (const std::uint32_t iterations : {15u, 60u}) {
+                const Relaxed relaxed = relaxed_from_shares(field, count, iterations);
+                EXPECT_NEAR(share_of_lines(field, relaxed.points), 1, 0.06)
+                    << grey << " " << count << " " << iterations;
+            }
+    }
+}
+
+// A mean of 24 lattice points would leave 2 for each point of a line.
+TEST(Lines, get_a_finer_lattice_where_their_points_need_it) {
+    const Relaxed on_grey = relaxed_from_shares(lines_on_ground(2.0 / 255), 1000, 1);
+    EXPECT_EQ(on_grey.lattice_columns, 640u);
+    const Relaxed even = relaxed_from_shares(lines_on_ground(0.9), 1000, 1);
+    EXPECT_EQ(even.lattice_columns, 320u);
 }
 
 TEST(RelaxOptionsGiven, zero_iterations_change_no_bit) {

@@ -74,8 +74,9 @@ TEST_P(Verbs, leave_what_the_references_do) {
             reference->restore(before);
             backend->restore(before);
             difference_of_looks(*reference, *backend);
-            reference->move();
-            backend->move();
+            const std::uint32_t way = iteration % 2 == 0 ? LONG_WAY : WHOLE_WAY;
+            reference->move(way);
+            backend->move(way);
             ASSERT_EQ(difference("site", reference->sites(), backend->sites()), "")
                 << scene << ", " << iteration;
         }
@@ -95,8 +96,9 @@ TEST_P(Verbs, do_the_same_from_extreme_weights) {
         const auto backend = make_backend(GetParam(), lattice, start);
         for (int iteration = 0; iteration < 2; ++iteration) {
             ASSERT_EQ(difference_of_looks(*reference, *backend), "") << scene << ", " << iteration;
-            reference->move();
-            backend->move();
+            const std::uint32_t way = iteration % 2 == 0 ? LONG_WAY : WHOLE_WAY;
+            reference->move(way);
+            backend->move(way);
             ASSERT_EQ(difference("site", reference->sites(), backend->sites()), "")
                 << scene << ", " << iteration;
         }
@@ -139,7 +141,7 @@ TEST_P(Verbs, do_the_same_at_any_number_of_threads) {
             for (int i = 0; i < 3; ++i) {
                 backend->assign();
                 backend->accumulate();
-                backend->move();
+                backend->move(LONG_WAY);
             }
             ends.push_back(backend->sites());
             EXPECT_EQ(difference("site", ends.front(), ends.back()), "")

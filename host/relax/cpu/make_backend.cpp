@@ -5,6 +5,7 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <functional>
@@ -56,13 +57,13 @@ public:
     void assign() override { assign_tiles({}); }
     void accumulate() override {}
 
-    void move() override {
-        find_moved();
+    void move(std::uint32_t way) override {
+        find_moved(way);
         sites_.swap(moved_);
     }
 
     void rest() override {
-        find_moved();
+        find_moved(WHOLE_WAY);
         const auto is_lost = [&](const Site& site) { return lattice_.mass_under(site) == 0; };
         if (std::any_of(moved_.begin(), moved_.end(), is_lost)) {
             const PixelTree pixels(lattice_, [&] { workers_.poll(); });
@@ -157,7 +158,7 @@ private:
             std::fill(shares_.begin() + static_cast<std::ptrdiff_t>(begin),
                       shares_.begin() + static_cast<std::ptrdiff_t>(end), Share{});
         });
-        tree_.look_at(sites_, workers_);
+        limit_weights();
         const Scene scene = this->scene();
         workers_.for_columns(
             static_cast<std::uint32_t>(tiles_.size()), lattice_.points, [&](std::uint32_t i) {
@@ -169,6 +170,34 @@ private:
                     owners);
                 for (const Tile::Part& part : tile.parts()) add(part, box);
             });
+    }
+
+    // Limits weights by distances to the nearest sites, and leaves the tree with the new weights.
+    void limit_weights() {
+        tree_.look_at(sites_, workers_);
+        const std::size_t blocks = (sites_.size() + SiteTree::kBlock - 1) / SiteTree::kBlock;
+        constexpr std::size_t kBlocksPerTask = 16;
+        const std::size_t tasks = (blocks + kBlocksPerTask - 1) / kBlocksPerTask;
+        workers_.for_columns(
+            static_cast<std::uint32_t>(tasks), sites_.size(), [&](std::uint32_t task) {
+                const std::size_t end = std::min(blocks, (task + std::size_t{1}) * kBlocksPerTask);
+                SiteTree::Neighbours near;
+                for (std::size_t block = task * kBlocksPerTask; block < end; ++block)
+                    limit_weights(block, near);
+            });
+        tree_.look_at(sites_, workers_);
+    }
+
+    void limit_weights(std::size_t block, SiteTree::Neighbours& near) {
+        const std::size_t first = block * SiteTree::kBlock;
+        const std::size_t count = std::min(sites_.size() - first, SiteTree::kBlock);
+        std::array<std::uint64_t, SiteTree::kBlock> nearest{};
+        for (std::size_t i = 0; i < count; ++i)
+            nearest[i] = portable::reach_of_weight(numbers_.farthest, sites_[first + i].weight);
+        tree_.lower_to_nearest(block, numbers_.period_x, numbers_.period_y, near, nearest);
+        for (std::size_t i = 0; i < count; ++i)
+            sites_[first + i].weight =
+                portable::bounded_weight(numbers_.farthest, sites_[first + i].weight, nearest[i]);
     }
 
     void add(const Tile::Part& part, const Box& box) {
@@ -192,10 +221,10 @@ private:
     }
 
     // Computes the new sites in moved_.
-    void find_moved() {
+    void find_moved(std::uint32_t way) {
         for_chunks([&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                moved_[i] = moved(numbers_, sites_[i], shares_[i]);
+                moved_[i] = moved(numbers_, sites_[i], shares_[i], way);
         });
     }
 

@@ -2,6 +2,7 @@
 // sites. Each node has the least weight in it, so that a large weight has only local effect.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -37,9 +38,22 @@ public:
         find_below(levels_.size() - 1, 0, box, bound, found);
     }
 
+    // Sites [kBlock i, kBlock (i + 1)), as far as they exist, are block i.
+    static constexpr std::size_t kBlock = 64;
+
+    // Lists of leaves of the tree, reused from block to block.
+    struct Neighbours {
+        std::vector<std::size_t> of_block;
+        std::vector<std::size_t> of_leaf;
+        std::vector<std::size_t> of_site;
+    };
+    // Lowers nearest[i] to the squared distance of the block's i-th site to the nearest other site,
+    // or to an image of it, if that is less. Only positions are read of sites.
+    void lower_to_nearest(std::size_t block, std::int64_t period_x, std::int64_t period_y,
+                          Neighbours& near, std::span<std::uint64_t, kBlock> nearest) const;
+
 private:
     static constexpr std::size_t kFan = 8;
-
     struct Node {
         std::uint32_t left;
         std::uint32_t right;
@@ -50,12 +64,21 @@ private:
 
     static std::uint64_t gap(std::int64_t low, std::int64_t high, std::int64_t begin,
                              std::int64_t end) {
-        return static_cast<std::uint64_t>(low > end ? low - end : begin > high ? begin - high : 0);
+        return static_cast<std::uint64_t>(std::max({low - end, begin - high, std::int64_t{0}}));
     }
-    static std::uint64_t least_power(const Node& node, const Rectangle& box) {
+    static std::uint64_t squared(std::int64_t dx, std::int64_t dy) {
+        return static_cast<std::uint64_t>(dx * dx + dy * dy);
+    }
+    static std::uint64_t squared_gap(const Node& node, const Rectangle& box) {
         const std::uint64_t dx = gap(node.left, node.right, box.left, box.right);
         const std::uint64_t dy = gap(node.bottom, node.top, box.bottom, box.top);
-        return dx * dx + dy * dy + node.least_weight;
+        return dx * dx + dy * dy;
+    }
+    static Rectangle moved(const Node& node, std::int64_t x, std::int64_t y) {
+        return {node.left + x, node.right + x, node.bottom + y, node.top + y};
+    }
+    static std::uint64_t least_power(const Node& node, const Rectangle& box) {
+        return squared_gap(node, box) + node.least_weight;
     }
     static std::uint64_t least_power(const Site& site, const Rectangle& box) {
         return least_power(Node{site.x, site.x, site.y, site.y, site.weight}, box);
@@ -79,6 +102,15 @@ private:
                 found(static_cast<std::uint32_t>(child));
         }
     }
+
+    void lower_within(std::size_t leaf, std::span<std::uint64_t> nearest) const;
+    void lower_by_leaves(std::size_t leaf, std::int64_t x, std::int64_t y, Neighbours& near,
+                         std::span<std::uint64_t> nearest) const;
+    // Copies the nodes that are nearer to the rectangle than `distance`, which is squared.
+    void keep_near(std::size_t level, const Rectangle& box, std::uint64_t distance,
+                   const std::vector<std::size_t>& nodes, std::vector<std::size_t>& kept) const;
+    void find_leaves(const Rectangle& box, std::uint64_t distance, Neighbours& near) const;
+
     // The power of a site in the rectangle's worst corner.
     static std::uint64_t worst_power(const Site& site, const Rectangle& box);
     void lower_worst_power(std::size_t level, std::size_t node, const Rectangle& box,

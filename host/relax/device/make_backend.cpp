@@ -29,11 +29,12 @@ constexpr std::uint32_t kUnitsOfProcessor = 1024;
 constexpr std::uint32_t kUnitsOfGraphics = 4096;
 
 // Work for Queue::launch, in tenths of a microsecond: of finding a unit's rivals, of a leaf's
-// lattice points, of a row in a crowded leaf, of a site.
+// lattice points, of a row in a crowded leaf, of a site, of a leaf of the tree over the sites.
 constexpr std::uint64_t kFindWork = 100;
 constexpr std::uint64_t kLeafWork = 20;
 constexpr std::uint64_t kCrowdedWork = 20;
 constexpr std::uint64_t kSiteWork = 1;
+constexpr std::uint64_t kLimitWork = 40;
 
 // Number of sites that rest() searches importance for between two polls: at most 0.1 s.
 constexpr std::uint32_t kSitesBetweenPolls = 1024;
@@ -85,12 +86,14 @@ public:
 
     // Also accumulates, because the next batch overwrites the tables with the owners of lattice
     // points.
-    void assign() override { assign_leaves(memory_, false); }
+    void assign() override {
+        limit_weights();
+        assign_leaves(memory_, false);
+    }
     void accumulate() override {}
 
-    void move() override {
-        launch_over_sites<kernels::move>(kSiteWork);
-        level_sites();
+    void move(std::uint32_t way) override {
+        launch_over_sites<kernels::move>(kSiteWork, 0, way);
         queue_->wait();
     }
 
@@ -99,7 +102,7 @@ public:
     void rest() override {
         const std::vector<Site> before = along_curve();
         const std::vector<Share> shares = shares_along_curve();
-        move();
+        move(WHOLE_WAY);
         std::vector<Site> moved = along_curve();
         Workers alone(1);
         cpu::SiteTree tree;
@@ -230,15 +233,24 @@ private:
     }
 
     template <typename Kernel>
-    void launch_over_sites(std::uint64_t work, std::uint32_t level = 0) {
+    void launch_over_sites(std::uint64_t work, std::uint32_t level = 0, std::uint32_t way = 0) {
         const std::uint32_t units = portable::nodes_of_level(numbers_.samples, level);
         const std::uint32_t chunk = queue_->chunk_of(units);
-        lacuna::device::launch<Kernel>(*queue_, memory_,
-                                       {0, chunk, numbers_, level, begin_of_level(depth_, level)},
-                                       lacuna::device::items_of(units, chunk), work * chunk);
+        lacuna::device::launch<Kernel>(
+            *queue_, memory_,
+            {0, chunk, numbers_, level, begin_of_level(depth_, level), depth_, way},
+            lacuna::device::items_of(units, chunk), work * chunk);
     }
 
-    // Builds the tree again.
+    // Builds the tree, limits weights by distances to the nearest sites, and builds the tree again
+    // with the new weights.
+    void limit_weights() {
+        level_sites();
+        launch_over_sites<kernels::limit>(kLimitWork, 1);
+        std::swap(memory_.sites, memory_.limited);
+        level_sites();
+    }
+
     void level_sites() {
         for (std::uint32_t level = 1; level <= depth_; ++level)
             launch_over_sites<kernels::level_sites>(8 * kSiteWork, level);
@@ -257,7 +269,6 @@ private:
     void put_along_curve(const std::vector<Site>& sites) {
         for (std::size_t i = 0; i < sites.size(); ++i) sites_[i] = packed(sites[i]);
         put<Words4>(memory_.sites, sites_);
-        level_sites();
         queue_->wait();
     }
 

@@ -33,6 +33,7 @@ std::vector<Need> needs_of(const Lattice& lattice, std::uint64_t sites, std::uin
         std::uint64_t{leaves_in(lattice.numbers.columns)} * leaves_in(lattice.numbers.rows);
     const std::uint64_t rivals = batch * RIVAL_ROOM;
     return {{&Memory::sites, 4 * sites},
+            {&Memory::limited, 4 * sites},
             {&Memory::node_boxes, 4 * nodes},
             {&Memory::node_weights, 2 * nodes},
             {&Memory::units, tiles},

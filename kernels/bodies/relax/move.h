@@ -1,4 +1,4 @@
-// The body of move: a site moves to its centre of mass, and its weight follows its mass.
+// The body of move: a site moves towards its centre of mass, and its weight follows its mass.
 #include "portable/power.h"
 #include "portable/site_tree.h"
 
@@ -6,10 +6,16 @@ BODY void move_site(MEMORY const SiteArguments a, const u32 i) {
     u32x4 site = AT(sites, i);
     const u64 mass = join_words(AT(shares, 4u * i + 2u), AT(shares, 4u * i + 3u));
     if (mass != 0u) {
-        site.x = centre_of_mass(join_words(AT(moments, 4u * i), AT(moments, 4u * i + 1u)), mass,
-                                site.x, a.lattice.step_x, a.lattice.columns, a.lattice.period_x);
-        site.y = centre_of_mass(join_words(AT(moments, 4u * i + 2u), AT(moments, 4u * i + 3u)),
-                                mass, site.y, a.lattice.step_y, a.lattice.rows, a.lattice.period_y);
+        const u32 x =
+            centre_of_mass(join_words(AT(moments, 4u * i), AT(moments, 4u * i + 1u)), mass, site.x,
+                           a.lattice.step_x, a.lattice.columns, a.lattice.period_x);
+        const u32 y =
+            centre_of_mass(join_words(AT(moments, 4u * i + 2u), AT(moments, 4u * i + 3u)), mass,
+                           site.y, a.lattice.step_y, a.lattice.rows, a.lattice.period_y);
+        site.x =
+            moved_place(site.x, x, a.way, a.lattice.columns * a.lattice.step_x, a.lattice.period_x);
+        site.y =
+            moved_place(site.y, y, a.way, a.lattice.rows * a.lattice.step_y, a.lattice.period_y);
     }
     const u64 weight =
         moved_weight(a.lattice, join_words(site.z, site.w), mass, AT(shares, 4u * i));

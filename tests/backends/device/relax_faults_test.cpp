@@ -27,7 +27,7 @@ std::vector<Site> relaxed(RelaxBackend& backend) {
     for (int i = 0; i < kIterations; ++i) {
         backend.assign();
         backend.accumulate();
-        backend.move();
+        backend.move(i == 1 ? WHOLE_WAY : LONG_WAY);
     }
     return backend.sites();
 }
@@ -121,6 +121,17 @@ TEST_P(RelaxFaults, InMoveAreNoticed) {
                      "node.weight < all.weight ? node.weight :", "node.weight +"}});
 }
 
+TEST_P(RelaxFaults, InLimitsOfWeightsAreNoticed) {
+    expect_noticed(torus_,
+                   {{"bodies/relax/limit.h", "= bounded_weight(",
+                     "= join_words(site.z, site.w) + 0u * bounded_weight("},
+                    {"bodies/relax/limit.h", "j != i &&", "false &&"},
+                    {"bodies/relax/limit.h", "min(straight, around)", "straight"},
+                    {"bodies/relax/limit.h", "if (other != leaf)", "if (false)"},
+                    {"bodies/relax/limit.h", "farthest = nearest > farthest", "farthest = false"},
+                    {"bodies/relax/move.h", "x, a.way", "x, WHOLE_WAY"}});
+}
+
 TEST_P(RelaxFaults, InCrowdedLeavesAreNoticed) {
     ASSERT_TRUE(on_cpu(crowd_) != crowd_.sites(crowd_.lattice()));
     expect_noticed(crowd_,
@@ -133,8 +144,9 @@ TEST_P(RelaxFaults, InCrowdedLeavesAreNoticed) {
 
 // The result of a driver that ends loops early.
 TEST_P(RelaxFaults, ThatEndLoopsEarlyAreAnErrorAndNeverASet) {
-    for (const char* const file : {"bodies/relax/find_hints.h", "bodies/relax/find_rivals.h",
-                                   "bodies/relax/assign.h", "bodies/relax/assign_crowded.h"}) {
+    for (const char* const file :
+         {"bodies/relax/find_hints.h", "bodies/relax/find_rivals.h", "bodies/relax/assign.h",
+          "bodies/relax/assign_crowded.h", "bodies/relax/limit.h"}) {
         const Fault fault{file, "CHECK_TURNS(a.lattice.columns, FAILED_ASSIGN);",
                           "ATOMIC_OR(failure, 0, FAILED_ASSIGN);"};
         const Lattice lattice = crowd_.lattice();

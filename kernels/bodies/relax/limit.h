@@ -1,0 +1,117 @@
+// The body of limit: limits the weight of each site by the squared distance to the nearest other
+// one. An item serves leaves of the tree: nodes of level 1, with up to 8 sites.
+#include "portable/bits.h"
+#include "portable/power.h"
+#include "portable/site_tree.h"
+
+// The distance between two intervals on an axis, both ends included.
+BODY u32 gap_between(const u32 low, const u32 high, const u32 begin, const u32 last,
+                     const u32 period) {
+    const u32 straight = interval_gap(to_i32(low), to_i32(high), to_i32(begin), to_i32(last));
+    const u32 around = period - (max(high, last) - min(low, begin));
+    return period != 0u ? min(straight, around) : straight;
+}
+
+BODY u64 distance_to_node(MEMORY const SiteArguments a, const u32x4 box, const u32 index) {
+    const u32x4 node = AT(node_boxes, index);
+    return squared_length(gap_between(box.x, box.z, node.x, node.z, a.lattice.period_x),
+                          gap_between(box.y, box.w, node.y, node.w, a.lattice.period_y));
+}
+
+// Until a leaf is done, `limited` has positions, and the least squared distances that were found.
+// Lowers those of the sites in `leaf` by the sites in `other`. Returns the greatest of them.
+BODY u64 lower_by_leaf(MEMORY const SiteArguments a, const u32 leaf, const u32 other) {
+    const u32 end = min(leaf * 8u + 8u, a.lattice.samples);
+    const u32 end_other = min(other * 8u + 8u, a.lattice.samples);
+    u64 farthest = 0u;
+    for (u32 i = leaf * 8u; i < end; ++i) {
+        const u32x4 site = AT(limited, i);
+        u64 nearest = join_words(site.z, site.w);
+        const u32x4 box = U32X4(site.x, site.y, site.x, site.y);
+        if (distance_to_node(ON a, box, a.level_begin + other) < nearest) {
+            for (u32 j = other * 8u; j < end_other; ++j) {
+                const u32x4 to = AT(sites, j);
+                const u64 distance = power_of(site.x, site.y, to.x, to.y, 0u, a.lattice.period_x,
+                                              a.lattice.period_y);
+                nearest = j != i && distance < nearest ? distance : nearest;
+            }
+            AT(limited, i) = U32X4(site.x, site.y, to_u32(nearest), to_u32(nearest >> 32));
+        }
+        farthest = nearest > farthest ? nearest : farthest;
+    }
+    return farthest;
+}
+
+// The next node of level 2 that is nearer to the box; beyond the root if there is none.
+BODY Cursor next_near_node(MEMORY const SiteArguments a, Cursor at, const u32x4 box,
+                           const u64 farthest) {
+    bool is_found = false;
+    while (!is_found && at.level <= a.depth) {
+        const bool is_near = distance_to_node(ON a, box, at.begin + at.index) < farthest;
+        is_found = is_near && at.level == 2u;
+        if (is_found) break;
+        const Cursor below = below_cursor(at);
+        const Cursor next = next_cursor(at, a.lattice.samples, a.depth);
+        at.level = is_near ? below.level : next.level;
+        at.index = is_near ? below.index : next.index;
+        at.begin = is_near ? below.begin : next.begin;
+    }
+    return at;
+}
+
+// Bit i is set if leaf first + i is nearer to the box. In a loop without branches, which processors
+// run on several leaves at once.
+BODY u32 near_leaves(MEMORY const SiteArguments a, const u32 first, const u32x4 box,
+                     const u64 farthest) {
+    const u32 leaves = nodes_of_level(a.lattice.samples, 1u);
+    u32 near = 0u;
+    for (u32 i = 0u; i < 8u; ++i) {
+        const u32 index = a.level_begin + min(first + i, leaves - 1u);
+        const bool is_near = distance_to_node(ON a, box, index) < farthest;
+        near = near | (is_near && first + i < leaves ? 1u << i : 0u);
+    }
+    return near;
+}
+
+// The leaf itself comes first: its sites are near each other, so that most others are skipped.
+BODY void find_nearest(MEMORY const SiteArguments a, const u32 leaf) {
+    const u32x4 box = AT(node_boxes, a.level_begin + leaf);
+    u64 farthest = lower_by_leaf(ON a, leaf, leaf);
+    Cursor at;
+    at.level = a.depth;
+    at.index = 0u;
+    at.begin = 0u;
+    while (at.level >= 2u && at.level <= a.depth) {
+        at = next_near_node(ON a, at, box, farthest);
+        if (at.level > a.depth) break;
+        u32 near = near_leaves(ON a, at.index * 8u, box, farthest);
+        for (; near != 0u; near &= near - 1u) {
+            const u32 other = at.index * 8u + lowest_bit(near);
+            if (other != leaf) farthest = lower_by_leaf(ON a, leaf, other);
+        }
+        at = next_cursor(at, a.lattice.samples, a.depth);
+    }
+}
+
+BODY void limit_leaf(MEMORY const SiteArguments a, const u32 leaf) {
+    const u32 end = min(leaf * 8u + 8u, a.lattice.samples);
+    for (u32 i = leaf * 8u; i < end; ++i) {
+        const u32x4 site = AT(sites, i);
+        const u64 reach = reach_of_weight(a.lattice.farthest, join_words(site.z, site.w));
+        AT(limited, i) = U32X4(site.x, site.y, to_u32(reach), to_u32(reach >> 32));
+    }
+    find_nearest(ON a, leaf);
+    for (u32 i = leaf * 8u; i < end; ++i) {
+        const u32x4 site = AT(sites, i);
+        const u32x4 found = AT(limited, i);
+        const u64 weight = bounded_weight(a.lattice.farthest, join_words(site.z, site.w),
+                                          join_words(found.z, found.w));
+        AT(limited, i) = U32X4(site.x, site.y, to_u32(weight), to_u32(weight >> 32));
+    }
+}
+
+BODY void serve_limit(MEMORY const SiteArguments a, const u32 item) {
+    const u32 end = min((item + 1u) * a.chunk, nodes_of_level(a.lattice.samples, 1u));
+    for (u32 leaf = item * a.chunk; leaf < end; ++leaf) limit_leaf(ON a, leaf);
+    CHECK_TURNS(a.lattice.columns, FAILED_ASSIGN);
+}
