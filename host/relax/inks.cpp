@@ -217,8 +217,7 @@ private:
     }
 
     // Puts a dot between the positions to which its ink and all dots would move it. In the middle
-    // dots of two inks would come closer to each other; nearer to the second, inks would be less
-    // even.
+    // dots of two inks would come closer; nearer to the second, inks would be less even.
     static void join(const Lattice& lattice, Site& of_ink, Site& of_all, bool is_last) {
         Site both = of_ink;
         both.x = two_thirds(of_ink.x, of_all.x, lattice.numbers.period_x);
