@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "analysis/pairs.h"
@@ -120,19 +122,36 @@ void draw_periodogram(Canvas& canvas, const Analysis& analysis) {
     plot.draw_axes(fmt::format("Periodogram, 0 black to {:g} white", kWhitePower), Grid::none);
 }
 
+// The exponents of the least and greatest radial powers, if the least is so low that only a
+// logarithmic axis shows it.
+std::optional<std::pair<double, double>> exponents_of(const Radial& radial) {
+    constexpr double kLow = 1e-4, kLeastShown = 1e-12;
+    double least = 1;
+    for (const Annulus& annulus : radial.annuli) least = std::min(least, annulus.power);
+    if (least > kLow) return std::nullopt;
+    return std::pair{std::floor(std::log10(std::max(least, kLeastShown))),
+                     std::ceil(std::log10(std::max(radial.peak().power, 1.0)))};
+}
+
 void draw_radial_power(Canvas& canvas, const Analysis& analysis) {
     const Radial& radial = analysis.radial;
+    const auto exponents = exponents_of(radial);
     constexpr double kTallest = 10;
     constexpr double kLowest = 2;
     const Annulus& peak = radial.peak();
     const double top = std::clamp(std::ceil(peak.power * 2.2) / 2, kLowest, kTallest);
+    const drawing::Axis power =
+        exponents ? drawing::Axis{exponents->first, exponents->second, "power", true}
+                  : drawing::Axis{0, top, "power"};
     Plot plot(canvas, {kLeft, kLower, kPanelWidth, kLowerHeight},
-              {0, analysis.max_frequency, "k / \u221aN"}, {0, top, "power"});
+              {0, analysis.max_frequency, "k / \u221aN"}, power);
     plot.draw_axes(fmt::format("Radial power, peak {:.4g} at {:.3g}", peak.power, peak.frequency));
-    plot.draw_level(1, "1: independent points");
+    plot.draw_level(exponents ? 0 : 1, "1: independent points");
     std::vector<Point> curve;
     for (const Annulus& annulus : radial.annuli)
-        curve.push_back({annulus.frequency, annulus.power});
+        curve.push_back(
+            {annulus.frequency,
+             exponents ? std::max(std::log10(annulus.power), exponents->first) : annulus.power});
     plot.draw_curve(curve, {kCurve, 1.2});
 }
 

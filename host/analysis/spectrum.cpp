@@ -139,6 +139,20 @@ std::vector<double> periodogram(std::span<const Point> points, const Domain& dom
                                                                                 range, keep_going);
 }
 
+std::optional<double> mean_power_below(const Spectrum& spectrum, double frequency) {
+    const double limit = frequency * std::sqrt(spectrum.count);
+    double sum = 0;
+    std::size_t frequencies = 0;
+    for (int kx = 0; kx <= spectrum.range.kx_max; ++kx)
+        for (int ky = -spectrum.range.ky_max; ky <= spectrum.range.ky_max; ++ky) {
+            if ((kx == 0 && ky <= 0) || spectrum.magnitude(kx, ky) >= limit) continue;
+            sum += spectrum.power(kx, ky);
+            ++frequencies;
+        }
+    if (frequencies == 0) return std::nullopt;
+    return sum / static_cast<double>(frequencies);
+}
+
 std::vector<double> exact_periodogram(std::span<const Point> points, const Domain& domain,
                                       Range range, const KeepGoing& keep_going) {
     Sums sums(range);

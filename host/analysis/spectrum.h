@@ -4,6 +4,7 @@
 #include <lacuna/lacuna.h>
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,10 @@ struct Spectrum {
     // The uncertainty of P: where the sum is zero, rounding leaves a power of this order.
     double rounding() const { return 1e-20 * count; }
 };
+
+// The mean power at all frequencies below `frequency` times the root of the count, without DC.
+// Empty if there is none.
+std::optional<double> mean_power_below(const Spectrum& spectrum, double frequency);
 
 // The powers of one set of at least one point, in the order of Spectrum::powers. Uses all cores;
 // the result does not depend on their number. Every P is accurate to 1e-9 of itself or of 1. Throws

@@ -49,6 +49,10 @@ Position Plot::position_of(Point point) const {
             box_.bottom() - (point.y - y_.from) / (y_.to - y_.from) * box_.height};
 }
 
+std::string Plot::words_at(const Axis& axis, double value) {
+    return axis.is_logarithmic ? "1e" + words_of(value) : words_of(value);
+}
+
 void Plot::draw_tick_x(double value, Grid grid) {
     const double x = position_of({value, y_.from}).x;
     if (grid == Grid::drawn)
@@ -57,7 +61,7 @@ void Plot::draw_tick_x(double value, Grid grid) {
     const Rectangle below{box_.left - 1, box_.bottom(), box_.width + 2, kTick};
     canvas_.line(std::array<Position, 2>{Position{x, below.top}, Position{x, below.bottom()}},
                  {kInk, 0.6}, below);
-    canvas_.text({x, below.bottom() + kTextSize}, words_of(value),
+    canvas_.text({x, below.bottom() + kTextSize}, words_at(x_, value),
                  {kTextSize, Anchor::middle, kInk});
 }
 
@@ -69,7 +73,7 @@ void Plot::draw_tick_y(double value, Grid grid) {
     const Rectangle beside{box_.left - kTick, box_.top - 1, kTick, box_.height + 2};
     canvas_.line(std::array<Position, 2>{Position{beside.left, y}, Position{beside.right(), y}},
                  {kInk, 0.6}, beside);
-    canvas_.text({beside.left - 2, y + 0.35 * kTextSize}, words_of(value),
+    canvas_.text({beside.left - 2, y + 0.35 * kTextSize}, words_at(y_, value),
                  {kTextSize, Anchor::end, kInk});
 }
 

@@ -13,6 +13,7 @@ struct Axis {
     double from;
     double to;
     std::string label;
+    bool is_logarithmic = false;  // all numbers are exponents of 10
 };
 
 // About `wanted` numbers between `from` and `to`, spaced by 1, 2 or 5 times a power of ten.
@@ -41,6 +42,7 @@ public:
 
 private:
     Position position_of(Point point) const;
+    static std::string words_at(const Axis& axis, double value);
     void draw_tick_x(double value, Grid grid);
     void draw_tick_y(double value, Grid grid);
 

@@ -51,6 +51,14 @@ TEST(SheetAsSvg, ShowsPointsAtTheirPlacesWithYUpwards) {
     EXPECT_TRUE(contains(svg, "M115.000 286.500h0")) << svg;
 }
 
+// Squares of 12 x 12 have no power below the first peak.
+TEST(SheetAsSvg, ShowsLowPowersOnALogarithmicAxis) {
+    std::vector<Point> lattice;
+    for (int i = 0; i < 144; ++i) lattice.push_back({(i % 12) / 12.0, (i / 12) / 12.0});
+    EXPECT_TRUE(contains(sheet_of({lattice}, Medium::svg), "1e\u22125<"));
+    EXPECT_FALSE(contains(sheet_of(ten_sets(), Medium::svg), ">1e\u2212"));
+}
+
 TEST(SheetAsSvg, KeepsTheShapeOfTheDomain) {
     const std::string svg =
         sheet_of({white_noise(50, {4, 1, false}, 1)}, Medium::svg, {4, 1, false});

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -94,6 +95,12 @@ void add_spectrum(Rows& rows, const Analysis& a) {
     powers.erase(powers.find_last_not_of(' ') + 1);
     rows.add("k / sqrt(count)", "{}", heads);
     rows.add("radial power", "{}", powers);
+    // Less than kRounded may be what rounding leaves.
+    constexpr double kLow = 0.3, kRounded = 1e-12;
+    const double below = std::min(kLow, a.max_frequency);
+    if (const auto low = analysis::mean_power_below(a.spectrum, below))
+        rows.add("low frequencies", "power {} below {:g}",
+                 *low < kRounded ? "under 1e-12" : fmt::format("{:.2g}", *low), below);
     const analysis::Annulus& peak = a.radial.peak();
     rows.add("peak power", "{:.4g} at {:.3f}", peak.power, peak.frequency);
     if (const auto mean = a.radial.mean_anisotropy_db()) {
