@@ -70,7 +70,7 @@ private:
 
     void limit_weights() {
         for (std::size_t i = 0; i < sites_.size(); ++i) {
-            ask_now_and_then();
+            ask_after(sites_.size());
             std::uint64_t nearest = portable::reach_of_weight(numbers_.farthest, sites_[i].weight);
             for (std::size_t other = 0; other < sites_.size(); ++other)
                 if (other != i) nearest = std::min(nearest, distance(sites_[i], sites_[other]));
