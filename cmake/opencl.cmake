@@ -58,7 +58,7 @@ function(lacuna_add_opencl)
     set_source_files_properties(${PROJECT_SOURCE_DIR}/host/backends/opencl/entry_points.cpp
         PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     # The kernels of a group are compiled together: for lines and exact, exact with a radius field,
-    # cells, and relax. A driver would take longer to compile each kernel as a program of its own.
+    # cells, relax, and its descent. A driver would take longer to compile each kernel as a program of its own.
     set(spans locate locate_in_boxes sort_columns screen screen_on_lines admit collect subtract grow
         insert unfold cut keep scan find_bin_begins)
     set(radius_field locate_with_field screen_with_field reach admit_with_field enlist split
@@ -66,8 +66,9 @@ function(lacuna_add_opencl)
     set(cells locate_in_cells sort_columns look_up_radii screen_in_cells admit_in_cells
         subtract_in_cells)
     set(relax find_hints find_rivals assign tell_owners assign_crowded limit move level_sites)
+    set(descent find_cells scan sort_into_cells descend)
     set(groups)
-    foreach(group IN ITEMS spans cells radius_field relax)
+    foreach(group IN ITEMS spans cells radius_field relax descent)
         list(TRANSFORM ${group} REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/kernels/\\1.cl")
         list(JOIN ${group} "|" files)
         list(APPEND groups ${files})

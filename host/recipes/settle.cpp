@@ -34,7 +34,7 @@ void settle(const Given& given, Request& request) {
     if (given.has_inks && relax == 0)
         throw BadRequest("relax", "0", "must be at least 1 for inks, whose dots are relaxed");
     request.mode = mode_of(given, request);
-    if (request.mode == Mode::stratified && relax == 0)
+    if (request.mode == Mode::stratified && relax == 0 && given.gaussian == 0)
         throw BadRequest("mode", std::string(name_of(request.mode)), "is a start for --relax");
     request.metric = given.metric.value_or(request.mode == Mode::cells && relax != 0 ? Metric::mean
                                                                                      : Metric::min);

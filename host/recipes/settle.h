@@ -17,6 +17,7 @@ struct Given {
     std::optional<Mode> mode{};
     std::optional<Metric> metric{};
     std::optional<std::uint32_t> relax{};  // how often the points are moved after sampling
+    std::uint32_t gaussian = 0;            // and the steps on the Gaussian energy that follow
 };
 
 // Decides the number of times that points are moved: 15 for the dots of a picture unless they are
@@ -28,7 +29,7 @@ std::uint32_t relax_of(const Given& given);
 //     radius, scale, metric, limit, lines per radius or round size. Inks always do.
 //   - Other dots of a picture are made in mode cells, ellipses and all other sets in mode exact.
 //   - In cells the metric is mean if the points will be relaxed. Otherwise it is min.
-// Throws BadRequest if a stratified set would not be relaxed.
+// Throws BadRequest if the points of a stratified set would not be moved.
 void settle(const Given& given, Request& request);
 
 }  // namespace lacuna::recipes

@@ -126,13 +126,22 @@ portable::RelaxLattice numbers_of(const Field& field, const Cut& cut, const Rela
     return numbers;
 }
 
-// Converts a user's coordinate on one axis. An upper edge that wraps becomes the lower one.
+}  // namespace
+
 std::uint32_t unit_of(double coordinate, double side, std::uint32_t length, bool wraps) {
     const auto unit = static_cast<std::uint32_t>(coordinate / side * length);
     return unit < length ? unit : wraps ? 0 : length - 1;
 }
 
-}  // namespace
+void check_in_domain(std::size_t number, const Point& point, const RelaxOptions& options) {
+    // This condition is also false for NaN.
+    if (!(point.x >= 0 && point.x <= options.width && point.y >= 0 && point.y <= options.height))
+        throw BadRequest("points",
+                         "point " + std::to_string(number) + " at (" + shortest(point.x) + ", " +
+                             shortest(point.y) + ")",
+                         "must lie in the domain, [0, " + shortest(options.width) + "] x [0, " +
+                             shortest(options.height) + "]");
+}
 
 void check_options(const RelaxOptions& options) {
     constexpr std::uint32_t kMostIterations = 10000;
@@ -199,14 +208,7 @@ std::vector<Site> sites_of(std::span<const Point> points, const Lattice& lattice
     std::vector<Site> sites(points.size());
     for_each_polled(points.size(), poll, [&](std::size_t i) {
         const Point& point = points[i];
-        // This condition is also false for NaN.
-        if (!(point.x >= 0 && point.x <= options.width && point.y >= 0 &&
-              point.y <= options.height))
-            throw BadRequest("points",
-                             "point " + std::to_string(i) + " at (" + shortest(point.x) + ", " +
-                                 shortest(point.y) + ")",
-                             "must lie in the domain, [0, " + shortest(options.width) + "] x [0, " +
-                                 shortest(options.height) + "]");
+        check_in_domain(i, point, options);
         sites[i] = {unit_of(point.x, options.width, numbers.columns * numbers.step_x, wraps),
                     unit_of(point.y, options.height, numbers.rows * numbers.step_y, wraps),
                     portable::even_weight(numbers.farthest)};

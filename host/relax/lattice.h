@@ -66,6 +66,12 @@ struct Lattice {
     Point to_user(const Site& site) const { return {site.x * unit_x, site.y * unit_y}; }
 };
 
+// Converts a user's coordinate on an axis of `length` units. An upper edge that wraps becomes the
+// lower one.
+std::uint32_t unit_of(double coordinate, double side, std::uint32_t length, bool wraps);
+// Throws BadRequest, which names the point by its number.
+void check_in_domain(std::size_t number, const Point& point, const RelaxOptions& options);
+
 // Throws BadRequest.
 void check_options(const RelaxOptions& options);
 

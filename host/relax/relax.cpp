@@ -11,6 +11,7 @@
 #include "base/polling.h"
 #include "lacuna/lacuna.h"
 #include "plan/plan.h"
+#include "relax/descent.h"
 #include "relax/lattice.h"
 #include "relax/relax_backends.h"
 
@@ -35,12 +36,21 @@ double variation(const std::vector<Share>& shares) {
     return std::sqrt(std::max(0.0, squares * count / (sum * sum) - 1));
 }
 
+// Iterations, and steps of the descent that follows them.
+std::uint64_t turns_of(const RelaxOptions& options) {
+    return std::max<std::uint64_t>(std::uint64_t{options.iterations} + options.gaussian, 1);
+}
+
 // Runs an iteration, or the last move, and reports each verb to the observer.
 class Iterations {
 public:
     Iterations(RelaxBackend& backend, Observer& observer, std::uint64_t points,
-               std::uint32_t iterations)
-        : backend_(backend), observer_(observer), points_(points), iterations_(iterations) {
+               const RelaxOptions& options)
+        : backend_(backend),
+          observer_(observer),
+          points_(points),
+          iterations_(options.iterations),
+          turns_(turns_of(options)) {
         backend_.watch([this] { return keep_going(); });
     }
 
@@ -66,7 +76,9 @@ public:
     }
 
     double variation_without_weights(const Lattice& lattice) {
-        std::vector<Site> plain = backend_.sites();
+        return variation_without_weights(lattice, backend_.sites());
+    }
+    double variation_without_weights(const Lattice& lattice, std::vector<Site> plain) {
         for (Site& site : plain) site.weight = portable::even_weight(lattice.numbers.farthest);
         backend_.restore(plain);
         look();
@@ -74,15 +86,13 @@ public:
     }
 
 private:
-    bool keep_going() {
-        return observer_.keep_going(
-            {points_ * done_, points_ * std::max<std::uint32_t>(iterations_, 1), done_});
-    }
+    bool keep_going() { return observer_.keep_going({points_ * done_, points_ * turns_, done_}); }
 
     RelaxBackend& backend_;
     Observer& observer_;
     std::uint64_t points_;
     std::uint32_t iterations_;
+    std::uint64_t turns_;
     std::uint32_t done_ = 0;
 };
 
@@ -110,7 +120,7 @@ std::vector<Site> iterate(Iterations& run, RelaxBackend& backend, const Lattice&
 
 Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOptions& options,
               Observer& given) {
-    Asked observer(given, {0, points.size() * std::max<std::uint64_t>(options.iterations, 1), 0});
+    Asked observer(given, {0, points.size() * turns_of(options), 0});
     relaxing::check_options(options);
     if (field != nullptr) {
         check_importance(*field);
@@ -118,6 +128,8 @@ Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOpti
     }
     Relaxed relaxed;
     relaxed.points.assign(points.begin(), points.end());
+    const std::optional<relaxing::GaussianField> gaussian =
+        relaxing::checked_gaussian(std::max<std::size_t>(points.size(), 1), field, options);
     if (points.empty()) return relaxed;
     const Lattice lattice = relaxing::make_lattice(points.size(), field, options, ask);
     const std::vector<Site> start = relaxing::sites_of(points, lattice, options, ask);
@@ -129,10 +141,16 @@ Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOpti
     relaxed.lattice_columns = lattice.numbers.columns;
     relaxed.lattice_rows = lattice.numbers.rows;
 
-    Iterations run(*chosen.backend, observer, points.size(), options.iterations);
+    Iterations run(*chosen.backend, observer, points.size(), options);
     const std::vector<Site> sites = iterate(run, *chosen.backend, lattice, options, relaxed);
-    if (options.iterations == 0) return relaxed;
-    for (std::size_t i = 0; i < sites.size(); ++i) relaxed.points[i] = lattice.to_user(sites[i]);
+    if (options.iterations != 0)
+        for (std::size_t i = 0; i < sites.size(); ++i)
+            relaxed.points[i] = lattice.to_user(sites[i]);
+    if (!gaussian) return relaxed;
+    relaxing::descend(relaxed.points, *gaussian, options, observer);
+    if (relaxed.evenness)
+        relaxed.evenness->after = relaxed.evenness->after_voronoi = run.variation_without_weights(
+            lattice, relaxing::sites_of(relaxed.points, lattice, options, ask));
     return relaxed;
 }
 

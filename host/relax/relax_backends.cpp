@@ -10,8 +10,11 @@
 #ifdef LACUNA_VULKAN
 #include "backends/vulkan/make_backend.h"
 #endif
+#include "relax/cpu/gaussian.h"
 #include "relax/cpu/make_backend.h"
+#include "relax/device/gaussian.h"
 #include "relax/device/make_backend.h"
+#include "relax/gaussian_reference.h"
 #include "relax/reference.h"
 
 namespace lacuna::relaxing {
@@ -21,12 +24,20 @@ struct Entry {
     std::string_view name;
     std::unique_ptr<RelaxBackend> (*make)(const Lattice&, std::span<const Site>, const Placement&,
                                           const Poll&);
+    std::unique_ptr<GaussianBackend> (*make_gaussian)(const GaussianField&, std::span<const Spot>,
+                                                      const Placement&, const Poll&);
 };
 
 #ifdef LACUNA_OPENCL
 std::unique_ptr<RelaxBackend> make_opencl(const Lattice& lattice, std::span<const Site> sites,
                                           const Placement& placement, const Poll& poll) {
     return device::make_backend(opencl::open_queue(placement), lattice, sites, {}, poll);
+}
+
+std::unique_ptr<GaussianBackend> make_gaussian_opencl(const GaussianField& field,
+                                                      std::span<const Spot> spots,
+                                                      const Placement& placement, const Poll&) {
+    return device::make_gaussian_backend(opencl::open_queue(placement), field, spots);
 }
 #endif
 
@@ -35,6 +46,12 @@ std::unique_ptr<RelaxBackend> make_vulkan(const Lattice& lattice, std::span<cons
                                           const Placement& placement, const Poll& poll) {
     return device::make_backend(vulkan::open_queue(placement), lattice, sites, {}, poll);
 }
+
+std::unique_ptr<GaussianBackend> make_gaussian_vulkan(const GaussianField& field,
+                                                      std::span<const Spot> spots,
+                                                      const Placement& placement, const Poll&) {
+    return device::make_gaussian_backend(vulkan::open_queue(placement), field, spots);
+}
 #endif
 
 #if !defined(LACUNA_OPENCL) || !defined(LACUNA_VULKAN)
@@ -42,33 +59,49 @@ std::unique_ptr<RelaxBackend> make_left_out(const Lattice&, std::span<const Site
                                             const Poll&) {
     throw Unavailable("this build was made without it");
 }
+
+std::unique_ptr<GaussianBackend> make_gaussian_left_out(const GaussianField&, std::span<const Spot>,
+                                                        const Placement&, const Poll&) {
+    throw Unavailable("this build was made without it");
+}
 #endif
 
 constexpr Entry kBackends[] = {
-    {"cpu", cpu::make_backend},
+    {"cpu", cpu::make_backend, cpu::make_gaussian_backend},
 #ifdef LACUNA_OPENCL
-    {"opencl", make_opencl},
+    {"opencl", make_opencl, make_gaussian_opencl},
 #else
-    {"opencl", make_left_out},
+    {"opencl", make_left_out, make_gaussian_left_out},
 #endif
 #ifdef LACUNA_VULKAN
-    {"vulkan", make_vulkan},
+    {"vulkan", make_vulkan, make_gaussian_vulkan},
 #else
-    {"vulkan", make_left_out},
+    {"vulkan", make_left_out, make_gaussian_left_out},
 #endif
-    {"reference", reference::make_backend},
+    {"reference", reference::make_backend, reference::make_gaussian_backend},
 };
+
+const Entry& chosen(const RelaxOptions& options) {
+    const std::string wanted = wanted_backend(options.backend);
+    for (const Entry& entry : kBackends)
+        if (wanted == "auto" || wanted == entry.name) return entry;
+    throw no_such_backend(wanted);
+}
 
 }  // namespace
 
 Chosen make_relax_backend(const RelaxOptions& options, const Lattice& lattice,
                           std::span<const Site> sites, const Poll& poll) {
-    const std::string wanted = wanted_backend(options.backend);
-    for (const Entry& entry : kBackends)
-        if (wanted == "auto" || wanted == entry.name)
-            return {std::string(entry.name),
-                    entry.make(lattice, sites, {options.device, options.threads}, poll)};
-    throw no_such_backend(wanted);
+    const Entry& entry = chosen(options);
+    return {std::string(entry.name),
+            entry.make(lattice, sites, {options.device, options.threads}, poll)};
+}
+
+std::unique_ptr<GaussianBackend> make_gaussian_backend(const RelaxOptions& options,
+                                                       const GaussianField& field,
+                                                       std::span<const Spot> spots,
+                                                       const Poll& poll) {
+    return chosen(options).make_gaussian(field, spots, {options.device, options.threads}, poll);
 }
 
 }  // namespace lacuna::relaxing

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "relax/gaussian_backend.h"
 #include "relax/relax_backend.h"
 
 namespace lacuna::relaxing {
@@ -18,5 +19,11 @@ struct Chosen {
 // cpu. The lattice must outlive the backend. Throws BadRequest and Unavailable.
 Chosen make_relax_backend(const RelaxOptions& options, const Lattice& lattice,
                           std::span<const Site> sites, const Poll& poll = nobody_asks);
+
+// The same backend for the descent of the Gaussian energy. The field must outlive it.
+std::unique_ptr<GaussianBackend> make_gaussian_backend(const RelaxOptions& options,
+                                                       const GaussianField& field,
+                                                       std::span<const Spot> spots,
+                                                       const Poll& poll = nobody_asks);
 
 }  // namespace lacuna::relaxing

@@ -118,6 +118,8 @@ std::string_view name_of(Verb verb) {
             return "accumulate";
         case Verb::move:
             return "move";
+        case Verb::descend:
+            return "descend";
     }
     return "";
 }

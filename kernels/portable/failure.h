@@ -11,6 +11,7 @@
 #define FAILED_REFINE 32u
 #define FAILED_CHORDS 64u   // more chords near a box than there is memory for
 #define FAILED_ASSIGN 128u  // a kernel of relax
+#define FAILED_DESCEND 256u
 
 LACUNA_BEGIN
 

@@ -1,6 +1,7 @@
 // The kernels of relax: arguments and buffers, in the form of kernels.h.
 #ifndef LACUNA_PORTABLE_RELAX_KERNELS_H
 #define LACUNA_PORTABLE_RELAX_KERNELS_H
+#include "gaussian.h"
 #include "power.h"
 
 LACUNA_BEGIN
@@ -32,6 +33,16 @@ struct SiteArguments {
     u32 way;          // of a move, in 256ths
 };
 LACUNA_TYPEDEF(SiteArguments)
+
+// Arguments of kernels that serve the samples of the Gaussian energy's descent.
+struct DescentArguments {
+    u32 first_item;
+    u32 chunk;
+    GaussianDomain domain;
+    u32 pace;
+    u32 block_bits;  // counts of cells are summed in blocks of 2^block_bits cells
+};
+LACUNA_TYPEDEF(DescentArguments)
 
 LACUNA_END
 
@@ -81,13 +92,26 @@ LACUNA_END
     B(3, SHARED, u32, failure)
 #define MOVE_BINDINGS(B)                                                          \
     B(0, BOTH, u32x4, sites) B(1, READ, u32, shares) B(2, READ, u32, moments)
+// A mover is x, y and its momentum along both; its id is the sample's number.
+#define FIND_CELLS_BINDINGS(B)                                                          \
+    B(0, READ, u32x4, movers) B(1, SHARED, u32, counts) B(2, WRITE, u32, ranks)
+#define SORT_INTO_CELLS_BINDINGS(B)                                                    \
+    B(0, READ, u32x4, movers) B(1, READ, u32, mover_ids) B(2, READ, u32, ranks)           \
+    B(3, READ, u32, counts) B(4, READ, u32, sums) B(5, WRITE, u32x4, sorted_movers)       \
+    B(6, WRITE, u32, sorted_ids)
+#define DESCEND_BINDINGS(B)                                                             \
+    B(0, READ, u32x4, sorted_movers) B(1, READ, u32, sorted_ids) B(2, READ, u32, counts) \
+    B(3, READ, u32, sums) B(4, READ, u32, weights) B(5, READ, u32, edges)               \
+    B(6, READ, u32, column_reaches) B(7, WRITE, u32x4, movers) B(8, WRITE, u32, mover_ids) \
+    B(9, SHARED, u32, failure)
 
 #define LACUNA_RELAX_BUFFERS(B)                                                                 \
     B(u32x4, sites) B(u32x4, node_boxes) B(u32x2, node_weights) B(u32, units)       \
     B(u32, tile_leaves) B(u32, indices) B(u32, hints) B(u32x4, rivals) B(u32, rival_ids)        \
     B(u32, rival_counts) B(u32, winners) B(u32, masses) B(u32, owners) B(u32, shares)           \
-    B(u32, moments) B(u32, late) B(u32, late_count)           \
-    B(u32x4, limited)
+    B(u32, moments) B(u32, late) B(u32, late_count) B(u32x4, limited) B(u32x4, movers)            \
+    B(u32, mover_ids) B(u32, ranks) B(u32x4, sorted_movers) B(u32, sorted_ids) B(u32, weights)    \
+    B(u32, edges) B(u32, column_reaches)
 
 #define LACUNA_RELAX_KERNELS(K)                             \
     K(level_sites, SiteArguments, LEVEL_SITES_BINDINGS)     \
@@ -97,7 +121,10 @@ LACUNA_END
     K(tell_owners, LeafArguments, TELL_OWNERS_BINDINGS)     \
     K(assign_crowded, LeafArguments, ASSIGN_CROWDED_BINDINGS)     \
     K(limit, SiteArguments, LIMIT_BINDINGS)                 \
-    K(move, SiteArguments, MOVE_BINDINGS)
+    K(move, SiteArguments, MOVE_BINDINGS)                   \
+    K(find_cells, DescentArguments, FIND_CELLS_BINDINGS)    \
+    K(sort_into_cells, DescentArguments, SORT_INTO_CELLS_BINDINGS) \
+    K(descend, DescentArguments, DESCEND_BINDINGS)
 // clang-format on
 
 #endif

@@ -77,6 +77,8 @@ class RelaxOptions:
     device: str
     threads: int
     iterations: int
+    gaussian: int
+    gaussian_distance: float
     measure: bool
     def __init__(self) -> None: ...
 
@@ -151,6 +153,7 @@ def settle(
     mode: str | None,
     metric: str | None,
     relax: int | None,
+    gaussian: int,
     is_picture: bool,
     has_inks: bool,
     has_ellipses: bool,

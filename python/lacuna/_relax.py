@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, SupportsFloat
 
 from . import _core
-from ._arguments import field_of, flag, points_array, whole
+from ._arguments import field_of, flag, points_array, real, whole
 from ._judging import domain_of
 from ._results import Relaxed
 from ._runs import MOST_32, checked_progress, place, relaxed_points, shape_of
@@ -23,6 +23,8 @@ def relax(
     field: npt.ArrayLike | None = None,
     *,
     iterations: Whole = 15,
+    gaussian: Whole = 0,
+    gaussian_distance: SupportsFloat = 0.9,
     domain: tuple[SupportsFloat, SupportsFloat] | None = None,
     torus: bool | None = None,
     measure: bool = False,
@@ -44,6 +46,12 @@ def relax(
         Importance, as for ``sample``; by default it is the same everywhere.
     iterations : int
         How often points are moved, at most 10,000. 10 to 30 are enough.
+    gaussian : int
+        How many steps of descent on the Gaussian energy (Ahmed, Ren & Wonka 2022) follow, at most
+        10,000; 150 are usual. They take the power of low frequencies from about 1e-3 to 1e-9. Not
+        with a field.
+    gaussian_distance : float
+        The distance, in mean spacings, 0 to 1, below which these steps push points apart.
     domain : tuple of float, optional
         Width and height. By default the PointSet's domain, else the field's shape with a longer
         side of 1, else (1, 1).
@@ -52,7 +60,7 @@ def relax(
     measure : bool
         Fill in ``Relaxed.evenness``, which costs two more passes over the lattice.
     backend, device, threads, progress
-        As for ``sample``; progress is called with points times iterations.
+        As for ``sample``; progress is called with points times iterations and steps.
 
     Returns
     -------
@@ -78,6 +86,8 @@ def relax(
     width, height, wraps = domain_of(points, domain, torus, shape)
     place(options, (width, height), wraps, backend, device, threads)
     options.iterations = whole("iterations", iterations, 0, MOST_32)
+    options.gaussian = whole("gaussian", gaussian, 0, MOST_32)
+    options.gaussian_distance = real("gaussian_distance", gaussian_distance)
     options.measure = flag("measure", measure)
     checked_progress(progress)
     return relaxed_points(moved, importance, options, progress)

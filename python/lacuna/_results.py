@@ -50,6 +50,8 @@ class Relaxed(HasPoints):
         The moved points.
     iterations : int
         How often they were moved.
+    gaussian : int
+        How many steps of descent on the Gaussian energy followed.
     lattice : tuple of int
         Columns and rows of the lattice that cells were computed on; (0, 0) without points.
     evenness : Evenness or None
@@ -66,6 +68,7 @@ class Relaxed(HasPoints):
     seconds: Mapping[str, float] = field(repr=False)
     backend: str
     device: str
+    gaussian: int = 0
 
     def _describe(self, saved: _core.Saved) -> None:
         saved.is_relaxed = True

@@ -77,6 +77,7 @@ def settle(
     mode: str | None,
     metric: object,
     relax: Whole | None,
+    gaussian: int = 0,
     picture: bool = False,
     inks: bool = False,
     ellipses: bool = False,
@@ -88,6 +89,7 @@ def settle(
         mode,
         None if metric is None else choice("metric", metric, METRICS),
         None if relax is None else whole("relax", relax, 0, MOST_32),
+        gaussian,
         picture,
         inks,
         ellipses,
@@ -155,15 +157,20 @@ def relaxed_points(
         seconds=made["seconds"],
         backend=made["backend"],
         device=made["device"],
+        gaussian=options.gaussian,
     )
 
 
-def relax_options(request: _core.Request, iterations: int) -> _core.RelaxOptions:
+def relax_options(
+    request: _core.Request, iterations: int, gaussian: int = 0, distance: float = 0.9
+) -> _core.RelaxOptions:
     options = _core.RelaxOptions()
     options.width, options.height, options.torus = request.width, request.height, request.torus
     options.backend, options.device = request.backend, request.device
     options.threads = request.threads
     options.iterations = iterations
+    options.gaussian = gaussian
+    options.gaussian_distance = distance
     return options
 
 
@@ -181,12 +188,10 @@ def least_distance(points: npt.NDArray[np.float64], options: _core.RelaxOptions)
 def _relax_set(
     points: npt.NDArray[np.float64],
     field: _core.Field | None,
-    request: _core.Request,
-    iterations: int,
+    options: _core.RelaxOptions,
     progress: Progress | None,
 ) -> tuple[Relaxed, float]:
     """Relaxes a set on the backend that made it. Returns also the least distance after it."""
-    options = relax_options(request, iterations)
     try:
         relaxed = relaxed_points(points, field, options, progress)
     except BadRequest as error:
@@ -227,7 +232,7 @@ def request_of(request: _core.Request, has_field: bool, lines_per_radius: int) -
 def make(
     request: _core.Request,
     field: _core.Field | None,
-    iterations: int,
+    moves: _core.RelaxOptions,
     progress: Progress | None,
     mask: _core.Mask | None = None,
     keep: npt.NDArray[np.float64] | None = None,
@@ -251,9 +256,11 @@ def make(
     if keep is not None:
         asked["kept"] = len(keep)
     relaxed = None
-    if iterations:
-        relaxed, least = _relax_set(made["points"], field, request, iterations, progress)
-        asked["relax"] = iterations
+    if moves.iterations or moves.gaussian:
+        relaxed, least = _relax_set(made["points"], field, moves, progress)
+        asked["relax"] = moves.iterations
+        if moves.gaussian:
+            asked.update(gaussian=moves.gaussian, gaussian_distance=moves.gaussian_distance)
         seconds = dict(made["seconds"])
         for step, spent in relaxed.seconds.items():
             seconds[step] = seconds.get(step, 0.0) + spent

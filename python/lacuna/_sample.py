@@ -27,6 +27,7 @@ from ._runs import (
     make,
     place,
     refuse_what_is_for_fields,
+    relax_options,
     set_size,
     settle,
     shape_of,
@@ -61,6 +62,8 @@ def sample(
     progressive: bool = False,
     limit: Whole | None = None,
     relax: Whole = 0,
+    gaussian: Whole = 0,
+    gaussian_distance: SupportsFloat = 0.9,
     lines_per_radius: Whole | None = None,
     snap: bool = False,
     uniform_x: bool = False,
@@ -143,6 +146,9 @@ def sample(
     relax : int
         How often the points are moved after sampling, as ``lacuna.relax`` does. Not with mask,
         border or keep.
+    gaussian, gaussian_distance : int and float
+        Steps of descent that follow, as for ``lacuna.relax``. Not with a field, ellipses, mask,
+        border or keep.
     lines_per_radius : int, optional
         1 to 1000. By default 30 in 'lines', 10 in 'cells' and 6 in 'exact' (1 with a field, a mask,
         a border or kept points). In 'exact' it changes only the speed.
@@ -161,7 +167,7 @@ def sample(
     progress : callable, optional
         Called with the number of points so far and the number expected, at most 50 times a second,
         on the calling thread. An exception that it raises ends the run. While relaxing it is called
-        with points times iterations.
+        with points times iterations and steps.
 
     Returns
     -------
@@ -251,13 +257,14 @@ def sample(
         if not request.classes.names or kept is None:
             raise BadRequest("keep_classes: is for keep with classes", "keep_classes")
         of_kept = class_numbers("keep_classes", keep_classes, request.classes.names, len(kept))
-    if iterations and request.classes.names:
-        raise BadRequest(f"relax {iterations}: cannot be used with classes", "relax")
-    if iterations and is_bounded:
-        raise BadRequest(
-            f"relax {iterations}: cannot be used with mask, border or keep",
-            "relax",
-        )
+    steps = whole("gaussian", gaussian, 0, MOST_32)
+    mover, times = ("relax", iterations) if iterations else ("gaussian", steps)
+    if times and request.classes.names:
+        raise BadRequest(f"{mover} {times}: cannot be used with classes", mover)
+    if times and is_bounded:
+        raise BadRequest(f"{mover} {times}: cannot be used with mask, border or keep", mover)
+    if steps and importance is not None:
+        raise BadRequest(f"gaussian {steps}: is for domains without a picture", "gaussian")
     if importance is None:
         refuse_what_is_for_fields(mode, scale, metric)
         set_size(request, {"radius": radius, "n": n}, bool(request.classes.names))
@@ -281,12 +288,15 @@ def sample(
         memory_limit=memory_limit,
     )
     request.progressive = flag("progressive", progressive)
-    if request.progressive and iterations:
+    if request.progressive and times:
         raise BadRequest(
-            f"relax {iterations}: cannot be used with progressive: it moves the points", "relax"
+            f"{mover} {times}: cannot be used with progressive: it moves the points", mover
         )
     has_ellipses = ellipses is not None
-    settle(request, mode=mode, metric=metric, relax=iterations, ellipses=has_ellipses)
+    settle(
+        request, mode=mode, metric=metric, relax=iterations, gaussian=steps, ellipses=has_ellipses
+    )
     request.snap = flag("snap", snap)
     request.uniform_x = flag("uniform_x", uniform_x)
-    return PointSet(**make(request, importance, iterations, progress, allowed, kept, of_kept))
+    moves = relax_options(request, iterations, steps, real("gaussian_distance", gaussian_distance))
+    return PointSet(**make(request, importance, moves, progress, allowed, kept, of_kept))

@@ -393,7 +393,7 @@ progress
     draw = _draw(request, iterations != 0, by_tone, white)
     if palette:
         return _stipple_inks(request, densities, fields, draw, palette, dots, iterations, progress)
-    made = make(request, densities[0], iterations, progress)
+    made = make(request, densities[0], relax_options(request, iterations), progress)
     points, radii = draw([made["points"]], [field])
     if white is not None:
         options = relax_options(request, iterations)

@@ -237,11 +237,12 @@ Enum named(const std::string& name, const char* option) {
 // Decides the mode and the metric of a request. Returns how often the points are relaxed.
 std::uint32_t settle(Request& request, const std::optional<std::string>& mode,
                      const std::optional<std::string>& metric, std::optional<std::uint32_t> relax,
-                     bool is_picture, bool has_inks, bool has_ellipses) {
+                     std::uint32_t gaussian, bool is_picture, bool has_inks, bool has_ellipses) {
     recipes::Given given{.is_picture = is_picture,
                          .has_inks = has_inks,
                          .has_ellipses = has_ellipses,
-                         .relax = relax};
+                         .relax = relax,
+                         .gaussian = gaussian};
     if (mode) given.mode = named<Mode>(*mode, "mode");
     if (metric) given.metric = named<Metric>(*metric, "metric");
     recipes::settle(given, request);
@@ -324,6 +325,8 @@ void add_sampling(nb::module_& module) {
     nb::class_<RelaxOptions> options(module, "RelaxOptions");
     add_common(options)
         .def_rw("iterations", &RelaxOptions::iterations)
+        .def_rw("gaussian", &RelaxOptions::gaussian)
+        .def_rw("gaussian_distance", &RelaxOptions::gaussian_distance)
         .def_rw("measure", &RelaxOptions::measure);
     module.def("make_field", make_field);
     module.def("ellipse_field", field_of_ellipses);
@@ -337,7 +340,7 @@ void add_sampling(nb::module_& module) {
     module.def("progressive_order", order_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg(),
                nb::arg(), nb::arg());
     module.def("settle", settle, nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg().none(),
-               nb::arg(), nb::arg(), nb::arg());
+               nb::arg(), nb::arg(), nb::arg(), nb::arg());
     module.def("dot_count", dot_count);
     module.def("dot_radii", dot_radii);
     module.def("pull_inside", pull_inside);

@@ -47,6 +47,7 @@ def uniform_cases() -> list[Case]:
         ({"threads": 1}, ["--threads", 1]),
         ({"progressive": True, "torus": True}, ["--progressive", "--torus"]),
         ({"relax": 5, "torus": True}, ["--relax", 5, "--torus"]),
+        ({"gaussian": 9, "gaussian_distance": 0.8}, ["--gaussian", 9, "--gaussian-distance", 0.8]),
         ({"relax": 3, "domain": (1, 2)}, ["--relax", 3, "--domain", "1x2"]),
     ):
         cases.append(({**base[0], **more}, [*base[1], *options]))

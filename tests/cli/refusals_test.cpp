@@ -57,6 +57,12 @@ TEST(Refused, OfSampleIsABadCount) {
         {"--count 5 --start stratified", 2, "--mode stratified:", "is a start for --relax"},
         {"--radius 0.1 --relax 2 --start stratified", 2, "--radius 0.1:", "takes a count"},
         {"--count 5 --relax 2 --start stratified --limit 3", 2, "--limit 3:", "takes a count"},
+        {"--count 5 --gaussian-distance 0.5", 2, "--gaussian-distance 0.5:", "is for --gaussian"},
+        {"--count 5 --gaussian --gaussian-distance 2", 2, "--gaussian-distance 2:", "0 and 1"},
+        {"--count 5 --gaussian x", 2, "--gaussian x:", "whole number"},
+        {"--count 5 --gaussian --progressive", 2, "--gaussian 150:", "moves the points"},
+        {"--count 5 --gaussian 9 --border 0.1", 2, "--gaussian 9:", "--border"},
+        {"--count 5 --gaussian --field raccoon.png", 2, "--gaussian 150:", "without a picture"},
     };
     expect_refusals(Files{}, "sample -o a.txt", refusals);
 }
@@ -138,6 +144,7 @@ TEST(Refused, OfSampleAreSeedsThatAreUnclear) {
         {"--seeds 0..3 -o {seed}.npy -o -", 2, "{seed}"},
         {"--seeds 0..3 --seed 4 -o {seed}.npy", 2, "--seed"},
         {"--seeds 0..3 --relax 4 -o {seed}.npy", 2, "relax 4"},
+        {"--seeds 0..3 --gaussian -o {seed}.npy", 2, "gaussian 150"},
         {"--seeds 0..3 -o {seed}.doc", 2, "0.doc"},
         {"--seeds 0..3 -o {seed}.npy --report {seed}.json", 2, "one report of all sets"},
         {"--seeds 0..3 -o none/{seed}.npy", 3, "none"},

@@ -69,6 +69,23 @@ TEST(Relax, ReportsHowEvenTheSharesAre) {
     EXPECT_GT(json.at("seconds").at("move"), 0);
 }
 
+TEST(Relax, GivenGaussianThenSampleAndRelaxMakeTheSameSetAndSayHow) {
+    const Folder folder;
+    const std::string set = folder.path("set.npy"), smooth = folder.path("smooth.json"),
+                      at_once = folder.path("at_once.json"), report = folder.path("report.json");
+    const Names request{"sample", "--count", "300", "--torus", "--start", "exact", "--quiet", "-o"};
+    expect_success(joined(request, {set}));
+    expect_success(joined(request, {at_once, "--relax", "3", "--gaussian"}));
+    expect_success({"relax", set, "--torus", "--iterations", "3", "--gaussian=150", "--quiet", "-o",
+                    smooth, "--report", report});
+    EXPECT_EQ(points_in(smooth), points_in(at_once));
+    const auto json = nlohmann::json::parse(content_of(report));
+    EXPECT_EQ(json.at("request").at("gaussian"), 150);
+    EXPECT_EQ(json.at("request").at("gaussian_distance"), 0.9);
+    EXPECT_GT(json.at("seconds").at("descend"), 0);
+    EXPECT_NE(content_of(at_once).find("--relax 3 --gaussian 150"), std::string::npos);
+}
+
 TEST(Relax, TellsOfAFileInOneLineAndReportsPointsThatWereRead) {
     const Folder folder;
     const std::string set = folder.path("set.json"), even = folder.path("even.json"),

@@ -123,7 +123,7 @@ void Boxes::refine(bool halve, std::uint32_t first_recent) {
         launch_over_boxes<kernels::cut>(count_, round_.queue.chunk_of(count_),
                                         kCutWork << strip_bits());
     }
-    scan(round_, count_);
+    scan(round_.queue, round_.memory, count_);
     keep();
 }
 

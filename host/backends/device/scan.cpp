@@ -26,16 +26,16 @@ void make_room_to_scan(RoundMemory& round, std::uint64_t count) {
     round.make_room(round.memory.total, 1);
 }
 
-void scan(RoundMemory& round, std::uint32_t count) {
+void scan(Queue& queue, const Memory& memory, std::uint32_t count) {
     const std::uint32_t block = std::uint32_t{1} << block_bits_of_scan(count);
     const auto blocks = static_cast<std::uint32_t>(items_of(count, block));
-    round.queue.fill(round.memory.total, 0, 1);
-    launch<kernels::scan>(round.queue, round.memory, {.count = count, .block = block}, blocks,
+    queue.fill(memory.total, 0, 1);
+    launch<kernels::scan>(queue, memory, {.count = count, .block = block}, blocks,
                           block * kScanWork / 8);
-    Memory memory = round.memory;
-    memory.counts = memory.sums;
-    memory.sums = memory.total;
-    launch<kernels::scan>(round.queue, memory, {.count = blocks, .block = blocks},
+    Memory of_blocks = memory;
+    of_blocks.counts = memory.sums;
+    of_blocks.sums = memory.total;
+    launch<kernels::scan>(queue, of_blocks, {.count = blocks, .block = blocks},
                           std::min(blocks, 1u), blocks * kScanWork / 8);
 }
 

@@ -168,7 +168,7 @@ private:
         make_room_to_scan(round_, round_.plan.lines);
         round_.make_room(round_.memory.boxes, 0);
         unfold(true);
-        scan(round_, round_.plan.lines);
+        scan(round_.queue, round_.memory, round_.plan.lines);
         round_.get<std::uint32_t>(round_.memory.total, total);
         round_.start_download(false);
         round_.queue.wait();

@@ -40,10 +40,13 @@ Examples:
   lacuna relax points.txt --domain 2x1 --iterations 30 -o even.svg --report even.json
   lacuna relax dots.npy photo.jpg -o dots.svg           cells of equal darkness, as stipple --relax
   lacuna sample --count 4096 --torus | lacuna relax - --torus -o even.txt
+  lacuna relax points.txt --torus --gaussian -o smooth.npy   no low frequencies, for integrals
 
 Cells have equal area or, with a picture, equal darkness. 10 to 30 iterations are enough; with many
 more the points begin to look like a lattice. Every backend and any number of threads give the same
 points, in the order given. No least distance is promised. No dot lies where the picture is white.
+--gaussian goes on from there, on domains without a picture: 150 steps take the power of low
+frequencies from about 1e-3 to 1e-9 or less, and usually keep 0.83 of the greatest least distance.
 
 Without --domain and --torus the domain comes from a .json, or is the picture's shape with a longer
 side of 1, or 1x1. Points are read as by analyze, and pictures as by stipple.
@@ -57,6 +60,7 @@ struct RelaxCommand {
     GivenSet set;
     DrawingOptions drawing;
     std::uint32_t iterations = RelaxOptions{}.iterations;
+    GaussianOptions gaussian;
 };
 
 // Checks the options and returns the outputs.
@@ -85,9 +89,11 @@ void sum_up(const RelaxCommand& options, const std::vector<Output>& outputs, con
             const Relaxation& relaxation) {
     const CommonOptions& common = options.common;
     if (common.quiet || has_standard_output(outputs) || is_standard_output(common.report)) return;
+    const std::string steps =
+        options.gaussian.steps == 0 ? "" : fmt::format(", {} steps", options.gaussian.steps);
     const std::string summary = fmt::format(
-        "{} points, {} iterations, {:.3f} s, {} -> {}", made.result.points.size(),
-        options.iterations, made.seconds, relaxation.relaxed.backend, paths_of(outputs));
+        "{} points, {} iterations{}, {:.3f} s, {} -> {}", made.result.points.size(),
+        options.iterations, steps, made.seconds, relaxation.relaxed.backend, paths_of(outputs));
     std::fputs((printable(summary) + "\n").c_str(), stderr);
 }
 
@@ -98,13 +104,12 @@ void run(const RelaxCommand& options) {
     Request& request = common.request;
     SetAndField given = read_given_set(options.set, request);
     const GivenColumns columns(options.set, given, options.drawing, outputs, false);
+    const RelaxOptions moves = relax_options_of(request, options.iterations, options.gaussian);
     Made made;
     made.result.points = std::move(given.points);
     if (given.field) request.field = &*given.field;
-    const Relaxation relaxation = naming_points(options.set, [&] {
-        return relax_points(common, outputs, relax_options_of(request, options.iterations),
-                            request.field, made);
-    });
+    const Relaxation relaxation = naming_points(
+        options.set, [&] { return relax_points(common, outputs, moves, request.field, made); });
 
     files::PointSet set{made.result.points, request.width, request.height, made.result.radius};
     set.boundary = request.boundary;
@@ -129,6 +134,7 @@ void add_options(CLI::App& command, RelaxCommand& options) {
     add_number(
         command, "iterations", "K", options.iterations,
         fmt::format("Times that points are moved, at most 10000 (default {})", options.iterations));
+    add_gaussian(command, options.gaussian);
     add_importance(command, options.set.picture, false);
     add_how_to_draw(command, options.drawing,
                     "dots have as much ink as the picture is dark, or are two thirds of the least "

@@ -15,6 +15,7 @@
 #include "cli/terminal/observers.h"
 #include "cli/terminal/progress_bar.h"
 #include "files/formats.h"
+#include "plan/plan.h"
 #include "verify/closest.h"
 
 namespace lacuna::cli {
@@ -44,9 +45,9 @@ template <class Work>
 Relaxation watched(const CommonOptions& common, const std::vector<Output>& outputs,
                    const RelaxOptions& options, Made& made, const Work& work) {
     Relaxation relaxation;
-    relaxation.iterations = options.iterations;
+    relaxation.options = options;
     {
-        Iterations bar(common.quiet, options.iterations);
+        Iterations bar(common.quiet, options.iterations + options.gaussian);
         DriverAtWork driver(options.backend);
         Observers observers({driver, made.stopwatch, bar});
         relaxation.relaxed = work(observers);
@@ -85,8 +86,25 @@ void add_relax(CLI::App& command, std::optional<std::uint32_t>& iterations,
                            usual_iterations));
 }
 
-RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations) {
+void add_gaussian(CLI::App& command, GaussianOptions& gaussian) {
+    add_number(command, "gaussian", "K", gaussian.steps,
+               "Then K steps (150 if no number follows) of descent on the Gaussian energy, which "
+               "take low frequencies out of the set and keep a least distance; for domains without "
+               "a picture");
+    command.get_option("--gaussian")->expected(0, 1)->default_str("150");
+    add_number(command, "gaussian-distance", "D", gaussian.distance,
+               fmt::format("The distance below which the steps of --gaussian push points apart, in "
+                           "mean spacings, 0 to 1 (default {:.2f})",
+                           RelaxOptions{}.gaussian_distance));
+}
+
+RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations,
+                              const GaussianOptions& gaussian) {
     RelaxOptions options;
+    options.gaussian = gaussian.steps;
+    if (gaussian.distance && gaussian.steps == 0)
+        throw BadRequest("gaussian-distance", shortest(*gaussian.distance), "is for --gaussian");
+    options.gaussian_distance = gaussian.distance.value_or(options.gaussian_distance);
     options.width = request.width;
     options.height = request.height;
     options.boundary = request.boundary;
@@ -115,6 +133,14 @@ Relaxation place_inks(const CommonOptions& common, const std::vector<Output>& ou
     });
 }
 
+nlohmann::ordered_json json_of_moves(const RelaxOptions& options) {
+    Json json{{"relax", options.iterations}};
+    if (options.gaussian != 0)
+        json.update(
+            {{"gaussian", options.gaussian}, {"gaussian_distance", options.gaussian_distance}});
+    return json;
+}
+
 nlohmann::ordered_json json_of(const Relaxation& relaxation) {
     const Relaxed& relaxed = relaxation.relaxed;
     Json json{{"lattice", {relaxed.lattice_columns, relaxed.lattice_rows}}};
@@ -126,7 +152,7 @@ nlohmann::ordered_json json_of(const Relaxation& relaxation) {
         relaxation.least_distance ? Json(*relaxation.least_distance) : Json(nullptr);
     json["backend"] = relaxed.backend;
     json["device"] = relaxed.device;
-    return {{"request", {{"relax", relaxation.iterations}}}, {"relax", json}};
+    return {{"request", json_of_moves(relaxation.options)}, {"relax", json}};
 }
 
 }  // namespace lacuna::cli

@@ -21,15 +21,24 @@ namespace lacuna::cli {
 void add_relax(CLI::App& command, std::optional<std::uint32_t>& iterations,
                std::uint32_t usual_iterations);
 
+// The steps on the Gaussian energy that follow the iterations.
+struct GaussianOptions {
+    std::uint32_t steps = 0;
+    std::optional<double> distance{};
+};
+// Adds --gaussian and --gaussian-distance.
+void add_gaussian(CLI::App& command, GaussianOptions& gaussian);
+
 // The results of relaxing, besides the points.
 struct Relaxation {
-    std::uint32_t iterations = 0;
+    RelaxOptions options;
     Relaxed relaxed;  // without its points
     std::optional<double> least_distance;
 };
 
 // Options with the request's domain, backend, device and threads.
-RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations);
+RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations,
+                              const GaussianOptions& gaussian = {});
 
 // Notes that points of `made` were moved: the set is not known to be maximal, and its radius
 // becomes the least distance if a report or a .json needs it, and otherwise 0, which means not
@@ -47,7 +56,9 @@ Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& 
 Relaxation place_inks(const CommonOptions& common, const std::vector<Output>& outputs,
                       std::span<const InkPart> inks, const RelaxOptions& options, Made& made);
 
-// For a report: {"relax": {...}}, and the number of iterations in "request".
+// What decides how points are moved: the numbers of iterations and of steps.
+nlohmann::ordered_json json_of_moves(const RelaxOptions& options);
+// For a report: {"relax": {...}}, and in "request" what decides how points are moved.
 nlohmann::ordered_json json_of(const Relaxation& relaxation);
 
 }  // namespace lacuna::cli

@@ -32,6 +32,7 @@
 #include "cli/terminal/interruption.h"
 #include "files/point_files.h"
 #include "recipes/settle.h"
+#include "relax/descent.h"
 
 namespace lacuna::cli {
 namespace {
@@ -45,6 +46,7 @@ Examples:
   lacuna sample --count 10000 --torus -o points.npy exactly 10000 points, not maximal; edges wrap
   lacuna sample --radius 0.02 --domain 2x1 --mode lines   the paper's algorithm
   lacuna sample --count 4096 --torus --relax 30 -o even.npy   far more even: see lacuna relax --help
+  lacuna sample --count 4096 --torus --relax 30 --gaussian -o smooth.npy   no low frequencies
   lacuna sample --radius 0.005 --seed 7 -o a.csv --report a.json   points, and a report of the run
   lacuna sample --count 10k --format npy > a.npy      another format on standard output
   lacuna sample --field density.png --scale 0.004 -o points.npy   dense where it is dark
@@ -62,6 +64,7 @@ struct SampleCommand {
     DrawingOptions drawing;
     recipes::Given given;
     std::uint32_t relax = 0;  // as `given` says
+    GaussianOptions gaussian;
     std::optional<SeedRange> seeds;
     bool ellipse_columns = false;
 };
@@ -83,9 +86,10 @@ void read_mode(const std::string& text, std::optional<Mode>& mode) {
 
 // Relaxing would move points to where none may lie, and would move kept points.
 void check_relax(const SampleCommand& all) {
-    if (all.relax == 0) return;
+    if (all.relax == 0 && all.gaussian.steps == 0) return;
     const auto refuse = [&](const char* allowed) {
-        throw BadRequest("relax", std::to_string(all.relax), allowed);
+        if (all.relax != 0) throw BadRequest("relax", std::to_string(all.relax), allowed);
+        throw BadRequest("gaussian", std::to_string(all.gaussian.steps), allowed);
     };
     if (all.common.request.progressive)
         refuse("cannot be used with --progressive: it moves the points");
@@ -102,6 +106,7 @@ void check_relax(const SampleCommand& all) {
 void run(const CLI::App& command, SampleCommand all) {
     all.given.has_ellipses = has_ellipses(all.domain);
     all.relax = recipes::relax_of(all.given);
+    all.given.gaussian = all.gaussian.steps;
     check_relax(all);
     recipes::settle(all.given, all.common.request);
     check_domain(command, all.domain);
@@ -131,6 +136,9 @@ void run(const CLI::App& command, SampleCommand all) {
         return;
     }
     const drawing::Style style = style_of(all.drawing, request.width, request.height);
+    const RelaxOptions moves = relax_options_of(request, all.relax, all.gaussian);
+    const bool moves_points = all.relax != 0 || all.gaussian.steps != 0;
+    relaxing::check_gaussian(request.field, moves);
     Interruption interruption;
     Made made = make(options);
     // Reports have the distances that the set keeps, which differ from those given with a count.
@@ -139,11 +147,9 @@ void run(const CLI::App& command, SampleCommand all) {
     for (double& distance : as_made.classes.distances) distance *= factor;
     Json decides = json_of(all.domain, as_made, files);
     Json more{{"request", decides}};
-    if (all.relax != 0) {
-        decides["relax"] = all.relax;
-        more.update(json_of(relax_points(options, outputs, relax_options_of(request, all.relax),
-                                         request.field, made)),
-                    true);
+    if (moves_points) {
+        decides.update(json_of_moves(moves));
+        more.update(json_of(relax_points(options, outputs, moves, request.field, made)), true);
     }
     const files::Origin origin = origin_of(command, request, made.result, decides);
     const MadeSet set(request, made.result, origin, showing);
@@ -153,7 +159,7 @@ void run(const CLI::App& command, SampleCommand all) {
     if (!options.report.empty())
         writing.add(options.report, [&] { return report_of(request, made, more); });
     write_set(writing, all.drawing, outputs, set.points(), style, [&] {
-        return set.diameters(all.relax != 0 ? drawing::Spread::even : drawing::Spread::random);
+        return set.diameters(moves_points ? drawing::Spread::even : drawing::Spread::random);
     });
     const std::size_t kept = request.keep.size();
     sum_up(options, outputs, made, "point",
@@ -220,6 +226,7 @@ void add_sample(CLI::App& app) {
     add_seeds(command, options->seeds);
     add_progressive(command, request);
     add_relax(command, options->given.relax, 0);
+    add_gaussian(command, options->gaussian);
     add_mode(
         command, request,
         [options](const std::string& text) { read_mode(text, options->given.mode); },

@@ -248,7 +248,7 @@ struct Result {
     std::vector<Level> levels{};  // the finished levels of a progressive order
 };
 
-// The steps of a round and of an iteration of relax, for observers that time them.
+// The steps of a round, of an iteration of relax and of its descent, for observers that time them.
 enum class Verb {
     invert,
     locate,
@@ -259,7 +259,8 @@ enum class Verb {
     first_use,
     assign,
     accumulate,
-    move
+    move,
+    descend  // a step of RelaxOptions::gaussian
 };
 std::string_view name_of(Verb verb);
 
@@ -295,6 +296,12 @@ struct RelaxOptions {
     Boundary boundary = Boundary::box;
 
     std::uint32_t iterations = 15;  // 0 to 10,000; 0 leaves the points as they are
+    // After the iterations, this many steps of descent on the Gaussian energy, 0 to 10,000; 150 are
+    // usual. They take low frequencies out of the set. For domains without a field.
+    std::uint32_t gaussian = 0;
+    // The distance in mean spacings, 0 to 1, below which a term of these steps pushes points apart.
+    // 0: only the energy does.
+    double gaussian_distance = 0.90;
 
     // As in Request: "auto", or a backend by name.
     std::string backend = "auto";
@@ -307,8 +314,8 @@ struct RelaxOptions {
 // How equal the points' capacities are; a capacity is the importance inside a point's cell. Each
 // number is a coefficient of variation, standard deviation over mean: 0 when all are equal.
 struct Evenness {
-    double before = 0;         // in the Voronoi cells of the points given
-    double after = 0;          // in the final power cells
+    double before = 0;  // in the Voronoi cells of the points given
+    double after = 0;   // in the final power cells; after_voronoi with RelaxOptions::gaussian
     double after_voronoi = 0;  // in the Voronoi cells of the moved points
 };
 
@@ -326,7 +333,15 @@ struct Relaxed {
 // so every backend and any number of threads give the same points. Without a field importance is
 // the same everywhere. All points given come back, each in the domain and, if iterations is not 0,
 // none where importance is 0. No least distance is promised.
-// Progress counts points times iterations. Throws what sample throws.
+//
+// RelaxOptions::gaussian then takes steps of descent, with momentum, on the sum over all pairs of
+// exp(-d^2 / 2), d in mean spacings (Ahmed, Ren & Wonka 2022, "Gaussian Blue Noise"); in a box less
+// the attraction of an even domain. Each step moves every point by at most a mean spacing. It is
+// computed in whole numbers, too, so again all backends give the same points. At most 2^28 points,
+// and at most 1,024 of them in any square of two mean spacings when the steps begin; the longer
+// side at most 2^18 mean spacings.
+//
+// Progress counts points times iterations and steps. Throws what sample throws.
 Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOptions& options);
 Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOptions& options,
               Observer& observer);

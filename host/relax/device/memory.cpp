@@ -12,16 +12,10 @@
 namespace lacuna::relaxing::device {
 namespace {
 
-using lacuna::device::Buffer;
 using lacuna::device::kWord;
 
 // The id of a rival has 32 bits: 4 for the image, 28 for the number of its site.
 constexpr std::size_t kMostSites = std::size_t{1} << 28;
-
-struct Need {
-    Buffer Memory::*buffer;
-    std::uint64_t words;
-};
 
 std::vector<Need> needs_of(const Lattice& lattice, std::uint64_t sites, std::uint64_t tiles,
                            std::uint64_t batch) {
@@ -51,19 +45,6 @@ std::vector<Need> needs_of(const Lattice& lattice, std::uint64_t sites, std::uin
             {&Memory::late_count, 1},
             {&Memory::failure, 1},
             {&Memory::owners, 1}};
-}
-
-void refuse_if_too_large(const DeviceEntry& device, const std::vector<Need>& needs,
-                         std::size_t sites) {
-    if (sites > kMostSites)
-        throw Unavailable("device " + device.name + ": at most 2^28 points can be relaxed on it");
-    lacuna::device::Needs all;
-    for (const Need& need : needs) {
-        all.bytes += need.words * kWord;
-        all.largest = std::max(all.largest, need.words * kWord);
-    }
-    lacuna::device::refuse_if_too_large(device.name, all, device.memory_bytes,
-                                        device.largest_buffer_bytes);
 }
 
 // Marks the leaves with importance in row `i` of a row of tiles.
@@ -112,13 +93,26 @@ std::uint32_t begin_of_level(std::uint32_t depth, std::uint32_t level) {
     return begin;
 }
 
-Memory make_memory(Queue& queue, const Lattice& lattice, std::size_t sites, std::size_t tiles,
-                   std::size_t units_of_batch) {
-    const std::vector<Need> needs = needs_of(lattice, sites, tiles, units_of_batch);
-    refuse_if_too_large(queue.device(), needs, sites);
+Memory make_buffers(Queue& queue, std::span<const Need> needs) {
+    const DeviceEntry& device = queue.device();
+    lacuna::device::Needs all;
+    for (const Need& need : needs) {
+        all.bytes += need.words * kWord;
+        all.largest = std::max(all.largest, need.words * kWord);
+    }
+    lacuna::device::refuse_if_too_large(device.name, all, device.memory_bytes,
+                                        device.largest_buffer_bytes);
     Memory memory;
     for (const Need& need : needs) memory.*need.buffer = queue.make(need.words * kWord);
     return memory;
+}
+
+Memory make_memory(Queue& queue, const Lattice& lattice, std::size_t sites, std::size_t tiles,
+                   std::size_t units_of_batch) {
+    if (sites > kMostSites)
+        throw Unavailable("device " + queue.device().name +
+                          ": at most 2^28 points can be relaxed on it");
+    return make_buffers(queue, needs_of(lattice, sites, tiles, units_of_batch));
 }
 
 }  // namespace lacuna::relaxing::device

@@ -36,6 +36,14 @@ constexpr std::uint32_t leaves_in(std::uint32_t points) {
 std::uint32_t depth_of(std::size_t sites);
 std::uint32_t begin_of_level(std::uint32_t depth, std::uint32_t level);
 
+// A buffer, and its size.
+struct Need {
+    lacuna::device::Buffer Memory::*buffer;
+    std::uint64_t words;
+};
+// Allocates buffers. Throws Unavailable if the device is too small.
+Memory make_buffers(Queue& queue, std::span<const Need> needs);
+
 // Allocates buffers for the lattice's masses, the sites, the tiles, and batches of units_of_batch
 // units. Throws Unavailable if the device is too small.
 Memory make_memory(Queue& queue, const Lattice& lattice, std::size_t sites, std::size_t tiles,

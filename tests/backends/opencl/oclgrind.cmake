@@ -65,7 +65,7 @@ check(sample --field ${SCRATCH}/stripes.pgm --scale 0.16 --along 4 --round-size 
 
 # Relax: leaves that stick out of the lattice, and one with more sites than it has room for.
 file(WRITE ${SCRATCH}/few.txt "0.1 0.2\n0.6 0.7\n0.9 0.3\n0.5 0.5\n0.52 0.5\n0.1 0.9\n")
-check(relax ${SCRATCH}/few.txt --torus --iterations 2)
+check(relax ${SCRATCH}/few.txt --torus --iterations 2 --gaussian 2)
 set(crowd "")
 foreach(i RANGE 80)
     math(EXPR x "${i} % 9")

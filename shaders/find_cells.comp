@@ -1,0 +1,4 @@
+// kernels/find_cells.cl as a compute shader in GLSL.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "find_cells.cl"
