@@ -159,7 +159,7 @@ def sets_on(
     return [(rings_on(name, one, domain), forbidden, distance) for one in several]
 
 
-def _pairs(avoid: object) -> list[tuple[object, object]]:
+def _pairs(avoid: object) -> list[tuple[object, SupportsFloat]]:
     if avoid is None:
         return []
     if not isinstance(avoid, (list, tuple)) or not all(

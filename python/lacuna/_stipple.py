@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import os
-from typing import TYPE_CHECKING, Any, Callable, Literal, Sequence, SupportsFloat
+from typing import TYPE_CHECKING, Any, Callable, Literal, Sequence, SupportsFloat, TypeVar
 
 import numpy as np
 
@@ -37,6 +37,8 @@ if TYPE_CHECKING:
 
 STARTS = ("stratified", "cells", "exact")
 
+Decoded = TypeVar("Decoded")
+
 
 def _tone(
     invert: object,
@@ -63,8 +65,8 @@ def _tone(
 
 
 def _decoded(
-    image: object, read: Callable[[bytes], Any], decode: Callable[[bytes, str], Any]
-) -> Any:
+    image: object, read: Callable[[bytes], Decoded], decode: Callable[[bytes, str], Decoded]
+) -> Decoded:
     """What read or decode makes of a picture in a file or an array, which is like an .npy file."""
     if isinstance(image, (str, bytes, os.PathLike)):
         return read(path_bytes("image", image))
@@ -389,13 +391,13 @@ progress
         inks=bool(palette),
         ellipses=along_edges,
     )
-    white = field if flag("keep_inside", keep_inside) else None
-    draw = _draw(request, iterations != 0, by_tone, white)
+    kept_inside = field if flag("keep_inside", keep_inside) else None
+    draw = _draw(request, iterations != 0, by_tone, kept_inside)
     if palette:
         return _stipple_inks(request, densities, fields, draw, palette, dots, iterations, progress)
     made = make(request, densities[0], relax_options(request, iterations), progress)
     points, radii = draw([made["points"]], [field])
-    if white is not None:
+    if kept_inside is not None:
         options = relax_options(request, iterations)
         made.update(points=points, radius=least_distance(points, options), maximal=False)
         if field.has_ellipses:

@@ -47,7 +47,7 @@ std::vector<std::string> rows_of(const SetsOfFile& file) {
             std::to_string(file.sets[0][i].x) + " " + std::to_string(file.sets[0][i].y);
         for (const auto* layers : {&file.classes, &file.inks})
             if (!layers->of_point.empty()) row += " " + layers->names[layers->of_point[i]];
-        if (!file.ellipses.empty()) row += " " + std::to_string(file.ellipses[i].angle);
+        if (!file.ellipses.empty()) row.append(" ").append(std::to_string(file.ellipses[i].angle));
         rows.push_back(row);
     }
     std::sort(rows.begin(), rows.end());

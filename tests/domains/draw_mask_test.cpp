@@ -132,7 +132,8 @@ TEST(ADrawnMask, IsRightPixelByPixelForRandomSets) {
     const auto share = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
     std::size_t asked = 0, allowed = 0;
     for (int turn = 0; turn < 300; ++turn) {
-        const double width = 1 + random() % 40, height = 1 + random() % 40;
+        const auto side = [&] { return static_cast<double>(1 + random() % 40); };
+        const double width = side(), height = side();
         // Corners are often far beyond the domain. Rings of one or two points are obstacles.
         const double reach = turn % 3 == 0 ? 20 : 0.3;
         const std::size_t least = turn % 5 == 0 ? 1 : 3;

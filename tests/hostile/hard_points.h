@@ -21,8 +21,8 @@ inline std::optional<double> radius_of_kept(const Made& made, Point at) {
     const Request& request = made.request;
     const verify::Domain domain = made.domain();
     const double border = request.border;
-    if (!(at.x >= border && domain.width - at.x >= border && at.x < domain.width &&
-          at.y >= border && domain.height - at.y >= border && at.y < domain.height))
+    if (!(domain.contains(at) && at.x >= border && domain.width - at.x >= border &&
+          at.y >= border && domain.height - at.y >= border))
         return std::nullopt;
     const verify::FieldCase pixels{.name = "", .field = {}, .domain = domain};
     const double blur = domain.longer_side() * 0x1p-28;
@@ -53,7 +53,8 @@ inline double hard_place(Chooser& choose, const Made& made, double side, std::ui
     const double near = 0.999 * made.domain().longer_side() * 0x1p-28;
     switch (choose.below(5)) {
         case 0:
-            return choose.one_in(2) ? 0.0 : std::nextafter(side, 0);
+            if (choose.one_in(2)) return 0.0;
+            return made.domain().torus ? std::nextafter(side, 0) : side;
         case 1:
             return choose.one_in(2) ? border : side - border;
         case 2:
