@@ -25,7 +25,8 @@ struct InkOptions {
 // Adds --inks, --black-ink and --ink-counts; `options` must outlive the command.
 void add_inks(CLI::App& command, InkOptions& options);
 
-// Checks the options before the picture is read. `mode` is the one given, if any. Throws BadRequest.
+// Checks the options before the picture is read. `mode` is the one given, if any. Throws
+// BadRequest.
 void check_inks(const InkOptions& options, const Request& request, std::optional<Mode> mode);
 
 // The tones of the picture, in inks if there are any. Sets the request's domain. `tones` has the
