@@ -131,6 +131,7 @@ Comparison compared(const CompareCommand& options, const Request& request, const
         Relaxed relaxed =
             relax(result.points, one.field, relax_options_of(one, options.relax), observer);
         result.points = std::move(relaxed.points);
+        result.radius = 0;               // not known: relaxing keeps no distance
         result.device = relaxed.device;  // a stratified start has none
         return result;
     };

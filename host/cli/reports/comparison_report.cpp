@@ -147,7 +147,7 @@ std::string json_of(const Comparison& comparison, const Request& request) {
                  {"version", LACUNA_VERSION},
                  {"mode", lacuna::name_of(request.mode)},
                  {"seed", request.seed},
-                 {"radius", comparison.radius},
+                 {"radius", comparison.radius > 0 ? Json(comparison.radius) : Json(nullptr)},
                  {"same_points", comparison.agree()},
                  {"entries", Json::array()}};
     if (request.mode == Mode::cells) json["scale"] = comparison.scale;
