@@ -311,7 +311,8 @@ private:
         const std::uint32_t first = std::max(edge.first_row, square.first_row);
         const std::uint32_t end = std::min(edge.end_row, square.end_row);
         if (first >= end) return false;
-        return edge.x_at((first + (end - first) / 2 + 0.5) / scale_.y) < middle;
+        const std::uint32_t row = first + (end - first) / 2;
+        return edge.x_at((row + 0.5) / scale_.y) < middle;
     }
 
     void push_left(std::uint32_t number, const Square& square, Active& active) {

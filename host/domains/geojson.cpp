@@ -24,11 +24,13 @@ using Json = nlohmann::json;
 // Lets the parser, which knows no polls, ask now and then: it reads the file through this iterator.
 class Polled {
 public:
+    // NOLINTBEGIN(readability-identifier-naming): the standard's names for an iterator's types
     using difference_type = std::ptrdiff_t;
     using value_type = char;
     using pointer = const char*;
     using reference = const char&;
     using iterator_category = std::input_iterator_tag;
+    // NOLINTEND(readability-identifier-naming)
 
     explicit Polled(const char* at) : at_(at) {}
     reference operator*() const { return *at_; }

@@ -24,13 +24,13 @@ namespace {
 // The columns of an array, which has no names: x and y; with z; as this program writes them, with
 // the sizes and places of dots, with ellipses, or with both.
 const std::vector<std::string>* columns_of_array(std::uint64_t count) {
-    static const std::array<std::vector<std::string>, 5> kColumns{
+    static const std::array<std::vector<std::string>, 5> known{
         {{"x", "y"},
          {"x", "y", "z"},
          {"x", "y", "a", "b", "angle"},
          {"x", "y", "radius", "x_mm", "y_mm", "radius_mm"},
          {"x", "y", "radius", "x_mm", "y_mm", "radius_mm", "a", "b", "angle"}}};
-    for (const std::vector<std::string>& names : kColumns)
+    for (const std::vector<std::string>& names : known)
         if (names.size() == count) return &names;
     return nullptr;
 }

@@ -46,7 +46,7 @@ void check_where(const Request& request) {
     if (request.mask != nullptr) check_mask(*request.mask);
     check_border(request);
     for_each_polled(request.keep.size(), ask, [&](std::size_t i) { check_kept_place(request, i); });
-    if (request.count && *request.count < request.keep.size())
+    if (request.count && !request.progressive && *request.count < request.keep.size())
         throw BadRequest("count", std::to_string(*request.count),
                          "must be at least " + std::to_string(request.keep.size()) +
                              ", the number of kept points, which count");

@@ -196,6 +196,10 @@ void add_others(const Shared& given, std::size_t size, std::vector<Call>& all) {
     add("prove", [=](const Given& g) { prove(g.points, {.radius = 0.006 * length}); });
     add("analyze", [](const Given& g) { analyze(std::vector<std::vector<Point>>{g.points}); });
     add("draw_mask", [=](const Given& g) { draw_mask(g.rings, 1, 1, 0.0015 * length); });
+    add("draw_places", [=](const Given& g) {
+        const std::vector<PolygonSet> sets{{g.rings}};
+        draw_places(sets, 1, 1, 0.0015 * length);
+    });
     add("draw_mask with a distance", [=](const Given& g) {
         const std::vector<PolygonSet> sets{{g.rings, true, 0.001}};
         draw_mask(sets, 1, 1, 0.0015 * length);

@@ -40,7 +40,7 @@ TEST(Refused, AreNamedAsTheyWereGiven) {
          {"far.csv", "x,y\n1e300,0.5\n"}},
         "",
         {{"sample --count 5 --keep grid.csv", 2, {"--count 5: ", "at least 20", "kept points"}},
-         {"stipple raccoon.png --inks cmyk --relax 0 -o a.svg", 2, {"--relax 0: ", "--inks"}},
+         {"stipple raccoon.png --inks cmyk --relax 0 -o a.svg", 2, {"--relax 0: ", "for inks"}},
          {"sample --class a:1e-300 --class b:2e-300 -o a.csv",
           2,
           {"--class a: ", "least distance", "2e-300", "2^20"}},

@@ -259,7 +259,7 @@ TEST_P(Faults, InHalvedBoxesWithARadiusFieldAreNoticed) {
          {"bodies/exact/lists.h", "k % 2u == 0u ? y : whole.w", "false ? y : whole.w"},
          {"bodies/exact/lists.h", "is_whole ? strip.radius : 0u", "is_whole ? 1u : 0u"},
          {"bodies/exact/lists.h", "if (k > 1u) strip", "if (false) strip"},
-         {"bodies/exact/radius_field.h", "while (node.shift > level &&", "while (false &&"},
+         {"bodies/exact/radius_field.h", "+ rank_of_slot(values, slot);", ";"},
          {"portable/mask_tree.h", "(y & 1u) << 1", "(y & 0u) << 1"},
          {"bodies/exact/radius_field.h", "i <= pixels.y >> level.shift",
           "i == pixels.x >> level.shift"},

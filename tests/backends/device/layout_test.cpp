@@ -106,7 +106,7 @@ TEST(Requests, WithARadiusFieldThatDoNotFitAreRefusedToo) {
     EXPECT_EQ(refusal(plan, much, 55'000'000),
               "device Toy: the request needs a buffer of 0.0557 GB, and its largest has 0.055 GB");
     EXPECT_EQ(refusal(plan, 200'000'000, much),
-              "device Toy: the request needs 0.277 GB of memory, and it has 0.2 GB");
+              "device Toy: the request needs 0.278 GB of memory, and it has 0.2 GB");
 }
 
 }  // namespace layout_test
