@@ -17,7 +17,7 @@ function(lacuna_opencl_script name)
         -D SCRATCH=${PROJECT_BINARY_DIR}/opencl-test -D HAS_VULKAN=${LACUNA_HAS_VULKAN}
         -P ${PROJECT_SOURCE_DIR}/tests/backends/opencl/${name}.cmake)
     set_tests_properties(opencl.${name} PROPERTIES
-        TIMEOUT 300 SKIP_REGULAR_EXPRESSION "SKIPPED: ")
+        TIMEOUT 1200 SKIP_REGULAR_EXPRESSION "SKIPPED: ")
 endfunction()
 
 if(LACUNA_COMMAND)
