@@ -230,10 +230,20 @@ def domain_around(*places: object) -> tuple[float, float]:
     >>> lacuna.domain_around([[(10, 5), (90, 5), (50, 60)]])
     (90.0, 60.0)
     """
-    page = page_of(*places)
+    return around(*(("places", given) for given in places))
+
+
+def around(*places: tuple[str, object]) -> tuple[float, float]:
+    """``domain_around`` places that come with the names of their arguments."""
+    page = page_of(*(given for _, given in places))
     if page is not None:
         return page
-    sets = [one for given in places for one in sets_on("places", given, (1.0, 1.0))]
+    sets = []
+    for name, given in places:
+        for one in sets_on(name, given, (1.0, 1.0)):
+            if not all(np.isfinite(ring).all() for ring in one[0]):
+                raise BadRequest(f"{name}: coordinates must be finite numbers", name)
+            sets.append(one)
     return _core.domain_around(sets) if sets else (1.0, 1.0)
 
 

@@ -397,6 +397,7 @@ progress
         return _stipple_inks(request, densities, fields, draw, palette, dots, iterations, progress)
     made = make(request, densities[0], relax_options(request, iterations), progress)
     points, radii = draw([made["points"]], [field])
+    points.flags.writeable = radii.flags.writeable = False
     if kept_inside is not None:
         options = relax_options(request, iterations)
         made.update(points=points, radius=least_distance(points, options), maximal=False)

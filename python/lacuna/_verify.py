@@ -10,7 +10,7 @@ import numpy as np
 from . import _core, _plots
 from ._arguments import ellipses_of, field_of, flag, mask_of, points_array, real, shown
 from ._classes import class_numbers, classes_of
-from ._domains import Polygons, domain_around, lines_of, obstacles_on, sets_on
+from ._domains import Polygons, around, lines_of, obstacles_on, sets_on
 from ._errors import BadRequest
 from ._judging import domain_of
 from ._results import PointSet, Relaxed
@@ -193,11 +193,13 @@ def _read_only(array: Floats) -> Floats:
     return view
 
 
-def _shape(pixels: _core.Field | _core.Mask | None, *polygons: object) -> tuple[float, float]:
+def _shape(
+    pixels: _core.Field | _core.Mask | None, *places: tuple[str, object]
+) -> tuple[float, float]:
     """The domain if neither the caller nor a PointSet gives it."""
     if pixels is not None:
         return shape_of(pixels)
-    return domain_around(*polygons)
+    return around(*places)
 
 
 def verify(
@@ -337,7 +339,10 @@ def verify(
     claim.edge = real("edge", edge)
     shape = (1.0, 1.0)
     if domain is None and not isinstance(points, (PointSet, Relaxed)):
-        shape = _shape(importance or allowed, inside, outside, *lines_of(avoid))
+        obstacles = [("avoid", lines) for lines in lines_of(avoid)]
+        shape = _shape(
+            importance or allowed, ("inside", inside), ("outside", outside), *obstacles
+        )
     claim.width, claim.height, claim.torus = domain_of(points, domain, torus, shape)
     claim.distances_only = flag("distances_only", distances_only)
     if tolerance is not None:
