@@ -75,7 +75,7 @@ rare: str | None = lacuna.verify(wood).largest_gap_class
 around: npt.NDArray[np.bool_] = lacuna.draw_mask(
     None, 0.01, avoid=[([[(0.5, 0.5)]], 0.1), ([[(0, 0.2), (1, 0.2)]], 0.05)]
 )
-again: lacuna.PointSet = lacuna.sample(n=1e2, mode=made.mode, keep=wood)
+again: lacuna.PointSet = lacuna.sample(n=1e3, mode=made.mode, keep=wood)
 if made.seed < 0:  # mypy refuses words that are not known
     lacuna.sample(0.1, mode="bogus")  # type: ignore[arg-type]
     lacuna.stipple(field, 9, metric="most")  # type: ignore[arg-type]
