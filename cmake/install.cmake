@@ -60,7 +60,7 @@ install(FILES ${PROJECT_BINARY_DIR}/lacuna.pc DESTINATION ${CMAKE_INSTALL_LIBDIR
 # The targets of lacuna::extras have a file of their own: a program that uses the library alone
 # needs none of these packages.
 if(LACUNA_EXTRAS)
-    install(TARGETS lacuna_extras lacuna_analysis lacuna_domains lacuna_pictures lacuna_files
+    install(TARGETS lacuna_extras lacuna_analysis lacuna_domains lacuna_stipple lacuna_pictures lacuna_files
         EXPORT lacuna-extras-targets
         ARCHIVE COMPONENT development)
     install(EXPORT lacuna-extras-targets NAMESPACE lacuna:: DESTINATION ${package_dir}

@@ -9,14 +9,11 @@
 
 #include "analysis/radial.h"
 #include "analysis/spectrum.h"
-#include "drawing/page.h"
-#include "drawing/pen/pen_path.h"
 #include "drawing/picture_svg.h"
-#include "drawing/tones.h"
 #include "files/point_files.h"
 #include "pictures/image.h"
+#include "pictures/importance.h"
 #include "pictures/whole_samples.h"
-#include "plan/plan.h"
 #include "recipes/settle.h"
 
 namespace lacuna::files {
@@ -30,29 +27,25 @@ std::string encode_npy(const PointSet& set);
 namespace lacuna::web {
 namespace {
 
+// The progress bar moves evenly: an iteration of relax takes about a tenth of the time of placing.
 class Teller : public Observer {
 public:
-    Teller(const Tell& tell, double from, double to) : tell_(tell), from_(from), to_(to) {}
+    // `relax` is the number of iterations that follow.
+    Teller(const Tell& tell, std::uint32_t relax) : tell_(tell), placing_(10.0 / (10.0 + relax)) {}
 
     bool keep_going(const Progress& progress) override {
-        const double share =
-            static_cast<double>(progress.points) /
-            static_cast<double>(std::max<std::uint64_t>(1, progress.expected_points));
-        tell_(from_ + (to_ - from_) * std::min(1.0, share));
+        const double share = std::min(
+            1.0, static_cast<double>(progress.points) /
+                     static_cast<double>(std::max<std::uint64_t>(1, progress.expected_points)));
+        tell_(progress.stage == Stage::sampling ? placing_ * share
+                                                : placing_ + (1 - placing_) * share);
         return true;
     }
 
 private:
     const Tell& tell_;
-    double from_;
-    double to_;
+    double placing_;
 };
-
-// The fraction of the progress bar for placing points. The bar moves evenly, because an iteration
-// of relax takes about a tenth of the time of placing.
-double share_of_placing(std::uint32_t relax) {
-    return 10.0 / (10.0 + relax);
-}
 
 // What host/pictures reads from a picture file with these bytes in its channels.
 pictures::Image image_of(const Pixels& pixels, const pictures::Weights& weights) {
@@ -76,27 +69,7 @@ std::vector<Field> fields_of(const Pixels& pixels, const StippleOptions& options
     return pictures::separated(std::move(colours), options.inks, options.tone, kBlackInk);
 }
 
-RelaxOptions relax_options_of(const Set& set, std::uint32_t iterations) {
-    RelaxOptions options;
-    options.width = set.width;
-    options.height = set.height;
-    options.boundary = set.boundary;
-    options.iterations = iterations;
-    return options;
-}
-
-void relax_points(Set& set, const Field* field, std::uint32_t iterations, const Tell& tell) {
-    if (iterations == 0) return;
-    Teller teller(tell, share_of_placing(iterations), 1);
-    set.points = relax(set.points, field, relax_options_of(set, iterations), teller).points;
-    set.maximal = false;
-    set.radius = 0;
-}
-
-// Makes a set. `relax` is only the number of iterations that follow, for the progress bar.
-Set placed(const Request& request, std::uint32_t relax, const Tell& tell) {
-    Teller teller(tell, 0, share_of_placing(relax));
-    Result result = lacuna::sample(request, teller);
+Set set_of(const Request& request, Result result) {
     Set set;
     set.points = std::move(result.points);
     set.width = request.width;
@@ -109,110 +82,17 @@ Set placed(const Request& request, std::uint32_t relax, const Tell& tell) {
     return set;
 }
 
-// The dots of all inks, relaxed.
-Set dots_of_inks(const drawing::Tones& tones, const Request& request, std::uint32_t iterations,
-                 const Tell& tell) {
-    Set set;
-    set.width = request.width;
-    set.height = request.height;
-    set.mode = request.mode;
-    set.seed = request.seed;
-    set.layers = tones.layers;
-    Teller teller(tell, 0, 1);
-    set.points = place_inks(drawing::parts_of(tones), request.seed,
-                            relax_options_of(set, iterations), teller)
-                     .points;
-    return set;
-}
-
-// Orders the dots of each ink along a short path of its own.
-void order_for_a_pen(Set& set) {
-    std::vector<Point> ordered;
-    ordered.reserve(set.points.size());
-    files::PointSet dots{set.points};
-    dots.layers = set.layers;
-    drawing::for_each_layer(dots, {}, [&](std::size_t, const auto& part, const auto&) {
-        for (const std::uint32_t index : pen::pen_path(part.points, [] { return true; }))
-            ordered.push_back(part.points[index]);
-    });
-    set.points = std::move(ordered);
-}
-
-drawing::Style style_of(const StippleOptions& options, double width, double height) {
-    drawing::Style style;
-    style.sheet = options.sheet;
-    // Named papers are turned to suit the picture.
-    if (style.sheet && width > height) std::swap(style.sheet->width_mm, style.sheet->height_mm);
-    style.for_a_pen = options.pen_path;
-    return style;
-}
-
-void check_inks(const StippleOptions& options, const Request& request) {
-    if (options.metric)
-        throw BadRequest("metric", std::string(name_of(*options.metric)),
-                         "is not for inks, whose dots begin stratified");
-    check_request(request);
-}
-
 }  // namespace
 
-Set Stippler::placed_dots(const StippleOptions& options, const Request& request, const Tell& tell) {
-    const pictures::Importance& tone = options.tone;
-    const Key key{{tone.black, tone.white, tone.gamma, static_cast<double>(tone.sharpen),
-                   options.size_by_tone},
-                  tone.auto_levels,
-                  tone.invert,
-                  *request.count,
-                  request.mode,
-                  request.metric,
-                  request.seed};
-    if (placed_.points.empty() || key != key_) {
-        placed_.points.clear();
-        placed_ = placed(request, options.relax, tell);
-        key_ = key;
-    }
-    return placed_;
-}
-
-Set Stippler::stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tell) {
-    drawing::Tones tones{
-        .sizing = {options.size_by_tone, {}},
-        .keep_inside = options.keep_inside,
-        .spread = options.relax != 0 ? drawing::Spread::even : drawing::Spread::random};
-    if (options.dot_size_mm) tones.sizing.pens = {*options.dot_size_mm, *options.dot_size_mm};
-    drawing::set_fields(tones, fields_of(pixels, options), options.inks);
-    const Field& density = tones.has_inks() ? tones.sum : tones.densities().front();
-    Request request;
-    recipes::settle({.is_picture = true,
-                     .has_inks = tones.has_inks(),
-                     .metric = options.metric,
-                     .relax = options.relax},
-                    request);
-    request.field = &density;
-    request.seed = options.seed;
-    const double longer = std::max(pixels.columns, pixels.rows);
-    request.width = pixels.columns / longer;
-    request.height = pixels.rows / longer;
-    const drawing::Style style = style_of(options, request.width, request.height);
-    request.count = options.count
-                        ? options.count
-                        : drawing::suiting_count(tones, request.width, request.height, style);
-    Set set;
-    if (tones.has_inks()) {
-        check_inks(options, request);
-        drawing::share_dots(tones, *request.count);
-        set = dots_of_inks(tones, request, options.relax, tell);
-    } else {
-        set = placed_dots(options, request, tell);
-        relax_points(set, &density, options.relax, tell);
-    }
-    set.style = style;
-    set.has_columns = options.sheet || options.dot_size_mm;
-    files::PointSet dots{set.points, set.width, set.height};
-    drawing::pull_inside(tones, dots, set.boundary, style, set.points);
-    if (options.pen_path) order_for_a_pen(set);
-    dots.points = set.points;
-    set.diameters = drawing::diameters_of(tones, dots, set.boundary, style);
+Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tell) {
+    Teller teller(tell, options.relax.value_or(0));
+    Stippling made = lacuna::stipple(fields_of(pixels, options), options, teller);
+    Set set = set_of(made.request, std::move(made.result));
+    set.layers = std::move(made.layers);
+    set.diameters = std::move(made.diameters);
+    set.style.sheet = made.paper;
+    set.style.for_a_pen = made.is_for_a_pen;
+    set.has_columns = options.paper || options.pens;
     return set;
 }
 
@@ -220,8 +100,17 @@ Set sample(Request request, std::uint32_t relax, const Tell& tell) {
     const bool is_default = request.mode == Mode::exact;
     recipes::settle(
         {.mode = is_default ? std::nullopt : std::optional(request.mode), .relax = relax}, request);
-    Set set = placed(request, relax, tell);
-    relax_points(set, nullptr, relax, tell);
+    Teller teller(tell, relax);
+    Set set = set_of(request, lacuna::sample(request, teller));
+    if (relax == 0) return set;
+    RelaxOptions options;
+    options.width = set.width;
+    options.height = set.height;
+    options.boundary = set.boundary;
+    options.iterations = relax;
+    set.points = lacuna::relax(set.points, nullptr, options, teller).points;
+    set.maximal = false;
+    set.radius = 0;
     return set;
 }
 

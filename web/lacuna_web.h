@@ -2,20 +2,17 @@
 // sample, verify and analyze.
 #pragma once
 
-#include <lacuna/inks.h>
 #include <lacuna/lacuna.h>
+#include <lacuna/stipple.h>
 #include <lacuna/verify.h>
 
-#include <array>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "drawing/picture.h"
 #include "files/point_files.h"
-#include "pictures/importance.h"
 
 namespace lacuna::web {
 
@@ -27,20 +24,6 @@ struct Pixels {
     std::uint32_t columns = 0;
     std::uint32_t rows = 0;
     std::vector<std::uint8_t> rgba;
-};
-
-struct StippleOptions {
-    pictures::Importance tone;
-    std::optional<std::uint64_t> count;  // unset: a number that suits the picture, or the pen
-    std::optional<Metric> metric;        // unset: the command's default
-    std::uint32_t relax = 0;
-    std::uint64_t seed = 0;
-    std::optional<double> dot_size_mm;  // of a pen; unset: as much ink as the picture is dark
-    std::optional<drawing::Sheet> sheet;
-    bool pen_path = false;
-    std::vector<Ink> inks;  // empty: black dots, of a grey picture
-    double size_by_tone = 0;
-    bool keep_inside = false;
 };
 
 struct Set {
@@ -58,35 +41,8 @@ struct Set {
     bool has_columns = false;  // whether csv and npy have columns for dots (pen or paper given)
 };
 
-// Keeps the black dots that were placed last. They are used again if only the number of iterations
-// of relax or the drawing changes.
-class Stippler {
-public:
-    // To be called before `pixels` change.
-    void forget() { placed_.points.clear(); }
-
-    // Throws what lacuna::sample and lacuna::relax throw.
-    Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tell);
-
-private:
-    // The options that decide which dots are placed, besides the pixels.
-    struct Key {
-        std::array<double, 5> tone{};
-        bool auto_levels = false;
-        bool invert = false;
-        std::uint64_t count = 0;
-        Mode mode = Mode::cells;
-        Metric metric = Metric::min;
-        std::uint64_t seed = 0;
-        bool operator==(const Key&) const = default;
-    };
-
-    // The dots of a picture in one ink, before they are relaxed.
-    Set placed_dots(const StippleOptions& options, const Request& request, const Tell& tell);
-
-    Key key_;
-    Set placed_;
-};
+// The dots of a picture. Throws what lacuna::stipple throws.
+Set stipple(const Pixels& pixels, const StippleOptions& options, const Tell& tell);
 
 // Throws what lacuna::sample and lacuna::relax throw.
 Set sample(Request request, std::uint32_t relax, const Tell& tell);

@@ -22,8 +22,7 @@ EM_JS(void, tell_page, (double share), { Module["tell"](share); });
 
 struct State {
     web::Pixels pixels;
-    web::StippleOptions options;
-    web::Stippler stippler;
+    StippleOptions options;
     web::Set set;
     web::Spectrum spectrum;
     std::string text;  // a file, or the verdict on the set
@@ -75,7 +74,6 @@ EMSCRIPTEN_KEEPALIVE std::uint8_t* lacuna_room_for_pixels(std::uint32_t columns,
                                                           std::uint32_t rows) {
     const bool done = is_done([&] {
         web::Pixels& pixels = state().pixels;
-        state().stippler.forget();
         pixels.columns = columns;
         pixels.rows = rows;
         pixels.rgba.resize(std::size_t{4} * columns * rows);
@@ -85,7 +83,7 @@ EMSCRIPTEN_KEEPALIVE std::uint8_t* lacuna_room_for_pixels(std::uint32_t columns,
 
 EMSCRIPTEN_KEEPALIVE void lacuna_tone(double black, double white, bool auto_levels, bool invert,
                                       double gamma, std::uint32_t sharpen) {
-    pictures::Importance& tone = state().options.tone;
+    Tone& tone = state().options.tone;
     tone.sharpen = sharpen;
     tone.black = black;
     tone.white = white;
@@ -97,18 +95,18 @@ EMSCRIPTEN_KEEPALIVE void lacuna_tone(double black, double white, bool auto_leve
 // Lengths are in mm. If `pen` is NaN, dots follow the darkness. If `width` is NaN: no paper.
 EMSCRIPTEN_KEEPALIVE void lacuna_page(double pen, double width, double height, double margin,
                                       bool pen_path) {
-    web::StippleOptions& options = state().options;
-    options.dot_size_mm.reset();
-    options.sheet.reset();
-    if (is_given(pen)) options.dot_size_mm = pen;
-    if (is_given(width)) options.sheet = drawing::Sheet{width, height, margin};
+    StippleOptions& options = state().options;
+    options.pens.reset();
+    options.paper.reset();
+    if (is_given(pen)) options.pens = {pen, pen};
+    if (is_given(width)) options.paper = {width, height, margin, true};
     options.pen_path = pen_path;
 }
 
 // `inks` is as for --inks, or empty.
 EMSCRIPTEN_KEEPALIVE bool lacuna_dots(const char* inks, double size_by_tone, bool keep_inside) {
     return is_done([&] {
-        web::StippleOptions& options = state().options;
+        StippleOptions& options = state().options;
         options.inks.clear();
         if (*inks != '\0') options.inks = inks_of(inks);
         options.size_by_tone = size_by_tone;
@@ -120,15 +118,14 @@ EMSCRIPTEN_KEEPALIVE bool lacuna_dots(const char* inks, double size_by_tone, boo
 EMSCRIPTEN_KEEPALIVE bool lacuna_stipple(double count, int metric, double relax, double seed) {
     return is_done([&] {
         State& now = state();
-        pictures::check(now.options.tone);
-        now.options.count.reset();
-        if (is_given(count)) now.options.count = whole("count", count);
+        now.options.request.count.reset();
+        if (is_given(count)) now.options.request.count = whole("count", count);
         now.options.metric.reset();
         if (metric >= 0) now.options.metric = static_cast<Metric>(metric);
         now.options.relax = static_cast<std::uint32_t>(whole("relax", relax));
-        now.options.seed = whole("seed", seed);
+        now.options.request.seed = whole("seed", seed);
         now.set = {};
-        now.set = now.stippler.stipple(now.pixels, now.options, tell_page);
+        now.set = web::stipple(now.pixels, now.options, tell_page);
     });
 }
 

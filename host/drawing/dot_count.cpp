@@ -33,12 +33,12 @@ std::uint64_t dot_count(const Field& field, double width, double height) {
 }
 
 std::uint64_t default_count(const Field& field, double width, double height,
-                            const std::optional<Sizing::Pens>& pens, const Style& style) {
+                            const std::optional<Pens>& pens, const Style& style) {
     return pens ? rounded(dots_for_ink(field, width, height, *pens, style))
                 : dot_count(field, width, height);
 }
 
-double dots_for_ink(const Field& field, double width, double height, const Sizing::Pens& pens,
+double dots_for_ink(const Field& field, double width, double height, const Pens& pens,
                     const Style& style) {
     const double scale = millimetres_per_unit(files::PointSet{{}, width, height}, style);
     const Sizing sizing{.pens = pens};

@@ -20,12 +20,12 @@ constexpr double kMostDots = 1e6;
 std::uint64_t dot_count(const Field& field, double width, double height);
 
 // The number of dots that pens draw at which their areas sum to the picture's darkness on the page.
-double dots_for_ink(const Field& field, double width, double height, const Sizing::Pens& pens,
+double dots_for_ink(const Field& field, double width, double height, const Pens& pens,
                     const Style& style);
 
 // The number of dots if the user gives none: with pens dots_for_ink(), from 1 to kMostDots, and
 // without them dot_count().
 std::uint64_t default_count(const Field& field, double width, double height,
-                            const std::optional<Sizing::Pens>& pens, const Style& style);
+                            const std::optional<Pens>& pens, const Style& style);
 
 }  // namespace lacuna::drawing

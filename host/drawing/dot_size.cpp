@@ -106,8 +106,7 @@ std::vector<double> dot_diameters(std::span<const Point> points, const Field& fi
 }
 
 std::vector<double> pen_diameters(std::span<const Point> points, const Field& field, double width,
-                                  double height, const Sizing::Pens& pens,
-                                  double millimetres_per_unit) {
+                                  double height, const Pens& pens, double millimetres_per_unit) {
     std::vector<double> diameters;
     diameters.reserve(points.size());
     for (const Point& point : points) {

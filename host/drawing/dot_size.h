@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lacuna/lacuna.h>
+#include <lacuna/stipple.h>
 
 #include <optional>
 #include <span>
@@ -17,11 +18,7 @@ enum class Spread { random, even };
 struct Sizing {
     // Areas are proportional to importance to this power, 0 to 1. 0: all dots are equally large.
     double by_tone = 0;
-    // Or diameters in mm, in proportion to importance: where it is 0, and where it is 1.
-    struct Pens {
-        double least_mm;
-        double most_mm;
-    };
+    // Or the diameters of pens, in proportion to importance.
     std::optional<Pens> pens{};
     // Where the importance is 1, dots of the library's choice are so wide that they leave no gaps.
     bool solid_black = false;
@@ -48,7 +45,6 @@ std::vector<double> dot_diameters(std::span<const Point> points, const Field& fi
 
 // The diameters, in the domain's units, of dots that pens draw.
 std::vector<double> pen_diameters(std::span<const Point> points, const Field& field, double width,
-                                  double height, const Sizing::Pens& pens,
-                                  double millimetres_per_unit);
+                                  double height, const Pens& pens, double millimetres_per_unit);
 
 }  // namespace lacuna::drawing

@@ -1,9 +1,12 @@
 // Pages: the domain alone, or the domain on a sheet of paper.
 #include "drawing/page.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace lacuna::drawing {
 namespace {
@@ -30,8 +33,22 @@ double millimetres_per_unit(const files::PointSet& set, const Style& style) {
     if (!style.sheet)
         return kLongerSideInPoints / kPointsPerInch * kMillimetresPerInch /
                std::max(set.width, set.height);
-    const auto& [width, height, margin] = *style.sheet;
-    return std::min((width - 2 * margin) / set.width, (height - 2 * margin) / set.height);
+    const Paper& sheet = *style.sheet;
+    return std::min((sheet.width_mm - 2 * sheet.margin_mm) / set.width,
+                    (sheet.height_mm - 2 * sheet.margin_mm) / set.height);
+}
+
+Paper turned(const Paper& paper, double width, double height) {
+    Paper lies = paper;
+    if (paper.may_turn && width > height) std::swap(lies.width_mm, lies.height_mm);
+    return lies;
+}
+
+void check(const Paper& paper) {
+    const double shorter = std::min(paper.width_mm, paper.height_mm);
+    if (!(paper.margin_mm >= 0 && 2 * paper.margin_mm < shorter))
+        throw BadRequest("margin", fmt::format("{}mm", paper.margin_mm),
+                         fmt::format("must be less than half of the paper's {}mm", shorter));
 }
 
 files::Dots dots_of(const files::PointSet& set, const Style& style) {

@@ -1,6 +1,8 @@
 // Point sets as pictures: black dots on white.
 #pragma once
 
+#include <lacuna/stipple.h>
+
 #include <optional>
 #include <span>
 #include <string>
@@ -13,16 +15,16 @@ namespace lacuna::drawing {
 inline constexpr double kMillimetresPerInch = 25.4;
 inline constexpr double kPointsPerInch = 72;  // in PostScript and PDF
 
-// A sheet of paper. The domain is centred and as large as the margins allow.
-struct Sheet {
-    double width_mm;
-    double height_mm;
-    double margin_mm = 0;
-};
+// The paper on which a domain of this shape is drawn: turned to landscape if the domain is wider
+// than high and the paper may be turned.
+Paper turned(const Paper& paper, double width, double height);
+
+// Throws BadRequest if the margins leave no room.
+void check(const Paper& paper);
 
 // Options of a picture that do not depend on the set.
 struct Style {
-    std::optional<Sheet> sheet;    // none: the page is the domain, its longer side 512 points
+    std::optional<Paper> sheet;    // none: the page is the domain, its longer side 512 points
     double pixels_per_inch = 144;  // only for png
     std::span<const double> diameters{};  // of each dot, in the domain's units; empty: all equal
     // For a plotter's pen. Dots are drawn in their order, not size by size; an svg has no

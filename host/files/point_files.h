@@ -46,11 +46,7 @@ struct Dots {
     double radius_mm(std::size_t index) const { return radii[index] * millimetres_per_unit; }
 };
 
-// The dots of one ink or of one class.
-struct Layer {
-    Ink ink;
-    std::size_t dots;
-};
+using lacuna::Layer;
 enum class LayersAre { inks, classes };
 
 // Such as #009ee3.

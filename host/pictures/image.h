@@ -10,6 +10,8 @@ namespace lacuna::pictures {
 
 // Limits of a picture: the longer side, and the number of pixels.
 inline constexpr std::uint64_t kMaxSide = std::uint64_t{1} << 20U;
+// The longest side of a domain, and so of a picture that is one, in shorter sides.
+inline constexpr std::uint64_t kLargestAspect = 1000;
 inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 28U;
 
 // The colour behind pixels that are not opaque.
@@ -79,8 +81,7 @@ struct Colours {
     Image blue;
 };
 
-// read_image and decode_image for each channel. Radiance's XYZE pictures come as grey ones.
-Colours read_colours(const std::string& path, std::uint64_t max_aspect = kMaxSide);
+// decode_image for each channel. Radiance's XYZE pictures come as grey ones.
 Colours decode_colours(std::string_view bytes, const std::string& name,
                        std::uint64_t max_aspect = kMaxSide);
 

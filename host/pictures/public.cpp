@@ -1,31 +1,30 @@
 // The public functions for pictures.
 #include <lacuna/pictures.h>
 
+#include "files/read_whole.h"
 #include "pictures/image.h"
 #include "pictures/importance.h"
 
 namespace lacuna {
 
-Field read_field(const std::string& path, const Tone& tone) {
-    pictures::check(tone);
-    return pictures::importance_of(pictures::read_image(path), tone);
+Picture read_picture(const std::string& path) {
+    Picture picture;
+    picture.name = files::name_of(path);
+    const auto look = [&](std::string_view first) { pictures::check_format(first, picture.name); };
+    picture.content = files::read_whole(path, files::most_bytes(), look);
+    return picture;
 }
 
-Field decode_field(std::string_view bytes, const std::string& name, const Tone& tone) {
+Field importance_of(const Picture& picture, const Tone& tone) {
     pictures::check(tone);
-    return pictures::importance_of(pictures::decode_image(bytes, name), tone);
+    return pictures::importance_of(pictures::decode_image(picture.content, picture.name), tone);
 }
 
-std::vector<Field> read_inks(const std::string& path, std::span<const Ink> inks, const Tone& tone,
-                             double black_ink) {
+std::vector<Field> separate(const Picture& picture, std::span<const Ink> inks, const Tone& tone,
+                            double black_ink) {
     pictures::check(tone);
-    return pictures::separated(pictures::read_colours(path), inks, tone, black_ink);
-}
-
-std::vector<Field> decode_inks(std::string_view bytes, const std::string& name,
-                               std::span<const Ink> inks, const Tone& tone, double black_ink) {
-    pictures::check(tone);
-    return pictures::separated(pictures::decode_colours(bytes, name), inks, tone, black_ink);
+    return pictures::separated(pictures::decode_colours(picture.content, picture.name), inks, tone,
+                               black_ink);
 }
 
 }  // namespace lacuna

@@ -103,11 +103,6 @@ double memory_for_pixels() {
 // Three channels take 24 bytes a pixel; separating and relaxing four inks takes some 80 more.
 constexpr std::uint32_t kBytesOfInks = 104;
 
-std::string bytes_of_picture(const std::string& path, const std::string& name) {
-    const auto look = [&](std::string_view first) { check_format(first, name); };
-    return files::read_whole(path, files::most_bytes(), look);
-}
-
 }  // namespace
 
 void check_size(const Encoded& file, Size size) {
@@ -147,8 +142,8 @@ Image decode_image(std::string_view bytes, const std::string& name, std::uint64_
 }
 
 Image read_image(const std::string& path, std::uint64_t max_aspect) {
-    const std::string name = files::name_of(path);
-    return decode_image(bytes_of_picture(path, name), name, kMaxPixels, max_aspect);
+    const Picture picture = read_picture(path);
+    return decode_image(picture.content, picture.name, kMaxPixels, max_aspect);
 }
 
 Colours decode_colours(std::string_view bytes, const std::string& name, std::uint64_t max_aspect) {
@@ -157,11 +152,6 @@ Colours decode_colours(std::string_view bytes, const std::string& name, std::uin
                             {Backdrop::white, weights, kBytesOfInks});
     };
     return {channel({kAll, 0, 0}), channel({0, kAll, 0}), channel({0, 0, kAll})};
-}
-
-Colours read_colours(const std::string& path, std::uint64_t max_aspect) {
-    const std::string name = files::name_of(path);
-    return decode_colours(bytes_of_picture(path, name), name, max_aspect);
 }
 
 }  // namespace lacuna::pictures

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "relax/lattice.h"
+
 namespace lacuna::recipes {
 namespace {
 
@@ -33,6 +35,9 @@ void settle(const Given& given, Request& request) {
     const std::uint32_t relax = relax_of(given);
     if (given.has_inks && relax == 0)
         throw BadRequest("relax", "0", "must be at least 1 for inks, whose dots are relaxed");
+    if (relax > relaxing::kMostIterations)
+        throw BadRequest("relax", std::to_string(relax),
+                         "must be at most " + std::to_string(relaxing::kMostIterations));
     request.mode = mode_of(given, request);
     if (request.mode == Mode::stratified && relax == 0 && given.gaussian == 0)
         throw BadRequest("mode", std::string(name_of(request.mode)), "is a start for --relax");

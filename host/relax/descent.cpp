@@ -35,7 +35,8 @@ void descend(std::vector<Point>& points, const GaussianField& field, const Relax
     std::uint64_t done = options.iterations;
     const std::uint64_t all = std::uint64_t{options.iterations} + options.gaussian;
     const auto may_go_on = [&] {
-        return observer.keep_going({points.size() * done, points.size() * all, done});
+        return observer.keep_going(
+            {points.size() * done, points.size() * all, done, Stage::relaxing, all});
     };
     const Poll poll = [&] {
         if (!may_go_on()) throw Cancelled();

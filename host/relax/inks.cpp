@@ -237,7 +237,7 @@ private:
 
 InkDots place_inks(std::span<const InkPart> inks, std::uint64_t seed, const RelaxOptions& options,
                    Observer& given) {
-    Asked observer(given, {});
+    Asked observer(given, {.stage = Stage::relaxing, .all_rounds = options.iterations});
     check_inks(inks);
     if (options.iterations == 0)
         throw BadRequest("relax", "0", "must be at least 1: several inks are even once relaxed");
@@ -247,7 +247,8 @@ InkDots place_inks(std::span<const InkPart> inks, std::uint64_t seed, const Rela
     const std::uint64_t dots = *request.count;
     std::uint64_t done = 0;
     const auto may_go_on = [&] {
-        return observer.keep_going({dots * done, dots * options.iterations, done});
+        return observer.keep_going(
+            {dots * done, dots * options.iterations, done, Stage::relaxing, options.iterations});
     };
     const Poll poll = [&] {
         if (!may_go_on()) throw Cancelled();

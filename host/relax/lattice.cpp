@@ -144,7 +144,6 @@ void check_in_domain(std::size_t number, const Point& point, const RelaxOptions&
 }
 
 void check_options(const RelaxOptions& options) {
-    constexpr std::uint32_t kMostIterations = 10000;
     verify::check_domain(options.width, options.height);
     if (options.iterations > kMostIterations)
         throw BadRequest("iterations", std::to_string(options.iterations),

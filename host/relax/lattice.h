@@ -73,6 +73,7 @@ std::uint32_t unit_of(double coordinate, double side, std::uint32_t length, bool
 void check_in_domain(std::size_t number, const Point& point, const RelaxOptions& options);
 
 // Throws BadRequest.
+inline constexpr std::uint32_t kMostIterations = 10000;
 void check_options(const RelaxOptions& options);
 
 // The field, or a field of one pixel where there is none.

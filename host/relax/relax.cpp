@@ -86,7 +86,10 @@ public:
     }
 
 private:
-    bool keep_going() { return observer_.keep_going({points_ * done_, points_ * turns_, done_}); }
+    bool keep_going() {
+        return observer_.keep_going(
+            {points_ * done_, points_ * turns_, done_, Stage::relaxing, turns_});
+    }
 
     RelaxBackend& backend_;
     Observer& observer_;
@@ -120,7 +123,8 @@ std::vector<Site> iterate(Iterations& run, RelaxBackend& backend, const Lattice&
 
 Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOptions& options,
               Observer& given) {
-    Asked observer(given, {0, points.size() * turns_of(options), 0});
+    Asked observer(given,
+                   {0, points.size() * turns_of(options), 0, Stage::relaxing, turns_of(options)});
     relaxing::check_options(options);
     if (field != nullptr) {
         check_importance(*field);

@@ -120,6 +120,10 @@ std::string_view name_of(Verb verb) {
             return "move";
         case Verb::descend:
             return "descend";
+        case Verb::read:
+            return "read";
+        case Verb::pen_path:
+            return "pen_path";
     }
     return "";
 }

@@ -101,8 +101,6 @@ def ellipses_of(
     points: npt.NDArray[np.float64], field: Field, scale: float, width: float, height: float
 ) -> npt.NDArray[np.float64]: ...
 def make_mask(rows: int, columns: int) -> Mask: ...
-def read_field(path: bytes, tone: Tone) -> Field: ...
-def decode_field(content: bytes, name: str, tone: Tone) -> Field: ...
 def sample(
     request: Request,
     field: Field | None,
@@ -125,19 +123,29 @@ class Ink:
     hex: str
     def __init__(self, name: str, colour: list[int]) -> None: ...
 
-black_ink: float
-
 def inks_of(text: str) -> list[Ink]: ...
-def read_inks(path: bytes, inks: list[Ink], tone: Tone, black_ink: float) -> list[Field]: ...
-def decode_inks(
-    content: bytes, name: str, inks: list[Ink], tone: Tone, black_ink: float
-) -> list[Field]: ...
-def dots_by_ink(dots: int, inks: list[Field]) -> list[int]: ...
-def place_inks(
-    fields: list[Field],
-    dots: list[int],
-    seed: int,
-    options: RelaxOptions,
+
+class Picture:
+    def __init__(self, content: bytes) -> None: ...
+
+def read_picture(path: bytes) -> Picture: ...
+
+class StippleOptions:
+    request: Request
+    tone: Tone
+    relax: int | None
+    inks: list[Ink]
+    black_ink: float | None
+    ink_counts: list[int]
+    size_by_tone: float
+    keep_inside: bool
+    start: str
+    metric: str
+    def __init__(self) -> None: ...
+
+def stipple(
+    picture: Picture,
+    options: StippleOptions,
     progress: Callable[[int, int], object] | None,
 ) -> dict[str, Any]: ...
 def progressive_order(
@@ -154,33 +162,8 @@ def settle(
     metric: str | None,
     relax: int | None,
     gaussian: int,
-    is_picture: bool,
-    has_inks: bool,
     has_ellipses: bool,
 ) -> int: ...
-def dot_count(field: Field, width: float, height: float) -> int: ...
-def dot_radii(
-    points: npt.NDArray[np.float64],
-    field: Field,
-    width: float,
-    height: float,
-    relaxed: bool,
-    by_tone: float,
-    solid_black: bool,
-) -> npt.NDArray[np.float64]: ...
-def pull_inside(
-    points: npt.NDArray[np.float64],
-    radii: npt.NDArray[np.float64],
-    white: Field,
-    request: Request,
-) -> npt.NDArray[np.float64]: ...
-def fit_inside(
-    points: npt.NDArray[np.float64],
-    radii: npt.NDArray[np.float64],
-    white: Field,
-    request: Request,
-) -> npt.NDArray[np.float64]: ...
-def density_of(field: Field, by_tone: float) -> Field: ...
 class Saved:
     width: float
     height: float

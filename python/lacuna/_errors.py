@@ -8,9 +8,7 @@ import re
 _SPELLED = {"count": "n", "sets": "points"}
 
 # Options of the command that the library's messages name.
-_OPTION = re.compile(
-    r"(?<![^\s(])(--(invert|min-importance|black|white|threads|relax)|uniform-x|lines-per-radius)\b"
-)
+_OPTION = re.compile(r"(?<![^\s(])(--[a-z][a-z-]+|uniform-x|lines-per-radius)\b")
 
 # Control characters, which paths may contain, are escaped: a message is one line.
 _CONTROLS = {code: f"\\x{code:02x}" for code in (*range(32), 127)}
@@ -18,8 +16,8 @@ _CONTROLS = {code: f"\\x{code:02x}" for code in (*range(32), 127)}
 
 def _argument_of(option: re.Match[str]) -> str:
     """Python's argument for an option."""
-    name = option[0].lstrip("-").replace("-", "_")
-    return "invert=True" if name == "invert" else name
+    name = option[0].lstrip("-")
+    return "invert=True" if name == "invert" else _SPELLED.get(name, name.replace("-", "_"))
 
 
 class Error(Exception):

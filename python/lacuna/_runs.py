@@ -78,8 +78,6 @@ def settle(
     metric: object,
     relax: Whole | None,
     gaussian: int = 0,
-    picture: bool = False,
-    inks: bool = False,
     ellipses: bool = False,
 ) -> int:
     """Fills in the mode and the metric, by the library's rules. Comes after ``fill`` and
@@ -90,8 +88,6 @@ def settle(
         None if metric is None else choice("metric", metric, METRICS),
         None if relax is None else whole("relax", relax, 0, MOST_32),
         gaussian,
-        picture,
-        inks,
         ellipses,
     )
 
@@ -116,19 +112,6 @@ def set_size(
         request.count = whole("n", value, 1, MOST_64)
     else:
         setattr(request, name, real(name, value))
-
-
-def refuse_what_is_not_for_inks(request: _core.Request, mode: object, metric: object) -> None:
-    """Inks begin stratified, and keep no distance. Comes after ``fill`` and ``set_size``."""
-    for name in ("scale", "limit", "lines_per_radius"):
-        if getattr(request, name) is not None:
-            raise BadRequest(f"{name} {getattr(request, name)}: is not for inks", name)
-    if request.round_size:
-        raise BadRequest(f"round_size {request.round_size}: is not for inks", "round_size")
-    if metric is not None:
-        raise BadRequest(f"metric {shown(metric)}: is not for inks", "metric")
-    if mode is not None and mode != "stratified":
-        raise BadRequest(f"mode {shown(mode)}: is not for inks, which begin stratified", "mode")
 
 
 def refuse_what_is_for_fields(mode: object, scale: object, metric: object) -> None:
@@ -192,10 +175,7 @@ def _relax_set(
     progress: Progress | None,
 ) -> tuple[Relaxed, float]:
     """Relaxes a set on the backend that made it. Returns also the least distance after it."""
-    try:
-        relaxed = relaxed_points(points, field, options, progress)
-    except BadRequest as error:
-        raise error.called("relax") if error.argument == "iterations" else error from None
+    relaxed = relaxed_points(points, field, options, progress)
     return relaxed, least_distance(relaxed.points, options)
 
 

@@ -4,30 +4,15 @@ from __future__ import annotations
 
 import io
 import os
-from typing import TYPE_CHECKING, Any, Callable, Literal, Sequence, SupportsFloat, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, Sequence, SupportsFloat
 
 import numpy as np
 
 from . import _core
-from ._arguments import choice, flag, numbers, path_bytes, real, shown, text, whole
+from ._arguments import choice, flag, numbers, path_bytes, real, text, whole
 from ._errors import BadRequest, FileError
 from ._results import Relaxed, Stippling
-from ._runs import (
-    MOST_32,
-    MOST_64,
-    checked_progress,
-    fill,
-    least_distance,
-    make,
-    place,
-    refuse_what_is_not_for_inks,
-    relax_options,
-    request_of,
-    set_of,
-    set_size,
-    settle,
-    shape_of,
-)
+from ._runs import METRICS, MOST_32, MOST_64, checked_progress, fill, place, request_of, set_of
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -37,188 +22,14 @@ if TYPE_CHECKING:
 
 STARTS = ("stratified", "cells", "exact")
 
-Decoded = TypeVar("Decoded")
 
-
-def _tone(
-    invert: object,
-    black: SupportsFloat,
-    white: SupportsFloat,
-    auto_levels: object,
-    gamma: SupportsFloat,
-    min_importance: SupportsFloat,
-    sharpen: Whole,
-    sharpen_amount: SupportsFloat,
-    along: SupportsFloat,
-) -> _core.Tone:
-    tone = _core.Tone()
-    tone.invert = flag("invert", invert)
-    tone.black = real("black", black)
-    tone.white = real("white", white)
-    tone.auto_levels = flag("auto_levels", auto_levels)
-    tone.gamma = real("gamma", gamma)
-    tone.min_importance = real("min_importance", min_importance)
-    tone.sharpen = whole("sharpen", sharpen, 0, 1000)
-    tone.sharpen_amount = real("sharpen_amount", sharpen_amount)
-    tone.along = real("along", along)
-    return tone
-
-
-def _decoded(
-    image: object, read: Callable[[bytes], Decoded], decode: Callable[[bytes, str], Decoded]
-) -> Decoded:
-    """What read or decode makes of a picture in a file or an array, which is like an .npy file."""
+def _picture(image: object) -> _core.Picture:
+    """A picture in a file, or in an array, which is like an .npy file."""
     if isinstance(image, (str, bytes, os.PathLike)):
-        return read(path_bytes("image", image))
+        return _core.read_picture(path_bytes("image", image))
     encoded = io.BytesIO()
     np.lib.format.write_array(encoded, numbers("image", image), allow_pickle=False)
-    try:
-        return decode(encoded.getvalue(), "image")
-    except FileError as error:
-        raise BadRequest(str(error), "image") from None
-
-
-def _picture(image: object, tone: _core.Tone) -> _core.Field:
-    """The importance of a picture."""
-    return _decoded(
-        image,
-        lambda path: _core.read_field(path, tone),
-        lambda content, name: _core.decode_field(content, name, tone),
-    )
-
-
-def _separation(
-    image: object, inks: list[_core.Ink], tone: _core.Tone, black_ink: SupportsFloat | None
-) -> list[_core.Field]:
-    """The importance of each ink of a picture."""
-    black = _core.black_ink if black_ink is None else real("black_ink", black_ink)
-    return _decoded(
-        image,
-        lambda path: _core.read_inks(path, inks, tone, black),
-        lambda content, name: _core.decode_inks(content, name, inks, tone, black),
-    )
-
-
-def _sum_of(fields: list[_core.Field]) -> _core.Field:
-    total = _core.make_field(fields[0].rows, fields[0].columns)
-    total.values[...] = sum(one.values for one in fields)
-    return total
-
-
-def _dots_of(
-    counts: Sequence[Whole] | None,
-    n: int | None,
-    inks: list[_core.Ink],
-    fields: list[_core.Field],
-) -> list[int]:
-    """The number of dots of each ink."""
-    if counts is None:
-        assert n is not None
-        return _core.dots_by_ink(n, fields)
-    dots = [whole("ink_counts", count, 0, MOST_32) for count in counts]
-    if len(dots) != len(inks):
-        raise BadRequest(f"ink_counts {len(dots)} numbers: must be one for each ink", "ink_counts")
-    if n is not None:
-        raise BadRequest("ink_counts with n: give one of both", "ink_counts")
-    for ink, count, field in zip(inks, dots, fields):
-        if count and not field.values.any():
-            raise BadRequest(
-                f"ink_counts {count}: must be 0 for {ink.name}: the picture needs none of this ink",
-                "ink_counts",
-            )
-    if not sum(dots):
-        raise BadRequest("ink_counts 0: must not be 0 for all inks", "ink_counts")
-    return dots
-
-
-# Moves the dots of all tones to where they are drawn, and finds their radii.
-_Draw = Callable[["list[npt.NDArray[np.float64]]", "list[_core.Field]"], tuple[Any, Any]]
-
-
-def _draw(
-    request: _core.Request, relaxed: bool, by_tone: float, white: _core.Field | None
-) -> _Draw:
-    """With `white`, dots are kept off the white parts of that picture."""
-    shape = request.width, request.height
-
-    def draw(
-        parts: list[npt.NDArray[np.float64]], tones: list[_core.Field]
-    ) -> tuple[Any, Any]:
-        def radii(points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-            ends = np.cumsum([len(part) for part in parts])[:-1]
-            return np.concatenate(
-                [
-                    _core.dot_radii(its, tone, *shape, relaxed, by_tone, white is not None)
-                    for its, tone in zip(np.split(points, ends), tones)
-                ]
-            )
-
-        points = np.concatenate(parts)
-        if white is None:
-            return points, radii(points)
-        points = _core.pull_inside(points, radii(points), white, request)
-        return points, _core.fit_inside(points, radii(points), white, request)
-
-    return draw
-
-
-def _stipple_inks(
-    request: _core.Request,
-    densities: list[_core.Field],
-    tones: list[_core.Field],
-    draw: _Draw,
-    inks: list[_core.Ink],
-    dots: list[int],
-    iterations: int,
-    progress: Progress | None,
-) -> Stippling:
-    checked_progress(progress)
-    options = relax_options(request, iterations)
-    parts = [part for part in zip(densities, dots, tones) if part[1]]
-    placed = _core.place_inks(
-        [part[0] for part in parts],
-        [part[1] for part in parts],
-        request.seed,
-        options,
-        progress,
-    )
-    ends = np.cumsum([count for _, count, _ in parts])[:-1]
-    points, all_radii = draw(np.split(placed["points"], ends), [tone for *_, tone in parts])
-    relaxed = Relaxed(
-        points=placed["points"],
-        domain=(request.width, request.height),
-        torus=request.torus,
-        iterations=iterations,
-        lattice=placed["lattice"],
-        evenness=None,
-        seconds=placed["seconds"],
-        backend=placed["backend"],
-        device=placed["device"],
-    )
-    request.count = len(points)
-    asked = dict(request_of(request, True, 0), relax=iterations, inks=[ink.name for ink in inks])
-    made = dict(
-        points=points,
-        radius=least_distance(points, options),
-        scale=None,
-        lines_per_radius=0,
-        maximal=False,
-        levels=(),
-        rounds=0,
-        draws=len(points),
-        seconds=placed["seconds"],
-        backend=placed["backend"],
-        device=placed["device"],
-    )
-    ink = np.repeat(np.arange(len(inks), dtype=np.uint8), dots)
-    ink.flags.writeable = False
-    points.flags.writeable = all_radii.flags.writeable = False
-    return Stippling(
-        **set_of(made, request, True, relaxed, asked),
-        radii=all_radii,
-        ink=ink,
-        inks={ink.name: ink.hex for ink in inks},
-    )
+    return _core.Picture(encoded.getvalue())
 
 
 def stipple(
@@ -344,34 +155,36 @@ progress
     >>> np.bincount(dots.ink)  # cyan, magenta, yellow; the disk needs no black
     array([  0, 112,  88])
     """
-    tone = _tone(
-        invert, black, white, auto_levels, gamma, min_importance, sharpen, sharpen_amount, along
-    )
-    by_tone = real("size_by_tone", size_by_tone)
-    if not 0 <= by_tone <= 1:
-        raise BadRequest(f"size_by_tone {by_tone}: must be 0 to 1", "size_by_tone")
-    palette = [] if inks is None else _core.inks_of(text("inks", inks))
-    for name, value in (("black_ink", black_ink), ("ink_counts", ink_counts)):
-        if value is not None and not palette:
-            raise BadRequest(f"{name} {shown(value)}: needs inks", name)
-    fields = _separation(image, palette, tone, black_ink) if palette else [_picture(image, tone)]
-    field = _sum_of(fields) if palette else fields[0]
-    densities = [_core.density_of(one, by_tone) for one in fields] if by_tone else fields
-    request = _core.Request()
-    sides = shape_of(field)
-    if n is None and scale is None and ink_counts is None:
-        n = _core.dot_count(field, *sides)
-    along_edges = tone.along != 1
-    if along_edges and relax is not None and whole("relax", relax, 0, MOST_32):
-        raise BadRequest(f"relax {relax}: cannot be used with along", "relax")
+    options = _core.StippleOptions()
+    options.tone.invert = flag("invert", invert)
+    options.tone.black = real("black", black)
+    options.tone.white = real("white", white)
+    options.tone.auto_levels = flag("auto_levels", auto_levels)
+    options.tone.gamma = real("gamma", gamma)
+    options.tone.min_importance = real("min_importance", min_importance)
+    options.tone.sharpen = whole("sharpen", sharpen, 0, 1000)
+    options.tone.sharpen_amount = real("sharpen_amount", sharpen_amount)
+    options.tone.along = real("along", along)
+    options.size_by_tone = real("size_by_tone", size_by_tone)
+    options.keep_inside = flag("keep_inside", keep_inside)
+    if inks is not None:
+        options.inks = _core.inks_of(text("inks", inks))
+    if black_ink is not None:
+        options.black_ink = real("black_ink", black_ink)
+    if ink_counts is not None:
+        options.ink_counts = [whole("ink_counts", count, 0, MOST_32) for count in ink_counts]
+    if relax is not None:
+        options.relax = whole("relax", relax, 0, MOST_32)
+    if metric is not None:
+        options.metric = choice("metric", metric, METRICS)
     if mode is not None:
-        choice("mode", mode, STARTS)
-    dots = []
-    if palette and scale is None:
-        dots = _dots_of(ink_counts, None if n is None else whole("n", n, 1, MOST_64), palette, densities)
-        n = sum(dots)
-    set_size(request, {"n": n, "scale": scale})
-    place(request, sides, torus, backend, device, threads)
+        options.start = choice("mode", mode, STARTS)
+    request = options.request
+    if n is not None:
+        request.count = whole("n", n, 1, MOST_64)
+    if scale is not None:
+        request.scale = real("scale", scale)
+    place(request, (1.0, 1.0), torus, backend, device, threads)
     fill(
         request,
         seed=seed,
@@ -380,27 +193,33 @@ progress
         round_size=round_size,
         memory_limit=memory_limit,
     )
-    if palette:
-        refuse_what_is_not_for_inks(request, mode, metric)
-    iterations = settle(
-        request,
-        mode=mode,
-        metric=metric,
-        relax=relax,
-        picture=True,
-        inks=bool(palette),
-        ellipses=along_edges,
-    )
-    kept_inside = field if flag("keep_inside", keep_inside) else None
-    draw = _draw(request, iterations != 0, by_tone, kept_inside)
-    if palette:
-        return _stipple_inks(request, densities, fields, draw, palette, dots, iterations, progress)
-    made = make(request, densities[0], relax_options(request, iterations), progress)
-    points, radii = draw([made["points"]], [field])
-    points.flags.writeable = radii.flags.writeable = False
-    if kept_inside is not None:
-        options = relax_options(request, iterations)
-        made.update(points=points, radius=least_distance(points, options), maximal=False)
-        if field.has_ellipses:
-            made["ellipses"] = _core.ellipses_of(points, densities[0], made["scale"], *sides)
-    return Stippling(**made, radii=radii)
+    checked_progress(progress)
+    picture = _picture(image)
+    try:
+        made = _core.stipple(picture, options, progress)
+    except FileError as error:
+        if isinstance(image, (str, bytes, os.PathLike)):
+            raise
+        raise BadRequest(str(error), "image") from None
+    return _stippling(made, options)
+
+
+def _stippling(made: dict[str, Any], options: _core.StippleOptions) -> Stippling:
+    """The result of what the library has made."""
+    request, iterations, moves = (made.pop(name) for name in ("request", "iterations", "relaxed"))
+    asked = dict(request_of(request, True, made["lines_per_radius"]), relax=iterations)
+    if options.inks:
+        asked["inks"] = [ink.name for ink in options.inks]
+    else:
+        asked["field"] = "an array"
+    relaxed = None
+    if moves is not None:
+        moves.update(points=made["points"], evenness=None, seconds=made["seconds"])
+        relaxed = Relaxed(
+            domain=(request.width, request.height),
+            torus=request.torus,
+            iterations=iterations,
+            **moves,
+        )
+    palette = {ink.name: ink.hex for ink in options.inks} or None
+    return Stippling(**set_of(made, request, True, relaxed, asked), inks=palette)

@@ -34,7 +34,7 @@ NB_MODULE(_core, module) {
     module.attr("version") = LACUNA_VERSION;
     python::add_errors(module);
     python::add_sampling(module);
-    python::add_inks(module);
+    python::add_stippling(module);
     python::add_files(module);
     python::add_domains(module);
     python::add_judging(module);

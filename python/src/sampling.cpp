@@ -17,9 +17,6 @@
 #include <vector>
 
 #include "arrays.h"
-#include "drawing/dot_count.h"
-#include "drawing/dot_size.h"
-#include "drawing/keep_inside.h"
 #include "parts.h"
 #include "recipes/settle.h"
 #include "watch.h"
@@ -66,6 +63,8 @@ nb::object ellipses_at(const PointArray& array, const Field& field, double scale
     return array_of(std::move(ellipses));
 }
 
+}  // namespace
+
 nb::dict dict_of(Result result) {
     nb::dict made;
     made["points"] = array_of(std::move(result.points));
@@ -85,6 +84,21 @@ nb::dict dict_of(Result result) {
     made["device"] = result.device;
     return made;
 }
+
+nb::dict dict_of(Relaxed relaxed) {
+    nb::dict made;
+    made["points"] = array_of(std::move(relaxed.points));
+    made["lattice"] = nb::make_tuple(relaxed.lattice_columns, relaxed.lattice_rows);
+    made["evenness"] = nb::none();
+    if (relaxed.evenness)
+        made["evenness"] = nb::make_tuple(relaxed.evenness->before, relaxed.evenness->after,
+                                          relaxed.evenness->after_voronoi);
+    made["backend"] = relaxed.backend;
+    made["device"] = relaxed.device;
+    return made;
+}
+
+namespace {
 
 nb::dict sample_points(const Request& wanted, const Field* field, const Mask* mask,
                        const std::optional<PointArray>& keep,
@@ -133,15 +147,7 @@ nb::dict relax_points(const PointArray& array, const Field* field, const RelaxOp
         const nb::gil_scoped_release no_gil;
         relaxed = relax(points_of(array), field, options, watch);
     }
-    nb::dict made;
-    made["points"] = array_of(std::move(relaxed.points));
-    made["lattice"] = nb::make_tuple(relaxed.lattice_columns, relaxed.lattice_rows);
-    made["evenness"] = nb::none();
-    if (relaxed.evenness)
-        made["evenness"] = nb::make_tuple(relaxed.evenness->before, relaxed.evenness->after,
-                                          relaxed.evenness->after_voronoi);
-    made["backend"] = relaxed.backend;
-    made["device"] = relaxed.device;
+    nb::dict made = dict_of(std::move(relaxed));
     made["seconds"] = watch.seconds();
     return made;
 }
@@ -159,90 +165,11 @@ nb::object order_points(const PointArray& array, const Field* field, double widt
     return array_of(std::move(order));
 }
 
-// The number of dots that the command makes without --count.
-std::uint64_t dot_count(const Field& field, double width, double height) {
-    const Unlocked unlocked;
-    return drawing::dot_count(field, width, height);
-}
-
-// The radii of the dots of a stippled picture.
-nb::object dot_radii(const PointArray& array, const Field& field, double width, double height,
-                     bool relaxed, double by_tone, bool solid_black) {
-    std::vector<double> sizes;
-    {
-        const Unlocked unlocked;
-        sizes = drawing::dot_diameters(points_of(array), field, width, height,
-                                       relaxed ? drawing::Spread::even : drawing::Spread::random,
-                                       {by_tone, {}, solid_black});
-        for (double& size : sizes) size /= 2;
-    }
-    return array_of(std::move(sizes));
-}
-
-std::vector<double> diameters_of(const RadiusArray& radii) {
-    std::vector<double> diameters(radii.data(), radii.data() + radii.shape(0));
-    for (double& diameter : diameters) diameter *= 2;
-    return diameters;
-}
-
-drawing::White white_of(const Field& field, const Request& request) {
-    return {field, request.width, request.height, request.boundary};
-}
-
-// The dots of these radii, moved away from the white of a picture.
-nb::object pull_inside(const PointArray& array, const RadiusArray& radii, const Field& white,
-                       const Request& request) {
-    std::vector<Point> points = points_of(array);
-    const std::vector<double> diameters = diameters_of(radii);
-    {
-        const Unlocked unlocked;
-        drawing::pull_inside(points, diameters, white_of(white, request));
-    }
-    return array_of(std::move(points));
-}
-
-// The radii at which these dots do not touch the white of a picture.
-nb::object fit_inside(const PointArray& array, const RadiusArray& radii, const Field& white,
-                      const Request& request) {
-    const std::vector<Point> points = points_of(array);
-    std::vector<double> sizes = diameters_of(radii);
-    {
-        const Unlocked unlocked;
-        drawing::fit_inside(points, sizes, white_of(white, request));
-        for (double& size : sizes) size /= 2;
-    }
-    return array_of(std::move(sizes));
-}
-
-Field read_picture(const nb::bytes& bytes, const Tone& tone) {
-    const std::string path(bytes.c_str(), bytes.size());
-    const Unlocked unlocked;
-    return read_field(path, tone);
-}
-
-Field decode_picture(const nb::bytes& bytes, const std::string& name, const Tone& tone) {
-    const std::string_view content(static_cast<const char*>(bytes.data()), bytes.size());
-    const Unlocked unlocked;
-    return decode_field(content, name, tone);
-}
-
-// The enum with this name; python/lacuna has checked the name.
-template <typename Enum>
-Enum named(const std::string& name, const char* option) {
-    for (int i = 0; !name_of(static_cast<Enum>(i)).empty(); ++i)
-        if (name_of(static_cast<Enum>(i)) == name) return static_cast<Enum>(i);
-    throw BadRequest(option, name, "is not known");
-}
-
 // Decides the mode and the metric of a request. Returns how often the points are relaxed.
 std::uint32_t settle(Request& request, const std::optional<std::string>& mode,
                      const std::optional<std::string>& metric, std::optional<std::uint32_t> relax,
-                     std::uint32_t gaussian, bool is_picture, bool has_inks, bool has_ellipses) {
-    recipes::Given given{.is_picture = is_picture,
-                         .has_inks = has_inks,
-                         .has_ellipses = has_ellipses,
-                         .relax = relax,
-                         .gaussian = gaussian};
+                     std::uint32_t gaussian, bool has_ellipses) {
+    recipes::Given given{.has_ellipses = has_ellipses, .relax = relax, .gaussian = gaussian};
     if (mode) given.mode = named<Mode>(*mode, "mode");
     if (metric) given.metric = named<Metric>(*metric, "metric");
     recipes::settle(given, request);
@@ -331,8 +258,6 @@ void add_sampling(nb::module_& module) {
     module.def("make_field", make_field);
     module.def("ellipse_field", field_of_ellipses);
     module.def("ellipses_of", ellipses_at);
-    module.def("read_field", read_picture);
-    module.def("decode_field", decode_picture);
     module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg().none(),
                nb::arg().none(), nb::arg().none(), nb::arg().none());
     module.def("sample_many", sample_many_points, nb::arg(), nb::arg(), nb::arg().none());
@@ -340,15 +265,7 @@ void add_sampling(nb::module_& module) {
     module.def("progressive_order", order_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg(),
                nb::arg(), nb::arg());
     module.def("settle", settle, nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg().none(),
-               nb::arg(), nb::arg(), nb::arg(), nb::arg());
-    module.def("dot_count", dot_count);
-    module.def("dot_radii", dot_radii);
-    module.def("pull_inside", pull_inside);
-    module.def("fit_inside", fit_inside);
-    module.def("density_of", [](const Field& field, double by_tone) {
-        const Unlocked unlocked;
-        return drawing::density_of(field, {by_tone, {}});
-    });
+               nb::arg(), nb::arg());
 }
 
 }  // namespace lacuna::python

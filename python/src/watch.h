@@ -59,7 +59,7 @@ private:
     using Seconds = std::chrono::duration<double>;
     // Least time between two looks: a small part of the 0.2 s within which Ctrl-C must be answered.
     static constexpr std::chrono::milliseconds kInterval{20};
-    static constexpr std::size_t kVerbs = 1 + static_cast<std::size_t>(Verb::descend);
+    static constexpr std::size_t kVerbs = 1 + static_cast<std::size_t>(Verb::pen_path);
     static std::size_t index_of(Verb verb) { return static_cast<std::size_t>(verb); }
 
     nb::object progress_;

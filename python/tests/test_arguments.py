@@ -163,7 +163,7 @@ def test_relax_refuses(error: type[Exception], argument: str, arguments: dict[st
         (TypeError, "image", {"image": np.full((3, 3), "a"), "n": 10}),
         (TypeError, "image", {"image": np.full((3, 3), 1j), "n": 10}),
         (ValueError, "image", {"image": "a\0b.png", "n": 10}),
-        (ValueError, "n", {"image": np.zeros((3, 3)), "n": 5, "scale": 0.1}),
+        (ValueError, "scale", {"image": np.zeros((3, 3)), "n": 5, "scale": 0.1}),
         (ValueError, "gamma", {"image": np.zeros((3, 3)), "n": 5, "gamma": 0}),
         (ValueError, "gamma", {"image": np.zeros((3, 3)), "n": 5, "gamma": float("nan")}),
         (ValueError, "black", {"image": np.zeros((3, 3)), "n": 5, "black": 2}),

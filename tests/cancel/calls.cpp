@@ -9,6 +9,7 @@
 #include <lacuna/many.h>
 #include <lacuna/order.h>
 #include <lacuna/pictures.h>
+#include <lacuna/stipple.h>
 #include <lacuna/verify.h>
 
 #include <algorithm>
@@ -234,11 +235,23 @@ void add_files(const Shared& given, std::vector<Call>& all) {
     const Tone of_inks{.auto_levels = true, .gamma = 2, .sharpen = 4};
     add("read_mask", [](const Given& g) { read_mask(g.path("grey.pgm")); });
     add("decode_mask", [](const Given& g) { decode_mask(g.picture, "grey"); });
-    add("read_field", [=](const Given& g) { read_field(g.path("grey.pgm"), tone); });
-    add("decode_field", [=](const Given& g) { decode_field(g.picture, "grey", tone); });
     const std::vector<Ink> inks = inks_of("cmyk");
-    add("read_inks", [=](const Given& g) { read_inks(g.path("colours.ppm"), inks, of_inks); });
-    add("decode_inks", [=](const Given& g) { decode_inks(g.colours, "colours", inks, of_inks); });
+    add("importance_of",
+        [=](const Given& g) { importance_of(read_picture(g.path("grey.pgm")), tone); });
+    add("separate",
+        [=](const Given& g) { separate(read_picture(g.path("colours.ppm")), inks, of_inks); });
+    add("stipple", [=](const Given& g) {
+        stipple({g.picture, "grey"}, {.relax = 2, .pen_path = true});
+    });
+    add("write_stippling", [](const Given& g) {
+        Stippling made;
+        made.result.points = g.points;
+        made.diameters.assign(g.points.size(), 0.001);
+        write_stippling(g.path("dots.svg"), made);
+    });
+    add("stipple in inks", [=](const Given& g) {
+        stipple({g.colours, "colours"}, {.relax = 1, .inks = inks, .keep_inside = true});
+    });
 }
 
 }  // namespace

@@ -111,10 +111,6 @@ TEST(Along, IsRefusedWhereSetsHaveDisks) {
     const char* const picture = LACUNA_EXAMPLES "/raccoon.png";
     EXPECT_EQ(refused("stipple", {picture, "--relax", "3"}),
               "lacuna: --along 4: cannot be used with --relax: relaxing has disks\n");
-    EXPECT_EQ(refused("stipple", {picture, "--inks", "cmyk"}),
-              "lacuna: --along 4: is not for --inks, whose dots are relaxed\n");
-    EXPECT_EQ(refused("stipple", {picture, "--mode", "cells"}),
-              "lacuna: --along 4: is for --mode exact\n");
     EXPECT_EQ(refused("sample", {"--radius", "0.1"}),
               "lacuna: --along without --field: says how a field is read: give its picture too\n");
     EXPECT_EQ(

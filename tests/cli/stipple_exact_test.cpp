@@ -69,7 +69,7 @@ TEST(ExactStipple, IsRelaxedAsTheSetOfSampleIs) {
 TEST(ExactStipple, LeavesNoGapWhereCellsLeaveSome) {
     const Folder folder;
     const std::string image = gradient(folder);
-    const lacuna::Field field = lacuna::read_field(image, lacuna::Tone{});
+    const lacuna::Field field = lacuna::importance_of(lacuna::read_picture(image), lacuna::Tone{});
     lacuna::Claim claim;
     claim.height = 2.0 / 3;
     claim.field = &field;

@@ -245,7 +245,7 @@ TEST(Pdf, GivenManyPointsThenTheFileStaysSmall) {
 std::string on_a_sheet(const std::vector<Point>& points, Medium medium,
                        const std::vector<double>& diameters = {}) {
     drawing::Style style;
-    style.sheet = drawing::Sheet{100, 80, 10};
+    style.sheet = Paper{100, 80, 10};
     style.pixels_per_inch = 254;
     style.diameters = diameters;
     return drawing::draw({points, 2, 1, 0.3}, medium, style);
@@ -279,7 +279,7 @@ TEST(ASheet, GivenPngThenItHasAsManyPixelsAsTheResolutionSays) {
 
 TEST(ASheet, GivenATallDomainThenTheHeightDecidesItsSize) {
     drawing::Style style;
-    style.sheet = drawing::Sheet{100, 80, 10};
+    style.sheet = Paper{100, 80, 10};
     EXPECT_DOUBLE_EQ(drawing::millimetres_per_unit({{}, 2, 1}, style), 40);
     EXPECT_DOUBLE_EQ(drawing::millimetres_per_unit({{}, 1, 4}, style), 15);
 }
@@ -297,7 +297,7 @@ TEST(Diameters, GivenSvgThenDotsOfASizeAreOnePathUnlessTheirOrderIsKept) {
     const std::vector<Point> points{{0, 0}, {1, 0}, {2, 0}, {0, 1}};
     const std::vector<double> diameters{0.2, 0.1, 0.2, 0.1};
     drawing::Style style;
-    style.sheet = drawing::Sheet{20, 10};
+    style.sheet = Paper{20, 10};
     style.diameters = diameters;
     const std::string sizes = drawing::draw({points, 2, 1}, Medium::svg, style);
     EXPECT_TRUE(contains(sizes,

@@ -83,7 +83,7 @@ std::string ppm_of(const Light& light) {
 std::vector<double> amounts_of(const std::string& bytes, const std::vector<Ink>& inks,
                                double black_ink = kBlackInk, const Tone& tone = {}) {
     std::vector<double> amounts;
-    for (const Field& field : decode_inks(bytes, "file", inks, tone, black_ink))
+    for (const Field& field : separate({bytes, "file"}, inks, tone, black_ink))
         amounts.push_back(field.importance.at(0));
     return amounts;
 }
@@ -151,7 +151,7 @@ TEST(BlackInk, GrowsStepByStepAsThePictureGetsDarker) {
             SCOPED_TRACE(std::string(text) + ", black ink " + std::to_string(black_ink));
             const std::vector<Ink> inks = inks_of(text);
             const std::vector<Field> fields =
-                decode_inks(to_black({1, 1, 1}), "file", inks, {}, black_ink);
+                separate({to_black({1, 1, 1}), "file"}, inks, {}, black_ink);
             const auto is_black = [](const Ink& ink) { return ink.colour[0] < 0x20; };
             const std::size_t black = static_cast<std::size_t>(
                 std::find_if(inks.begin() + (inks.size() > 3 ? 3 : 0), inks.end(), is_black) -
@@ -175,7 +175,7 @@ TEST(BlackInk, GrowsInDarkColoursToo) {
     for (const Light& lightest : {Light{1, 0, 0}, Light{0, 1, 0}, Light{0, 0, 1}, Light{1, 1, 0},
                                   Light{0, 1, 1}, Light{1, 0, 1}, Light{1, 0.6, 0.4}}) {
         const std::vector<Field> fields =
-            decode_inks(to_black(lightest), "file", inks_of("cmyk"), {}, kBlackInk);
+            separate({to_black(lightest), "file"}, inks_of("cmyk"), {}, kBlackInk);
         const std::vector<double>& black = fields[3].importance;
         for (std::size_t i = 1; i < black.size(); ++i)
             ASSERT_LT(std::abs(black[i] - black[i - 1]), 0.2)
@@ -187,9 +187,9 @@ TEST(BlackInk, GrowsInDarkColoursToo) {
 TEST(Inks, AreNotNeededOnWhite) {
     const std::vector<Ink> inks = inks_of("cmyk");
     const std::string white_and_black = "P3 2 1 1 1 1 1 0 0 0";
-    for (const Field& field : decode_inks(white_and_black, "file", inks))
+    for (const Field& field : separate({white_and_black, "file"}, inks))
         EXPECT_EQ(field.importance.at(0), 0);
-    EXPECT_THROW(decode_inks("P3 1 1 1 1 1 1", "file", inks), FileError);
+    EXPECT_THROW(separate({"P3 1 1 1 1 1 1", "file"}, inks), FileError);
     EXPECT_EQ(amounts_of("P3 1 1 1 1 1 1", inks, 1, {.min_importance = 0.25}),
               (std::vector<double>(4, 0.25)));
 }
@@ -233,7 +233,9 @@ TEST(InkNames, AreReadFromText) {
         EXPECT_NE(told.find("must be cmyk, or up to 16 different inks"), std::string::npos)
             << text << ": " << told;
     }
-    EXPECT_EQ(refusal_of([] { decode_inks("P2 1 1 1 0", "f", inks_of("red"), {}, 1.5); }),
+    EXPECT_EQ(refusal_of([] {
+                  separate({"P2 1 1 1 0", "f"}, inks_of("red"), {}, 1.5);
+              }),
               "black-ink 1.5: must be 0 to 1");
 }
 

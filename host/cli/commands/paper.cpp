@@ -77,11 +77,6 @@ void check_length(const std::string& option, const std::string& text, double mm,
 
 }  // namespace
 
-Paper Paper::suiting(double width, double height) const {
-    const bool lies_across = may_turn && width > height;
-    return lies_across ? Paper{height_mm, width_mm, may_turn} : *this;
-}
-
 double read_length(const std::string& option, const std::string& text, double least_mm) {
     std::string_view rest = text;
     const std::optional<double> unit = take_unit(rest);
@@ -98,7 +93,8 @@ Paper read_paper(const std::string& option, const std::string& text) {
     std::transform(name.begin(), name.end(), name.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     for (const NamedPaper& known : kPapers)
-        if (name == known.name) return {known.width_mm, known.height_mm, true};
+        if (name == known.name)
+            return {.width_mm = known.width_mm, .height_mm = known.height_mm, .may_turn = true};
 
     std::string_view rest = text;
     const std::optional<double> unit = take_unit(rest);
@@ -115,7 +111,7 @@ Paper read_paper(const std::string& option, const std::string& text) {
             "or pt, such as 210x297mm");
     check_length(option, text, *width, kLeastSide);
     check_length(option, text, *height, kLeastSide);
-    return {*width, *height, false};
+    return {.width_mm = *width, .height_mm = *height};
 }
 
 }  // namespace lacuna::cli

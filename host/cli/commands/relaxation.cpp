@@ -21,47 +21,9 @@
 namespace lacuna::cli {
 namespace {
 
-class Iterations : public Observer {
-public:
-    Iterations(bool quiet, std::uint32_t all) : bar_(quiet), all_(all) {}
-
-    bool keep_going(const Progress& progress) override {
-        const double share =
-            static_cast<double>(progress.points) /
-            static_cast<double>(std::max<std::uint64_t>(1, progress.expected_points));
-        bar_.show(std::min(1.0, share),
-                  fmt::format("relaxing, iteration {} of {}",
-                              std::min<std::uint64_t>(progress.rounds + 1, all_), all_));
-        return true;
-    }
-
-private:
-    ProgressBar bar_;
-    std::uint64_t all_;
-};
-
-// Runs `work` under a progress bar. Its points become the points of `made`.
-template <class Work>
-Relaxation watched(const CommonOptions& common, const std::vector<Output>& outputs,
-                   const RelaxOptions& options, Made& made, const Work& work) {
-    Relaxation relaxation;
-    relaxation.options = options;
-    {
-        Iterations bar(common.quiet, options.iterations + options.gaussian);
-        DriverAtWork driver(options.backend);
-        Observers observers({driver, made.stopwatch, bar});
-        relaxation.relaxed = work(observers);
-    }
-    made.seconds = made.stopwatch.seconds_so_far();
-    made.result.points = std::move(relaxation.relaxed.points);
-    made.result.backend = relaxation.relaxed.backend;  // a stratified start has none
-    made.result.device = relaxation.relaxed.device;
-    relaxation.least_distance = measure_moved(common, outputs, options, made);
-    return relaxation;
-}
-
-}  // namespace
-
+// Notes that the points of `made` were moved: the set is not known to be maximal, and its radius
+// becomes the least distance if a report or a .json needs it, and otherwise 0, which means not
+// known. Returns the least distance if it is known.
 std::optional<double> measure_moved(const CommonOptions& common, const std::vector<Output>& outputs,
                                     const RelaxOptions& domain, Made& made) {
     made.result.maximal = false;
@@ -77,6 +39,8 @@ std::optional<double> measure_moved(const CommonOptions& common, const std::vect
             .distance;
     return made.result.radius;
 }
+
+}  // namespace
 
 void add_relax(CLI::App& command, std::optional<std::uint32_t>& iterations,
                std::uint32_t usual_iterations) {
@@ -117,20 +81,20 @@ RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations,
 
 Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& outputs,
                         const RelaxOptions& options, const Field* field, Made& made) {
-    RelaxOptions measured = options;
-    measured.measure = !common.report.empty();
-    return watched(common, outputs, options, made, [&](Observer& observer) {
-        return relax(made.result.points, field, measured, observer);
-    });
-}
-
-Relaxation place_inks(const CommonOptions& common, const std::vector<Output>& outputs,
-                      std::span<const InkPart> inks, const RelaxOptions& options, Made& made) {
-    return watched(common, outputs, options, made, [&](Observer& observer) {
-        InkDots dots = lacuna::place_inks(inks, common.request.seed, options, observer);
-        return Relaxed{std::move(dots.points), dots.lattice_columns, dots.lattice_rows,
-                       std::nullopt,           dots.backend,         dots.device};
-    });
+    Relaxation relaxation{options, {}, std::nullopt};
+    relaxation.options.measure = !common.report.empty();
+    {
+        ProgressBar bar(common.quiet);
+        DriverAtWork driver(options.backend);
+        Observers observers({driver, made.stopwatch, bar});
+        relaxation.relaxed = relax(made.result.points, field, relaxation.options, observers);
+    }
+    made.seconds = made.stopwatch.seconds_so_far();
+    made.result.points = std::move(relaxation.relaxed.points);
+    made.result.backend = relaxation.relaxed.backend;  // a stratified start has none
+    made.result.device = relaxation.relaxed.device;
+    relaxation.least_distance = measure_moved(common, outputs, options, made);
+    return relaxation;
 }
 
 nlohmann::ordered_json json_of_moves(const RelaxOptions& options) {

@@ -152,7 +152,8 @@ void run(const ReproduceCommand& options) {
     check(options, items);
     std::optional<Field> image;
     if (!options.image.empty())
-        image = pictures::importance_of(pictures::read_image(options.image, kLargestAspect), {});
+        image = pictures::importance_of(
+            pictures::read_image(options.image, pictures::kLargestAspect), {});
     reproduce::Setting setting{options.runs, options.smallest_radius, image ? &*image : nullptr};
     Interruption interruption;
     std::vector<MadeItem> all;

@@ -2,33 +2,34 @@
 #include "cli/commands/stipple.h"
 
 #include <fmt/core.h>
-
-#include <lacuna/lacuna.h>
+#include <lacuna/stipple.h>
 
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cli/commands/relaxation.h"
-#include "cli/commands/stipple_work.h"
 #include "cli/options/common_options.h"
+#include "cli/options/drawing.h"
 #include "cli/options/ellipse_options.h"
 #include "cli/options/options.h"
 #include "cli/options/origin.h"
+#include "cli/options/picture_field.h"
 #include "cli/reports/output.h"
 #include "cli/reports/report.h"
 #include "cli/reports/writing.h"
+#include "cli/terminal/driver.h"
 #include "cli/terminal/interruption.h"
-#include "cli/terminal/stopwatch.h"
+#include "cli/terminal/observers.h"
+#include "cli/terminal/progress_bar.h"
 #include "drawing/picture.h"
-#include "drawing/tones.h"
 #include "files/point_files.h"
-#include "pictures/importance.h"
 
 namespace lacuna::cli {
 namespace {
@@ -84,6 +85,14 @@ Formats read are PNG, JPEG, PGM, PPM, PFM, Radiance HDR and NumPy's .npy. For ph
 dark or too light as a whole use --auto-levels.
 )";
 
+struct StippleCommand {
+    CommonOptions common;
+    Picture picture;
+    DrawingOptions drawing;
+    StippleOptions stipple;
+    bool ellipse_columns = false;
+};
+
 void read_dot_mode(const std::string& text, std::optional<Mode>& mode) {
     for (const Mode known : {Mode::stratified, Mode::cells, Mode::exact}) {
         if (text != name_of(known)) continue;
@@ -103,7 +112,7 @@ void add_what_to_stipple(CLI::App& command, StippleCommand& options) {
     command
         .add_option_function<std::string>(
             "--mode,--start",
-            [&options](const std::string& mode) { read_dot_mode(mode, options.given.mode); },
+            [&options](const std::string& mode) { read_dot_mode(mode, options.stipple.start); },
             "How dots are placed before they are moved. stratified (default with --relax): every "
             "part of the picture has its share of the dots; cells (default with --relax 0): on a "
             "lattice, as in the paper; exact: in the plane, with no gap left, and with --metric "
@@ -115,14 +124,41 @@ void add_what_to_stipple(CLI::App& command, StippleCommand& options) {
                "(default 1)");
 }
 
-void add_size_by_tone(CLI::App& command, StippleCommand& options) {
+std::vector<std::uint64_t> read_counts(const std::string& text) {
+    std::vector<std::uint64_t> counts;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        read("ink-counts", text.substr(begin, comma - begin), counts.emplace_back());
+        begin = comma + 1;
+    }
+    return counts;
+}
+
+void add_inks(CLI::App& command, StippleOptions& options) {
+    add_text(
+        command, "inks", "LIST",
+        [&options](const std::string& text) { options.inks = inks_of(text); },
+        "Draws in colour: cmyk, or inks separated by commas: names such as black,red, or #rrggbb, "
+        "or NAME=#rrggbb. Dots of all inks are even together, too; .svg has a layer an ink");
+    add_number(command, "black-ink", "X", options.black_ink,
+               fmt::format("With --inks: how much black replaces other inks that would look grey "
+                           "together, 0 to 1 (default {})",
+                           kBlackInk));
+    add_text(
+        command, "ink-counts", "N,N...",
+        [&options](const std::string& text) { options.ink_counts = read_counts(text); },
+        "With --inks: the dots of each ink, in place of --count (default: as much as the picture "
+        "needs of each)");
+}
+
+void add_size_by_tone(CLI::App& command, StippleOptions& options) {
     add_number(command, "size-by-tone", "A", options.size_by_tone,
                "How much of the tone is in the dots' sizes, 0 to 1 (default 0: all are equally "
                "large). Areas are proportional to importance^A, and dots as dense as "
                "importance^(1 - A): with few dots more is seen");
 }
 
-void add_keep_inside(CLI::App& command, StippleCommand& options) {
+void add_keep_inside(CLI::App& command, StippleOptions& options) {
     command
         .add_flag("--keep-inside", options.keep_inside,
                   "Keeps dots off white, and in the picture: dots that overhang an edge are moved "
@@ -131,11 +167,23 @@ void add_keep_inside(CLI::App& command, StippleCommand& options) {
         ->disable_flag_override();
 }
 
-void add_pen_path(CLI::App& command, StippleCommand& options) {
+void add_pen_path(CLI::App& command, StippleOptions& options) {
     command
         .add_flag("--pen-path", options.pen_path,
                   "Orders the dots along a short path for a pen, in every format")
         ->disable_flag_override();
+}
+
+// What the library is to do.
+StippleOptions stipple_options(const StippleCommand& all) {
+    StippleOptions options = all.stipple;
+    options.request = all.common.request;
+    options.metric = all.picture.metric;
+    options.tone = all.picture.importance;
+    options.pens = all.drawing.pens;
+    options.paper = paper_of(all.drawing);
+    options.measure = !all.common.report.empty();
+    return options;
 }
 
 std::string names_of(const std::vector<Ink>& inks) {
@@ -144,130 +192,121 @@ std::string names_of(const std::vector<Ink>& inks) {
     return names;
 }
 
-bool has_ellipses(const StippleCommand& options) {
-    return options.picture.importance.along != 1;
-}
-
-// Ellipses are for mode exact, and are not relaxed.
-void check_ellipses(const StippleCommand& options) {
-    check_ellipse_columns(options.ellipse_columns, has_ellipses(options));
-    if (!has_ellipses(options)) return;
-    const auto refuse = [&](const char* allowed) {
-        throw BadRequest("along", fmt::format("{}", options.picture.importance.along), allowed);
-    };
-    if (!options.inks.inks.empty()) refuse("is not for --inks, whose dots are relaxed");
-    if (options.given.relax.value_or(0) != 0)
-        refuse("cannot be used with --relax: relaxing has disks");
-    if (options.given.mode.value_or(Mode::exact) != Mode::exact) refuse("is for --mode exact");
-}
-
-// Decides what was not given.
-StippleCommand settled(StippleCommand options) {
-    const bool has_inks = !options.inks.inks.empty();
-    check_ellipses(options);
-    check_inks(options.inks, options.common.request, options.given.mode);
-    if (has_inks && options.picture.metric)
-        throw BadRequest("metric", std::string(name_of(*options.picture.metric)),
-                         "is not for --inks, whose dots begin stratified");
-    options.given.has_inks = has_inks;
-    options.given.has_ellipses = has_ellipses(options);
-    options.given.metric = options.picture.metric;
-    options.relax = recipes::relax_of(options.given);
-    recipes::settle(options.given, options.common.request);
-    return options;
-}
-
 // Checks everything that can be checked before the picture is read; returns the outputs.
-std::vector<Output> check_options(const StippleCommand& options) {
-    const std::vector<Output> outputs =
-        checked_outputs(options.common, {{"IMAGE", options.picture.path}});
-    pictures::check(options.picture.importance);
-    check_drawing(options.drawing, outputs);
-    check_ellipse_columns(options.ellipse_columns, outputs);
-    if (!options.inks.inks.empty() && !loss_of_columns(outputs).empty())
-        throw BadRequest("inks", names_of(options.inks.inks),
+std::vector<Output> checked_outputs(const StippleCommand& all, const StippleOptions& options) {
+    check_ellipse_columns(all.ellipse_columns, options.tone.along != 1);
+    check(options);
+    const std::vector<Output> outputs = checked_outputs(all.common, {{"IMAGE", all.picture.path}});
+    check_drawing(all.drawing, outputs);
+    check_ellipse_columns(all.ellipse_columns, outputs);
+    if (!options.inks.empty() && !loss_of_columns(outputs).empty())
+        throw BadRequest("inks", names_of(options.inks),
                          "the ink of each dot " + loss_of_columns(outputs));
-    if (!(options.size_by_tone >= 0 && options.size_by_tone <= 1))
-        throw BadRequest("size-by-tone", fmt::format("{}", options.size_by_tone), "must be 0 to 1");
-    if (options.size_by_tone != 0 && options.drawing.pens)
-        throw BadRequest("size-by-tone", fmt::format("{}", options.size_by_tone),
-                         "is not for a --dot-size in mm; give two, such as 0.3mm..0.8mm");
     return outputs;
 }
 
-// Sets the number of dots, in all and of each ink. Returns what is to be said of it.
-std::string choose_count(const StippleCommand& options, drawing::Tones& tones, Request& request,
-                         const drawing::Style& style) {
-    std::string note;
-    if (!request.count && !request.scale && options.inks.counts.empty()) {
-        request.count = drawing::suiting_count(tones, request.width, request.height, style);
-        note = " (chosen for the picture: --count gives another number)";
-    }
-    if (!tones.has_inks()) return note;
-    share_dots(tones, options.inks, request);
-    return fmt::format(" ({})", counts_text(tones));
+// Makes the dots under a progress bar.
+Stippling make(const CommonOptions& common, const Picture& source, const StippleOptions& options,
+               Made& made) {
+    const lacuna::Picture picture = read_picture(source.path);
+    ProgressBar bar(common.quiet);
+    DriverAtWork driver(options.request.backend);
+    Observers observers({driver, made.stopwatch, bar});
+    Stippling stippling = stipple(picture, options, observers);
+    made.seconds = made.stopwatch.seconds_so_far();
+    made.result = stippling.result;
+    return stippling;
 }
 
-Made make(const CommonOptions& common, const std::vector<Output>& outputs,
-          const drawing::Tones& tones, std::uint32_t iterations, Work& work) {
-    const RelaxOptions relaxing = relax_options_of(common.request, iterations);
-    if (tones.has_inks()) {
-        Made made;
-        work.relaxation = place_inks(common, outputs, drawing::parts_of(tones), relaxing, made);
-        return made;
+// The options that decide the dots, for files and the report.
+Json json_of(const StippleCommand& all, const StippleOptions& options, const Stippling& made) {
+    Json json{{"image", all.picture.path}};
+    json.update(json_of_importance(options.tone));
+    json["relax"] = made.iterations;
+    if (!options.inks.empty()) {
+        json["inks"] = Json::array();
+        for (const Ink& ink : options.inks)
+            json["inks"].push_back({{"name", ink.name}, {"colour", files::hex_of(ink.colour)}});
+        json["black_ink"] = options.black_ink.value_or(kBlackInk);
     }
-    Made made = make(common);
-    if (iterations != 0)
-        work.relaxation = relax_points(common, outputs, relaxing, common.request.field, made);
-    return made;
+    if (!options.ink_counts.empty()) json["ink_counts"] = options.ink_counts;
+    json["pen_path"] = options.pen_path;
+    if (options.keep_inside) json["keep_inside"] = true;
+    if (options.size_by_tone != 0) json["size_by_tone"] = options.size_by_tone;
+    return json;
 }
 
-void run(const CLI::App& command, const StippleCommand& given) {
-    const StippleCommand options = settled(given);
-    const std::vector<Output> outputs = check_options(options);
-    Work work;
-    const Stopwatch stopwatch;
-    CommonOptions common = options.common;
-    Request& request = common.request;
-    drawing::Tones tones{
-        .sizing = {options.size_by_tone, options.drawing.pens},
-        .keep_inside = options.keep_inside,
-        .spread = options.relax != 0 ? drawing::Spread::even : drawing::Spread::random};
-    read_tones(options.picture, options.inks, tones, request);
-    request.field = tones.has_inks() ? &tones.sum : &tones.densities().front();
-    drawing::Style style = style_of(options.drawing, request.width, request.height);
-    style.for_a_pen = options.pen_path;
-    const std::string note = choose_count(options, tones, request, style);
-    work.read_seconds = stopwatch.seconds_so_far();
+// What the report has besides the set.
+Json report_of_the_rest(const StippleCommand& all, const std::vector<Output>& outputs,
+                        const Stippling& made, Json options) {
+    if (has_picture(outputs))
+        options.update(
+            {{"dot_size_mm", json_of_pens(all.drawing.pens)},
+             {"paper_mm",
+              made.paper ? Json({made.paper->width_mm, made.paper->height_mm}) : Json(nullptr)},
+             {"margin_mm", all.drawing.margin_mm},
+             {"dpi", all.drawing.pixels_per_inch}});
+    Json more{{"request", std::move(options)},
+              {"image", {{"columns", made.columns}, {"rows", made.rows}}}};
+    if (made.relaxed) {
+        Relaxation relaxation{{.iterations = made.iterations}, *made.relaxed, std::nullopt};
+        if (made.result.points.size() > 1) relaxation.least_distance = made.result.radius;
+        more.update(json_of(relaxation), true);
+    }
+    if (made.is_for_a_pen)
+        more["pen_path"] = {{"length", made.path_length},
+                            {"length_as_admitted", made.admitted_length}};
+    return more;
+}
 
+// The number of dots, if the library has chosen it, for the summary at the end.
+std::string note_on_count(const StippleOptions& options, const Stippling& made) {
+    std::string text;
+    for (const Layer& layer : made.layers)
+        text += fmt::format("{}{} {}", text.empty() ? " (" : ", ", layer.ink.name, layer.dots);
+    if (!text.empty()) return text + ")";
+    return options.request.count || options.request.scale
+               ? ""
+               : " (chosen for the picture: --count gives another number)";
+}
+
+// The length of the pen's path, for the summary.
+std::string path_text(const std::vector<Output>& outputs, const files::PointSet& set,
+                      const drawing::Style& style, const Stippling& made) {
+    if (!made.is_for_a_pen) return "";
+    if (!has_picture(outputs))
+        return fmt::format(", pen path {:.4g} longer sides", made.path_length);
+    return fmt::format(", pen path {:.2f} m",
+                       made.path_length * drawing::millimetres_per_unit(set, style) / 1000);
+}
+
+void run(const CLI::App& command, const StippleCommand& all) {
+    const StippleOptions options = stipple_options(all);
+    const std::vector<Output> outputs = checked_outputs(all, options);
+    CommonOptions common = all.common;
     Interruption interruption;
-    Made made = make(common, outputs, tones, options.relax, work);
-    if (options.keep_inside) {
-        files::PointSet dots{made.result.points, request.width, request.height};
-        drawing::pull_inside(tones, dots, request.boundary, style, made.result.points);
-        const auto least = measure_moved(common, outputs, relax_options_of(request, 0), made);
-        if (work.relaxation) work.relaxation->least_distance = least;
-    }
-    if (options.pen_path) order_for_a_pen(options, tones.layers, made, work);
-    if (!common.quiet && !(tones.has_inks() && tones.sizing.varies()))
-        warn_of_ink(options.drawing, request, &tones.all(), made.result.points.size(), style);
+    Made made;
+    const Stippling dots = make(common, all.picture, options, made);
+    const Request& request = common.request = dots.request;
+    if (!common.quiet) warn_of_ink(all.drawing, made.result.points.size(), dots.dots_for_ink);
 
-    const files::Origin origin = origin_of(command, request, made.result, json_of(options));
+    const Json asked = json_of(all, options, dots);
+    const files::Origin origin = origin_of(command, request, made.result, asked);
+    drawing::Style style = style_of(all.drawing, request.width, request.height);
+    style.for_a_pen = dots.is_for_a_pen;
     files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
                         &origin};
-    set.layers = tones.layers;
-    const std::vector<Ellipse> ellipses = ellipses_of(request, made.result);
-    set.ellipses = ellipses;
-    set.writes_ellipses = options.ellipse_columns;
+    set.layers = dots.layers;
+    set.ellipses = dots.ellipses;
+    set.writes_ellipses = all.ellipse_columns;
     Writing writing(interruption);
     if (!common.report.empty())
         writing.add(common.report, [&] {
-            return report_of(request, made,
-                             report_of_the_rest(options, outputs, tones.all(), style, work));
+            return report_of(request, made, report_of_the_rest(all, outputs, dots, asked));
         });
-    write_set(writing, options.drawing, outputs, set, style,
-              [&] { return drawing::diameters_of(tones, set, request.boundary, style); });
-    sum_up(common, outputs, made, "dot", note, path_text(options, outputs, set, style, work));
+    write_set(writing, all.drawing, outputs, set, style, [&] { return dots.diameters; });
+    sum_up(common, outputs, made, "dot", note_on_count(options, dots),
+           path_text(outputs, set, style, dots));
 }
 
 }  // namespace
@@ -276,15 +315,15 @@ void add_stipple(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("stipple", kStippleDescription);
     const auto options = std::make_shared<StippleCommand>();
     add_what_to_stipple(command, *options);
-    add_inks(command, options->inks);
+    add_inks(command, options->stipple);
     add_what_to_make(command, options->common.request);
-    add_relax(command, options->given.relax, recipes::relax_of(options->given));
+    add_relax(command, options->stipple.relax, RelaxOptions{}.iterations);
     add_how_to_draw(command, options->drawing,
                     "the ink of all dots is as much as the picture is dark", true);
     add_ellipse_columns(command, options->ellipse_columns);
-    add_size_by_tone(command, *options);
-    add_keep_inside(command, *options);
-    add_pen_path(command, *options);
+    add_size_by_tone(command, options->stipple);
+    add_keep_inside(command, options->stipple);
+    add_pen_path(command, options->stipple);
     add_effort(command, options->common.request);
     add_place(command, options->common.request);
     add_what_to_write(command, options->common);

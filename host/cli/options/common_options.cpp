@@ -102,7 +102,7 @@ void sum_up(const CommonOptions& options, const std::vector<Output>& outputs, co
                                distance_factor(options.request, result));
         else if (result.scale > 0)
             size = fmt::format(", scale {:.4g}", result.scale);
-        else if (result.radius > 0)
+        else if (result.radius > 0 && options.request.mode != Mode::stratified)
             size = fmt::format(", radius {:.4g}", result.radius);
     }
     if (what == "point" && !result.maximal) size += ", not maximal";

@@ -46,7 +46,7 @@ void add_option(CLI::App& command, DrawingOptions& options, const std::string& n
 }
 
 // A diameter, or two with `..` between them.
-drawing::Sizing::Pens read_pens(const std::string& name, const std::string& text, bool has_tones) {
+Pens read_pens(const std::string& name, const std::string& text, bool has_tones) {
     const std::size_t dots = has_tones ? text.find("..") : std::string::npos;
     const double least = read_length(name, text.substr(0, dots), kLeastDot);
     if (dots == std::string::npos) return {least, least};
@@ -55,7 +55,20 @@ drawing::Sizing::Pens read_pens(const std::string& name, const std::string& text
     return {least, most};
 }
 
-std::string text_of(const drawing::Sizing::Pens& pens) {
+// A page without a sheet is a domain whose longer side is as on a domain of 1 x 1.
+void check_pixels(const DrawingOptions& options) {
+    const double longer_mm = options.paper
+                                 ? std::max(options.paper->width_mm, options.paper->height_mm)
+                                 : drawing::millimetres_per_unit(files::PointSet{}, {});
+    const double most = std::floor(kMostPixels / (longer_mm / drawing::kMillimetresPerInch));
+    if (!(options.pixels_per_inch > 0 && options.pixels_per_inch <= most))
+        throw BadRequest("dpi", fmt::format("{}", options.pixels_per_inch),
+                         fmt::format("must be over 0 and, for this paper, at most {}: {} pixels "
+                                     "along its longer side",
+                                     most, kMostPixels));
+}
+
+std::string text_of(const Pens& pens) {
     return pens.least_mm == pens.most_mm
                ? fmt::format("{:.3g}mm", pens.least_mm)
                : fmt::format("{:.3g}mm to {:.3g}mm", pens.least_mm, pens.most_mm);
@@ -104,50 +117,34 @@ void check_drawing(const DrawingOptions& options, const std::vector<Output>& out
     };
     if (is_given("dpi") && std::none_of(outputs.begin(), outputs.end(), is_png))
         throw BadRequest("dpi", "with --output " + shown(outputs.front().path), "is for .png");
-    if (options.margin_mm == 0) return;
-    const std::string margin = fmt::format("{}mm", options.margin_mm);
-    if (!options.paper) throw BadRequest("margin", margin, "needs a --paper-size");
-    const double shorter = std::min(options.paper->width_mm, options.paper->height_mm);
-    if (2 * options.margin_mm >= shorter)
-        throw BadRequest("margin", margin,
-                         fmt::format("must be less than half of the paper's {}mm", shorter));
+    if (options.margin_mm != 0 && !options.paper)
+        throw BadRequest("margin", fmt::format("{}mm", options.margin_mm), "needs a --paper-size");
+    if (options.paper) drawing::check(*paper_of(options));
+    check_pixels(options);
+}
+
+std::optional<Paper> paper_of(const DrawingOptions& options) {
+    std::optional<Paper> paper = options.paper;
+    if (paper) paper->margin_mm = options.margin_mm;
+    return paper;
 }
 
 drawing::Style style_of(const DrawingOptions& options, double width, double height) {
     drawing::Style style;
-    if (options.paper) {
-        const Paper paper = options.paper->suiting(width, height);
-        style.sheet = drawing::Sheet{paper.width_mm, paper.height_mm, options.margin_mm};
-    }
+    if (const std::optional<Paper> paper = paper_of(options))
+        style.sheet = drawing::turned(*paper, width, height);
     style.pixels_per_inch = options.pixels_per_inch;
-    // An invalid domain will be refused by the check of the request.
-    if (!(width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height))) return style;
-
-    const double longer = std::max(width, height);
-    const double longer_mm =
-        style.sheet ? std::max(style.sheet->width_mm, style.sheet->height_mm)
-                    : longer * drawing::millimetres_per_unit({{}, width, height}, style);
-    const double most = std::floor(kMostPixels / (longer_mm / drawing::kMillimetresPerInch));
-    if (!(style.pixels_per_inch > 0 && style.pixels_per_inch <= most))
-        throw BadRequest("dpi", fmt::format("{}", style.pixels_per_inch),
-                         fmt::format("must be over 0 and, for this paper, at most {}: {} pixels "
-                                     "along its longer side",
-                                     most, kMostPixels));
     return style;
 }
 
-void warn_of_ink(const DrawingOptions& options, const Request& request, const Field* tone,
-                 std::size_t count, const drawing::Style& style) {
-    if (!options.pens || tone == nullptr || count == 0) return;
-    const double suits =
-        drawing::dots_for_ink(*tone, request.width, request.height, *options.pens, style);
+void warn_of_ink(const DrawingOptions& options, std::size_t count, double suits) {
+    if (!options.pens || suits == 0 || count == 0) return;
     const double ink = static_cast<double>(count) / suits;
     if (ink >= kLeastInk && ink <= kMostInk) return;
     const std::string percent =
         ink < 0.1 ? fmt::format("{:.2g}", 100 * ink) : fmt::format("{:.0f}", 100 * ink);
     const double factor = 1 / std::sqrt(ink);
-    const drawing::Sizing::Pens pens{options.pens->least_mm * factor,
-                                     options.pens->most_mm * factor};
+    const Pens pens{options.pens->least_mm * factor, options.pens->most_mm * factor};
     const std::string size = pens.least_mm == pens.most_mm
                                  ? fmt::format("{:.2g}mm", pens.least_mm)
                                  : fmt::format("{:.2g}mm..{:.2g}mm", pens.least_mm, pens.most_mm);
@@ -158,7 +155,14 @@ void warn_of_ink(const DrawingOptions& options, const Request& request, const Fi
                stderr);
 }
 
-Json json_of_pens(const std::optional<drawing::Sizing::Pens>& pens) {
+void warn_of_ink(const DrawingOptions& options, const Request& request, const Field* tone,
+                 std::size_t count, const drawing::Style& style) {
+    if (!options.pens || tone == nullptr) return;
+    warn_of_ink(options, count,
+                drawing::dots_for_ink(*tone, request.width, request.height, *options.pens, style));
+}
+
+Json json_of_pens(const std::optional<Pens>& pens) {
     if (!pens) return "radius";
     if (pens->least_mm == pens->most_mm) return pens->least_mm;
     return {pens->least_mm, pens->most_mm};

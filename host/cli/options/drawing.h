@@ -21,7 +21,7 @@
 namespace lacuna::cli {
 
 struct DrawingOptions {
-    std::optional<drawing::Sizing::Pens> pens;  // unset: dots have as much ink as the picture
+    std::optional<Pens> pens;  // unset: dots have as much ink as the picture
     std::optional<Paper> paper;
     double margin_mm = 0;
     double pixels_per_inch = drawing::Style{}.pixels_per_inch;
@@ -34,19 +34,24 @@ void add_how_to_draw(CLI::App& command, DrawingOptions& options, const std::stri
                      bool has_tones = false);
 
 // "radius", a diameter in mm, or two.
-nlohmann::ordered_json json_of_pens(const std::optional<drawing::Sizing::Pens>& pens);
+nlohmann::ordered_json json_of_pens(const std::optional<Pens>& pens);
 
 bool has_picture(const std::vector<Output>& outputs);
 
-// Checks the options before the picture is known. Throws BadRequest.
+// Checks the options before the picture is known. Throws BadRequest, also where a png would have
+// more pixels than cairo can draw.
 void check_drawing(const DrawingOptions& options, const std::vector<Output>& outputs);
 
-// The style for a domain of this shape, without the dots' sizes. Throws BadRequest where a png
-// would have more pixels than cairo can draw.
+// The paper with its margin.
+std::optional<Paper> paper_of(const DrawingOptions& options);
+
+// The style for a domain of this shape, without the dots' sizes.
 drawing::Style style_of(const DrawingOptions& options, double width, double height);
 
-// Prints a line on standard error if --dot-size gives the dots less than half of the ink of the
-// picture `tone`, or more than twice as much. Without a picture it prints nothing.
+// Prints a line on standard error if --dot-size gives `count` dots less than half of the ink of
+// `suits` dots, or more than twice as much. Without pens, and if `suits` is 0, it prints nothing.
+void warn_of_ink(const DrawingOptions& options, std::size_t count, double suits);
+// The same for dots of the picture `tone`; null: there is none.
 void warn_of_ink(const DrawingOptions& options, const Request& request, const Field* tone,
                  std::size_t count, const drawing::Style& style);
 

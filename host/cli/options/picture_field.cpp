@@ -69,15 +69,11 @@ void add_importance(CLI::App& command, Picture& picture, bool has_ellipses) {
                "Least importance, so that white has dots too (default 0)");
 }
 
-void set_domain(Request& request, std::uint32_t columns, std::uint32_t rows) {
-    const double longer = std::max(columns, rows);
-    request.width = columns / longer;
-    request.height = rows / longer;
-}
-
 Field read_field(const Picture& picture, Request& request) {
-    pictures::Image image = pictures::read_image(picture.path, kLargestAspect);
-    set_domain(request, image.columns, image.rows);
+    pictures::Image image = pictures::read_image(picture.path, pictures::kLargestAspect);
+    const double longer = std::max(image.columns, image.rows);
+    request.width = image.columns / longer;
+    request.height = image.rows / longer;
     return pictures::importance_of(std::move(image), picture.importance);
 }
 

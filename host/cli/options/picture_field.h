@@ -25,12 +25,6 @@ CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request);
 // commands that can make ellipses --along.
 void add_importance(CLI::App& command, Picture& picture, bool has_ellipses = true);
 
-// The longest allowed side of a domain (Request::height), and so of a picture, in shorter sides.
-inline constexpr std::uint64_t kLargestAspect = 1000;
-
-// Sets the request's domain to the shape of a picture; the longer side is 1.
-void set_domain(Request& request, std::uint32_t columns, std::uint32_t rows);
-
 // Reads the picture, and sets the request's domain to its shape with a longer side of 1. Throws
 // BadRequest and files::FileError.
 Field read_field(const Picture& picture, Request& request);

@@ -20,9 +20,13 @@ Json json_of(const Request& request, const Result& result) {
 Json json_of(const Stopwatch& stopwatch, double total_seconds) {
     Json seconds;
     for (const Verb verb : kVerbs) seconds[std::string(name_of(verb))] = stopwatch.seconds(verb);
-    for (const Verb verb : kRelaxVerbs)
-        if (stopwatch.seconds(verb) > 0)
-            seconds[std::string(name_of(verb))] = stopwatch.seconds(verb);
+    const auto add_if_spent = [&](const auto& verbs) {
+        for (const Verb verb : verbs)
+            if (stopwatch.seconds(verb) > 0)
+                seconds[std::string(name_of(verb))] = stopwatch.seconds(verb);
+    };
+    add_if_spent(kRelaxVerbs);
+    add_if_spent(kStippleVerbs);
     seconds["total"] = total_seconds;
     return seconds;
 }
@@ -47,7 +51,7 @@ Json what_decides(const Request& request, const Result& result) {
               {"boundary", request.boundary == Boundary::torus ? "torus" : "box"},
               {"mode", name_of(request.mode)}};
     const bool cells = request.mode == Mode::cells;
-    const bool has_field = request.field != nullptr;
+    const bool has_field = request.field != nullptr || result.scale > 0;  // stipple keeps no field
     if (request.mode == Mode::stratified) {
         json.update({{"count", or_null(request.count)}, {"seed", request.seed}});
         return json;

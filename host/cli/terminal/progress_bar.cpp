@@ -64,6 +64,14 @@ std::string progress_line(const Progress& progress, double seconds, std::size_t 
     const double expected =
         static_cast<double>(std::max<std::uint64_t>(progress.expected_points, 1));
     const double share = std::min(1.0, static_cast<double>(progress.points) / expected);
+    if (progress.stage == Stage::pen_path)
+        return fmt::format("a pen path through {} dots", progress.points).substr(0, columns);
+    if (progress.stage == Stage::relaxing)
+        return progress_line(
+            share,
+            fmt::format("relaxing, iteration {} of {}",
+                        std::min(progress.rounds + 1, progress.all_rounds), progress.all_rounds),
+            columns, colour);
     const double rate = seconds > 0 ? static_cast<double>(progress.points) / seconds : 0;
     const std::string numbers =
         fmt::format("{} of about {} points, {} rounds, {:.3g} points/s", progress.points,
@@ -91,6 +99,8 @@ ProgressBar::~ProgressBar() {
 }
 
 bool ProgressBar::keep_going(const Progress& progress) {
+    if (progress.stage != stage_) start_ = Clock::now();
+    stage_ = progress.stage;
     if (!is_due()) return true;
     const double seconds = std::chrono::duration<double>(last_draw_ - start_).count();
     draw(progress_line(progress, seconds, line_columns(), colour_));

@@ -43,7 +43,8 @@ private:
     bool visible_;
     bool colour_;
     bool drawn_ = false;
-    Clock::time_point start_ = Clock::now();
+    Stage stage_ = Stage::sampling;
+    Clock::time_point start_ = Clock::now();  // of the stage
     Clock::time_point last_draw_ = start_;
 };
 

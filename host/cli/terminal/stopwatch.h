@@ -11,6 +11,7 @@ namespace lacuna::cli {
 inline constexpr std::array kVerbs{Verb::invert, Verb::locate,   Verb::admit,    Verb::subtract,
                                    Verb::refine, Verb::transfer, Verb::first_use};
 inline constexpr std::array kRelaxVerbs{Verb::assign, Verb::accumulate, Verb::move, Verb::descend};
+inline constexpr std::array kStippleVerbs{Verb::read, Verb::pen_path};
 
 class Stopwatch : public Observer {
 public:
@@ -26,7 +27,7 @@ private:
     using Clock = std::chrono::steady_clock;
     using Seconds = std::chrono::duration<double>;
 
-    static constexpr std::size_t kCount = 1 + static_cast<std::size_t>(Verb::descend);
+    static constexpr std::size_t kCount = 1 + static_cast<std::size_t>(Verb::pen_path);
     static std::size_t index_of(Verb verb) { return static_cast<std::size_t>(verb); }
 
     Clock::time_point start_ = Clock::now();

@@ -13,6 +13,7 @@
 #include <lacuna/lacuna.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -25,6 +26,12 @@ struct Ink {
     std::string name{};
     std::array<std::uint8_t, 3> colour{};  // of the ink on white paper, in sRGB
     friend bool operator==(const Ink&, const Ink&) = default;
+};
+
+// How many dots of a set an ink has, or a class of points that is drawn in a colour.
+struct Layer {
+    Ink ink{};
+    std::size_t dots = 0;
 };
 
 // What an ink prints, and how many dots it has.

@@ -260,14 +260,21 @@ enum class Verb {
     assign,
     accumulate,
     move,
-    descend  // a step of RelaxOptions::gaussian
+    descend,  // a step of RelaxOptions::gaussian
+    read,     // of stipple: decoding the picture
+    pen_path  // of stipple: ordering the dots along a path
 };
 std::string_view name_of(Verb verb);
 
+// What a run is doing: admitting points, moving them, or ordering them along a path.
+enum class Stage { sampling, relaxing, pen_path };
+
 struct Progress {
-    std::uint64_t points = 0;           // that have been admitted
+    std::uint64_t points = 0;           // that have been admitted; of relax, times iterations
     std::uint64_t expected_points = 0;  // an estimate, at least `points`
-    std::uint64_t rounds = 0;           // that have been finished
+    std::uint64_t rounds = 0;           // that have been finished; of relax, iterations and steps
+    Stage stage = Stage::sampling;
+    std::uint64_t all_rounds = 0;  // while relaxing: the number of iterations and steps in all
 };
 
 // Watches a run from the calling thread. The library has no clock: an observer that wants times

@@ -10,7 +10,7 @@
 //   - Files are not trusted: broken, truncated and oversized ones are refused with a message of one
 //     line, before memory is allocated for them.
 //
-//     const lacuna::Field field = lacuna::read_field("photo.jpg");
+//     const lacuna::Field field = lacuna::importance_of(lacuna::read_picture("photo.jpg"));
 //     lacuna::Request request;
 //     request.mode = lacuna::Mode::cells;
 //     request.field = &field;
@@ -51,12 +51,19 @@ struct Tone {
     double along = 1;
 };
 
-// The importance of the picture in the file, or on standard input for "-". Throws FileError, also
-// if importance is 0 on all pixels, and BadRequest for an invalid tone.
-Field read_field(const std::string& path, const Tone& tone = {});
+// A picture that is still encoded: the bytes of a file, and the name of the file in messages.
+struct Picture {
+    std::string content{};
+    std::string name{};
+};
 
-// The same for bytes that have been read. `name` stands for the file in messages.
-Field decode_field(std::string_view bytes, const std::string& name, const Tone& tone = {});
+// The picture in the file, or on standard input for "-". Throws FileError, also for a format that
+// is not read.
+Picture read_picture(const std::string& path);
+
+// The importance of the picture. Throws FileError, also if importance is 0 on all pixels, and
+// BadRequest for an invalid tone.
+Field importance_of(const Picture& picture, const Tone& tone = {});
 
 // The field on which samples have these ellipses at scale 1, for Request::field in mode exact: of
 // rows * columns pixels, row 0 on top. Here either radius may be the longer one. Where both are 0
@@ -75,11 +82,8 @@ inline constexpr double kBlackInk = 0.8;
 // The importance of each ink, 0 to 1: the part of the paper that its dots are to cover. It is the
 // least-squares solution in linear light for dots that place_inks() places. Channels are decoded as
 // sRGB after the tone's levels; gamma and min_importance change the inks' importance. An ink that
-// is nowhere needed has a field of zeros. Throws as read_field and decode_field do, and BadRequest.
-std::vector<Field> read_inks(const std::string& path, std::span<const Ink> inks,
-                             const Tone& tone = {}, double black_ink = kBlackInk);
-std::vector<Field> decode_inks(std::string_view bytes, const std::string& name,
-                               std::span<const Ink> inks, const Tone& tone = {},
-                               double black_ink = kBlackInk);
+// is nowhere needed has a field of zeros. Throws what importance_of throws.
+std::vector<Field> separate(const Picture& picture, std::span<const Ink> inks,
+                            const Tone& tone = {}, double black_ink = kBlackInk);
 
 }  // namespace lacuna

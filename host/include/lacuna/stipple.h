@@ -1,0 +1,119 @@
+// Turns a picture into dots, like the command stipple. Link lacuna::extras.
+//
+// What is promised
+//   - The same picture, options and seed give the same dots, bit for bit, on every backend and any
+//     number of threads.
+//   - There are exactly as many dots as were asked for; each lies in the domain, which is the
+//     picture with a longer side of 1 and y upwards, and none where the importance is 0.
+//   - Without relaxing, dots keep the distances of sample(); relaxed dots have cells of equal
+//     darkness, as after relax() or, in inks, after place_inks().
+//
+//     const lacuna::Picture photo = lacuna::read_picture("photo.jpg");
+//     const lacuna::Stippling dots = lacuna::stipple(photo, {.inks = lacuna::inks_of("cmyk")});
+//     lacuna::write_stippling("dots.svg", dots);
+#pragma once
+
+#include <lacuna/inks.h>
+#include <lacuna/lacuna.h>
+#include <lacuna/pictures.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+// The diameters of dots that pens draw: where the importance is 0, and where it is 1.
+struct Pens {
+    double least_mm = 0;
+    double most_mm = 0;
+    friend bool operator==(const Pens&, const Pens&) = default;
+};
+
+// A sheet of paper. The domain lies in its middle, as large as the margins allow.
+struct Paper {
+    double width_mm = 0;
+    double height_mm = 0;
+    double margin_mm = 0;
+    bool may_turn = false;  // to landscape, if the picture is wider than high
+};
+
+struct StippleOptions {
+    // How many dots, by count or scale, and limit, boundary, seed, backend and so on. Without count
+    // and scale there are as many dots as suit the picture's size and darkness, or the pens. The
+    // domain and the field are the picture's; mode and metric are decided by the next members.
+    Request request{};
+
+    // How dots are placed before they are moved: stratified, cells or exact. Default: stratified if
+    // they are relaxed and no option is about distances (scale, metric, limit, lines_per_radius,
+    // round_size), exact with Tone::along, and else cells.
+    std::optional<Mode> start{};
+    std::optional<Metric> metric{};  // default: mean in cells that are relaxed, else min
+    // How often the dots are moved. Default: 15, but 0 with Tone::along.
+    std::optional<std::uint32_t> relax{};
+
+    Tone tone{};  // how the picture becomes importance
+
+    // Without inks the picture is grey and the dots are black. Dots in inks begin stratified and
+    // are relaxed at least once.
+    std::vector<Ink> inks{};
+    std::optional<double> black_ink{};        // of inks; default: kBlackInk
+    std::vector<std::uint64_t> ink_counts{};  // the dots of each ink, in place of a count
+
+    // How much of the tone is in the dots' sizes, 0 to 1: areas are proportional to importance to
+    // this power, and dots as dense as importance over area.
+    double size_by_tone = 0;
+    // Dots as pens draw them. Unset: the dots' ink is as much as the picture is dark.
+    std::optional<Pens> pens{};
+    std::optional<Paper> paper{};  // unset: the page is the picture, its longer side 512 points
+    // Keeps dots off white and in the picture: dots that overhang an edge are moved inwards, and in
+    // a shape narrower than a dot they are made smaller, but not smaller than a pen.
+    bool keep_inside = false;
+    bool pen_path = false;  // orders the dots of each ink along a short path
+
+    bool measure = false;  // fill in Relaxed::evenness, as RelaxOptions::measure does
+};
+
+// The dots of a picture, and how they were made.
+struct Stippling {
+    // The request as it was settled: with its domain, mode, metric and count. Its field is null.
+    Request request{};
+    // The dots, ink by ink, in order of admission or of the pen's path. If they were moved, the
+    // radius is the least distance of two dots, 0 if there are fewer.
+    Result result{};
+    std::vector<double> diameters{};   // of each dot, in the domain's unit
+    std::vector<Ellipse> ellipses{};   // of each dot, with Tone::along
+    std::vector<Layer> layers{};       // the inks and their dots; empty: black
+    std::uint32_t iterations = 0;      // how often the dots were moved
+    std::optional<Relaxed> relaxed{};  // how, without the points
+    std::optional<Paper> paper{};      // as it lies for this picture
+    bool is_for_a_pen = false;         // StippleOptions::pen_path
+
+    std::uint32_t columns = 0;  // of the picture, in pixels
+    std::uint32_t rows = 0;
+    // With pens: how many dots would have the picture's ink. 0 if sizes differ and there are inks.
+    double dots_for_ink = 0;
+    // Of the pen's path, in the domain's unit: in the dots' order, and as they were admitted.
+    double path_length = 0;
+    double admitted_length = 0;
+};
+
+// Throws BadRequest for all that stipple() refuses whatever the picture is.
+void check(const StippleOptions& options);
+
+// Throws what sample() and relax() throw, and FileError for a picture that cannot be decoded or
+// that has no importance.
+Stippling stipple(const Picture& picture, const StippleOptions& options = {});
+Stippling stipple(const Picture& picture, const StippleOptions& options, Observer& observer);
+
+// The same for the importance of a picture or, in their order, of its inks; see StippleOptions.
+// Options of the tone and the separation are not used.
+Stippling stipple(std::vector<Field> importance, const StippleOptions& options, Observer& observer);
+
+// Writes the dots in the format of the path's extension, as write_points() does: pictures (.svg
+// .pdf .png) with each dot's size and ink, .csv .npy .ply .json with each dot's ink. Throws what
+// write_points() throws.
+void write_stippling(const std::string& path, const Stippling& stippling);
+
+}  // namespace lacuna

@@ -1,0 +1,267 @@
+// lacuna::stipple: the number of dots, the dots themselves, their sizes and their order.
+#include <lacuna/stipple.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "base/asked.h"
+#include "drawing/dot_count.h"
+#include "drawing/page.h"
+#include "drawing/pen/pen_path.h"
+#include "drawing/tones.h"
+#include "pictures/importance.h"
+#include "plan/plan.h"
+#include "recipes/settle.h"
+#include "verify/closest.h"
+
+namespace lacuna {
+namespace {
+
+bool has_ellipses(const StippleOptions& options) {
+    return options.tone.along != 1;
+}
+
+std::uint64_t sum_of(std::span<const std::uint64_t> counts) {
+    return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+// Ellipses are for mode exact, and are not relaxed.
+void check_ellipses(const StippleOptions& options) {
+    if (!has_ellipses(options)) return;
+    const auto refuse = [&](const char* allowed) {
+        throw BadRequest("along", shortest(options.tone.along), allowed);
+    };
+    if (!options.inks.empty()) refuse("is not for --inks, whose dots are relaxed");
+    if (options.relax.value_or(0) != 0) refuse("cannot be used with --relax: relaxing has disks");
+    if (options.start.value_or(Mode::exact) != Mode::exact) refuse("is for --mode exact");
+}
+
+// What is about distances is not for inks, whose dots begin stratified.
+void check_distances(const StippleOptions& options) {
+    const auto refuse = [](const char* option, const std::string& value) {
+        throw BadRequest(option, value, "is not for --inks, whose dots begin stratified");
+    };
+    const Request& request = options.request;
+    if (options.start && *options.start != Mode::stratified)
+        refuse("mode", std::string(name_of(*options.start)));
+    if (options.metric) refuse("metric", std::string(name_of(*options.metric)));
+    if (request.scale) refuse("scale", shortest(*request.scale));
+    if (request.limit) refuse("limit", std::to_string(*request.limit));
+    if (request.lines_per_radius)
+        refuse("lines-per-radius", std::to_string(*request.lines_per_radius));
+    if (request.round_size != 0) refuse("round-size", std::to_string(request.round_size));
+}
+
+void check_inks(const StippleOptions& options) {
+    const auto& counts = options.ink_counts;
+    if (options.inks.empty()) {
+        if (options.black_ink)
+            throw BadRequest("black-ink", shortest(*options.black_ink), "needs --inks");
+        if (!counts.empty())
+            throw BadRequest("ink-counts", std::to_string(counts.front()), "needs --inks");
+        return;
+    }
+    check_distances(options);
+    if (counts.empty()) return;
+    if (options.request.count)
+        throw BadRequest("ink-counts", fmt::format("with --count {}", *options.request.count),
+                         "gives the number of dots, too: must be one of both");
+    if (counts.size() != options.inks.size())
+        throw BadRequest("ink-counts", fmt::format("{} numbers", counts.size()),
+                         fmt::format("must be one for each ink, {}", options.inks.size()));
+    if (sum_of(counts) == 0) throw BadRequest("ink-counts", "0", "must not be 0 for all inks");
+}
+
+// A stippling without dots: its request has the mode and the metric.
+Stippling settled(const StippleOptions& options) {
+    pictures::check(options.tone);
+    check_ellipses(options);
+    check_inks(options);
+    if (!(options.size_by_tone >= 0 && options.size_by_tone <= 1))
+        throw BadRequest("size-by-tone", shortest(options.size_by_tone), "must be 0 to 1");
+    if (options.size_by_tone != 0 && options.pens)
+        throw BadRequest("size-by-tone", shortest(options.size_by_tone),
+                         "is not for a --dot-size in mm; give two, such as 0.3mm..0.8mm");
+    if (options.paper) drawing::check(*options.paper);
+    const recipes::Given given{.is_picture = true,
+                               .has_inks = !options.inks.empty(),
+                               .has_ellipses = has_ellipses(options),
+                               .mode = options.start,
+                               .metric = options.metric,
+                               .relax = options.relax};
+    Stippling made{.request = options.request};
+    made.iterations = recipes::relax_of(given);
+    made.is_for_a_pen = options.pen_path;
+    recipes::settle(given, made.request);
+    return made;
+}
+
+// Makes the dots of a picture's tones, step by step.
+class Stippler {
+public:
+    Stippler(Stippling& made, drawing::Tones& tones, const StippleOptions& options,
+             Observer& observer)
+        : made_(made), tones_(tones), options_(options), observer_(observer) {
+        const Field& all = tones.all();
+        const double longer = std::max(all.columns, all.rows);
+        request().width = all.columns / longer;
+        request().height = all.rows / longer;
+        request().field = tones.has_inks() ? &tones.sum : &tones.densities().front();
+        made.columns = all.columns;
+        made.rows = all.rows;
+        if (options.paper)
+            made.paper = drawing::turned(*options.paper, request().width, request().height);
+        style_.sheet = made.paper;
+    }
+
+    void run() {
+        choose_count();
+        place();
+        if (options_.keep_inside)
+            drawing::pull_inside(tones_, dots(), request().boundary, style_, made_.result.points);
+        if (made_.iterations != 0 || options_.keep_inside) note_moves();
+        if (options_.pen_path) order_for_a_pen();
+        find_sizes();
+        if (!request().field->stretches.empty())
+            made_.ellipses = ellipses_of(made_.result.points, *request().field, made_.result.scale,
+                                         request().width, request().height);
+        made_.layers = tones_.layers;
+        request().field = nullptr;
+    }
+
+private:
+    Request& request() { return made_.request; }
+
+    files::PointSet dots() {
+        files::PointSet set{made_.result.points, request().width, request().height};
+        set.layers = tones_.layers;
+        return set;
+    }
+
+    // Sets the number of dots, in all and of each ink.
+    void choose_count() {
+        const auto& counts = options_.ink_counts;
+        if (!counts.empty())
+            request().count = sum_of(counts);
+        else if (!request().count && !request().scale)
+            request().count =
+                drawing::suiting_count(tones_, request().width, request().height, style_);
+        if (!tones_.has_inks()) return;
+        check_request(request());
+        if (counts.empty()) return drawing::share_dots(tones_, *request().count);
+        for (std::size_t k = 0; k < counts.size(); ++k) {
+            tones_.layers[k].dots = counts[k];
+            if (counts[k] != 0 && pictures::is_zero_all_over(tones_.fields[k].importance))
+                throw BadRequest("ink-counts", std::to_string(counts[k]),
+                                 fmt::format("must be 0 for {}: the picture needs none of this ink",
+                                             options_.inks[k].name));
+        }
+    }
+
+    RelaxOptions relax_options() {
+        RelaxOptions options;
+        options.width = request().width;
+        options.height = request().height;
+        options.boundary = request().boundary;
+        options.iterations = made_.iterations;
+        options.backend = request().backend;
+        options.device = request().device;
+        options.threads = request().threads;
+        options.measure = options_.measure;
+        return options;
+    }
+
+    // Places the dots and moves them.
+    void place() {
+        if (tones_.has_inks()) {
+            InkDots placed =
+                place_inks(drawing::parts_of(tones_), request().seed, relax_options(), observer_);
+            return take({std::move(placed.points), placed.lattice_columns, placed.lattice_rows,
+                         std::nullopt, placed.backend, placed.device});
+        }
+        made_.result = sample(request(), observer_);
+        if (made_.iterations != 0)
+            take(relax(made_.result.points, request().field, relax_options(), observer_));
+    }
+
+    void take(Relaxed relaxed) {
+        made_.result.points = std::exchange(relaxed.points, {});
+        made_.result.backend = relaxed.backend;  // a stratified start has none
+        made_.result.device = relaxed.device;
+        made_.relaxed = std::move(relaxed);
+    }
+
+    // Moved dots keep no distance that was asked for, and are not maximal.
+    void note_moves() {
+        made_.result.maximal = false;
+        made_.result.radius = 0;
+        if (made_.result.points.size() < 2) return;
+        const bool is_torus = request().boundary == Boundary::torus;
+        made_.result.radius =
+            verify::closest_pair({request().width, request().height, is_torus}, made_.result.points)
+                .distance;
+    }
+
+    // Orders the dots of each ink, or all dots if there is none, along a path of their own.
+    void order_for_a_pen() {
+        const std::uint64_t count = made_.result.points.size();
+        const auto may_go_on = [&] {
+            return observer_.keep_going({count, count, 0, Stage::pen_path});
+        };
+        if (!may_go_on()) throw Cancelled();
+        observer_.begin(Verb::pen_path);
+        std::vector<Point> ordered;
+        ordered.reserve(count);
+        drawing::for_each_layer(dots(), {}, [&](std::size_t, const auto& part, const auto&) {
+            const std::size_t first = ordered.size();
+            for (const std::uint32_t index : pen::pen_path(part.points, may_go_on))
+                ordered.push_back(part.points[index]);
+            made_.admitted_length += pen::path_length(part.points);
+            made_.path_length += pen::path_length(std::span(ordered).subspan(first));
+        });
+        made_.result.points = std::move(ordered);
+        observer_.end(Verb::pen_path);
+    }
+
+    void find_sizes() {
+        const std::optional<Pens>& pens = options_.pens;
+        // Inks whose dots differ in size have no one number.
+        if (pens && !(tones_.has_inks() && tones_.sizing.varies()))
+            made_.dots_for_ink = drawing::dots_for_ink(tones_.all(), request().width,
+                                                       request().height, *pens, style_);
+        made_.diameters = drawing::diameters_of(tones_, dots(), request().boundary, style_);
+    }
+
+    Stippling& made_;
+    drawing::Tones& tones_;
+    const StippleOptions& options_;
+    Observer& observer_;
+    drawing::Style style_;
+};
+
+}  // namespace
+
+void check(const StippleOptions& options) {
+    settled(options);
+}
+
+Stippling stipple(std::vector<Field> importance, const StippleOptions& options,
+                  Observer& observer) {
+    Stippling made = settled(options);
+    Asked asked(observer, {0, options.request.count.value_or(1), 0});
+    drawing::Tones tones{
+        .sizing = {options.size_by_tone, options.pens},
+        .keep_inside = options.keep_inside,
+        .spread = made.iterations != 0 ? drawing::Spread::even : drawing::Spread::random};
+    drawing::set_fields(tones, std::move(importance), options.inks);
+    Stippler(made, tones, options, asked).run();
+    return made;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,215 @@
+// lacuna::stipple: its defaults, its rules, and its dots.
+#include <gtest/gtest.h>
+#include <lacuna/stipple.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "refusal.h"
+
+namespace lacuna {
+namespace {
+
+using tests::refusal_of;
+
+// Red at the left, blue at the right, grey above, and white between.
+const Picture kDrawing{
+    "P3 4 3 255 90 90 90 90 90 90 90 90 90 90 90 90 "
+    "230 20 20 255 255 255 255 255 255 20 40 230 "
+    "230 20 20 255 255 255 255 255 255 20 40 230",
+    "drawing"};
+const Picture kBlack{"P2 1 1 1 0", "black"};
+
+StippleOptions counted(std::uint64_t count) {
+    StippleOptions options;
+    options.request.count = count;
+    return options;
+}
+
+StippleOptions in_inks(const std::string& inks, std::uint64_t count) {
+    StippleOptions options = counted(count);
+    options.inks = inks_of(inks);
+    return options;
+}
+
+std::vector<std::size_t> dots_of(const Stippling& made) {
+    std::vector<std::size_t> dots;
+    for (const Layer& layer : made.layers) dots.push_back(layer.dots);
+    return dots;
+}
+
+std::vector<std::pair<double, double>> sorted(std::span<const Point> points) {
+    std::vector<std::pair<double, double>> all;
+    for (const Point& point : points) all.emplace_back(point.x, point.y);
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+TEST(Stippling, HasTheNumberOfDotsAskedForAndASizeForEach) {
+    const Stippling made = stipple(kDrawing, counted(300));
+    EXPECT_EQ(made.result.points.size(), 300U);
+    EXPECT_EQ(made.diameters.size(), 300U);
+    EXPECT_EQ(made.request.mode, Mode::stratified);
+    EXPECT_EQ(made.iterations, 15U);
+    EXPECT_EQ(made.request.height, 0.75);
+    EXPECT_EQ(made.request.field, nullptr);
+    EXPECT_EQ(made.columns, 4U);
+    double least = 1;
+    for (std::size_t i = 0; i < 300; ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            least = std::min(least, std::hypot(made.result.points[i].x - made.result.points[k].x,
+                                               made.result.points[i].y - made.result.points[k].y));
+    EXPECT_EQ(made.result.radius, least);
+    EXPECT_FALSE(made.result.maximal);
+}
+
+TEST(Stippling, ThatIsNotRelaxedIsTheSetOfSample) {
+    const Field field = importance_of(kDrawing);
+    StippleOptions options;
+    options.request.scale = 0.05;
+    options.relax = 0;
+    for (const Mode mode : {Mode::cells, Mode::exact}) {
+        options.start = mode;
+        const Stippling made = stipple(kDrawing, options);
+        Request request = made.request;
+        request.field = &field;
+        EXPECT_EQ(made.result.points, sample(request).points);
+        EXPECT_TRUE(made.result.maximal);
+    }
+}
+
+TEST(Stippling, ChoosesANumberThatSuitsThePictureOrThePens) {
+    // Black counts as 512 x 512 pixels, 16 of them a dot.
+    EXPECT_EQ(stipple(kBlack, {.relax = 1}).result.points.size(), 16384U);
+    const Stippling drawn =
+        stipple(kBlack, {.relax = 1, .pens = Pens{2, 2}, .paper = Paper{100, 120, 10}});
+    EXPECT_EQ(drawn.result.points.size(), 2037U);  // 80 mm x 80 mm over pi mm^2
+    EXPECT_NEAR(drawn.dots_for_ink, 6400 / 3.14159265, 1e-3);
+    EXPECT_EQ(drawn.diameters.front(), 2.0 / 80);
+}
+
+TEST(Stippling, TurnsPaperThatMayTurn) {
+    StippleOptions options = counted(20);
+    options.paper = Paper{210, 297, 20, true};
+    EXPECT_EQ(stipple(kDrawing, options).paper->width_mm, 297);
+    options.paper->may_turn = false;
+    EXPECT_EQ(stipple(kDrawing, options).paper->width_mm, 210);
+}
+
+TEST(Stippling, InInksGivesEachInkItsDots) {
+    StippleOptions options = in_inks("red,blue", 90);
+    const Stippling shared = stipple(kDrawing, options);
+    EXPECT_EQ(shared.layers[0].dots + shared.layers[1].dots, 90U);
+    options.request.count.reset();
+    options.ink_counts = {70, 100};
+    EXPECT_EQ(dots_of(stipple(kDrawing, options)), (std::vector<std::size_t>{70, 100}));
+    options.ink_counts = {0, 9};
+    EXPECT_EQ(dots_of(stipple(kDrawing, options)), (std::vector<std::size_t>{0, 9}));
+}
+
+TEST(Stippling, OfABlackPictureIsBlack) {
+    StippleOptions options = in_inks("cmyk", 100);
+    EXPECT_EQ(dots_of(stipple(kBlack, options)), (std::vector<std::size_t>{0, 0, 0, 100}));
+    options.request.count.reset();
+    options.ink_counts = {0, 0, 0, 100};
+    EXPECT_EQ(dots_of(stipple(kBlack, options)), options.ink_counts);
+}
+
+TEST(Stippling, IsTheSameOnEveryBackendAndNumberOfThreads) {
+    StippleOptions options = in_inks("red,black,blue", 200);
+    options.relax = 3;
+    const std::vector<Point> points = stipple(kDrawing, options).result.points;
+    options.request.threads = 1;
+    EXPECT_EQ(stipple(kDrawing, options).result.points, points);
+    options.request.backend = "reference";
+    EXPECT_EQ(stipple(kDrawing, options).result.points, points);
+}
+
+TEST(Stippling, ForAPenHasTheSameDotsOfEachInkOnAShortPath) {
+    StippleOptions options = in_inks("red,black,blue", 300);
+    const Stippling placed = stipple(kDrawing, options);
+    options.pen_path = true;
+    const Stippling path = stipple(kDrawing, options);
+    EXPECT_EQ(dots_of(path), dots_of(placed));
+    std::size_t first = 0;
+    for (const Layer& layer : path.layers) {
+        EXPECT_EQ(sorted(std::span(path.result.points).subspan(first, layer.dots)),
+                  sorted(std::span(placed.result.points).subspan(first, layer.dots)));
+        first += layer.dots;
+    }
+    EXPECT_LT(path.path_length, path.admitted_length);
+}
+
+TEST(Stippling, ReportsItsStagesAndCanBeCancelledInEach) {
+    struct Watch : Observer {
+        std::vector<Stage> stages{};
+        Stage cancels = Stage::sampling;
+        bool is_cancelling = false;
+        bool keep_going(const Progress& progress) override {
+            if (stages.empty() || stages.back() != progress.stage) stages.push_back(progress.stage);
+            return !(is_cancelling && progress.stage == cancels);
+        }
+    };
+    StippleOptions options = counted(300);
+    options.pen_path = true;
+    Watch watch;
+    stipple(kDrawing, options, watch);
+    EXPECT_EQ(watch.stages, (std::vector{Stage::sampling, Stage::relaxing, Stage::pen_path}));
+    watch.is_cancelling = true;
+    for (const Stage stage : {Stage::sampling, Stage::relaxing, Stage::pen_path}) {
+        watch.cancels = stage;
+        EXPECT_THROW(stipple(kDrawing, options, watch), Cancelled);
+    }
+}
+
+TEST(Stippling, RefusesWhatCannotBe) {
+    struct Case {
+        const char* message;
+        StippleOptions options;
+    };
+    const std::vector<Ink> red = inks_of("red");
+    const Paper postcard{148, 105, 60};
+    const std::vector<Case> cases{
+        {"black-ink 1: needs --inks", {.black_ink = 1}},
+        {"black-ink 2: must be", {.inks = red, .black_ink = 2}},
+        {"ink-counts 5: needs --inks", {.ink_counts = {5}}},
+        {"ink-counts 2 numbers: must be one for each ink, 1", {.inks = red, .ink_counts = {1, 2}}},
+        {"ink-counts 0: must not be 0 for all inks", {.inks = red, .ink_counts = {0}}},
+        {"ink-counts with --count 9: gives the number of dots, too",
+         {.request = {.count = 9}, .inks = red, .ink_counts = {9}}},
+        {"mode cells: is not for --inks", {.start = Mode::cells, .inks = red}},
+        {"metric min: is not for --inks", {.metric = Metric::min, .inks = red}},
+        {"scale 0.1: is not for --inks", {.request = {.scale = 0.1}, .inks = red}},
+        {"limit 5: is not for --inks", {.request = {.limit = 5}, .inks = red}},
+        {"lines-per-radius 5: is not for --inks",
+         {.request = {.lines_per_radius = 5}, .inks = red}},
+        {"round-size 5: is not for --inks", {.request = {.round_size = 5}, .inks = red}},
+        {"relax 10001: must be at most 10000", {.relax = 10001}},
+        {"relax 0: must be at least 1 for inks", {.relax = 0, .inks = red}},
+        {"along 3: is not for --inks", {.tone = {.along = 3}, .inks = red}},
+        {"along 3: cannot be used with --relax", {.relax = 2, .tone = {.along = 3}}},
+        {"along 3: is for --mode exact", {.start = Mode::cells, .tone = {.along = 3}}},
+        {"mode stratified: is a start for --relax", {.start = Mode::stratified, .relax = 0}},
+        {"size-by-tone 2: must be 0 to 1", {.size_by_tone = 2}},
+        {"size-by-tone 1: is not for a --dot-size", {.size_by_tone = 1, .pens = Pens{1, 1}}},
+        {"margin 60mm: must be less than half of the paper's 105mm", {.paper = postcard}},
+        {"gamma 0: must be", {.tone = {.gamma = 0}}},
+        {"ink-counts 5: must be 0 for blue: the picture needs none",
+         {.inks = inks_of("black,blue"), .ink_counts = {5, 5}}}};
+    for (const Case& one : cases)
+        EXPECT_EQ(refusal_of([&] {
+                      stipple(kBlack, one.options);
+                  }).substr(0, std::string(one.message).size()),
+                  one.message);
+    EXPECT_THROW(stipple(Picture{"P2 1 1 1 1", "white"}), FileError);
+    EXPECT_THROW(stipple(Picture{"no picture", "text"}), FileError);
+}
+
+}  // namespace
+}  // namespace lacuna
