@@ -43,11 +43,12 @@ Examples:
   lacuna compare --radius 0.002 --runs 9 --backends cpu,opencl --json a.json -o chart.svg
   lacuna compare --radius 0.05 --backends reference,cpu
 
-The other options are as for sample or, with a picture, for stipple, and give the same points; but
-points are relaxed only if --relax says so. A stratified start is made by the host, and then the
-relaxing is compared. The backends take turns, so that a busy machine slows all of them alike. The first run of each backend is not timed, except that
-`first use` is its extra time: finding devices, building kernels. `memory` is the growth of the
-program's peak memory in the first run.
+The other options are those of sample or, with a picture, of stipple, and give the same points. But
+points are relaxed only if --relax is given. The host makes a stratified start by itself, so only
+the relaxing is compared then. The backends take turns, so that a busy machine slows all of them
+alike. The first run of each backend is not timed. It shows only in `first use`, which is its extra
+time: finding devices, building kernels. `memory` is the growth of the program's peak memory in the
+first run.
 
 Exit code: 0 all points are the same, 1 they differ, 2 bad usage, 3 a file cannot be read or
 written, 4 a backend named with --backends is missing, or all are, or one failed at work, 130

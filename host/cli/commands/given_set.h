@@ -31,7 +31,7 @@ void add_given_set(CLI::App& command, GivenSet& set, Request& request);
 std::vector<GivenFile> files_of(const GivenSet& set);
 
 // Reads the points, which must be one set, and the picture. Sets the request's domain: as given, or
-// the picture's shape, or what the file of the points tells. `file` has the other columns.
+// the picture's shape, or as in the file of the points. `file` has the other columns.
 struct SetAndField {
     std::vector<Point> points;
     std::optional<Field> field;

@@ -26,7 +26,7 @@ namespace lacuna::cli {
 namespace {
 
 constexpr const char* kOrderDescription =
-    R"(Orders points so that any first part of them is spread over the domain as evenly as can be.
+    R"(Orders points so that the first n, for any n, are spread over the domain as evenly as can be.
 
 Examples:
   lacuna order points.txt --torus -o ordered.npy        any set, on a domain whose edges wrap
@@ -36,7 +36,7 @@ Examples:
 The first points are far apart, and the distance shrinks from level to level, by 2^(-1/32): each
 level takes the points that keep that distance from all that were taken before. With a picture the
 distance follows its darkness. No point is moved. lacuna sample --progressive makes new points in
-such an order, whose first parts are more even.
+such an order, more evenly spread at each n.
 
 Without --domain and --torus the domain comes from a .json, or is the picture's shape with a longer
 side of 1, or 1x1. Points are read as by analyze, and pictures as by stipple.
@@ -92,7 +92,8 @@ void add_order(CLI::App& app) {
     add_number(command, "seed", "S", request.seed,
                "Another seed gives another order of the points of a level (default 0)");
     add_how_to_draw(command, options->drawing,
-                    "dots have as much ink as the picture is dark, or as a set of so many has");
+                    "dots have as much ink as the picture is dark, or as a maximal set of as many "
+                    "points has");
     add_point_outputs(command, options->common);
     command.add_flag("--quiet", options->common.quiet, "No summary at the end, and no warning")
         ->disable_flag_override();

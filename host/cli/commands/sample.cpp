@@ -186,9 +186,10 @@ void add_size(CLI::App& command, Request& request) {
 
 void add_progressive(CLI::App& command, Request& request) {
     command
-        .add_flag("--progressive", request.progressive,
-                  "Orders the points so that any first part of them is as even as a set of its own "
-                  "size. --count may then cut the sequence anywhere")
+        .add_flag(
+            "--progressive", request.progressive,
+            "Orders the points so that the first n, for any n from 16 on, are spread as evenly as "
+            "a set of n points. --count may then cut the sequence anywhere")
         ->disable_flag_override();
 }
 

@@ -60,23 +60,23 @@ With --relax 0 dots are not moved, and are at least a radius apart; the radius i
 G / sqrt(importance). Points come in the order in which they were admitted: any prefix keeps these
 distances, but has gaps. Where radii differ, --metric min (default) keeps two dots at least the
 smaller radius apart, so that dots in light areas take no room from dark areas. With mean and max
-they do, and gaps remain along edges of the picture.
+dots in light areas take room from dark ones, and gaps remain along edges of the picture.
 
 With --mode cells dots are placed on a lattice, and about 4 % fewer fit than in the plane. With
 --mode exact they are placed in the plane and no gap is left: the set of lacuna sample --field.
-Either may be relaxed, too; cells then has --metric mean by default. Shapes that are smaller than a
-dot's cell get more dots than their share that way.
+Either set may be relaxed, too; in mode cells --metric is then mean by default. After relaxing such
+a set, shapes that are smaller than a dot's cell keep more dots than their share.
 
 With --dot-size 0.5mm all dots are equally large, as a pen draws them, and with 0.3mm..0.8mm they
-are larger where it is darker. Without --count there are as many as give the picture's ink. A line
-warns of less than half of that ink or more than twice. Without --dot-size, --size-by-tone lets
-sizes vary.
+are larger where it is darker. Without --count there are as many dots as cover the area that the
+picture's darkness asks for. A warning is printed if --count gives less than half of that area, or
+more than twice. Without --dot-size, --size-by-tone makes dots in dark areas larger.
 
-With --along 4 dots are ellipses, up to four times as long as wide, along the picture's edges: a set
-of --mode exact with --relax 0.
+With --along 4 dots are ellipses, up to four times as long as wide, along the picture's edges. They
+are made in --mode exact and are not relaxed.
 
-With --inks the picture's colours are separated, in linear light, and the dots of each ink are even,
-and all dots together are. Files have them ink by ink.
+With --inks the picture's colours are separated, in linear light. The dots of each ink are evenly
+spread, and so are all dots together. Files hold the dots of the first ink, then of the second.
 
 With --paper-size the picture lies in the middle of the paper, as large as --margin allows, and .svg
 is in mm. Without it the page is the picture, and 512pt long.
@@ -116,8 +116,8 @@ void add_what_to_stipple(CLI::App& command, StippleCommand& options) {
             "How dots are placed before they are moved. stratified (default with --relax): every "
             "part of the picture has its share of the dots; cells (default with --relax 0): on a "
             "lattice, as in the paper; exact: in the plane, with no gap left, and with --metric "
-            "min. With --scale, --metric, --limit, --lines-per-radius or --round-size, which are "
-            "about distances, the default is cells, too")
+            "min. The default is cells, too, if --scale, --metric, --limit, --lines-per-radius or "
+            "--round-size is given, because a stratified set keeps no least distance")
         ->type_name("MODE");
     add_number(command, "lines-per-radius", "M", request.lines_per_radius,
                "Lattice steps per least radius (default 10); in exact it changes only the speed "
@@ -139,7 +139,7 @@ void add_inks(CLI::App& command, StippleOptions& options) {
         command, "inks", "LIST",
         [&options](const std::string& text) { options.inks = inks_of(text); },
         "Draws in colour: cmyk, or inks separated by commas: names such as black,red, or #rrggbb, "
-        "or NAME=#rrggbb. Dots of all inks are even together, too; .svg has a layer an ink");
+        "or NAME=#rrggbb. All dots together are evenly spread, too; .svg has a layer per ink");
     add_number(command, "black-ink", "X", options.black_ink,
                fmt::format("With --inks: how much black replaces other inks that would look grey "
                            "together, 0 to 1 (default {})",

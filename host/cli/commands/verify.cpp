@@ -38,8 +38,8 @@ Examples:
   lacuna verify points.txt --radius 0.01            are all far enough apart, and is no room left?
   lacuna verify a.npy --radius 0.01 --torus         where the edges wrap
   lacuna verify a.csv --radius 0.02 --domain 2x1    in another domain than the unit square
-  lacuna sample --radius 0.05 | lacuna verify - --radius 0.05     what another program has made
-  lacuna verify a.json b.json --quiet               what the files say of themselves, by exit code
+  lacuna sample --radius 0.05 | lacuna verify - --radius 0.05     points from standard input
+  lacuna verify a.json b.json --quiet               with each file's radius; only an exit code
   lacuna verify bridson.csv --radius 0.01 --distances-only    not meant to be maximal
   lacuna verify dots.npy --field photo.jpg --scale 0.002      radii that follow a picture
   lacuna verify wood.csv --class trees:0.03 --class grass:0.006   points of several kinds
@@ -51,14 +51,14 @@ printed; points are numbered from 0, in the order of the file. Distances are in 
 compute them: sqrt(dx * dx + dy * dy). The default T is more than a sampler may lose by rounding R
 up to whole units of a grid, 2^30 or more of them along the longer side; T = 0 forgives no more than
 1e-12 of that side. A T over 1 % of R proves no maximal set, and the verdict says what it does prove.
-Radius, domain and boundary that a .json tells hold where no option does.
+The radius, domain and boundary in a .json are used unless an option gives them.
 
 With --field, R is the smaller radius of two places: of two points, or of a spot and the point that
-is to cover it. The pair and the spot are those that are worst for their R. Where the field is
-white, --mask black, outside of --inside and within --border of an edge no point may lie, and no
-spot need be covered; the outline of --inside may be off by --edge either way. With any of these T
-is twice as large unless told. Pictures, polygons and the domain are as lacuna sample takes them.
---keep's points must be the first of the set, to the last bit.
+is to cover it. The pair and the spot that are printed are the worst ones, compared with their R.
+No point may lie, and no spot need be covered, where the field is white, where --mask is black,
+outside of --inside, and within --border of an edge. The outline of --inside may be off by --edge
+either way. With any of these the default T is twice as large. Pictures, polygons and the domain are
+read as by lacuna sample. The points of --keep must be the first of the set, to the last bit.
 
 Exit code: 0 all that was asked holds, 1 not, 2 bad usage, 3 the file cannot be read, 4 the system
 makes no threads.
@@ -117,7 +117,7 @@ Request request_of(const CLI::App& command, const VerifyCommand& options, const 
                                "give --class for each, or --radius for all points alike");
     if (!request.radius)
         throw BadRequest("radius", "missing",
-                         "give the radius that the points should have, or a .json that tells it");
+                         "give the radius that the points should have, or a .json that holds it");
     return request;
 }
 
@@ -268,14 +268,14 @@ void add_verify(CLI::App& app) {
         ->required();
     Request& request = options->request;
     add_number(command, "radius", "R", request.radius,
-               "The least distance promised (default: what a .json tells)");
+               "The least distance promised (default: the one in a .json)");
     command
         .add_option_function<std::string>(
             "--domain",
             [&request](const std::string& text) {
                 read_domain("domain", text, request.width, request.height);
             },
-            "Width and height of the domain (default what a .json or a picture tells, or 1x1)")
+            "Width and height of the domain (default: from a .json or a picture, or 1x1)")
         ->type_name("WxH");
     add_domain(command, options->domain, request);
     command.add_flag("--torus", options->torus, "The edges wrap")->disable_flag_override();
@@ -286,7 +286,9 @@ void add_verify(CLI::App& app) {
                   "Look for points too close only: for sets that are not meant to be maximal")
         ->disable_flag_override();
     command.add_flag("--json", options->json, "As JSON")->disable_flag_override();
-    command.add_flag("--quiet", options->quiet, "Say nothing: the exit code tells")
+    command
+        .add_flag("--quiet", options->quiet,
+                  "Print nothing; only the exit code says whether all claims hold")
         ->disable_flag_override();
     command.callback([&command, options] { run(command, *options); });
 }

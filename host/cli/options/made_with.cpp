@@ -63,7 +63,8 @@ std::optional<double> number_of(const files::SetsOfFile& file, const char* optio
 
 void ask_for_files(const CLI::App& command, const DomainOptions& options, bool distances_only,
                    const files::SetsOfFile& file, const std::string& name) {
-    // A set of disks tells its least radius, but the radius of an ellipse depends on the direction.
+    // The file of a set of disks holds its least radius, but the radius of an ellipse depends on
+    // the direction.
     const bool has_ellipses = file.options.contains("ellipses") || file.options.contains("along");
     if (distances_only && !has_ellipses) return;
     for (const auto& [key, option] : kFiles) {
