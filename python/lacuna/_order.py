@@ -24,11 +24,11 @@ def order(
     torus: bool | None = None,
     seed: Seed = 0,
 ) -> npt.NDArray[np.uint32]:
-    """Order points so that any first part of them is spread as evenly as can be.
+    """Order points so that the first k, for any k, are spread as evenly as can be.
 
     Each level takes the points that keep a distance from all that were taken before; from level to
     level the distance shrinks by 2^(-1/32). ``sample(progressive=True)`` makes new points in such
-    an order, whose first parts are more even.
+    an order, more evenly spread at each k.
 
     It is not for dithering: the first half of the centres of all pixels has 0.6 of the power of
     white noise at low frequencies, because places of a lattice have few different distances.
@@ -45,7 +45,7 @@ def order(
     torus : bool, optional
         Whether the edges wrap. By default as in the PointSet, else False.
     seed : None, int or numpy.random.Generator
-        Of the order of points that are equally good, as for ``sample``.
+        Decides in which order points come that are equally good; as for ``sample``.
 
     Returns
     -------

@@ -100,8 +100,8 @@ class PointSet(HasPoints):
     maximal : bool
         Whether no room is left. False if ``n`` or ``limit`` ended the run, and after relaxing.
     levels : tuple of (float, int)
-        Of a progressive order: so many first points are a maximal set of this radius, or with a
-        field of this scale. Else empty.
+        Of a progressive order: pairs (radius, k), or (scale, k) with a field: the first k points
+        are a maximal set of this radius or scale. Else empty.
     classes : tuple of str
         The names of the classes, if there are any.
     class_of : ndarray, shape (N,), uint8, or None

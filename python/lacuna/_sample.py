@@ -103,7 +103,7 @@ def sample(
         factor of all radii, by default 1.
     metric : {'min', 'mean', 'max'}, optional
         With a field: the least distance of two points is the min, mean or max of their radii. By
-        default 'min', but 'mean' in 'cells' with ``relax``. 'exact' knows 'min' only.
+        default 'min', but 'mean' in 'cells' with ``relax``. 'exact' accepts 'min' only.
     mask : array_like, shape (rows, columns), optional
         Points may lie on pixels that are not 0 or False. The mask is stretched over the domain. Row
         0 is the top. Any real dtype, byte order and strides. ``draw_mask`` makes one of polygons.
@@ -139,8 +139,8 @@ def sample(
         An int from 0 to 2^64 - 1 is the same as --seed of the command. A generator gives 64 random
         bits; for None the system gives them. The result holds the seed.
     progressive : bool
-        Order the points so that any first part of them, from 16 on, is as even as a set of its own
-        size; ``n`` may cut the sequence anywhere. In mode 'exact'.
+        Order the points so that the first k, for any k from 16 on, are spread as evenly as a set
+        of k points; ``n`` may cut the sequence anywhere. In mode 'exact'.
     limit : int, optional
         Stop after this many points.
     relax : int

@@ -80,24 +80,28 @@ def stipple(
         The radius where the picture is black, if its longer side is 1.
     relax : int, optional
         How often the dots are moved after sampling, so that their cells hold equal darkness: 15
-        times by default, and never with ``along``. With 0 they are not moved and stay random, as in Kalantari & Sen 2011.
+        times by default, and never with ``along``. With 0 they are not moved and stay random, as
+        in Kalantari & Sen 2011.
     metric : {'min', 'mean', 'max'}, optional
         In 'cells' the least distance of two dots is the min, mean or max of their radii. By default
-        'mean', but 'min' with ``relax=0``. 'exact' knows 'min' only.
+        'mean', but 'min' with ``relax=0``. 'exact' accepts 'min' only.
     mode : {'stratified', 'cells', 'exact'}, optional
         How dots are placed before they are moved. 'stratified': every part of the picture has its
         share of the dots. 'cells' places dots on a lattice, as in Kalantari & Sen 2011. 'exact'
         places them in the plane and leaves no gap: the set that ``sample`` makes of the picture's
-        importance. By default 'stratified', but 'cells' with ``relax=0`` and with ``scale``,
-        ``metric``, ``limit``, ``lines_per_radius`` or ``round_size``, which are about distances.
+        importance. By default 'stratified'. The default is 'cells' with ``relax=0``, and if
+        ``scale``, ``metric``, ``limit``, ``lines_per_radius`` or ``round_size`` is given,
+        because a stratified set keeps no least distance.
     inks : str, optional
         Dots in colour: 'cmyk', or inks separated by commas: names such as 'black,red', '#rrggbb' or
-        'NAME=#rrggbb'. Each ink's dots are even, and all dots together are. Colours are separated
-        in linear light. Dots come ink by ink, begin stratified, and are relaxed at least once.
+        'NAME=#rrggbb'. The dots of each ink are evenly spread, and so are all dots together.
+        Colours are separated in linear light. The result has the dots of the first ink, then of
+        the second, and so on. They begin stratified and are relaxed at least once.
     black_ink : float, optional
         How much black replaces other inks that would look grey together, 0 to 1; 0.8 by default.
     ink_counts : sequence of int, optional
-        The dots of each ink, in place of ``n``. By default as the picture needs of each.
+        The number of dots of each ink, instead of ``n``. By default ``n`` is shared out in
+        proportion to how much of each ink the picture needs.
     invert : bool
         Bright is dense instead of dark.
     black, white : float

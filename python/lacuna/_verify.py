@@ -55,7 +55,7 @@ class Verdict:
         or 'border'. Nothing else is then looked at.
     closest_pair, least_distance : tuple of int or None, float
         The indices of the closest two points, and their distance: infinite for fewer than two
-        points. With a field, the two whose distance is the smallest share of their limit.
+        points. With a field, the pair whose distance is smallest relative to its limit.
     least_limit : float or None
         The limit of these two points.
     largest_gap, largest_gap_distance : tuple of float or None, float or None
