@@ -4,7 +4,7 @@
 - in code and pages, a page of docs/, a section of it by number, or a quoted name in that section;
 - in pages, a relative link, or a path in backticks. NAME, GROUP and X in a path stand for anything.
 
-It also fails for an option of CMake that README.md does not name.
+It also fails for an option of CMake that docs/cpp.md does not name.
 """
 import pathlib
 import re
@@ -72,10 +72,11 @@ def main() -> int:
     code = (path for folder in FOLDERS for path in (ROOT / folder).rglob("*") if path.suffix in CODE)
     faults = [(path, fault) for path in [*PAGES, *code] for fault in wrong_citations(path.read_text())]
     faults += [(page, fault) for page in PAGES for fault in wrong_paths(page, page.read_text())]
-    readme = (ROOT / "README.md").read_text()
+    cpp = ROOT / "docs" / "cpp.md"
+    named = cpp.read_text()
     for path in [ROOT / "CMakeLists.txt", *(ROOT / "cmake").glob("*.cmake")]:
         options = ("".join(found) for found in OPTION.findall(path.read_text()))
-        faults += [(PAGES[0], f"a word on the option {one}") for one in options if f"`{one}`" not in readme]
+        faults += [(cpp, f"a word on the option {one}") for one in options if f"`{one}`" not in named]
     for path, fault in faults:
         print(f"{path.relative_to(ROOT)}: {fault} does not exist")
     return 1 if faults else 0
