@@ -1,5 +1,5 @@
-// All capabilities of sample(), and which two of them exclude each other. Rows of levels, one for
-// each capability, in which each pair that is allowed occurs.
+// All capabilities of sample(), and of relax() on its points, and which two of them exclude each
+// other. Rows of levels, one for each capability, in which each pair that is allowed occurs.
 #pragma once
 
 #include <algorithm>
@@ -40,6 +40,7 @@ enum Capability : std::size_t {
     kMetric,
     kPlacing,
     kRelax,
+    kGaussian,
     kCapabilities
 };
 
@@ -70,12 +71,13 @@ inline const std::array<Levels, kCapabilities> kLevels{{
     {"lines", {"default", "given"}},
     {"metric", {"min", "mean", "max"}},
     {"placing", {"plain", "snap", "uniform-x"}},
-    {"relax", {"no", "yes"}},
+    {"relax", {"no", "evenly", "on a picture"}},
+    {"gaussian", {"no", "yes"}},
 }};
 
 // Two levels that a request cannot have together. "!no" stands for all levels except "no".
-// sample() refuses such a request, and names one of `options`; without options a Request cannot
-// express the two, or one has no effect.
+// sample() refuses such a request, or relax() its points, and names one of `options`; without
+// options a Request cannot express the two, or one has no effect.
 struct Refused {
     Capability first;
     std::string_view level;
@@ -115,6 +117,7 @@ inline const std::vector<Refused> kRefused{
     {kMask, "yes", kOutside, "yes", {}},
     {kMask, "yes", kAvoid, "yes", {}},
     {kSize, "of classes", kClasses, "none", {"radius", "scale"}},
+    {kRelax, "on a picture", kGaussian, "yes", {"gaussian"}},
 };
 
 using Row = std::array<std::uint8_t, kCapabilities>;

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "hostile/answers.h"
 #include "hostile/counts.h"
 #include "hostile/judge.h"
 #include "hostile/made.h"
@@ -76,9 +77,7 @@ inline void judge_polygons(const Made& made, const Set& set, std::mt19937_64& ra
     const std::span<const Point> own =
         std::span(set.points).subspan(std::min(made.keep.size(), set.points.size()));
     for (const Point point : own)
-        demand(judge.depth_of(point, false) >= -made.edge - judge.blur() &&
-                   judge.depth_of(point, true) >= -made.edge - judge.blur(),
-               told(point) + " lies outside of the polygons");
+        demand(judge.depth_of(point, true) >= 0, told(point) + " lies outside of the polygons");
     for (int i = 0; i < 60; ++i) {
         const Point spot = verify::any_place(random, made.domain());
         if (judge.depth_of(spot, true) <= 2 * made.edge + judge.blur()) continue;
@@ -152,6 +151,18 @@ inline void judge_paper(const Made& made, const Set& set, std::mt19937_64& rando
     } else {
         const Judge::Gap gap = judge.largest_gap(random);
         demand(gap.room <= judge.tolerance(), told(gap.at) + " has room");
+    }
+}
+
+// All moved points stay, in the domain, and on a picture where it has importance.
+inline void judge_moved(const Made& made, std::span<const Point> given,
+                        std::span<const Point> moved) {
+    demand(moved.size() == std::min(given.size(), kMostToMove), "points were lost in moving");
+    const Judge judge(made, given, {}, 1);
+    for (const Point point : moved) {
+        demand(made.domain().contains(point), told(point) + " was moved out of the domain");
+        demand(judge.has_importance(point, made.sparse),
+               told(point) + " was moved to where the picture is white");
     }
 }
 

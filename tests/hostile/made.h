@@ -28,8 +28,8 @@ struct Made {
     std::vector<Point> keep{};
     std::vector<std::uint8_t> keep_classes{};
     std::vector<std::uint64_t> seeds{};  // the request's own is the first
-    Field sparse{};                      // over which some of the points are relaxed
-    std::uint32_t iterations = 0;
+    Field sparse{};                      // over which some of the points are relaxed, if not empty
+    RelaxOptions moves{.iterations = 0};
 
     explicit Made(const Row& wanted) : row(wanted) {}
     Made(const Made&) = delete;
@@ -37,6 +37,7 @@ struct Made {
     bool is(Capability capability, std::string_view level) const {
         return is_level(row, capability, level);
     }
+    bool is_moved() const { return moves.iterations != 0 || moves.gaussian != 0; }
     verify::Domain domain() const {
         return {request.width, request.height, request.boundary == Boundary::torus};
     }
@@ -71,7 +72,8 @@ inline Row levels_of(const Made& made) {
     row[kLines] = request.lines_per_radius ? 1 : 0;
     row[kMetric] = level(request.metric);
     row[kPlacing] = request.snap ? 1 : request.uniform_x ? 2 : 0;
-    row[kRelax] = made.iterations > 0 ? 1 : 0;
+    row[kRelax] = made.moves.iterations == 0 ? 0 : made.sparse.importance.empty() ? 1 : 2;
+    row[kGaussian] = made.moves.gaussian > 0 ? 1 : 0;
     return row;
 }
 

@@ -72,10 +72,7 @@ private:
         if (is(kBorder, "yes"))
             request.border = std::min(request.width, request.height) / 2 *
                              std::array{1e-9, choose_.in(0, 0.5), 1 - 1e-3}[choose_.below(3)];
-        if (is(kRelax, "yes")) {
-            made.sparse = sparse_field(choose_);
-            made.iterations = 1 + choose_.below(3);
-        }
+        choose_moves(made);
         Result trial;
         if (is_refused) {
             trial.points = {{request.width / 2, request.height / 2}};
@@ -87,6 +84,15 @@ private:
         if (is(kKeep, "yes")) choose_kept(made, trial);
         if (is(kLimit, "yes")) request.limit = 1 + choose_.below(most_points());
         return true;
+    }
+
+    void choose_moves(Made& made) {
+        if (is(kRelax, "on a picture")) made.sparse = sparse_field(choose_);
+        if (!is(kRelax, "no")) made.moves.iterations = 1 + choose_.below(3);
+        if (is(kGaussian, "no")) return;
+        made.moves.gaussian = choose_.some(40);
+        made.moves.gaussian_distance =
+            std::array{0.0, 0.9, 1.0, choose_.in(0, 1)}[choose_.below(4)];
     }
 
     bool has_polygons() const {

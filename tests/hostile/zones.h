@@ -81,6 +81,13 @@ public:
         return size_ / std::sqrt(most);
     }
 
+    // Whether a moved point is on a pixel that is not white; all of an empty picture is not.
+    bool has_importance(Point at, const Field& picture) const {
+        bool has = picture.importance.empty();
+        for_near(
+            at, [&](Point near) { has = has || picture.importance[pixel_of(near, picture)] != 0; });
+        return has;
+    }
     bool is_in_mask(Point at) const { return made_.mask.allowed[pixel_of(at, made_.mask)] != 0; }
 
 protected:
