@@ -90,7 +90,7 @@ TEST(SampleInsidePolygons, MayBeGivenSeveralFilesAndOthersToLeaveOut) {
     EXPECT_EQ(proven.exit_code, 0) << proven.out;
     proof.resize(proof.size() - 2);  // without the pond
     const Outcome asked = test::run(proof);
-    EXPECT_EQ(asked.exit_code, 3);
+    EXPECT_EQ(asked.exit_code, 2);
     EXPECT_NE(asked.err.find("made with --outside " + pond), std::string::npos) << asked.err;
 }
 

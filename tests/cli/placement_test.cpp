@@ -243,6 +243,16 @@ TEST(Obstacles, ReachAroundATorus) {
         verify_with({csv, "--avoid", rocks + ":0.2", "--torus", "--radius", "0.03"}).exit_code, 0);
 }
 
+// As people's files are: semicolons, names in capitals and quotes, and a row's own name.
+TEST(Obstacles, AreReadAsPointsAre) {
+    const Folder folder;
+    const std::string rocks = folder.path("rocks.csv"), csv = folder.path("a.csv");
+    write_file(rocks, "\"X\";\"Y\";\"Radius\"\n\"a\";0.5;0.25;0.2\n\"b\";0.5;0.75;0\n");
+    ASSERT_EQ(sample_with({"--avoid", rocks, "--radius", "0.03", "-o", csv}).exit_code, 0);
+    for (const Point& p : files::read_points(csv))
+        ASSERT_GE(std::hypot(p.x - 0.5, p.y - 0.25), 0.2);
+}
+
 TEST(Obstacles, AreRefusedInOneLine) {
     const Folder folder;
     const auto refusal = [](const Names& arguments) {
@@ -263,7 +273,15 @@ TEST(Obstacles, AreRefusedInOneLine) {
                   ": needs a width, as in FILE:2.5: how far points stay from its lines\n");
     write_file(rocks, "x,y,radius\n0.5,0.5,big\n");
     EXPECT_EQ(refusal({"--avoid", rocks}),
-              "lacuna: " + rocks + ":2: column 3 is \"big\": must be a number\n");
+              "lacuna: " + rocks +
+                  ":2: column \"radius\" is \"big\": must be a finite number, such as 0.25\n");
+    write_file(rocks, "x,y,radius\n0.5,0.5\n");
+    EXPECT_EQ(refusal({"--avoid", rocks}),
+              "lacuna: " + rocks + ":2: 2 columns: the header has 3\n");
+    write_file(rocks, "x,size\n0.5,0.5\n");
+    EXPECT_EQ(
+        refusal({"--avoid", rocks + ":.1"}),
+        "lacuna: " + rocks + ":1: the columns are \"x,size\": one must be called x and one y\n");
 }
 
 TEST(Borders, CountFromOutlinesToo) {

@@ -22,6 +22,7 @@
 #include "cli/options/made_with.h"
 #include "cli/options/options.h"
 #include "cli/reports/verify_report.h"
+#include "cli/terminal/run_program.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
 #include "files/read_whole.h"
@@ -86,13 +87,13 @@ struct Given {
 Request request_of(const CLI::App& command, const VerifyCommand& options, const Given& given,
                    const files::SetsOfFile& file, const std::string& name, SetClaim& claim) {
     if (file.mode == name_of(Mode::cells) && command.count("--distances-only") == 0)
-        throw files::FileError(name +
-                               ": made in mode cells, where radii follow a picture: give "
-                               "--distances-only, for the least of them");
+        throw BadUsage(name +
+                       ": made in mode cells, where radii follow a picture: give "
+                       "--distances-only, for the least of them");
     if (file.mode == name_of(Mode::stratified) && command.count("--distances-only") == 0)
-        throw files::FileError(name +
-                               ": made in mode stratified and relaxed, which promises no radius: "
-                               "give --distances-only, for the least distance");
+        throw BadUsage(name +
+                       ": made in mode stratified and relaxed, which promises no radius: "
+                       "give --distances-only, for the least distance");
     Request request = given.request;
     ask_for_files(command, options.domain, options.distances_only, file, name);
     claim.own_field = use_values(command, file, request, claim.options.edge);
@@ -112,9 +113,9 @@ Request request_of(const CLI::App& command, const VerifyCommand& options, const 
     }
     if (!request.radius) request.radius = file.radius;
     if (!request.radius && request.classes.names.empty() && !file.classes.names.empty())
-        throw files::FileError(name +
-                               ": its points have classes, but it does not hold their distances: "
-                               "give --class for each, or --radius for all points alike");
+        throw BadUsage(name +
+                       ": its points have classes, but it does not hold their distances: "
+                       "give --class for each, or --radius for all points alike");
     if (!request.radius)
         throw BadRequest("radius", "missing",
                          "give the radius that the points should have, or a .json that holds it");

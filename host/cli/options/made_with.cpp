@@ -13,6 +13,7 @@
 
 #include "cli/options/options.h"
 #include "cli/reports/report.h"
+#include "cli/terminal/run_program.h"
 #include "files/parse.h"
 
 namespace lacuna::cli {
@@ -37,8 +38,8 @@ bool is_given(const CLI::App& command, const std::string& option) {
 
 [[noreturn]] void ask(const std::string& name, const std::string& option, const std::string& value,
                       const char* or_else) {
-    throw files::FileError(fmt::format("{}: made with --{}{}: give that too{}", name, option,
-                                       value == "true" ? "" : " " + shown(value), or_else));
+    throw BadUsage(fmt::format("{}: made with --{}{}: give that too{}", name, option,
+                               value == "true" ? "" : " " + shown(value), or_else));
 }
 
 // A value as files::SetsOfFile::options has it.

@@ -15,7 +15,7 @@
 
 namespace lacuna::cli {
 
-// Throws files::FileError if the set in `file` was made with a picture, polygons or obstacles that
+// Throws BadUsage if the set in `file` was made with a picture, polygons or obstacles that
 // the command was not given, or with another tone of the field. For distances alone only ellipses
 // are needed. `name` stands for the file.
 void ask_for_files(const CLI::App& command, const DomainOptions& options, bool distances_only,
