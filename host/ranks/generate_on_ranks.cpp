@@ -1,5 +1,5 @@
-// THE LOOP of generate.cpp on a strip. Global are only the marginal's total, the part of it below
-// this strip, and the counts that decide how rounds continue.
+// THE LOOP of generate.cpp on a strip. All ranks share only the marginal's total, the part of it
+// below this strip, and the counts that decide how rounds continue.
 #include "ranks/generate_on_ranks.h"
 
 #include <algorithm>

@@ -72,7 +72,7 @@ LACUNA_FN Interval ellipse_chord(u32 x, Ellipse of_sample, u32 first, u32 width,
 }
 
 // Whether the ellipse around a sample holds nothing of a box, on a torus not even around an edge.
-// This is not always told.
+// May return false although the ellipse misses the box.
 LACUNA_FN bool ellipse_misses(Sized one, Ellipse of_one, u32 x, u32 width, u32 begin, u32 end,
                               u32 period_x, u32 period_y) {
     const i64 most = to_i64(one.radius);  // of a circle that holds the ellipse

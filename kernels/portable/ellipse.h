@@ -93,7 +93,7 @@ LACUNA_FN bool is_beside(i64 along, i64 up, i64 most, i64 left, i64 right, i64 l
 
 // Whether the ellipse holds nothing of a rectangle, because it lies beside one of four strips that
 // hold the ellipse: |u|, |v|, |u + v| / root(2) and |u - v| / root(2) are less than the radius.
-// This is not always told. Offsets are at most 2^30.5.
+// May return false although the ellipse misses the rectangle. Offsets are at most 2^30.5.
 LACUNA_FN bool misses(Ellipse e, i64 left, i64 right, i64 low, i64 high) {
     i64 most = to_i64(ELLIPSE_RADIUS) << e.shift;
     i64 diagonal = to_i64(ELLIPSE_RADIUS_TIMES_ROOT_2) << e.shift;

@@ -135,7 +135,7 @@ private:
 };
 
 // Classes as nobody would ask for them: two to sixteen, with distances up to a thousand times the
-// least, classes that do not know of each other or leave each other no room, and weights of 0.
+// least, classes that ignore each other or leave each other no room, and weights of 0.
 FieldRequest hostile_request(Random& random) {
     FieldRequest made;
     Request& request = made.request;

@@ -43,7 +43,8 @@ public:
     }
 
     // Writes the chord that the k-th sample cuts from the i-th box after the first `count` chords,
-    // and returns how many there are then; kAll if it covers the box. One that wraps may be three.
+    // and returns how many there are then; kAll if it covers the box. A chord that wraps around an
+    // edge of a torus may be written as up to three.
     std::size_t add_chord(std::size_t k, const Box& box, std::size_t i, bool wraps, Span* chords,
                           std::size_t count) const {
         const Plan& plan = state_.plan;

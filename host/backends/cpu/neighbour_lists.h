@@ -154,7 +154,8 @@ private:
         const portable::Ellipse* ellipse;  // null where there are none
         bool is_own;                       // whether it is the sample's own sheet
     };
-    // Whether the sample's ellipse, which there must be, misses the box. This is not always told.
+    // Whether the sample's ellipse misses the box; the sample must have one. May return false
+    // although the ellipse misses the box.
     bool misses(const There& there, const Box& box, bool wraps) const;
     There there(const Sized& sample, std::uint32_t sheet) const;
     // For disks that cross no edge of a torus: whether the node holds all blocks that they reach on

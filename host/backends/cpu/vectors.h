@@ -50,11 +50,12 @@ struct Vectors {
                                    std::uint8_t* touching);
     static constexpr std::size_t kBoxes = 8;
     // With ellipses: the first sample from number `from` onwards that lies in the ellipse around
-    // `at`, or for which floats do not tell; the number of samples if there is none. No wrapping.
+    // `at`, or may do so: single precision cannot decide it. Returns the number of samples if there
+    // is none. No wrapping.
     std::size_t (*next_in_ellipse)(const SizedSpan& samples, Sample at, const FloatEllipse& ellipse,
                                    std::size_t from);
-    // find_touching with ellipses, of samples and of boxes. Where floats do not tell, the bit of
-    // touching[k] is set, and the bit of the result is not.
+    // find_touching with ellipses, of samples and of boxes. If single precision cannot decide, the
+    // bit of touching[k] is set, and the bit of the result is not.
     std::uint32_t (*find_touching_ellipses)(const SizedSpan& samples,
                                             const FloatEllipse* of_samples, const Box* boxes,
                                             const FloatEllipse* of_boxes, std::uint8_t* touching);

@@ -39,7 +39,7 @@ struct Polygons {
 };
 
 // Reads a mask from a picture file, or from standard input for "-". Samples are allowed on pixels
-// that have any colour channel above 0, unless alpha is 0. Takes the formats of read_field(); a
+// that have any colour channel above 0, unless alpha is 0. Reads the formats of read_picture(); a
 // number of an .npy allows samples if it is not 0. Beware of JPEG: pixels that look black are
 // rarely 0. Throws FileError, also where no pixel is allowed.
 Mask read_mask(const std::string& path);
@@ -67,7 +67,7 @@ Polygons read_polygons(const std::string& path);
 // The same for bytes that have been read, of the format "svg", "geojson" or "txt".
 Polygons decode_polygons(std::string_view bytes, std::string_view format, const std::string& name);
 
-// Reads lines and points from which samples keep a distance: the rings of a PolygonSet with one.
+// Reads lines and points from which samples keep a distance: rings for PolygonSet::distance.
 //   .svg             the outlines of its shapes; an open path is a line
 //   .geojson .json   points, lines, and the rings of polygons
 //   .txt             rings, as read_polygons() reads them, and lines and points that are rings of

@@ -1,4 +1,4 @@
-// Pictures in several inks: dots that are even within each ink and all together.
+// Pictures in several inks: the dots of each ink are evenly spread, and so are all dots together.
 //
 // What is promised
 //   - The same fields, numbers and seed give the same dots, bit for bit, on every backend and any
@@ -6,8 +6,8 @@
 //   - Each ink has exactly its number of dots; each lies in the domain, on a pixel where the ink's
 //     importance is not 0.
 //   - Each dot has a cell among the dots of its ink, and another among all dots. Cells hold equal
-//     importance, as in relax(). A dot moves between the centroids of the two, two thirds of the
-//     way to the second.
+//     importance, as in relax(). A dot moves onto the line between the two centroids, two thirds of
+//     the way from the first cell's to the second's.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -36,7 +36,7 @@ struct Layer {
 
 // What an ink prints, and how many dots it has.
 struct InkPart {
-    const Field* field = nullptr;  // of all inks equally many columns and rows
+    const Field* field = nullptr;  // with as many columns and rows as those of the other inks
     std::uint64_t dots = 0;        // at least 1
 };
 
@@ -49,9 +49,9 @@ struct InkDots {
 };
 
 // Places the dots of up to 64 inks, and moves them options.iterations times, at least once. They
-// begin stratified: places follow the cdf of the density of all dots along a Hilbert curve. Each
-// place takes one of the inks that its pixel needs: the one whose dots up to there are fewest
-// compared with its own cdf. Progress counts points times iterations. Throws what relax throws.
+// begin stratified: dots are placed along a Hilbert curve, by the cdf of the density of all dots.
+// Each gets one of the inks that its pixel needs: the ink that is furthest behind its own cdf at
+// that point of the curve. Progress counts points times iterations. Throws what relax throws.
 InkDots place_inks(std::span<const InkPart> inks, std::uint64_t seed, const RelaxOptions& options);
 InkDots place_inks(std::span<const InkPart> inks, std::uint64_t seed, const RelaxOptions& options,
                    Observer& observer);

@@ -17,7 +17,7 @@
 //   - Mode::lines with Request::snap: no two points are closer than the radius. Without snap
 //     (Kalantari & Sen 2011, section 4.1, x interpolated in its strip) no two points are closer
 //     than radius * (1 - 1 / (2 * lines_per_radius)). Gaps narrower than a strip remain.
-//   - Mode::cells: points lie on a lattice. Any two keep the distance that the metric asks of
+//   - Mode::cells: points lie on a lattice. Any two keep the distance that the metric makes of
 //     their radii, computed in double from the coordinates returned. Every lattice point with
 //     importance over 0 is too close to some point for another sample; this is computed in lattice
 //     steps, with radii rounded up to 1/256 of a step. Where importance is 0 there is no point.
@@ -118,7 +118,7 @@ struct PolygonSet {
 struct Classes {
     std::vector<std::string> names{};  // 1 to 16, all different, without spaces, commas or colons
     // The least distance of each two classes, row by row: a symmetric matrix of names.size()^2
-    // values >= 0, on its diagonal > 0. 0 means that two classes do not know of each other. The
+    // values >= 0, on its diagonal > 0. 0 means that the two classes ignore each other. The
     // greatest may be 4000 times the least that is not 0. See distances_by_sum and
     // distances_by_union.
     std::vector<double> distances{};
@@ -142,8 +142,8 @@ std::vector<double> distances_by_union(std::span<const double> radii);
 // Or, for relax() to begin with, points without a least distance:
 //   stratified  the cdf of importance along a Hilbert curve of the domain, inverted at one random
 //               number in each of Request::count equal intervals. So every part of a picture has
-//               its share of the points. It takes a count, a field or none, and no other option of
-//               the set; the points come in the order of the curve.
+//               its share of the points. It needs a count, may have a field, and allows no other
+//               option of the set; the points come in the order of the curve.
 enum class Mode { exact, lines, cells, stratified };
 std::string_view name_of(Mode mode);
 
@@ -152,7 +152,7 @@ std::string_view name_of(Mode mode);
 enum class Metric { min, mean, max };
 std::string_view name_of(Metric metric);
 
-// The set that is asked for. Exactly one of radius, scale and count must be given; with classes,
+// What sample() is to make. Exactly one of radius, scale and count must be given; with classes,
 // none or one.
 struct Request {
     double width = 1.0;   // of the domain, > 0
@@ -191,8 +191,8 @@ struct Request {
     // In mode exact: classes of points. No two points are closer than the distance of their
     // classes, and no spot is left where a point of any class has room. With a radius, scale or
     // count the distances are in proportion: the least that is not 0 becomes the radius or scale.
-    // With a field all distances are at a spot what they are where the importance is 1, over the
-    // root of the importance there.
+    // With a field these are the distances where the importance is 1. Elsewhere they are divided by
+    // the square root of the importance, as the radius is.
     Classes classes{};
 
     // Points that are there already. They come first in the result, in this order and bit for bit,
@@ -203,10 +203,10 @@ struct Request {
     // With classes the class of each kept point: its place in Classes::names.
     std::span<const std::uint8_t> keep_classes{};
 
-    // In mode exact: an order in which every prefix is as even as a set of its own size. A maximal
-    // set of about 16 points is kept, then one at a radius smaller by 2^(-1/32), and so on down to
-    // the radius or scale asked for, or until there are `count` points. A larger count continues
-    // the same sequence.
+    // In mode exact: an order in which the first n points, for any n, are spread as evenly as a set
+    // of n points. A maximal set of about 16 points is kept, then one at a radius smaller by
+    // 2^(-1/32), and so on down to the radius or scale asked for, or until there are `count`
+    // points. A larger count continues the same sequence.
     bool progressive = false;
 
     std::optional<std::uint64_t> limit{};  // stop after this many points, >= 1
@@ -270,9 +270,9 @@ std::string_view name_of(Verb verb);
 enum class Stage { sampling, relaxing, pen_path };
 
 struct Progress {
-    std::uint64_t points = 0;           // that have been admitted; of relax, times iterations
+    std::uint64_t points = 0;           // admitted so far; while relaxing, times iterations
     std::uint64_t expected_points = 0;  // an estimate, at least `points`
-    std::uint64_t rounds = 0;           // that have been finished; of relax, iterations and steps
+    std::uint64_t rounds = 0;           // finished so far; while relaxing, iterations and steps
     Stage stage = Stage::sampling;
     std::uint64_t all_rounds = 0;  // while relaxing: the number of iterations and steps in all
 };
@@ -291,7 +291,7 @@ public:
     // end() throws while another one is being handled is lost.
 };
 
-// Makes the set that `request` asks for.
+// Makes the set that `request` describes.
 // Throws BadRequest (also as MemoryRefused), Unavailable, DeviceError, Cancelled.
 Result sample(const Request& request);
 Result sample(const Request& request, Observer& observer);

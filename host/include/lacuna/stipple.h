@@ -46,8 +46,9 @@ struct StippleOptions {
     Request request{};
 
     // How dots are placed before they are moved: stratified, cells or exact. Default: stratified if
-    // they are relaxed and no option is about distances (scale, metric, limit, lines_per_radius,
-    // round_size), exact with Tone::along, and else cells.
+    // they are relaxed, but cells if scale, metric, limit, lines_per_radius or round_size is given,
+    // because a stratified set keeps no least distance. Without relaxing cells, and exact with
+    // Tone::along.
     std::optional<Mode> start{};
     std::optional<Metric> metric{};  // default: mean in cells that are relaxed, else min
     // How often the dots are moved. Default: 15, but 0 with Tone::along.
@@ -94,12 +95,12 @@ struct Stippling {
     std::uint32_t rows = 0;
     // With pens: how many dots would have the picture's ink. 0 if sizes differ and there are inks.
     double dots_for_ink = 0;
-    // Of the pen's path, in the domain's unit: in the dots' order, and as they were admitted.
+    // Length of the pen's path, in the domain's unit: in the dots' order, and in that of admission.
     double path_length = 0;
     double admitted_length = 0;
 };
 
-// Throws BadRequest for all that stipple() refuses whatever the picture is.
+// Throws BadRequest for options that stipple() refuses with every picture.
 void check(const StippleOptions& options);
 
 // Throws what sample() and relax() throw, and FileError for a picture that cannot be decoded or
