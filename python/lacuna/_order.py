@@ -26,7 +26,7 @@ def order(
 ) -> npt.NDArray[np.uint32]:
     """Order points so that the first k, for any k, are spread as evenly as can be.
 
-    Each level takes the points that keep a distance from all that were taken before; from level to
+    Each level chooses points that keep a distance from all that were chosen before; from level to
     level the distance shrinks by 2^(-1/32). ``sample(progressive=True)`` makes new points in such
     an order, more evenly spread at each k.
 

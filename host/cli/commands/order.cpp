@@ -34,7 +34,7 @@ Examples:
   lacuna order dots.npy photo.jpg -o ordered.npy        dots of a picture: dense where it is dark
 
 The first points are far apart, and the distance shrinks from level to level, by 2^(-1/32): each
-level takes the points that keep that distance from all that were taken before. With a picture the
+level adds points that keep that distance from all that were added before. With a picture the
 distance follows its darkness. No point is moved. lacuna sample --progressive makes new points in
 such an order, more evenly spread at each n.
 

@@ -277,7 +277,7 @@ struct Progress {
     std::uint64_t all_rounds = 0;  // while relaxing: the number of iterations and steps in all
 };
 
-// Watches a run from the calling thread. The library has no clock: an observer that wants times
+// Watches a run from the calling thread. The library has no clock: an observer that measures times
 // reads its own in begin and end.
 class Observer {
 public:
@@ -304,7 +304,7 @@ struct RelaxOptions {
 
     std::uint32_t iterations = 15;  // 0 to 10,000; 0 leaves the points as they are
     // After the iterations, this many steps of descent on the Gaussian energy, 0 to 10,000; 150 are
-    // usual. They take low frequencies out of the set. For domains without a field.
+    // usual. They lower the power of low frequencies. For domains without a field.
     std::uint32_t gaussian = 0;
     // The distance in mean spacings, 0 to 1, below which a term of these steps pushes points apart.
     // 0: only the energy does.
@@ -341,7 +341,7 @@ struct Relaxed {
 // the same everywhere. All points given come back, each in the domain and, if iterations is not 0,
 // none where importance is 0. No least distance is promised.
 //
-// RelaxOptions::gaussian then takes steps of descent, with momentum, on the sum over all pairs of
+// RelaxOptions::gaussian then makes steps of descent, with momentum, on the sum over all pairs of
 // exp(-d^2 / 2), d in mean spacings (Ahmed, Ren & Wonka 2022, "Gaussian Blue Noise"); in a box less
 // the attraction of an even domain. Each step moves every point by at most a mean spacing. It is
 // computed in whole numbers, too, so again all backends give the same points. At most 2^28 points,
@@ -364,8 +364,8 @@ struct Device {
 };
 
 // The devices of all backends. Backends come in order of preference, and the devices of each in the
-// order of the numbers that Request::device takes. A backend that this build lacks, or whose driver
-// fails, has one entry that says so.
+// order of their numbers, which Request::device names. A backend that this build lacks, or whose
+// driver fails, has one entry that says so.
 std::vector<Device> devices();
 
 // The expected number of points of a maximal set, all lengths in one unit: 0.69656 * area /
