@@ -160,10 +160,12 @@ protected:
         return {within(at.x, domain_.width), within(at.y, domain_.height)};
     }
 
-    bool is_allowed(const Site& site) const {
+    // A kept point may lie on the upper edges of a box, too.
+    bool is_allowed(const Site& site, bool is_kept) const {
         const Point at = site.at;
         const double edge = request_.border - (request_.border > 0 ? blur() : 0);
-        if (!(at.x >= edge && at.y >= edge && at.x < domain_.width && at.y < domain_.height &&
+        const bool is_below = at.x < domain_.width && at.y < domain_.height;
+        if (!(domain_.contains(at) && (is_kept || is_below) && at.x >= edge && at.y >= edge &&
               domain_.width - at.x >= edge && domain_.height - at.y >= edge))
             return false;
         bool is_in = request_.mask == nullptr;
