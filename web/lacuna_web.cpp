@@ -14,6 +14,7 @@
 #include "pictures/image.h"
 #include "pictures/importance.h"
 #include "pictures/whole_samples.h"
+#include "recipes/make.h"
 #include "recipes/settle.h"
 
 namespace lacuna::files {
@@ -101,16 +102,8 @@ Set sample(Request request, std::uint32_t relax, const Tell& tell) {
     recipes::settle(
         {.mode = is_default ? std::nullopt : std::optional(request.mode), .relax = relax}, request);
     Teller teller(tell, relax);
-    Set set = set_of(request, lacuna::sample(request, teller));
-    if (relax == 0) return set;
-    RelaxOptions options;
-    options.width = set.width;
-    options.height = set.height;
-    options.boundary = set.boundary;
-    options.iterations = relax;
-    set.points = lacuna::relax(set.points, nullptr, options, teller).points;
-    set.maximal = false;
-    set.radius = 0;
+    Set set = set_of(request, recipes::make(request, {.iterations = relax}, teller).result);
+    if (relax != 0) set.radius = 0;  // dots are drawn as large as their number lets them be
     return set;
 }
 

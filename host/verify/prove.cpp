@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -182,6 +183,17 @@ Proof prove(std::span<const Point> points, const Claim& claim,
     proof.maximal =
         proof.kept && proof.covered && tolerance <= kMostTolerance * radius_field.least_radius();
     return proof;
+}
+
+double least_distance(std::span<const Point> points, double width, double height,
+                      Boundary boundary) {
+    verify::check_domain(width, height);
+    const verify::Domain domain{width, height, boundary == Boundary::torus};
+    if (const auto outside = verify::first_outside(points, domain))
+        throw BadRequest("points", std::to_string(*outside),
+                         "is the number of a point outside of "
+                         "the domain");
+    return verify::closest_pair(domain, points).distance;
 }
 
 }  // namespace lacuna

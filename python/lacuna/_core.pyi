@@ -82,6 +82,12 @@ class RelaxOptions:
     measure: bool
     def __init__(self) -> None: ...
 
+class Moves:
+    iterations: int
+    gaussian: int
+    gaussian_distance: float
+    def __init__(self) -> None: ...
+
 class Claim:
     width: float
     height: float
@@ -97,9 +103,6 @@ class Claim:
 
 def make_field(rows: int, columns: int) -> Field: ...
 def ellipse_field(ellipses: npt.NDArray[np.float64]) -> Field: ...
-def ellipses_of(
-    points: npt.NDArray[np.float64], field: Field, scale: float, width: float, height: float
-) -> npt.NDArray[np.float64]: ...
 def make_mask(rows: int, columns: int) -> Mask: ...
 def sample(
     request: Request,
@@ -107,6 +110,7 @@ def sample(
     mask: Mask | None,
     keep: npt.NDArray[np.float64] | None,
     keep_classes: npt.NDArray[np.uint8] | None,
+    moves: Moves,
     progress: Callable[[int, int], object] | None,
 ) -> dict[str, Any]: ...
 def sample_many(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 # Python's arguments for options of the library. For all other options, _ replaces -.
-_SPELLED = {"count": "n", "sets": "points"}
+_SPELLED = {"class": "classes", "count": "n", "sets": "points"}
 
 # Options of the command that the library's messages name.
 _OPTION = re.compile(r"(?<![^\s(])(--[a-z][a-z-]+|uniform-x|lines-per-radius)\b")

@@ -8,7 +8,7 @@ from . import _core
 from ._arguments import field_of, flag, points_array, real, whole
 from ._judging import domain_of
 from ._results import Relaxed
-from ._runs import MOST_32, checked_progress, place, relaxed_points, shape_of
+from ._runs import MOST_32, checked_progress, moved, place, shape_of
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -79,7 +79,7 @@ def relax(
     >>> even.points.shape, even.evenness.after_voronoi < even.evenness.before
     ((256, 2), True)
     """
-    moved = points_array("points", points)
+    given = points_array("points", points)
     importance = None if field is None else field_of("field", field)
     options = _core.RelaxOptions()
     shape = (1.0, 1.0) if importance is None else shape_of(importance)
@@ -90,4 +90,8 @@ def relax(
     options.gaussian_distance = real("gaussian_distance", gaussian_distance)
     options.measure = flag("measure", measure)
     checked_progress(progress)
-    return relaxed_points(moved, importance, options, progress)
+    made = _core.relax(given, importance, options, progress)
+    made["relaxed"] = dict(made)
+    relaxed = moved(made, options, options.iterations, options.gaussian)
+    assert relaxed is not None
+    return relaxed

@@ -122,61 +122,26 @@ def refuse_what_is_for_fields(mode: object, scale: object, metric: object) -> No
         raise BadRequest("field missing: mode cells needs one", "field")
 
 
-def relaxed_points(
-    points: npt.NDArray[np.float64],
-    field: _core.Field | None,
-    options: _core.RelaxOptions,
-    progress: Progress | None,
-) -> Relaxed:
-    made = _core.relax(points, field, options, progress)
-    evenness = made["evenness"]
+def moved(
+    made: dict[str, Any],
+    request: _core.Request | _core.RelaxOptions,
+    iterations: int,
+    gaussian: int = 0,
+) -> Relaxed | None:
+    """How the points of a set were moved; None if they were not."""
+    moves = made.pop("relaxed")
+    if moves is None:
+        return None
+    evenness = moves.pop("evenness")
+    moves.update(points=made["points"], seconds=made["seconds"])
     return Relaxed(
-        points=made["points"],
-        domain=(options.width, options.height),
-        torus=options.torus,
-        iterations=options.iterations,
-        lattice=made["lattice"],
+        domain=(request.width, request.height),
+        torus=request.torus,
+        iterations=iterations,
+        gaussian=gaussian,
         evenness=None if evenness is None else Evenness(*evenness),
-        seconds=made["seconds"],
-        backend=made["backend"],
-        device=made["device"],
-        gaussian=options.gaussian,
+        **moves,
     )
-
-
-def relax_options(
-    request: _core.Request, iterations: int, gaussian: int = 0, distance: float = 0.9
-) -> _core.RelaxOptions:
-    options = _core.RelaxOptions()
-    options.width, options.height, options.torus = request.width, request.height, request.torus
-    options.backend, options.device = request.backend, request.device
-    options.threads = request.threads
-    options.iterations = iterations
-    options.gaussian = gaussian
-    options.gaussian_distance = distance
-    return options
-
-
-def least_distance(points: npt.NDArray[np.float64], options: _core.RelaxOptions) -> float:
-    """The least distance of two points; 0 if there are fewer."""
-    if len(points) < 2:
-        return 0.0
-    claim = _core.Claim()
-    claim.radius = max(options.width, options.height)
-    claim.width, claim.height, claim.torus = options.width, options.height, options.torus
-    claim.distances_only = True
-    return float(_core.verify(points, claim, None, None, [], None, None)["least_distance"])
-
-
-def _relax_set(
-    points: npt.NDArray[np.float64],
-    field: _core.Field | None,
-    options: _core.RelaxOptions,
-    progress: Progress | None,
-) -> tuple[Relaxed, float]:
-    """Relaxes a set on the backend that made it. Returns also the least distance after it."""
-    relaxed = relaxed_points(points, field, options, progress)
-    return relaxed, least_distance(relaxed.points, options)
 
 
 def request_of(request: _core.Request, has_field: bool, lines_per_radius: int) -> dict[str, Any]:
@@ -212,18 +177,15 @@ def request_of(request: _core.Request, has_field: bool, lines_per_radius: int) -
 def make(
     request: _core.Request,
     field: _core.Field | None,
-    moves: _core.RelaxOptions,
+    moves: _core.Moves,
     progress: Progress | None,
     mask: _core.Mask | None = None,
     keep: npt.NDArray[np.float64] | None = None,
     keep_classes: npt.NDArray[np.uint8] | None = None,
 ) -> dict[str, Any]:
-    """Samples and relaxes. Returns the attributes of a PointSet."""
+    """Samples, and moves the points if that is asked for. Returns the attributes of a PointSet."""
     checked_progress(progress)
-    made = _core.sample(request, field, mask, keep, keep_classes, progress)
-    if field is not None and field.has_ellipses:
-        sides = (request.width, request.height)
-        made["ellipses"] = _core.ellipses_of(made["points"], field, made["scale"], *sides)
+    made = _core.sample(request, field, mask, keep, keep_classes, moves, progress)
     asked = request_of(request, field is not None, made["lines_per_radius"])
     if request.border:
         asked["border"] = request.border
@@ -235,17 +197,12 @@ def make(
         asked["ellipses" if field.has_ellipses else "field"] = "an array"
     if keep is not None:
         asked["kept"] = len(keep)
-    relaxed = None
-    if moves.iterations or moves.gaussian:
-        relaxed, least = _relax_set(made["points"], field, moves, progress)
+    relaxed = moved(made, request, moves.iterations, moves.gaussian)
+    if relaxed is not None:
         asked["relax"] = moves.iterations
-        if moves.gaussian:
-            asked.update(gaussian=moves.gaussian, gaussian_distance=moves.gaussian_distance)
-        seconds = dict(made["seconds"])
-        for step, spent in relaxed.seconds.items():
-            seconds[step] = seconds.get(step, 0.0) + spent
-        made.update(points=relaxed.points, radius=least, maximal=False, seconds=seconds)
-        made.update(backend=relaxed.backend, device=relaxed.device)  # a stratified start has none
+    if moves.gaussian:
+        asked["gaussian"] = moves.gaussian
+        asked["gaussian_distance"] = moves.gaussian_distance
     return set_of(made, request, field is not None, relaxed, asked)
 
 

@@ -27,7 +27,6 @@ from ._runs import (
     make,
     place,
     refuse_what_is_for_fields,
-    relax_options,
     set_size,
     settle,
     shape_of,
@@ -63,7 +62,7 @@ def sample(
     limit: Whole | None = None,
     relax: Whole = 0,
     gaussian: Whole = 0,
-    gaussian_distance: SupportsFloat = 0.9,
+    gaussian_distance: SupportsFloat | None = None,
     lines_per_radius: Whole | None = None,
     snap: bool = False,
     uniform_x: bool = False,
@@ -147,8 +146,8 @@ def sample(
         How often the points are moved after sampling, as ``lacuna.relax`` does. Not with mask,
         border or keep.
     gaussian, gaussian_distance : int and float
-        Steps of descent that follow, as for ``lacuna.relax``. Not with a field, ellipses, mask,
-        border or keep.
+        Steps of descent that follow, as for ``lacuna.relax``, and their distance, 0.9 by default.
+        Not with a field, ellipses, mask, border or keep.
     lines_per_radius : int, optional
         1 to 1000. By default 30 in 'lines', 10 in 'cells' and 6 in 'exact' (1 with a field, a mask,
         a border or kept points). In 'exact' it changes only the speed.
@@ -243,7 +242,6 @@ def sample(
     if ellipses is not None:
         importance = ellipses_of("ellipses", ellipses)
     request.border = real("border", border)
-    is_bounded = mask is not None or keep is not None or request.border != 0
     if mode is not None:
         choice("mode", mode, (*MODES, "stratified"))
     allowed = None if mask is None else mask_of("mask", mask)
@@ -257,14 +255,11 @@ def sample(
         if not request.classes.names or kept is None:
             raise BadRequest("keep_classes: is for keep with classes", "keep_classes")
         of_kept = class_numbers("keep_classes", keep_classes, request.classes.names, len(kept))
-    steps = whole("gaussian", gaussian, 0, MOST_32)
-    mover, times = ("relax", iterations) if iterations else ("gaussian", steps)
-    if times and request.classes.names:
-        raise BadRequest(f"{mover} {times}: cannot be used with classes", mover)
-    if times and is_bounded:
-        raise BadRequest(f"{mover} {times}: cannot be used with mask, border or keep", mover)
-    if steps and importance is not None:
-        raise BadRequest(f"gaussian {steps}: is for domains without a picture", "gaussian")
+    moves = _core.Moves()
+    moves.iterations = iterations
+    moves.gaussian = whole("gaussian", gaussian, 0, MOST_32)
+    if gaussian_distance is not None:
+        moves.gaussian_distance = real("gaussian_distance", gaussian_distance)
     if importance is None:
         refuse_what_is_for_fields(mode, scale, metric)
         set_size(request, {"radius": radius, "n": n}, bool(request.classes.names))
@@ -288,15 +283,15 @@ def sample(
         memory_limit=memory_limit,
     )
     request.progressive = flag("progressive", progressive)
-    if request.progressive and times:
-        raise BadRequest(
-            f"{mover} {times}: cannot be used with progressive: it moves the points", mover
-        )
     has_ellipses = ellipses is not None
     settle(
-        request, mode=mode, metric=metric, relax=iterations, gaussian=steps, ellipses=has_ellipses
+        request,
+        mode=mode,
+        metric=metric,
+        relax=iterations,
+        gaussian=moves.gaussian,
+        ellipses=has_ellipses,
     )
     request.snap = flag("snap", snap)
     request.uniform_x = flag("uniform_x", uniform_x)
-    moves = relax_options(request, iterations, steps, real("gaussian_distance", gaussian_distance))
     return PointSet(**make(request, importance, moves, progress, allowed, kept, of_kept))

@@ -11,8 +11,18 @@ import numpy as np
 from . import _core
 from ._arguments import choice, flag, numbers, path_bytes, real, text, whole
 from ._errors import BadRequest, FileError
-from ._results import Relaxed, Stippling
-from ._runs import METRICS, MOST_32, MOST_64, checked_progress, fill, place, request_of, set_of
+from ._results import Stippling
+from ._runs import (
+    METRICS,
+    MOST_32,
+    MOST_64,
+    checked_progress,
+    fill,
+    moved,
+    place,
+    request_of,
+    set_of,
+)
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -210,20 +220,12 @@ progress
 
 def _stippling(made: dict[str, Any], options: _core.StippleOptions) -> Stippling:
     """The result of what the library has made."""
-    request, iterations, moves = (made.pop(name) for name in ("request", "iterations", "relaxed"))
+    request, iterations = made.pop("request"), made.pop("iterations")
     asked = dict(request_of(request, True, made["lines_per_radius"]), relax=iterations)
     if options.inks:
         asked["inks"] = [ink.name for ink in options.inks]
     else:
         asked["field"] = "an array"
-    relaxed = None
-    if moves is not None:
-        moves.update(points=made["points"], evenness=None, seconds=made["seconds"])
-        relaxed = Relaxed(
-            domain=(request.width, request.height),
-            torus=request.torus,
-            iterations=iterations,
-            **moves,
-        )
+    relaxed = moved(made, request, iterations)
     palette = {ink.name: ink.hex for ink in options.inks} or None
     return Stippling(**set_of(made, request, True, relaxed, asked), inks=palette)

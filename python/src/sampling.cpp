@@ -1,4 +1,4 @@
-// Requests, fields, and the functions that make points: sample and relax.
+// Requests, fields, and the functions that make points: sample, sample_many, relax and order.
 #include <lacuna/lacuna.h>
 #include <lacuna/many.h>
 #include <lacuna/order.h>
@@ -18,6 +18,7 @@
 
 #include "arrays.h"
 #include "parts.h"
+#include "recipes/make.h"
 #include "recipes/settle.h"
 #include "watch.h"
 
@@ -51,16 +52,6 @@ Field field_of_ellipses(const EllipseArray& array) {
     }
     return ellipse_field(static_cast<std::uint32_t>(array.shape(1)),
                          static_cast<std::uint32_t>(array.shape(0)), ellipses);
-}
-
-nb::object ellipses_at(const PointArray& array, const Field& field, double scale, double width,
-                       double height) {
-    std::vector<Ellipse> ellipses;
-    {
-        const Unlocked unlocked;
-        ellipses = ellipses_of(points_of(array), field, scale, width, height);
-    }
-    return array_of(std::move(ellipses));
 }
 
 }  // namespace
@@ -100,14 +91,17 @@ nb::dict dict_of(Relaxed relaxed) {
 
 namespace {
 
+// Samples, and moves the points if that is asked for.
 nb::dict sample_points(const Request& wanted, const Field* field, const Mask* mask,
                        const std::optional<PointArray>& keep,
-                       const std::optional<ClassArray>& keep_classes, nb::object progress) {
+                       const std::optional<ClassArray>& keep_classes, const recipes::Moves& moves,
+                       nb::object progress) {
     Request request = wanted;
     request.field = field;
     request.mask = mask;
     Watch watch(std::move(progress));
-    Result result;
+    recipes::Made set;
+    std::vector<Ellipse> ellipses;
     {
         const nb::gil_scoped_release no_gil;
         const std::vector<Point> kept = keep ? points_of(*keep) : std::vector<Point>{};
@@ -115,9 +109,15 @@ nb::dict sample_points(const Request& wanted, const Field* field, const Mask* ma
         const std::vector<std::uint8_t> of_kept =
             keep_classes ? classes_of(*keep_classes) : std::vector<std::uint8_t>{};
         request.keep_classes = of_kept;
-        result = sample(request, watch);
+        set = recipes::make(request, moves, watch);
+        if (field != nullptr && !field->stretches.empty())
+            ellipses = ellipses_of(set.result.points, *field, set.result.scale, request.width,
+                                   request.height);
     }
-    nb::dict made = dict_of(std::move(result));
+    nb::dict made = dict_of(std::move(set.result));
+    made["ellipses"] = ellipses.empty() ? nb::object(nb::none()) : array_of(std::move(ellipses));
+    made["relaxed"] = nb::none();
+    if (set.relaxed) made["relaxed"] = dict_of(std::move(*set.relaxed));
     made["seconds"] = watch.seconds();
     return made;
 }
@@ -257,9 +257,18 @@ void add_sampling(nb::module_& module) {
         .def_rw("measure", &RelaxOptions::measure);
     module.def("make_field", make_field);
     module.def("ellipse_field", field_of_ellipses);
-    module.def("ellipses_of", ellipses_at);
+    nb::class_<recipes::Moves>(module, "Moves")
+        .def(nb::init<>())
+        .def_rw("iterations", &recipes::Moves::iterations)
+        .def_rw("gaussian", &recipes::Moves::gaussian)
+        .def_prop_rw(
+            "gaussian_distance",
+            [](const recipes::Moves& moves) {
+                return relax_options_of({}, moves).gaussian_distance;
+            },
+            [](recipes::Moves& moves, double distance) { moves.gaussian_distance = distance; });
     module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg().none(),
-               nb::arg().none(), nb::arg().none(), nb::arg().none());
+               nb::arg().none(), nb::arg().none(), nb::arg(), nb::arg().none());
     module.def("sample_many", sample_many_points, nb::arg(), nb::arg(), nb::arg().none());
     module.def("relax", relax_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none());
     module.def("progressive_order", order_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg(),

@@ -195,6 +195,7 @@ void add_others(const Shared& given, std::size_t size, std::vector<Call>& all) {
     add("ellipses_of", [](const Given& g) { ellipses_of(g.points, g.stretched, 1, 1, 1); });
     add("ellipse_field", [](const Given& g) { ellipse_field(g.side, g.side, g.ellipses); });
     add("prove", [=](const Given& g) { prove(g.points, {.radius = 0.006 * length}); });
+    add("least_distance", [](const Given& g) { least_distance(g.points); });
     add("analyze", [](const Given& g) { analyze(std::vector<std::vector<Point>>{g.points}); });
     add("draw_mask", [=](const Given& g) { draw_mask(g.rings, 1, 1, 0.0015 * length); });
     add("draw_places", [=](const Given& g) {

@@ -130,4 +130,19 @@ struct Proof {
 Proof prove(std::span<const Point> points, const Claim& claim,
             const std::function<bool()>& keep_going = {});
 
+// What a set that sample() made of this request promises: its radius or scale in its domain, where
+// its points may lie, and its classes and kept points.
+//   - Gaps are looked for in maximal sets of mode exact alone; other sets promise distances.
+//   - In mode lines without snap the distance is radius * (1 - 1 / (2 * lines_per_radius)).
+//   - Sets of mode stratified promise no more than Result::radius, which is 0 unless
+//     least_distance() or recipes set it; prove() refuses the claim of a radius of 0.
+// The field, mask and kept points of the request and the classes of the result must outlive the
+// claim. Polygons are not known to a request: they are claimed as the mask that they were drawn on.
+Claim claim_of(const Request& request, const Result& result);
+
+// The least distance of two points, as prove() computes it; infinite for fewer than two points.
+// Throws BadRequest for a domain that makes no sense and for a point outside of it.
+double least_distance(std::span<const Point> points, double width = 1, double height = 1,
+                      Boundary boundary = Boundary::box);
+
 }  // namespace lacuna

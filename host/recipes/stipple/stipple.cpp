@@ -17,8 +17,8 @@
 #include "drawing/tones.h"
 #include "pictures/importance.h"
 #include "plan/plan.h"
+#include "recipes/make.h"
 #include "recipes/settle.h"
-#include "verify/closest.h"
 
 namespace lacuna {
 namespace {
@@ -99,6 +99,7 @@ Stippling settled(const StippleOptions& options) {
     made.iterations = recipes::relax_of(given);
     made.is_for_a_pen = options.pen_path;
     recipes::settle(given, made.request);
+    recipes::check_moves(made.request, {.iterations = made.iterations});
     return made;
 }
 
@@ -125,7 +126,7 @@ public:
         place();
         if (options_.keep_inside)
             drawing::pull_inside(tones_, dots(), request().boundary, style_, made_.result.points);
-        if (made_.iterations != 0 || options_.keep_inside) note_moves();
+        if (tones_.has_inks() || options_.keep_inside) recipes::note_moves(request(), made_.result);
         if (options_.pen_path) order_for_a_pen();
         find_sizes();
         if (!request().field->stretches.empty())
@@ -164,48 +165,24 @@ private:
         }
     }
 
-    RelaxOptions relax_options() {
-        RelaxOptions options;
-        options.width = request().width;
-        options.height = request().height;
-        options.boundary = request().boundary;
-        options.iterations = made_.iterations;
-        options.backend = request().backend;
-        options.device = request().device;
-        options.threads = request().threads;
-        options.measure = options_.measure;
-        return options;
-    }
-
     // Places the dots and moves them.
     void place() {
-        if (tones_.has_inks()) {
-            InkDots placed =
-                place_inks(drawing::parts_of(tones_), request().seed, relax_options(), observer_);
-            return take({std::move(placed.points), placed.lattice_columns, placed.lattice_rows,
-                         std::nullopt, placed.backend, placed.device});
+        const recipes::Moves moves{.iterations = made_.iterations, .measure = options_.measure};
+        if (!tones_.has_inks()) {
+            recipes::Made placed = recipes::make(request(), moves, observer_);
+            made_.result = std::move(placed.result);
+            made_.relaxed = std::move(placed.relaxed);
+            return;
         }
-        made_.result = sample(request(), observer_);
-        if (made_.iterations != 0)
-            take(relax(made_.result.points, request().field, relax_options(), observer_));
-    }
-
-    void take(Relaxed relaxed) {
-        made_.result.points = std::exchange(relaxed.points, {});
-        made_.result.backend = relaxed.backend;  // a stratified start has none
-        made_.result.device = relaxed.device;
-        made_.relaxed = std::move(relaxed);
-    }
-
-    // Moved dots keep no distance that was asked for, and are not maximal.
-    void note_moves() {
-        made_.result.maximal = false;
-        made_.result.radius = 0;
-        if (made_.result.points.size() < 2) return;
-        const bool is_torus = request().boundary == Boundary::torus;
-        made_.result.radius =
-            verify::closest_pair({request().width, request().height, is_torus}, made_.result.points)
-                .distance;
+        InkDots placed = place_inks(drawing::parts_of(tones_), request().seed,
+                                    recipes::relax_options_of(request(), moves), observer_);
+        made_.result.points = std::move(placed.points);
+        made_.result.backend = placed.backend;
+        made_.result.device = placed.device;
+        made_.relaxed.emplace(Relaxed{.lattice_columns = placed.lattice_columns,
+                                      .lattice_rows = placed.lattice_rows,
+                                      .backend = placed.backend,
+                                      .device = placed.device});
     }
 
     // Orders the dots of each ink, or all dots if there is none, along a path of their own.

@@ -1,0 +1,33 @@
+// What a set of a request promises.
+#include <lacuna/verify.h>
+
+namespace lacuna {
+namespace {
+
+// In mode lines x is interpolated in a strip, unless points are snapped to their lines.
+double kept_distance(const Request& request, const Result& result) {
+    if (request.mode != Mode::lines || request.snap) return result.radius;
+    return result.radius * (1 - 1 / (2.0 * result.lines_per_radius));
+}
+
+}  // namespace
+
+Claim claim_of(const Request& request, const Result& result) {
+    Claim claim;
+    claim.width = request.width;
+    claim.height = request.height;
+    claim.boundary = request.boundary;
+    claim.radius = kept_distance(request, result);
+    claim.distances_only = !result.maximal || request.mode != Mode::exact;
+    if (request.mode == Mode::stratified) return claim;
+    claim.field = request.field;
+    claim.scale = request.field != nullptr ? result.scale : 0;
+    claim.mask = request.mask;
+    claim.border = request.border;
+    claim.classes = request.classes;
+    claim.class_of_points = result.classes;
+    claim.keep = request.keep;
+    return claim;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,136 @@
+// recipes::make: a set is sampled, then relaxed, or what relaxing excludes is refused.
+#include "recipes/make.h"
+
+#include <gtest/gtest.h>
+#include <lacuna/lacuna.h>
+#include <lacuna/verify.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "refusal.h"
+
+namespace lacuna::recipes {
+namespace {
+
+using tests::refusal_of;
+
+Made make(const Request& request, const Moves& moves) {
+    Observer nobody;
+    return recipes::make(request, moves, nobody);
+}
+
+Request counted(std::uint64_t count) {
+    Request request;
+    request.count = count;
+    request.boundary = Boundary::torus;
+    return request;
+}
+
+TEST(Making, WithoutMovesIsSampling) {
+    Request request;
+    request.radius = 0.05;
+    const Made made = make(request, {});
+    EXPECT_EQ(made.result.points, sample(request).points);
+    EXPECT_EQ(made.result.radius, 0.05);
+    EXPECT_TRUE(made.result.maximal);
+    EXPECT_FALSE(made.relaxed);
+}
+
+TEST(Making, WithMovesIsSamplingAndRelaxing) {
+    for (const Mode mode : {Mode::exact, Mode::stratified}) {
+        Request request = counted(200);
+        request.mode = mode;
+        const Made made = make(
+            request, {.iterations = 3, .gaussian = 2, .gaussian_distance = 0.5, .measure = true});
+        RelaxOptions options{.boundary = Boundary::torus, .iterations = 3, .gaussian = 2};
+        options.gaussian_distance = 0.5;
+        const std::vector<Point>& points = made.result.points;
+        EXPECT_EQ(points, relax(sample(request).points, nullptr, options).points);
+        EXPECT_FALSE(made.result.maximal);
+        EXPECT_EQ(made.result.backend, "cpu");
+        ASSERT_TRUE(made.relaxed);
+        EXPECT_TRUE(made.relaxed->evenness);
+        double least = 1;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k) {
+                const double x = std::abs(points[i].x - points[k].x);
+                const double y = std::abs(points[i].y - points[k].y);
+                least = std::min(least, std::hypot(std::min(x, 1 - x), std::min(y, 1 - y)));
+            }
+        EXPECT_NEAR(made.result.radius, least, 1e-15);
+    }
+}
+
+TEST(Making, OfOnePointHasNoLeastDistance) {
+    EXPECT_EQ(make(counted(1), {.iterations = 1}).result.radius, 0);
+    const std::vector<Point> pair{{0.1, 0.5}, {0.9, 0.5}};
+    EXPECT_TRUE(std::isinf(least_distance(std::span(pair).first(1))));
+    EXPECT_DOUBLE_EQ(least_distance(pair), 0.8);
+    EXPECT_DOUBLE_EQ(least_distance(pair, 1, 1, Boundary::torus), 0.2);
+    EXPECT_EQ(refusal_of([&] { least_distance(pair, 0.5, 1); }),
+              "points 1: is the number of a point outside of the domain");
+    EXPECT_EQ(refusal_of([&] { least_distance(pair, 0, 1); }).substr(0, 6), "domain");
+}
+
+TEST(Making, CanBeCancelledWhileItRelaxes) {
+    struct Impatient : Observer {
+        bool keep_going(const Progress& progress) override {
+            return progress.stage == Stage::sampling;
+        }
+    };
+    Impatient observer;
+    EXPECT_THROW(recipes::make(counted(100), {.iterations = 3}, observer), Cancelled);
+}
+
+TEST(Making, RefusesWhatRelaxingExcludes) {
+    const Mask mask{1, 1, {1}};
+    const Field ellipses{1, 1, {1}, {{4, 0.5}}};
+    const Field even{1, 1, {1}};
+    const std::vector<Point> kept{{0.5, 0.5}};
+    struct Case {
+        const char* message;
+        void (*change)(Request&);
+    };
+    static const Mask* its_mask = &mask;
+    static const Field* its_ellipses = &ellipses;
+    static std::span<const Point> its_kept = kept;
+    const char* const where =
+        "relax 2: cannot be used with --mask, --inside, --outside, --avoid, --border or --keep";
+    const std::vector<Case> cases{
+        {"relax 2: cannot be used with --progressive: it moves the points",
+         [](Request& request) { request.progressive = true; }},
+        {where, [](Request& request) { request.mask = its_mask; }},
+        {where, [](Request& request) { request.border = 0.1; }},
+        {where, [](Request& request) { request.keep = its_kept; }},
+        {"relax 2: cannot be used with --class: it keeps no distances",
+         [](Request& request) {
+             request.classes = {{"a"}, {0.1}, {}};
+         }},
+        {"relax 2: cannot be used with --ellipses, --stretch or --along: relaxing has disks",
+         [](Request& request) { request.field = its_ellipses; }}};
+    for (const Case& one : cases) {
+        Request request = counted(20);
+        one.change(request);
+        const std::string message = refusal_of([&] { make(request, {.iterations = 2}); });
+        EXPECT_EQ(message, one.message);
+        EXPECT_EQ(refusal_of([&] { make(request, {.gaussian = 2}); }),
+                  "gaussian" + message.substr(5));
+    }
+    Request request = counted(20);
+    EXPECT_EQ(refusal_of([&] { make(request, {.iterations = 10001}); }),
+              "iterations 10001: must be at most 10000");
+    EXPECT_EQ(refusal_of([&] { make(request, {.gaussian_distance = 0.5}); }),
+              "gaussian-distance 0.5: is for --gaussian");
+    request.field = &even;
+    EXPECT_EQ(refusal_of([&] { make(request, {.gaussian = 2}); }),
+              "gaussian 2: is for domains without a picture");
+}
+
+}  // namespace
+}  // namespace lacuna::recipes
