@@ -10,7 +10,7 @@
 namespace lacuna::vulkan {
 
 Device::Device(std::shared_ptr<const Instance> instance, std::size_t number,
-               const Validation* validation, Shaders shaders)
+               const Validation* validation)
     : instance_(std::move(instance)),
       physical_(instance_->devices()[number]),
       entry_(describe(physical_)),
@@ -18,18 +18,23 @@ Device::Device(std::shared_ptr<const Instance> instance, std::size_t number,
       memory_(physical_.getMemoryProperties()),
       most_groups_(physical_.getProperties().limits.maxComputeWorkGroupCount[0]),
       device_(guarded([&] { return make_device(physical_, family_, validation); })),
-      queue_(device_, family_, 0),
-      shaders_(std::move(shaders)) {}
+      queue_(device_, family_, 0) {}
 
 const Pipeline& Device::pipeline(const device::KernelShape& kernel) {
     const std::lock_guard lock(pipelines_mutex_);
     const auto found = pipelines_.find(kernel.name);
     if (found != pipelines_.end()) return found->second;
-    return pipelines_.emplace(kernel.name, guarded([&] { return make_pipeline(kernel); }))
+    return pipelines_.emplace(kernel.name, made_pipeline(kernel, embedded_shader(kernel.name)))
         .first->second;
 }
 
-Pipeline Device::make_pipeline(const device::KernelShape& kernel) const {
+Pipeline Device::made_pipeline(const device::KernelShape& kernel,
+                               std::span<const std::uint32_t> spirv) const {
+    return guarded([&] { return make_pipeline(kernel, spirv); });
+}
+
+Pipeline Device::make_pipeline(const device::KernelShape& kernel,
+                               std::span<const std::uint32_t> spirv) const {
     constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
     for (std::uint32_t i = 0; i < kernel.buffers; ++i)
@@ -38,9 +43,6 @@ Pipeline Device::make_pipeline(const device::KernelShape& kernel) const {
     const vk::PushConstantRange arguments(kCompute, 0, kernel.argument_bytes);
     vk::raii::PipelineLayout layout(device_, vk::PipelineLayoutCreateInfo({}, *sets, arguments));
 
-    const auto replaced = shaders_.find(kernel.name);
-    const std::span<const std::uint32_t> spirv =
-        replaced != shaders_.end() ? replaced->second : embedded_shader(kernel.name);
     const vk::raii::ShaderModule shader(
         device_, vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
     const vk::SpecializationMapEntry entry(0, 0, sizeof(kGroupSize));
@@ -66,7 +68,7 @@ std::shared_ptr<Device> kept_device(std::string_view wanted) {
     const std::lock_guard lock(mutex);
     const std::size_t number = choose_device(*instance, wanted);
     std::shared_ptr<Device>& device = all[number];
-    if (device == nullptr) device = std::make_shared<Device>(instance, number, nullptr, Shaders{});
+    if (device == nullptr) device = std::make_shared<Device>(instance, number, nullptr);
     return device;
 }
 

@@ -17,14 +17,12 @@
 #include "backends/device/choice.h"
 #include "backends/device/queue.h"
 #include "backends/vulkan/instance.h"
+#include "backends/vulkan/make_backend.h"
 
 namespace lacuna::vulkan {
 
 // Items of a work group: lavapipe runs a group on one thread, graphics cards want a few subgroups.
 inline constexpr std::uint32_t kGroupSize = 64;
-
-// Shaders that a test puts in place of the embedded ones, as SPIR-V words, by the kernel's name.
-using Shaders = std::map<std::string, std::vector<std::uint32_t>, std::less<>>;
 
 struct Pipeline {
     vk::raii::DescriptorSetLayout set_layout;
@@ -35,7 +33,7 @@ struct Pipeline {
 class Device {
 public:
     Device(std::shared_ptr<const Instance> instance, std::size_t number,
-           const Validation* validation, Shaders shaders);
+           const Validation* validation);
 
     const DeviceEntry& entry() const { return entry_; }
     const vk::raii::Device& handle() const { return device_; }
@@ -45,6 +43,8 @@ public:
 
     // A pipeline is made at its first use; its address stays valid. Like run(), thread-safe.
     const Pipeline& pipeline(const device::KernelShape& kernel);
+    Pipeline made_pipeline(const device::KernelShape& kernel,
+                           std::span<const std::uint32_t> spirv) const;
     // Submits the commands and waits for them.
     void run(const vk::raii::CommandBuffer& commands);
 
@@ -59,7 +59,8 @@ public:
     }
 
 private:
-    Pipeline make_pipeline(const device::KernelShape& kernel) const;
+    Pipeline make_pipeline(const device::KernelShape& kernel,
+                           std::span<const std::uint32_t> spirv) const;
 
     std::shared_ptr<const Instance> instance_;
     const vk::raii::PhysicalDevice& physical_;
@@ -69,7 +70,6 @@ private:
     std::uint64_t most_groups_;
     vk::raii::Device device_;
     vk::raii::Queue queue_;
-    Shaders shaders_;
 
     std::mutex pipelines_mutex_;
     std::map<std::string_view, Pipeline> pipelines_;
@@ -79,7 +79,7 @@ private:
 // The wanted device, the same one on every call. Throws Unavailable, DeviceError.
 std::shared_ptr<Device> kept_device(std::string_view wanted);
 
-// The queue of one backend on the device.
-std::unique_ptr<device::Queue> make_queue(std::shared_ptr<Device> device);
+// The queue of one backend on the device, with the shaders of a test.
+std::unique_ptr<device::Queue> make_queue(std::shared_ptr<Device> device, ShaderOf shader_of);
 
 }  // namespace lacuna::vulkan

@@ -7,11 +7,11 @@
 namespace lacuna::vulkan {
 namespace {
 
-// A device for one test, with the test's shaders and validation layer.
-std::shared_ptr<Device> tried_device(const Placement& placement, const Trial& trial) {
-    auto instance = std::make_shared<const Instance>(trial.validation);
+// A device for one test, with the test's validation layer.
+std::shared_ptr<Device> validated_device(const Placement& placement, const Validation* validation) {
+    auto instance = std::make_shared<const Instance>(validation);
     const std::size_t number = choose_device(*instance, placement.device);
-    return std::make_shared<Device>(std::move(instance), number, trial.validation, trial.shaders);
+    return std::make_shared<Device>(std::move(instance), number, validation);
 }
 
 }  // namespace
@@ -26,9 +26,10 @@ std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placeme
 }
 
 std::unique_ptr<device::Queue> open_queue(const Placement& placement, const Trial& trial) {
-    const bool is_tried = trial.validation != nullptr || !trial.shaders.empty();
     auto queue =
-        make_queue(is_tried ? tried_device(placement, trial) : kept_device(placement.device));
+        make_queue(trial.validation == nullptr ? kept_device(placement.device)
+                                               : validated_device(placement, trial.validation),
+                   trial.shader_of);
     queue->count_launches(trial.launches);
     return queue;
 }

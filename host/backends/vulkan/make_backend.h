@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <functional>
 #include <memory>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "backends/backend.h"
@@ -21,10 +21,13 @@ std::unique_ptr<Backend> make_backend(const Plan& plan, const Placement& placeme
 
 std::vector<DeviceEntry> list_devices();
 
+// Asked for the SPIR-V words of a kernel at its first launch; the embedded shader's if none are
+// given.
+using ShaderOf = std::function<std::vector<std::uint32_t>(std::string_view kernel)>;
+
 // For tests, which must show that these shaders do the work, and that they obey Vulkan's rules.
 struct Trial {
-    // SPIR-V words in place of an embedded shader's, by the name of its kernel.
-    std::map<std::string, std::vector<std::uint32_t>, std::less<>> shaders{};
+    ShaderOf shader_of{};
     const Validation* validation = nullptr;  // must outlive the backend
     std::uint64_t* launches = nullptr;       // counts the kernels launched
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 #include <deque>
+#include <map>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,8 +45,9 @@ struct Staged {
 
 class Queue : public device::Queue {
 public:
-    explicit Queue(std::shared_ptr<Device> the_device)
+    Queue(std::shared_ptr<Device> the_device, ShaderOf shader_of)
         : device_(std::move(the_device)),
+          shader_of_(std::move(shader_of)),
           pool_(device_->guarded([&] {
               return vk::raii::CommandPool(device_->handle(),
                                            vk::CommandPoolCreateInfo({}, device_->family()));
@@ -103,7 +106,7 @@ protected:
     void enqueue(const KernelShape& kernel, std::span<const std::byte> arguments,
                  std::span<const Buffer> buffers, std::uint32_t groups) override {
         in_use_.insert(in_use_.end(), buffers.begin(), buffers.end());
-        const Pipeline& pipeline = device_->pipeline(kernel);
+        const Pipeline& pipeline = pipeline_of(kernel);
         device_->guarded([&] {
             constexpr auto kCompute = vk::PipelineBindPoint::eCompute;
             const vk::DescriptorSet set = make_set(pipeline, buffers);
@@ -170,6 +173,15 @@ private:
         const std::byte* from;
         std::span<std::byte> to;
     };
+
+    const Pipeline& pipeline_of(const KernelShape& kernel) {
+        const auto found = tried_.find(kernel.name);
+        if (found != tried_.end()) return found->second;
+        const std::vector<std::uint32_t> spirv =
+            shader_of_ ? shader_of_(kernel.name) : std::vector<std::uint32_t>{};
+        if (spirv.empty()) return device_->pipeline(kernel);
+        return tried_.emplace(kernel.name, device_->made_pipeline(kernel, spirv)).first->second;
+    }
 
     static vk::Buffer of(const Buffer& buffer) {
         return *static_cast<const Allocation*>(buffer.handle())->buffer;
@@ -260,6 +272,8 @@ private:
     }
 
     std::shared_ptr<Device> device_;
+    ShaderOf shader_of_;                          // a test's
+    std::map<std::string_view, Pipeline> tried_;  // of its shaders
     vk::raii::CommandPool pool_;
     vk::raii::CommandBuffer commands_;
     bool is_recording_ = false;
@@ -274,8 +288,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<device::Queue> make_queue(std::shared_ptr<Device> device) {
-    return std::make_unique<Queue>(std::move(device));
+std::unique_ptr<device::Queue> make_queue(std::shared_ptr<Device> device, ShaderOf shader_of) {
+    return std::make_unique<Queue>(std::move(device), std::move(shader_of));
 }
 
 }  // namespace lacuna::vulkan

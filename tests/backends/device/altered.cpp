@@ -12,8 +12,6 @@
 #include <string_view>
 #include <vector>
 
-#include "backends/available.h"
-
 namespace lacuna::opencl {
 std::span<const std::string_view> kernel_files();  // kernels/*.cl one by one, includes expanded
 }
@@ -37,16 +35,18 @@ namespace fs = std::filesystem;
     text.replace(at, from.size(), fault.to);
 }
 
+// Whether the text defines the kernel; all texts define "".
+[[maybe_unused]] bool has_kernel(std::string_view text, const std::string& kernel) {
+    return kernel.empty() || text.find("\nKERNEL(" + kernel + ",") != std::string_view::npos;
+}
+
 #ifdef LACUNA_OPENCL
 opencl::Trial faulty_kernels(const Fault& fault) {
-    // PoCL compiles every faulty kernel anew, for one small set: without optimisation in half the
-    // time.
-    setenv("POCL_EXTRA_BUILD_FLAGS", "-cl-opt-disable", 1);
     opencl::Trial trial;
     for (const std::string_view embedded : opencl::kernel_files()) {
         std::string source(embedded);
         const std::size_t at = source.find("#line 1 \"kernels/" + std::string(fault.file) + "\"");
-        if (at == std::string::npos) continue;
+        if (at == std::string::npos || !has_kernel(source, fault.kernel)) continue;
         replace_first(source, at, fault);
         trial.sources.push_back(source);
     }
@@ -57,6 +57,29 @@ opencl::Trial faulty_kernels(const Fault& fault) {
 #endif
 
 #ifdef LACUNA_VULKAN
+// The kernels with the fault in their text, in a folder of their own.
+class FaultyCopy {
+public:
+    explicit FaultyCopy(const Fault& fault) {
+        fs::remove_all(folder_);
+        fs::copy(fs::path(LACUNA_SOURCE) / "kernels", folder_, fs::copy_options::recursive);
+        std::string text = read(folder_ / fault.file);
+        replace_first(text, 0, fault);
+        std::ofstream(folder_ / fault.file, std::ios::binary) << text;
+    }
+    ~FaultyCopy() { fs::remove_all(folder_); }
+    FaultyCopy(const FaultyCopy&) = delete;
+    FaultyCopy& operator=(const FaultyCopy&) = delete;
+
+    const fs::path& folder() const { return folder_; }
+
+private:
+    static inline int made_ = 0;
+    const fs::path folder_ =
+        fs::path(testing::TempDir()) /
+        ("lacuna-faulty-" + std::to_string(::getpid()) + "-" + std::to_string(made_++));
+};
+
 // Whether the text includes the file, directly or through others.
 bool includes(const std::string& text, const std::string& file) {
     std::istringstream lines(text);
@@ -86,22 +109,21 @@ std::vector<std::uint32_t> compiled(const std::string& kernel, const fs::path& k
 }
 
 vulkan::Trial faulty_shaders(const Fault& fault) {
-    const fs::path source = LACUNA_SOURCE;
-    const fs::path copy =
-        fs::path(testing::TempDir()) / ("lacuna-faulty-" + std::to_string(::getpid()));
-    fs::remove_all(copy);
-    fs::copy(source / "kernels", copy, fs::copy_options::recursive);
-    std::string text = read(copy / fault.file);
-    replace_first(text, 0, fault);
-    std::ofstream(copy / fault.file, std::ios::binary) << text;
-
+    std::set<std::string, std::less<>> kernels;
+    for (const fs::directory_entry& file :
+         fs::directory_iterator(fs::path(LACUNA_SOURCE) / "kernels")) {
+        if (file.path().extension() != ".cl") continue;
+        const std::string text = read(file.path());
+        if (includes(text, fault.file) && has_kernel(text, fault.kernel))
+            kernels.insert(file.path().stem());
+    }
+    if (kernels.empty()) throw std::runtime_error("no shader includes " + std::string(fault.file));
+    const auto copy = std::make_shared<FaultyCopy>(fault);
     vulkan::Trial trial;
-    for (const fs::directory_entry& file : fs::directory_iterator(source / "kernels"))
-        if (file.path().extension() == ".cl" && includes(read(file.path()), fault.file))
-            trial.shaders[file.path().stem()] = compiled(file.path().stem(), copy);
-    fs::remove_all(copy);
-    if (trial.shaders.empty())
-        throw std::runtime_error("no shader includes " + std::string(fault.file));
+    trial.shader_of = [kernels, copy](std::string_view kernel) {
+        return kernels.contains(kernel) ? compiled(std::string(kernel), copy->folder())
+                                        : std::vector<std::uint32_t>{};
+    };
     return trial;
 }
 #endif
@@ -113,6 +135,12 @@ struct SomeRounds : Observer {
 };
 
 }  // namespace
+
+void OnFaultyBackend::SetUp() {
+    setenv("POCL_EXTRA_BUILD_FLAGS", "-cl-opt-disable", 1);
+    setenv("GALLIVM_PERF", "nopt", 1);  // lavapipe reads it once, before its first device
+    OnBackend::SetUp();
+}
 
 std::unique_ptr<Backend> make_faulty(const std::string& backend, [[maybe_unused]] const Plan& plan,
                                      [[maybe_unused]] const Fault& fault) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "backends/available.h"
 #include "backends/backend.h"
 #include "backends/device/layout.h"
 #include "backends/device/queue.h"
@@ -13,15 +14,23 @@
 
 namespace lacuna::tests {
 
-// Replaces the first `from` in a file of kernels/ by `to`.
+// Replaces the first `from` in a file of kernels/ by `to`, in one kernel or in all that include the
+// file.
 struct Fault {
     const char* file;
     const char* from;
     const char* to;
+    const char* kernel = "";
 };
 
-// The device backend with the fault in all its kernels that include the file. Throws
-// std::runtime_error if the text is not in the file or does not compile.
+// A test's faulty kernels run once, so drivers compile them without optimisation, in half the time.
+class OnFaultyBackend : public OnBackend {
+protected:
+    void SetUp() override;
+};
+
+// The device backend with the fault. Throws std::runtime_error if the text is not in the file, if
+// the kernel does not include the file, or if it does not compile.
 std::unique_ptr<Backend> make_faulty(const std::string& backend, const Plan& plan,
                                      const Fault& fault);
 

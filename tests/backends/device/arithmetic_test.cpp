@@ -108,7 +108,9 @@ std::unique_ptr<device::Queue> queue_of(const std::string& backend, const std::s
 #endif
 #ifdef LACUNA_VULKAN
     vulkan::Trial trial;
-    trial.shaders["arithmetic"].assign(std::begin(arithmetic_spirv), std::end(arithmetic_spirv));
+    trial.shader_of = [](std::string_view) {
+        return std::vector(std::begin(arithmetic_spirv), std::end(arithmetic_spirv));
+    };
     trial.launches = launches;
     return vulkan::open_queue({}, trial);
 #endif

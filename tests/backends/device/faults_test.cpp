@@ -16,10 +16,10 @@ namespace {
 
 using tests::Fault;
 
-class Faults : public tests::OnBackend {
+class Faults : public tests::OnFaultyBackend {
 protected:
-    // A fault is noticed if it changes the set or causes an error. No fault may leave a box
-    // unwritten, because the old content of memory would be read as coordinates.
+    // A fault is noticed if it changes the set, takes more rounds or causes an error. No fault may
+    // leave a box unwritten, because the old content of memory would be read as coordinates.
     void expect_noticed(const Plan& plan, const std::vector<Fault>& faults) {
         const Outcome on_cpu = tests::run_on_cpu(plan);
         ASSERT_LE(on_cpu.rounds, tests::kMostRounds);
@@ -28,7 +28,7 @@ protected:
         for (const Fault& fault : faults) {
             const auto faulty = tests::make_faulty(GetParam(), plan, fault);
             try {
-                EXPECT_TRUE(tests::run_rounds(plan, *faulty).samples != right)
+                EXPECT_TRUE(tests::run_rounds(plan, *faulty, on_cpu.rounds).samples != right)
                     << fault.file << ": " << fault.from << " became " << fault.to;
             } catch (const DeviceError&) {
             }
@@ -172,13 +172,14 @@ TEST_P(Faults, WithARadiusFieldAreNoticed) {
          {"bodies/exact/decide_with_field.h", "other.w >= candidate.w", "other.w <= candidate.w"},
          {"bodies/exact/decide_with_field.h", "AT(candidate_radii, visitor.x);", "0xffffffffu;"},
          {"bodies/exact/enlist.h", "AT(lists, block) = next;", ""},
-         {"portable/conflict.h", "radius_a < radius_b ? radius_a : radius_b", "radius_a"},
+         {"portable/conflict.h", "radius_a < radius_b ? radius_a : radius_b", "radius_a",
+          "admit_with_field"},
          {"bodies/exact/strip.h", "g.period_x) + middle", "g.period_x)"},
          {"bodies/exact/pieces.h", "window < windows;", "window < 1u;"},
          {"bodies/exact/pieces.h", "++pieces.insides;", ""},
          {"bodies/exact/lists.h", "walk.left - 1u,", "0u,"},
          {"bodies/exact/lists.h", "(next, near.low.x,", "(next, next,"},
-         {"portable/distance.h", "period - last + at :", "period - begin + at :"}});
+         {"portable/distance.h", "period - last + at :", "period - begin + at :", "reach"}});
 }
 
 // Classes on a field: each sheet sees the others' samples.
@@ -194,12 +195,13 @@ TEST_P(Faults, WithClassesAreNoticed) {
     plan.limit = plan.expected_samples / 2;
     expect_noticed(
         plan,
-        {{"portable/sheets.h", " | (other_x >> sheet_bits << sheet_bits)", ""},
-         {"portable/sheets.h", ">> FACTOR_BITS", ">> (FACTOR_BITS + 1u)"},
-         {"bodies/exact/factor.h", "sheet_of(x_a, g.sheet_bits) * MOST_CLASSES", "0u"},
-         {"bodies/exact/pixels.h", "at & axis.last", "at & axis.last >> 1u"},
+        {{"portable/sheets.h", " | (other_x >> sheet_bits << sheet_bits)", "", "admit_with_field"},
+         {"portable/sheets.h", ">> FACTOR_BITS", ">> (FACTOR_BITS + 1u)", "reach"},
+         {"bodies/exact/factor.h", "sheet_of(x_a, g.sheet_bits) * MOST_CLASSES", "0u",
+          "screen_with_field"},
+         {"bodies/exact/pixels.h", "at & axis.last", "at & axis.last >> 1u", "locate_with_field"},
          {"bodies/exact/reach.h", "a.g.sheet_bits == BITS_OF_ONE_SHEET ? 0u : 1u", "0u"},
-         {"bodies/exact/ellipses.h", "factor_of(ON g, x, one.x)", "FACTOR_ONE"},
+         {"bodies/exact/ellipses.h", "factor_of(ON g, x, one.x)", "FACTOR_ONE", "admit_with_field"},
          {"bodies/exact/lists.h", "factor_of(ON a.g, neighbour.x, strip.at.x)", "FACTOR_ONE"}});
 }
 
@@ -214,19 +216,22 @@ TEST_P(Faults, WithEllipsesAreNoticed) {
     Plan plan = make_plan(request);
     plan.limit = plan.expected_samples * 95 / 100;
     expect_noticed(
-        plan,
-        {{"portable/ellipse.h", "sign_extended(e.q) * dx + to_i64(e.s) * dy", "to_i64(e.s) * dy"},
-         {"portable/ellipse.h", "-most - aside", "-most + aside"},
-         {"portable/ellipse.h", "image == 1u ? to_i64(period) : 0", "0"},
-         {"portable/ellipse.h", "(a < b ? a : b) + up * low", "(a < b ? b : a) + up * low"},
-         {"portable/conflict.h", "period_x == 0u ? 1u : 9u", "1u"},
-         {"portable/ellipse.h", "return way - around;", "return way;"},
-         {"portable/conflict.h", "holds(of_a, dx, dy) && holds", "holds(of_a, dx, dy) || holds"},
-         {"bodies/exact/ellipses.h", "field.rows.pixels + pixel_of(field.rows, y)",
-          "field.rows.pixels"},
-         {"bodies/exact/ellipses.h", "if (g.rule != RULE_OF_ELLIPSES)", "if (true)"},
-         {"bodies/exact/lists.h", "if (strip.is_even)\n", "if (false)\n"},
-         {"bodies/exact/pieces.h", "g.rule != RULE_OF_ELLIPSES", "true"}});
+        plan, {{"portable/ellipse.h", "sign_extended(e.q) * dx + to_i64(e.s) * dy",
+                "to_i64(e.s) * dy", "admit_with_field"},
+               {"portable/ellipse.h", "-most - aside", "-most + aside"},
+               {"portable/ellipse.h", "image == 1u ? to_i64(period) : 0", "0", "reach"},
+               {"portable/ellipse.h", "(a < b ? a : b) + up * low", "(a < b ? b : a) + up * low",
+                "reach"},
+               {"portable/conflict.h", "period_x == 0u ? 1u : 9u", "1u", "reach"},
+               {"portable/ellipse.h", "return way - around;", "return way;", "screen_with_field"},
+               {"portable/conflict.h", "holds(of_a, dx, dy) && holds",
+                "holds(of_a, dx, dy) || holds", "admit_with_field"},
+               {"bodies/exact/ellipses.h", "field.rows.pixels + pixel_of(field.rows, y)",
+                "field.rows.pixels", "admit_with_field"},
+               {"bodies/exact/ellipses.h", "if (g.rule != RULE_OF_ELLIPSES)", "if (true)",
+                "screen_with_field"},
+               {"bodies/exact/lists.h", "if (strip.is_even)\n", "if (false)\n"},
+               {"bodies/exact/pieces.h", "g.rule != RULE_OF_ELLIPSES", "true"}});
 }
 
 // Where a fine mask forbids a part of a box on one pixel, inner circles cut the box.
@@ -259,11 +264,11 @@ TEST_P(Faults, InHalvedBoxesWithARadiusFieldAreNoticed) {
          {"bodies/exact/lists.h", "k % 2u == 0u ? y : whole.w", "false ? y : whole.w"},
          {"bodies/exact/lists.h", "is_whole ? strip.radius : 0u", "is_whole ? 1u : 0u"},
          {"bodies/exact/lists.h", "if (k > 1u) strip", "if (false) strip"},
-         {"bodies/exact/radius_field.h", "+ rank_of_slot(values, slot);", ";"},
-         {"portable/mask_tree.h", "(y & 1u) << 1", "(y & 0u) << 1"},
+         {"bodies/exact/radius_field.h", "+ rank_of_slot(values, slot);", ";", "locate_with_field"},
+         {"portable/mask_tree.h", "(y & 1u) << 1", "(y & 0u) << 1", "locate_with_field"},
          {"bodies/exact/radius_field.h", "i <= pixels.y >> level.shift",
-          "i == pixels.x >> level.shift"},
-         {"portable/radius_field.h", "less_a < less_b", "less_a > less_b"}});
+          "i == pixels.x >> level.shift", "split"},
+         {"portable/radius_field.h", "less_a < less_b", "less_a > less_b", "measure"}});
 }
 
 // Boxes on one large pixel are long, so more chords cut a box in the middle, into two pieces.

@@ -19,7 +19,7 @@ namespace {
 
 using lacuna::tests::Fault;
 
-class GaussianFaults : public lacuna::tests::OnBackend {
+class GaussianFaults : public lacuna::tests::OnFaultyBackend {
 protected:
     static std::vector<Spot> descended(GaussianBackend& backend) {
         constexpr std::uint32_t kSteps = 3;

@@ -32,7 +32,7 @@ std::vector<Site> relaxed(RelaxBackend& backend) {
     return backend.sites();
 }
 
-class RelaxFaults : public lacuna::tests::OnBackend {
+class RelaxFaults : public lacuna::tests::OnFaultyBackend {
 protected:
     static std::vector<Site> on_cpu(const Lattice& lattice, const std::vector<Site>& start) {
         RelaxOptions options;

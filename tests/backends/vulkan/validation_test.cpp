@@ -213,7 +213,7 @@ TEST_P(ValidatedCalls, TellOfACopyBeyondTheEnd) {
 // The queue puts a barrier before every command: this test records two itself, without one.
 TEST_P(ValidatedCalls, TellOfAMissingBarrier) {
     const auto instance = std::make_shared<const vulkan::Instance>(&validation_);
-    const vulkan::Device device(instance, vulkan::choose_device(*instance, ""), &validation_, {});
+    const vulkan::Device device(instance, vulkan::choose_device(*instance, ""), &validation_);
     const vk::raii::Device& handle = device.handle();
     const vk::raii::CommandPool pool(handle, vk::CommandPoolCreateInfo({}, device.family()));
     const vk::raii::CommandBuffers all(handle, {*pool, vk::CommandBufferLevel::ePrimary, 1});
