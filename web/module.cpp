@@ -10,8 +10,8 @@
 #include <new>
 #include <string>
 
+#include "base/number_text.h"
 #include "lacuna_web.h"
-#include "plan/plan.h"
 
 namespace {
 

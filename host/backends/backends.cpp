@@ -12,6 +12,7 @@
 #endif
 #ifdef LACUNA_VULKAN
 #include "backends/vulkan/make_backend.h"
+#include "plan/sizes.h"
 #endif
 
 namespace lacuna {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "plan/sizes.h"
 #include "portable/column.h"
 
 namespace lacuna {

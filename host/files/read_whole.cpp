@@ -14,7 +14,7 @@
 
 #include "base/polling.h"
 #include "files/parse.h"
-#include "plan/plan.h"
+#include "plan/sizes.h"
 
 namespace lacuna::files {
 namespace {

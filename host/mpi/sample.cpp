@@ -31,7 +31,7 @@
 #include "mpi/mpi_ranks.h"
 #include "mpi/npy_sink.h"
 #include "mpi/report.h"
-#include "plan/plan.h"
+#include "plan/sizes.h"
 #include "ranks/sample_on_ranks.h"
 #include "ranks/together.h"
 

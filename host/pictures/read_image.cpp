@@ -15,7 +15,7 @@
 #include "files/parse.h"
 #include "files/read_whole.h"
 #include "pictures/decode.h"
-#include "plan/plan.h"
+#include "plan/sizes.h"
 
 namespace lacuna::pictures {
 namespace {

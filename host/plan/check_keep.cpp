@@ -11,12 +11,13 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/number_text.h"
 #include "base/polling.h"
 #include "plan/ellipse.h"
 #include "plan/kept.h"
 #include "plan/mask_tree.h"
 #include "plan/pixels_at.h"
-#include "plan/plan.h"
+#include "plan/sheets.h"
 
 namespace lacuna {
 namespace {

@@ -6,9 +6,12 @@
 #include <optional>
 #include <string>
 
+#include "base/number_text.h"
 #include "base/polling.h"
 #include "base/threads.h"
-#include "plan/plan.h"
+#include "plan/checked_request.h"
+#include "plan/sheets.h"
+#include "plan/sizes.h"
 
 namespace lacuna {
 namespace {
@@ -186,6 +189,17 @@ void check_request(const Request& request) {
         throw BadRequest("threads", std::to_string(request.threads),
                          "must be at most " + std::to_string(kMostThreads));
     check_round_size(request);
+}
+
+CheckedRequest::CheckedRequest(const Request& request) : request_(request) {
+    check_request(request);
+    Classes& classes = request_.classes;
+    if (classes.names.empty()) return;
+    std::optional<double>& size = request.field != nullptr ? request_.scale : request_.radius;
+    if (!size && !request.count) size = least_distance_of(classes);
+    if (classes.names.size() > 1) return;
+    classes = {};
+    request_.keep_classes = {};
 }
 
 }  // namespace lacuna

@@ -3,9 +3,10 @@
 #include <cstddef>
 #include <string>
 
+#include "base/number_text.h"
 #include "base/polling.h"
+#include "plan/checked_request.h"
 #include "plan/kept.h"
-#include "plan/plan.h"
 
 namespace lacuna {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "base/number_text.h"
 
 namespace lacuna {
 

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "base/number_text.h"
 #include "portable/ellipse.h"
 
 namespace lacuna {

@@ -1,11 +1,10 @@
-// A checked request in whole numbers (docs/design.md, section 2; the units are the grid's).
+// A checked request in whole numbers (docs/design.md, section 2; the units are the grid's). See
+// plan/make_plan.h for how it is made.
 #pragma once
 
 #include <lacuna/lacuna.h>
 #include <cstdint>
 #include <memory>
-#include <span>
-#include <string>
 #include <variant>
 #include <vector>
 
@@ -31,11 +30,6 @@ struct Span {
     std::uint32_t end;
     friend bool operator==(const Span&, const Span&) = default;
 };
-
-// Maximal sets on a torus (docs/design.md, section 5): N r^2 over the area, which is the jamming
-// density of random sequential adsorption, and the standard deviation of N over sqrt(N).
-inline constexpr double kTorusDensity = 0.69656;
-inline constexpr double kCountDeviation = 0.244;
 
 class RadiusField;
 struct FirstBoxes;
@@ -155,97 +149,5 @@ struct Plan {
         return has_field() ? field().sheets.x_on_sheet(x) : x;
     }
 };
-
-// The grid of a domain that is `width` x `height` units large, for a radius.
-GridShape grid_of(std::uint32_t width, std::uint32_t height, std::uint32_t radius);
-
-// Fills in what every mode's plan takes from the request in the same way, once the plan has its
-// width, height and radius. `expected` is the number of samples of a maximal set.
-void finish_plan(Plan& plan, const Request& request, std::uint64_t limit, double expected);
-
-// Throws BadRequest. request.radius must be set or, with a field, request.scale.
-Plan make_plan(const Request& request);
-
-// Sums over the pixels of one field, computed once for all its plans. An importance is taken as a
-// fraction of the greatest one.
-struct FieldSums {
-    double greatest;
-    double shares;           // sum of the fractions
-    double shares_and_half;  // sum of the fractions to the power of 1.5
-};
-FieldSums sums_of(const Field& field, const Poll& poll = nobody_asks);
-// make_plan for mode cells. The request was checked before (plan_cells.cpp).
-Plan make_cells_plan(const Request& request, const FieldSums& sums, const Poll& poll = nobody_asks);
-
-// What a plan with a radius field has at a size, its radius or scale.
-struct FieldSize {
-    double least_radius;
-    double samples;  // expected number in a maximal set
-};
-// Throws BadRequest or MemoryRefused, for the request's count, scale or radius, if it is too small.
-FieldSize check_radius_field_size(const Request& request, double size,
-                                  const Poll& poll = nobody_asks);
-
-// make_plan for mode exact with a radius field. The request was checked before, including the
-// distances of kept points (plan_radius_field.cpp). The plan keeps `samples`, too, which lie where
-// samples may lie and keep their distances.
-Plan make_radius_field_plan(const Request& request, const Poll& poll = nobody_asks,
-                            std::span<const Sample> samples = {});
-// Whether the request needs make_radius_field_plan.
-bool needs_radius_field(const Request& request);
-// The scale, or without a field the radius, at which a maximal set of the request is expected to
-// have `count` samples, by the formula of docs/design.md, section 5.
-double radius_field_scale_for_count(const Request& request, double count,
-                                    const Poll& poll = nobody_asks);
-
-// A checked request as plans are made of it: classes give it the radius or scale of their least
-// distance if it has none and no count; one class is the same as none.
-Request settled(const Request& request);
-
-// Checks everything that does not depend on the radius. Throws BadRequest.
-void check_request(const Request& request);
-// Checks that a field has a value for each pixel, all finite and at least 0, one above 0. Throws
-// BadRequest.
-void check_importance(const Field& field);
-// Throws BadRequest if the field has stretches, for `who`, which knows only disks.
-void check_disks(const Field& field, const char* who);
-
-// Checks where samples may lie (check_where.cpp): the mask, the border and the kept points, but not
-// the points' distances, which depend on the radius. Throws BadRequest.
-void check_where(const Request& request);
-
-// Most free spans of a line that is `radii` radii long. A line has most spans after the second or
-// third round, 0.272 per radius on average, whatever m. In 18 sets of 20 to 1,000 radii no line had
-// more than this function's value less 8.
-double most_spans(double radii);
-
-// The memory that a set may take if the request does not say.
-std::uint64_t machine_memory_bytes();
-
-// The radius at which a maximal set is expected to have this number of samples, at most the largest
-// that the domain allows. `count` need not be a whole number.
-double radius_expecting(const Request& request, double count);
-// Throws BadRequest or MemoryRefused, for request.count, if it needs too small a radius.
-void check_radius_for_count(const Request& request, double radius);
-// In mode cells, the expected samples at a least radius of 1 user unit: the density times the
-// integral of importance / greatest importance, less the lattice's loss (plan_cells.cpp).
-double samples_at_radius_one(const Request& request, const FieldSums& sums);
-// The scale at which a maximal set is expected to have `count` points. Throws like the next.
-double scale_for_count(const Request& request, const FieldSums& sums, std::uint64_t count);
-// Throws BadRequest or MemoryRefused, for request.count, if its lattice would be too large.
-void check_scale_for_count(const Request& request, const FieldSums& sums, double scale);
-
-// Throws BadRequest for `option` if `bytes` is more than the request or the machine allows.
-void refuse_more_memory(const Request& request, const std::string& option, const std::string& value,
-                        double bytes);
-// The default m of mode cells: the least with reasonable quality in figure 4.
-inline constexpr std::uint32_t kCellsPerRadius = 10;
-// The request's m, or the default of its mode.
-std::uint32_t lines_per_radius(const Request& request);
-
-// The shortest decimal that reads back as the same double.
-std::string shortest(double value);
-// Writes a number with at most this many significant digits, as printf's %g does.
-std::string rounded(double value, int digits);
 
 }  // namespace lacuna

@@ -6,7 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "base/number_text.h"
+#include "plan/checked_request.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
+#include "plan/sizes.h"
 
 namespace lacuna {
 namespace {
@@ -94,7 +98,8 @@ double scale_for_count(const Request& request, const FieldSums& sums, std::uint6
     return scale;
 }
 
-Plan make_cells_plan(const Request& request, const FieldSums& sums, const Poll& poll) {
+Plan make_cells_plan(const CheckedRequest& checked, const FieldSums& sums, const Poll& poll) {
+    const Request& request = *checked;
     const double scale = *request.scale;
     if (!std::isfinite(scale) || scale <= 0)
         throw BadRequest("scale", shortest(scale), "must be a finite number greater than 0");

@@ -10,9 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/number_text.h"
+#include "plan/checked_request.h"
 #include "plan/first_boxes.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "plan/radius_field.h"
+#include "plan/sizes.h"
 
 namespace lacuna {
 namespace {
@@ -276,8 +280,9 @@ FieldSize check_radius_field_size(const Request& request, double size, const Pol
     return {least_radius, samples * crowd_of(request)};
 }
 
-Plan make_radius_field_plan(const Request& request, const Poll& poll,
+Plan make_radius_field_plan(const CheckedRequest& checked, const Poll& poll,
                             std::span<const Sample> samples) {
+    const Request& request = *checked;
     const bool has_field = request.field != nullptr;
     const double scale = has_field ? *request.scale : *request.radius;
     const auto [least_radius, expected] = check_radius_field_size(request, scale, poll);

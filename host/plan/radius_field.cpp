@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "base/number_text.h"
 #include "plan/ellipse.h"
 
 namespace lacuna {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "plan/plan.h"
+#include "base/number_text.h"
 #include "plan/radius_field.h"
 
 namespace lacuna {
@@ -151,17 +151,6 @@ Sheets sheets_of(const Request& request) {
     std::vector<double> weights = request.classes.weights;
     weights.resize(request.classes.names.size(), weights.empty() ? 1.0 : 0.0);
     return {static_cast<std::uint32_t>(weights.size()), distances_of(request), weights};
-}
-
-Request settled(const Request& request) {
-    Request all = request;
-    if (all.classes.names.empty()) return all;
-    std::optional<double>& size = all.field != nullptr ? all.scale : all.radius;
-    if (!size && !all.count) size = least_distance_of(all.classes);
-    if (all.classes.names.size() > 1) return all;
-    all.classes = {};
-    all.keep_classes = {};
-    return all;
 }
 
 void check_classes(const Request& request) {

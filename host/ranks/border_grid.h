@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "portable/distance.h"
 #include "portable/status.h"

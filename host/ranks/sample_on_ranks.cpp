@@ -2,6 +2,8 @@
 #include "ranks/sample_on_ranks.h"
 
 #include "backends/backends.h"
+#include "plan/checked_request.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "ranks/together.h"
 #include "sampling/count_search.h"
@@ -19,15 +21,17 @@ void check_request_on_ranks(const Request& request) {
 }
 
 std::uint32_t most_ranks(const Request& request) {
+    const CheckedRequest checked(request);
     return most_ranks(
-        make_plan(request.count ? search_for_count(request, nullptr)->next().request : request));
+        make_plan(request.count ? search_for_count(checked, nullptr)->next().request : checked));
 }
 
 ResultOnRanks sample_on_ranks(const Request& request, Ranks& ranks, Sink& sink,
                               Observer& observer) {
-    const auto search = request.count ? search_for_count(request, nullptr) : nullptr;
+    const CheckedRequest checked(request);
+    const auto search = request.count ? search_for_count(checked, nullptr) : nullptr;
     for (;;) {
-        const Request sized = search ? search->next().request : request;
+        const CheckedRequest sized = search ? search->next().request : checked;
         const Plan plan = make_plan(sized);
         const Strip strip = strip_of(plan, ranks.rank(), ranks.count());
         ReadyBackend ready;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "backends/columns.h"
+#include "plan/make_plan.h"
 
 namespace lacuna {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "plan/plan.h"
+#include "base/number_text.h"
 #include "relax/descent.h"
 #include "relax/lattice.h"
 

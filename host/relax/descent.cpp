@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "plan/plan.h"
+#include "base/number_text.h"
 #include "relax/relax_backends.h"
 
 namespace lacuna::relaxing {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string>
 
-#include "plan/plan.h"
+#include "base/number_text.h"
 #include "relax/lattice.h"
 #include "relax/take_apart.h"
 

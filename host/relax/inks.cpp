@@ -13,7 +13,7 @@
 
 #include "base/asked.h"
 #include "base/polling.h"
-#include "plan/plan.h"
+#include "plan/checked_request.h"
 #include "relax/lattice.h"
 #include "relax/relax_backends.h"
 #include "relax/stratified.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "plan/plan.h"
+#include "base/number_text.h"
 #include "relax/take_apart.h"
 #include "verify/verify.h"
 

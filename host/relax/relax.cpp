@@ -10,7 +10,7 @@
 #include "base/asked.h"
 #include "base/polling.h"
 #include "lacuna/lacuna.h"
-#include "plan/plan.h"
+#include "plan/checked_request.h"
 #include "relax/descent.h"
 #include "relax/lattice.h"
 #include "relax/relax_backends.h"

@@ -10,6 +10,7 @@
 
 #include "base/threads.h"
 #include "baseline/dart_throwing.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 
 namespace lacuna::reproduce {

@@ -6,6 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "plan/checked_request.h"
+#include "plan/make_plan.h"
+#include "plan/sizes.h"
+
 namespace lacuna {
 namespace {
 
@@ -19,11 +23,13 @@ double with_deviations(double count) {
     return count + kDeviations * kCountDeviation * std::sqrt(count);
 }
 
-Request without_count(const Request& request, std::uint64_t limit) {
-    Request trial = request;
-    trial.count.reset();
-    trial.limit = limit;
-    return trial;
+// The request at a size, its radius or scale, instead of a count.
+CheckedRequest at_size(const CheckedRequest& request, double size, std::uint64_t limit) {
+    return request.with([&](Request& trial) {
+        (trial.field != nullptr ? trial.scale : trial.radius) = size;
+        trial.count.reset();
+        trial.limit = limit;
+    });
 }
 
 std::uint64_t limit_of(const Request& request) {
@@ -34,23 +40,23 @@ std::uint64_t limit_of(const Request& request) {
 // at 5 % more.
 class RadiusSearch : public CountSearch {
 public:
-    explicit RadiusSearch(const Request& request) : request_(request) {}
+    explicit RadiusSearch(const CheckedRequest& request) : request_(request) {}
 
     Trial next() override {
         constexpr double kMoreEachTrial = 1.05;
         // A set of mode lines has 0.2 / m fewer points than a maximal one, m lines per radius.
-        const double loss = request_.mode == Mode::exact ? 1 : 1 + 0.2 / lines_per_radius(request_);
-        const double wanted = with_deviations(static_cast<double>(*request_.count)) * loss *
+        const double loss =
+            request_->mode == Mode::exact ? 1 : 1 + 0.2 / lines_per_radius(request_);
+        const double wanted = with_deviations(static_cast<double>(*request_->count)) * loss *
                               std::pow(kMoreEachTrial, trials_++);
-        Trial trial{.request = without_count(request_, limit_of(request_))};
-        trial.request.radius = radius_expecting(request_, wanted);
-        check_radius_for_count(request_, *trial.request.radius);
-        return trial;
+        const double radius = radius_expecting(request_, wanted);
+        check_radius_for_count(request_, radius);
+        return {.request = at_size(request_, radius, limit_of(request_))};
     }
     bool is_enough(std::uint64_t points) override { return points == limit_of(request_); }
 
 private:
-    const Request& request_;
+    CheckedRequest request_;
     int trials_ = 0;
 };
 
@@ -59,16 +65,15 @@ private:
 // Then trials follow as for one radius.
 class LatticeSearch : public CountSearch {
 public:
-    LatticeSearch(const Request& request, const FieldSums& sums)
-        : request_(request), sums_(sums), scale_(scale_for_count(request, sums, *request.count)) {}
+    LatticeSearch(const CheckedRequest& request, const FieldSums& sums)
+        : request_(request), sums_(sums), scale_(scale_for_count(request, sums, *request->count)) {}
 
     Trial next() override {
-        if (is_piloting_) return pilot_ = {.request = next_pilot(), .is_pilot = true};
+        if (is_piloting_) return {.request = pilot_ = next_pilot(), .is_pilot = true};
         // The spare room grows with the number n of trials before: kFieldSpare^(1 + n (n + 1) / 2).
-        Trial trial{.request = without_count(request_, limit_of(request_))};
-        trial.request.scale = scale_by_pilot(pilot_points_, 1 + trials_ * (trials_ + 1) / 2);
+        const double scale = scale_by_pilot(pilot_points_, 1 + trials_ * (trials_ + 1) / 2);
         ++trials_;
-        return trial;
+        return {.request = at_size(request_, scale, limit_of(request_))};
     }
 
     bool is_enough(std::uint64_t points) override {
@@ -88,15 +93,14 @@ private:
     static constexpr int kFarCorrections = 20;   // most if the last one was far off
     static constexpr double kClose = 0.08;       // smaller corrections of the scale end the pilots
 
-    Request next_pilot() const {
-        Request pilot = without_count(request_, kFar * kFar * *request_.count);
+    CheckedRequest next_pilot() const {
         const std::uint32_t own = lines_per_radius(request_);
-        pilot.lines_per_radius = corrections_ == 0 ? std::min(own, kCoarse) : own;
-        pilot.scale = scale_;
-        pilot.round_size = 0;
-        pilot.backend = "cpu";
-        pilot.device.clear();
-        return pilot;
+        return at_size(request_, scale_, kFar * kFar * *request_->count).with([&](Request& pilot) {
+            pilot.lines_per_radius = corrections_ == 0 ? std::min(own, kCoarse) : own;
+            pilot.round_size = 0;
+            pilot.backend = "cpu";
+            pilot.device.clear();
+        });
     }
 
     // The scale that follows from the last pilot, with kFieldSpare^spares times the count. The
@@ -104,11 +108,11 @@ private:
     // points has a lattice that missed all pixels with importance, and counts as half a point.
     double scale_by_pilot(std::uint64_t points, int spares) const {
         const double finer =
-            samples_at_radius_one(request_, sums_) / samples_at_radius_one(pilot_.request, sums_);
+            samples_at_radius_one(request_, sums_) / samples_at_radius_one(pilot_, sums_);
         const double maximal = std::max(static_cast<double>(points), 0.5) * finer;
         const double wanted =
-            with_deviations(static_cast<double>(*request_.count)) * std::pow(kFieldSpare, spares);
-        const double scale = *pilot_.request.scale * std::sqrt(maximal / wanted);
+            with_deviations(static_cast<double>(*request_->count)) * std::pow(kFieldSpare, spares);
+        const double scale = *pilot_->scale * std::sqrt(maximal / wanted);
         check_scale_for_count(request_, sums_, scale);
         return scale;
     }
@@ -116,7 +120,7 @@ private:
     // Returns whether another pilot is needed, and then corrects scale_ for it. scale_ stays
     // between the scales that were found too small and too large.
     bool correct_scale() {
-        const std::uint64_t count = *request_.count;
+        const std::uint64_t count = *request_->count;
         const bool is_far = pilot_points_ < count / kFar || pilot_points_ > kFar * count;
         if (corrections_ > kCorrections && !is_far) return false;
         double next = scale_by_pilot(std::max(pilot_points_, count / (kFar * kFar)), 1);
@@ -130,14 +134,14 @@ private:
         return true;
     }
 
-    const Request& request_;
+    CheckedRequest request_;
     const FieldSums& sums_;
     double scale_;  // of the next pilot
     double too_small_ = 0;
     double too_large_ = std::numeric_limits<double>::infinity();
     bool is_piloting_ = true;
     int corrections_ = 0;
-    Trial pilot_;
+    CheckedRequest pilot_ = request_;
     std::uint64_t pilot_points_ = 0;
     int trials_ = 0;  // without pilots
 };
@@ -146,16 +150,13 @@ private:
 // set with far too many points is no answer: its first points alone are far from maximal.
 class FieldSearch : public CountSearch {
 public:
-    FieldSearch(const Request& request, const Poll& poll)
+    FieldSearch(const CheckedRequest& request, const Poll& poll)
         : request_(request),
-          wanted_(kFieldSpare * with_deviations(static_cast<double>(*request.count))),
+          wanted_(kFieldSpare * with_deviations(static_cast<double>(*request->count))),
           size_(radius_field_scale_for_count(request, wanted_, poll)) {}
 
     Trial next() override {
-        Trial trial{.request =
-                        without_count(request_, static_cast<std::uint64_t>(4 * wanted_) + 16)};
-        (request_.field != nullptr ? trial.request.scale : trial.request.radius) = size_;
-        return trial;
+        return {.request = at_size(request_, size_, static_cast<std::uint64_t>(4 * wanted_) + 16)};
     }
 
     bool is_enough(std::uint64_t points) override {
@@ -163,7 +164,7 @@ public:
         constexpr int kPatience = 12;   // and after this many trials any larger set
         const auto made = static_cast<double>(points);
         const bool is_patient = trials_++ < kPatience;
-        const bool has_all = points >= *request_.count;
+        const bool has_all = points >= *request_->count;
         if (has_all && (made <= kMost * wanted_ || !is_patient)) return true;
         // Points grow with the square of the size. A trial changes them by a factor of 4 at most.
         size_ *= std::sqrt(std::clamp(made / wanted_, 0.25, 4.0));
@@ -172,7 +173,7 @@ public:
     }
 
 private:
-    const Request& request_;
+    CheckedRequest request_;
     double wanted_;  // points
     double size_;    // the scale, or without a field the radius
     int trials_ = 0;
@@ -180,7 +181,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<CountSearch> search_for_count(const Request& request, const FieldSums* sums,
+std::unique_ptr<CountSearch> search_for_count(const CheckedRequest& request, const FieldSums* sums,
                                               const Poll& poll) {
     if (sums != nullptr) return std::make_unique<LatticeSearch>(request, *sums);
     if (needs_radius_field(request)) return std::make_unique<FieldSearch>(request, poll);

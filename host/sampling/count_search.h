@@ -6,13 +6,14 @@
 #include <cstdint>
 #include <memory>
 
-#include "plan/plan.h"
+#include "plan/checked_request.h"
+#include "plan/make_plan.h"
 
 namespace lacuna {
 
 // A request with a radius or a scale instead of a count, and with a limit of samples.
 struct Trial {
-    Request request;
+    CheckedRequest request;
     bool is_pilot = false;  // its set only shows how many samples a scale gives
 };
 
@@ -28,7 +29,7 @@ public:
 };
 
 // `sums` are the field's sums in mode cells, and null in other modes. They must outlive the search.
-std::unique_ptr<CountSearch> search_for_count(const Request& request, const FieldSums* sums,
+std::unique_ptr<CountSearch> search_for_count(const CheckedRequest& request, const FieldSums* sums,
                                               const Poll& poll = nobody_asks);
 
 }  // namespace lacuna

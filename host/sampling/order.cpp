@@ -11,9 +11,10 @@
 
 #include "base/polling.h"
 #include "base/power.h"
+#include "plan/checked_request.h"
 #include "plan/kept.h"
-#include "plan/plan.h"
 #include "plan/radius_field.h"
+#include "plan/sizes.h"
 #include "rounds/random.h"
 #include "sampling/progressive.h"
 

@@ -10,9 +10,12 @@
 #include <vector>
 
 #include "base/power.h"
+#include "plan/checked_request.h"
 #include "plan/kept.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "plan/radius_field.h"
+#include "plan/sizes.h"
 #include "sampling/generate.h"
 
 namespace lacuna {
@@ -50,11 +53,13 @@ double size_at_the_end(const Request& request, const Poll& poll) {
     return request.field != nullptr ? *request.scale : *request.radius;
 }
 
-Request at_size(const Request& request, double size) {
-    Request level = request;
-    level.count.reset();
-    (request.field != nullptr ? level.scale : level.radius) = size;
-    return level;
+// A level of the request.
+CheckedRequest at_size(const CheckedRequest& request, double size) {
+    return request.with([&](Request& level) {
+        (level.field != nullptr ? level.scale : level.radius) = size;
+        if (level.count) level.limit = std::min(*level.count, level.limit.value_or(*level.count));
+        level.count.reset();
+    });
 }
 
 // The length of the longest ellipse of a torus at a scale of 1; 0 if any length fits.
@@ -72,14 +77,14 @@ double longest_ellipse(const Request& request) {
 // The first level at which ellipses fit on a torus, and points that the request keeps are not too
 // close together. Throws BadRequest if these are at the last level, or at the smallest radius that
 // there can be.
-int first_level(const Request& request, const Sizes& sizes) {
-    const double smallest = kSmallestRadius * std::max(request.width, request.height);
+int first_level(const CheckedRequest& request, const Sizes& sizes) {
+    const double smallest = kSmallestRadius * std::max(request->width, request->height);
     const double longest = longest_ellipse(request);
-    const double most = std::min(request.width, request.height) * (1 - 1e-6);  // they are rounded
+    const double most = std::min(request->width, request->height) * (1 - 1e-6);  // they are rounded
     for (int level = 0;; ++level) {
         const bool is_last = sizes.is_last(level) || sizes.at(level) < smallest;
         if (!is_last && longest * sizes.at(level) > most) continue;
-        const Request at_level = at_size(request, sizes.at(level));
+        const CheckedRequest at_level = at_size(request, sizes.at(level));
         if (keep_their_distances(at_level)) return level;
         if (is_last) check_kept_distances(at_level);
     }
@@ -107,18 +112,17 @@ private:
 
 }  // namespace
 
-Result progressive(const Request& request, Observer& observer, const Poll& poll) {
+Result progressive(const CheckedRequest& request, Observer& observer, const Poll& poll) {
     const Sizes sizes(request, poll);
     const FieldSize last = check_radius_field_size(request, size_at_the_end(request, poll), poll);
-    Request all = request;
-    if (request.count) all.limit = std::min(*request.count, request.limit.value_or(*request.count));
+    const std::optional<std::uint64_t> limit = at_size(request, sizes.at(0))->limit;
     const auto most = static_cast<std::uint64_t>(std::min(last.samples, 1e18));
     Result result;
     begin_points(request, result);
     std::vector<Sample> samples;  // of all levels
-    Onward onward(observer, result, std::min(most, all.limit.value_or(most)));
+    Onward onward(observer, result, std::min(most, limit.value_or(most)));
     for (int level = first_level(request, sizes);; ++level) {
-        const Request request_now = at_size(all, sizes.at(level));
+        const CheckedRequest request_now = at_size(request, sizes.at(level));
         Plan plan = make_radius_field_plan(request_now, poll, samples);
         plan.first_draw = result.draws;
         const Run run = run_on_backend(request_now, plan, onward);
@@ -136,7 +140,7 @@ Result progressive(const Request& request, Observer& observer, const Poll& poll)
         if (is_whole) result.levels.push_back({sizes.at(level), result.points.size()});
         if (is_whole && !sizes.is_last(level)) continue;
         result.maximal = is_whole;
-        if (all.limit) cut_points(std::min<std::size_t>(result.points.size(), *all.limit), result);
+        if (limit) cut_points(std::min<std::size_t>(result.points.size(), *limit), result);
         return result;
     }
 }

@@ -6,6 +6,7 @@
 #include <lacuna/lacuna.h>
 
 #include "base/polling.h"
+#include "plan/checked_request.h"
 
 namespace lacuna {
 
@@ -18,7 +19,6 @@ inline constexpr int kLevelsPerHalving = 32;
 inline constexpr double kFirstPoints = 16;
 
 // Makes the sequence down to the request's radius or scale, or until it has request.count points.
-// The request must have been checked.
-Result progressive(const Request& request, Observer& observer, const Poll& poll);
+Result progressive(const CheckedRequest& request, Observer& observer, const Poll& poll);
 
 }  // namespace lacuna

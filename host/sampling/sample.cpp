@@ -11,7 +11,9 @@
 #include "base/large_pages.h"
 #include "base/polling.h"
 #include "lacuna/lacuna.h"
+#include "plan/checked_request.h"
 #include "plan/kept.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "relax/stratified.h"
 #include "sampling/count_search.h"
@@ -26,8 +28,9 @@ Progress nothing_yet(const Request& request) {
     return {0, request.count.value_or(request.limit.value_or(1)), 0};
 }
 
-// The request must have been checked. `sums` are the field's sums, in mode cells only.
-Result run(const Request& request, const std::optional<FieldSums>& sums, Observer& observer) {
+// `sums` are the field's sums, in mode cells only.
+Result run(const CheckedRequest& request, const std::optional<FieldSums>& sums,
+           Observer& observer) {
     const Plan plan = sums                          ? make_cells_plan(request, *sums, ask)
                       : needs_radius_field(request) ? make_radius_field_plan(request, ask)
                                                     : make_plan(request);
@@ -130,12 +133,12 @@ std::string_view name_of(Verb verb) {
 
 namespace {
 
-Result sample_settled(const Request& request, Observer& observer) {
-    if (request.mode == Mode::stratified) return stratified(request, observer, ask);
-    if (request.progressive) return progressive(request, observer, ask);
+Result sample_checked(const CheckedRequest& request, Observer& observer) {
+    if (request->mode == Mode::stratified) return stratified(request, observer, ask);
+    if (request->progressive) return progressive(request, observer, ask);
     std::optional<FieldSums> sums;
-    if (request.mode == Mode::cells) sums = sums_of(*request.field, ask);
-    if (!request.count) {
+    if (request->mode == Mode::cells) sums = sums_of(*request->field, ask);
+    if (!request->count) {
         check_kept_distances(request);
         return run(request, sums, observer);
     }
@@ -149,8 +152,8 @@ Result sample_settled(const Request& request, Observer& observer) {
         Result result = run(trial.request, sums, watching);
         if (!search->is_enough(result.points.size())) continue;
         check_kept_distances(trial.request);  // at this size kept points may be too close together
-        result.maximal = result.maximal && result.points.size() == *request.count;
-        cut_points(std::min(*request.count, request.limit.value_or(*request.count)), result);
+        result.maximal = result.maximal && result.points.size() == *request->count;
+        cut_points(std::min(*request->count, request->limit.value_or(*request->count)), result);
         return result;
     }
 }
@@ -159,8 +162,7 @@ Result sample_settled(const Request& request, Observer& observer) {
 
 Result sample(const Request& request, Observer& observer) {
     Asked asked(observer, nothing_yet(request));
-    check_request(request);
-    Result result = sample_settled(settled(request), asked);
+    Result result = sample_checked(request, asked);
     if (request.classes.names.size() == 1) result.classes.assign(result.points.size(), 0);
     return result;
 }

@@ -18,6 +18,7 @@
 #endif
 #ifdef LACUNA_VULKAN
 #include "backends/vulkan/make_backend.h"
+#include "plan/make_plan.h"
 #endif
 
 namespace lacuna::tests {

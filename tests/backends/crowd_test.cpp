@@ -12,6 +12,7 @@
 #include "backends/cells_requests.h"
 #include "backends/requests.h"
 #include "fields.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "sampling/generate.h"
 

@@ -13,6 +13,7 @@
 #include "backends/cells_requests.h"
 #include "backends/radius_field_requests.h"
 #include "backends/requests.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "refusal.h"
 #include "sampling/generate.h"

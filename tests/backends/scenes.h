@@ -13,6 +13,7 @@
 
 #include "backends/backend.h"
 #include "backends/columns.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "portable/column.h"
 #include "portable/status.h"

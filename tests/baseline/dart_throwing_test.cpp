@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "plan/make_plan.h"
 #include "portable/distance.h"
 
 namespace {

@@ -12,7 +12,8 @@
 
 #include "cells/check.h"
 #include "fields.h"
-#include "plan/plan.h"
+#include "plan/make_plan.h"
+#include "plan/sizes.h"
 
 namespace {
 

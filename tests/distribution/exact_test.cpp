@@ -11,6 +11,7 @@
 
 #include "baseline/dart_throwing.h"
 #include "distribution/statistics.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "sampling/generate.h"
 

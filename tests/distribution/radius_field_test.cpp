@@ -11,6 +11,7 @@
 
 #include "distribution/statistics.h"
 #include "fields.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "plan/radius_field.h"
 #include "portable/distance.h"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "distribution/statistics.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "sampling/generate.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "files/point_files.h"
-#include "plan/plan.h"
+#include "plan/sizes.h"
 
 namespace lacuna::files {
 namespace {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "plan/kept.h"
-#include "plan/plan.h"
 #include "refusal.h"
 
 namespace {

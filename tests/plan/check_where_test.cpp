@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "plan/plan.h"
+#include "base/number_text.h"
+#include "plan/checked_request.h"
 #include "refusal.h"
 
 namespace check_where_test {

@@ -11,6 +11,7 @@
 
 #include "fields.h"
 #include "plan/cells_request.h"
+#include "plan/make_plan.h"
 #include "refusal.h"
 
 namespace {

@@ -8,6 +8,9 @@
 #include <cmath>
 #include <limits>
 
+#include "plan/checked_request.h"
+#include "plan/make_plan.h"
+#include "plan/sizes.h"
 #include "refusal.h"
 
 namespace plan_test {

@@ -13,6 +13,7 @@
 
 #include "backends/radius_field_requests.h"
 #include "plan/first_boxes.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 
 namespace {

@@ -13,6 +13,7 @@
 
 #include "fields.h"
 #include "plan/cells_request.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "portable/metric.h"
 

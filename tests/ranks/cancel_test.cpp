@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "backends/cpu/make_backend.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "ranks/run_on_ranks.h"
 

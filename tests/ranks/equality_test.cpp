@@ -8,7 +8,7 @@
 
 #include "backends/available.h"
 #include "backends/requests.h"
-#include "plan/plan.h"
+#include "plan/make_plan.h"
 #include "ranks/run_on_ranks.h"
 #include "sampling/generate.h"
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "backends/requests.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "ranks/strip.h"
 

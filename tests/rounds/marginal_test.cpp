@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/workers.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "rounds/marginal.h"
 #include "rounds/random.h"

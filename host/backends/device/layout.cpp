@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "backends/columns.h"
+#include "base/number_text.h"
 #include "plan/first_boxes.h"
 #include "plan/first_free.h"
 #include "plan/radius_field.h"

@@ -9,13 +9,13 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/number_text.h"
 #include "cli/options/options.h"
 #include "cli/reports/report.h"
 #include "cli/terminal/driver.h"
 #include "cli/terminal/observers.h"
 #include "cli/terminal/progress_bar.h"
 #include "files/formats.h"
-#include "plan/plan.h"
 #include "verify/closest.h"
 
 namespace lacuna::cli {

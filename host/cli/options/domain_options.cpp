@@ -25,8 +25,8 @@
 #include "files/read_sets.h"
 #include "files/read_whole.h"
 #include "pictures/importance.h"
-#include "plan/plan.h"
 #include "plan/sheets.h"
+#include "plan/sizes.h"
 
 namespace lacuna::cli {
 namespace {

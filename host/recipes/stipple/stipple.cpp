@@ -11,12 +11,13 @@
 #include <utility>
 
 #include "base/asked.h"
+#include "base/number_text.h"
 #include "drawing/dot_count.h"
 #include "drawing/page.h"
 #include "drawing/pen/pen_path.h"
 #include "drawing/tones.h"
 #include "pictures/importance.h"
-#include "plan/plan.h"
+#include "plan/checked_request.h"
 #include "recipes/make.h"
 #include "recipes/settle.h"
 

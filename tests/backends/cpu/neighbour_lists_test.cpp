@@ -12,6 +12,7 @@
 #include "backends/field_snapshot.h"
 #include "backends/radius_field_requests.h"
 #include "plan/first_boxes.h"
+#include "plan/make_plan.h"
 #include "plan/radius_field.h"
 #include "portable/conflict.h"
 

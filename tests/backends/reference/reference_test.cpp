@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "distances.h"
+#include "plan/make_plan.h"
 #include "portable/distance.h"
 
 namespace {

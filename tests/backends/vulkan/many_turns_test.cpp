@@ -13,6 +13,7 @@
 #include "backends/columns.h"
 #include "backends/vulkan/make_backend.h"
 #include "fields.h"
+#include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "portable/status.h"
 

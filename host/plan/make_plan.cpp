@@ -1,17 +1,18 @@
-// Checks a request and turns it into whole numbers.
-#include "plan/plan.h"
+// Turns a checked request into whole numbers: the modes of lines, and what all modes have.
+#include "plan/make_plan.h"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
+#include "base/number_text.h"
+#include "plan/checked_request.h"
 #include "plan/kept.h"
 #include "plan/radius_field.h"
+#include "plan/sizes.h"
 #include "portable/isqrt.h"
 
 namespace lacuna {
@@ -97,20 +98,6 @@ std::uint32_t lines_per_radius(const Request& request) {
     }
 }
 
-std::string shortest(double value) {
-    char digits[32];
-    const auto end = std::to_chars(std::begin(digits), std::end(digits), value).ptr;
-    return {digits, end};
-}
-
-std::string rounded(double value, int digits) {
-    char text[32];
-    const auto end =
-        std::to_chars(std::begin(text), std::end(text), value, std::chars_format::general, digits)
-            .ptr;
-    return {text, end};
-}
-
 void refuse_more_memory(const Request& request, const std::string& option, const std::string& value,
                         double bytes) {
     const double limit = memory_limit(request);
@@ -160,15 +147,14 @@ bool needs_radius_field(const Request& request) {
             !request.keep.empty() || request.progressive || !request.classes.names.empty());
 }
 
-Plan make_plan(const Request& given) {
-    check_request(given);
-    const Request request = settled(given);
+Plan make_plan(const CheckedRequest& checked) {
+    const Request& request = *checked;
     if (request.mode == Mode::stratified)
         throw BadRequest("mode", "stratified", "has no rounds: must be exact, lines or cells");
-    if (request.mode == Mode::cells) return make_cells_plan(request, sums_of(*request.field));
+    if (request.mode == Mode::cells) return make_cells_plan(checked, sums_of(*request.field));
     if (needs_radius_field(request)) {
         check_kept_distances(request);
-        return make_radius_field_plan(request);
+        return make_radius_field_plan(checked);
     }
     check_radius(request);
     const double radius = *request.radius;

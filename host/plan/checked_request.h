@@ -1,0 +1,55 @@
+// A request that was checked: plans are made of nothing else, so no request is checked twice or
+// never.
+#pragma once
+
+#include <lacuna/lacuna.h>
+
+#include <cstdint>
+
+namespace lacuna {
+
+// Checks everything that does not depend on the radius. Throws BadRequest.
+void check_request(const Request& request);
+
+// A request that check_request() has accepted, as plans are made of it: classes give it the radius
+// or scale of their least distance if it has none and no count; one class is the same as none.
+class CheckedRequest {
+public:
+    // Throws BadRequest. Implicit, so that a plan can be made of a request.
+    CheckedRequest(const Request& request);  // NOLINT(google-explicit-constructor)
+
+    // The request after change(Request&), which sets what the caller has found: a size in place of
+    // a count, a limit, or how a pilot run is made.
+    template <class Change>
+    CheckedRequest with(const Change& change) const {
+        CheckedRequest changed = *this;
+        change(changed.request_);
+        return changed;
+    }
+
+    const Request& operator*() const { return request_; }
+    const Request* operator->() const { return &request_; }
+    operator const Request&() const { return request_; }  // NOLINT(google-explicit-constructor)
+
+private:
+    Request request_;
+};
+
+// Checks that a field has a value for each pixel, all finite and at least 0, one above 0. Throws
+// BadRequest.
+void check_importance(const Field& field);
+// Throws BadRequest if the field has stretches, for `who`, which knows only disks.
+void check_disks(const Field& field, const char* who);
+// Checks where samples may lie (check_where.cpp): the mask, the border and the kept points, but not
+// the points' distances, which depend on the radius. Throws BadRequest.
+void check_where(const Request& request);
+
+// Whether the plan of the request has a radius field: mode exact with a field, a mask, a border,
+// kept points, classes or a progressive order.
+bool needs_radius_field(const Request& request);
+// The default m of mode cells: the least with reasonable quality in figure 4.
+inline constexpr std::uint32_t kCellsPerRadius = 10;
+// The request's m, or the default of its mode.
+std::uint32_t lines_per_radius(const Request& request);
+
+}  // namespace lacuna
