@@ -22,7 +22,6 @@ function(lacuna_add_mpi)
     set_target_properties(lacuna_mpi PROPERTIES OUTPUT_NAME lacuna-mpi)
     target_include_directories(lacuna_mpi PRIVATE ${PROJECT_SOURCE_DIR}/host)
     target_include_directories(lacuna_mpi SYSTEM PRIVATE ${CLI11_INCLUDE_DIR} ${RANDOM123_INCLUDE_DIR})
-    target_compile_definitions(lacuna_mpi PRIVATE LACUNA_VERSION="${PROJECT_VERSION}")
     target_link_libraries(lacuna_mpi PRIVATE lacuna_mpi_ranks
         $<TARGET_PROPERTY:lacuna_command,LINK_LIBRARIES> TBB::tbb)
     set(MPIEXEC_EXECUTABLE ${MPIEXEC_EXECUTABLE} PARENT_SCOPE)

@@ -1,6 +1,8 @@
 // Makes points from pixels or from a request, like the command's stipple and sample.
 #include "lacuna_web.h"
 
+#include <lacuna/version.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -1,6 +1,8 @@
 // What the ranks' work has cost.
 #include "mpi/report.h"
 
+#include <lacuna/version.h>
+
 #include <sys/resource.h>
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <lacuna/lacuna.h>
+#include <lacuna/version.h>
 
 #include <CLI/App.hpp>
 #include <algorithm>

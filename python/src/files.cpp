@@ -2,6 +2,7 @@
 #include "files/point_files.h"
 
 #include <lacuna/lacuna.h>
+#include <lacuna/version.h>
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/optional.h>

@@ -1,6 +1,7 @@
 // lacuna._core: the library for python/lacuna, which checks the types and shapes of all arguments.
 // The library checks their values.
 #include <lacuna/lacuna.h>
+#include <lacuna/version.h>
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
 

@@ -204,6 +204,18 @@ TEST(Plan, RefusesCountsThatAreNone) {
     EXPECT_THROW(check_request(Request{}), BadRequest);
 }
 
+TEST(ACheckedRequest, IsSettled) {
+    EXPECT_THROW(CheckedRequest(Request{}), BadRequest);
+    Request request;
+    request.classes = {.names = {"a", "b"}, .distances = {0.2, 0.1, 0.1, 0.3}, .weights = {}};
+    EXPECT_EQ(CheckedRequest(request)->radius, 0.1);
+    request.classes = {.names = {"a"}, .distances = {0.2}, .weights = {}};
+    const CheckedRequest one = request;
+    EXPECT_EQ(one->radius, 0.2);
+    EXPECT_TRUE(one->classes.names.empty());
+    EXPECT_EQ(one.with([](Request& changed) { changed.radius = 0.1; })->radius, 0.1);
+}
+
 TEST(Plan, RefusesMOutsideItsRange) {
     for (const Mode mode : {Mode::exact, Mode::lines}) {
         Request request = in_mode(mode, 0.1);

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <lacuna/lacuna.h>
+#include <lacuna/version.h>
 
 #include <CLI/App.hpp>
 #include <cstddef>

@@ -1,6 +1,8 @@
 // Records the origin of a set.
 #include "cli/options/origin.h"
 
+#include <lacuna/version.h>
+
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <array>

@@ -1,6 +1,8 @@
 // Writes the numbers of an analysis.
 #include "cli/reports/analysis_report.h"
 
+#include <lacuna/version.h>
+
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 // Writes a comparison as text and as JSON.
 #include "cli/reports/comparison_report.h"
 
+#include <lacuna/version.h>
+
 #include <fmt/core.h>
 
 #include <algorithm>

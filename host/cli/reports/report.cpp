@@ -1,6 +1,8 @@
 // Writes the report.
 #include "cli/reports/report.h"
 
+#include <lacuna/version.h>
+
 #include <sys/resource.h>
 
 #include <cstdint>

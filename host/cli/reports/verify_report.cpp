@@ -1,6 +1,8 @@
 // Writes reports about proofs.
 #include "cli/reports/verify_report.h"
 
+#include <lacuna/version.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>

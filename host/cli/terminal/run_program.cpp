@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 
 #include <lacuna/lacuna.h>
+#include <lacuna/version.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
