@@ -1,15 +1,12 @@
 // Philox 4x32-10 (Salmon et al. 2011) for several counters at once, with AVX2 instructions through
-// Highway, which includes this file a second time: see backends/cpu/vectors_avx2.cpp.
+// Highway, which includes this file a second time: see base/highway_avx2.h.
 #include "rounds/random_avx2.h"
 
 #if defined(__x86_64__)
 
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rounds/random_avx2.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+#include "base/highway_avx2.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lacuna {
@@ -92,10 +89,7 @@ namespace lacuna {
 
 const RandomRun* avx2_random_run() {
 #if defined(__x86_64__)
-    // The features that Highway requires of a processor for its AVX2 code.
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
-        __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma"))
-        return &N_AVX2::kRun;
+    if (has_avx2()) return &N_AVX2::kRun;
 #endif
     return nullptr;
 }

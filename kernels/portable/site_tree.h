@@ -54,6 +54,16 @@ LACUNA_FN Cursor next_cursor(Cursor at, u32 samples, u32 depth) {
     return to;
 }
 
+// The first child, or the next node that is no child.
+LACUNA_FN Cursor step_cursor(Cursor at, bool is_down, u32 samples, u32 depth) {
+    Cursor below = below_cursor(at);
+    Cursor to = next_cursor(at, samples, depth);
+    to.level = is_down ? below.level : to.level;
+    to.index = is_down ? below.index : to.index;
+    to.begin = is_down ? below.begin : to.begin;
+    return to;
+}
+
 // A rectangle, both ends included. Signed: seen from an image of the domain it may lie outside.
 struct Rect {
     i32 left;

@@ -1,8 +1,4 @@
-// The inner loops for AVX2, written with Highway.
-//
-// Highway includes this file once more, compiled for AVX2, which the rest of the library is not.
-// Highway's own choice at run time is in a shared library, which a wheel would have to carry; the
-// few lines at the end replace it. AVX-512 is not faster here.
+// The inner loops for AVX2, written with Highway: see base/highway_avx2.h.
 #include "backends/cpu/vectors_avx2.h"
 
 #if defined(__x86_64__)
@@ -10,15 +6,9 @@
 #include <algorithm>
 #include <array>
 
-// Highway's checks in debug builds are in its shared library, too.
-#undef HWY_IS_DEBUG_BUILD
-#define HWY_IS_DEBUG_BUILD 0
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "backends/cpu/vectors_avx2.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+#include "base/highway_avx2.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lacuna::cpu {
@@ -422,10 +412,7 @@ namespace lacuna::cpu {
 
 const Vectors* avx2_vectors() {
 #if defined(__x86_64__)
-    // The features that Highway requires of a processor before it uses AVX2.
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
-        __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma"))
-        return &N_AVX2::kVectors;
+    if (has_avx2()) return &N_AVX2::kVectors;
 #endif
     return nullptr;
 }

@@ -1,18 +1,12 @@
 // The inner loop of the Gaussian energy with AVX2 instructions through Highway, which includes this
-// file a second time: see backends/cpu/vectors_avx2.cpp.
+// file a second time: see base/highway_avx2.h.
 #include "relax/cpu/pulls_avx2.h"
 
 #if defined(__x86_64__)
 
-// Highway's checks in debug builds are in its shared library.
-#undef HWY_IS_DEBUG_BUILD
-#define HWY_IS_DEBUG_BUILD 0
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "relax/cpu/pulls_avx2.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+#include "base/highway_avx2.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lacuna::relaxing::cpu {
@@ -151,10 +145,7 @@ namespace lacuna::relaxing::cpu {
 
 const Puller* avx2_puller() {
 #if defined(__x86_64__)
-    // The features that Highway requires of a processor before it uses AVX2.
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
-        __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma"))
-        return &N_AVX2::kPuller;
+    if (has_avx2()) return &N_AVX2::kPuller;
 #endif
     return nullptr;
 }

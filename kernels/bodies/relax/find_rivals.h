@@ -61,16 +61,10 @@ BODY bool put_rival(MEMORY const LeafArguments a, const u32 slot, const u32 coun
 
 // The next node of level 1 that may have a rival; beyond the root if there is none.
 BODY Cursor next_near(MEMORY const LeafArguments a, Cursor at, const u64 bound, const Rect box) {
-    bool is_found = false;
-    while (!is_found && at.level <= a.depth) {
+    while (at.level <= a.depth) {
         const bool is_near = power_of_node(ON at.begin + at.index, box) <= bound;
-        is_found = is_near && at.level == 1u;
-        if (is_found) break;
-        const Cursor below = below_cursor(at);
-        const Cursor next = next_cursor(at, a.lattice.samples, a.depth);
-        at.level = is_near ? below.level : next.level;
-        at.index = is_near ? below.index : next.index;
-        at.begin = is_near ? below.begin : next.begin;
+        if (is_near && at.level == 1u) break;
+        at = step_cursor(at, is_near, a.lattice.samples, a.depth);
     }
     return at;
 }

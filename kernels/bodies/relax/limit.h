@@ -45,16 +45,10 @@ BODY u64 lower_by_leaf(MEMORY const SiteArguments a, const u32 leaf, const u32 o
 // The next node of level 2 that is nearer to the box; beyond the root if there is none.
 BODY Cursor next_near_node(MEMORY const SiteArguments a, Cursor at, const u32x4 box,
                            const u64 farthest) {
-    bool is_found = false;
-    while (!is_found && at.level <= a.depth) {
+    while (at.level <= a.depth) {
         const bool is_near = distance_to_node(ON a, box, at.begin + at.index) < farthest;
-        is_found = is_near && at.level == 2u;
-        if (is_found) break;
-        const Cursor below = below_cursor(at);
-        const Cursor next = next_cursor(at, a.lattice.samples, a.depth);
-        at.level = is_near ? below.level : next.level;
-        at.index = is_near ? below.index : next.index;
-        at.begin = is_near ? below.begin : next.begin;
+        if (is_near && at.level == 2u) break;
+        at = step_cursor(at, is_near, a.lattice.samples, a.depth);
     }
     return at;
 }
