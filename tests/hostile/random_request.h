@@ -81,6 +81,9 @@ private:
             trial = trial_of(request);
         }
         if (trial.points.empty()) return false;
+        // A count of fewer points than this trial has would need ellipses that are too long.
+        if (request.count && has_ellipses() && request.boundary == Boundary::torus)
+            request.count = std::max<std::uint64_t>(*request.count, 2 * trial.points.size());
         if (is(kKeep, "yes")) choose_kept(made, trial);
         if (is(kLimit, "yes")) request.limit = 1 + choose_.below(most_points());
         return true;
