@@ -40,22 +40,6 @@ Request request_of(std::vector<double> distances, std::vector<double> weights = 
     return request;
 }
 
-Claim claim_of(const Request& request, const Result& result) {
-    Claim claim;
-    claim.width = request.width;
-    claim.height = request.height;
-    claim.boundary = request.boundary;
-    claim.border = request.border;
-    claim.field = request.field;
-    claim.mask = request.mask;
-    claim.keep = request.keep;
-    claim.classes = request.classes;
-    claim.class_of_points = result.classes;
-    (request.field != nullptr ? claim.scale : claim.radius) =
-        request.field != nullptr ? result.scale : result.radius;
-    return claim;
-}
-
 // A user's computation, pair by pair.
 class Judge {
 public:
