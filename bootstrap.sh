@@ -174,7 +174,12 @@ python_module() {
     python3 -m venv "$environment" ||
         die "python3 -m venv failed: the module needs Python 3.11 or later with venv"
     [[ -z ${CI:-} ]] || options+=(--config-settings=cmake.define.LACUNA_WERROR=ON)
-    echo "bootstrap: pip compiles the module, which takes 1.5 minutes on two cores"
+    if [[ -n ${LACUNA_PREBUILT:-} ]]; then
+        options+=("--config-settings=cmake.define.LACUNA_PREBUILT=$LACUNA_PREBUILT"
+            "--config-settings=build-dir=$build/python/prebuilt")
+    else
+        echo "bootstrap: pip compiles the module, which takes 1.5 minutes on two cores"
+    fi
     "$environment/bin/pip" install -q "${options[@]}" "$root[scipy]" </dev/null ||
         die "pip could not install the module: the first error above says why"
     "$environment/bin/python" -c '

@@ -22,9 +22,9 @@ namespace lacuna {
 namespace {
 
 // Points by cell, about one a cell.
-class Cells {
+class OrderedCells {
 public:
-    Cells(std::span<const Point> points, const OrderOptions& options)
+    OrderedCells(std::span<const Point> points, const OrderOptions& options)
         : points_(points),
           options_(options),
           side_(side_of(points.size(), options)),
@@ -175,7 +175,7 @@ private:
 
     std::span<const Point> points_;
     std::vector<double> radii_;
-    Cells cells_;
+    OrderedCells cells_;
     // The squared distance to the nearest point taken, in units of the smaller radius. It is
     // infinite for points that were farther than the size, and sizes only shrink.
     std::vector<double> free_;
