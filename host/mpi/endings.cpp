@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "cli/check_failed.h"
+#include "cli/terminal/run_program.h"
 
 namespace lacuna::mpi {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "cli/terminal/stopwatch.h"
+#include "cli/terminal/observers.h"
 #include "mpi/mpi_ranks.h"
 #include "mpi/npy_sink.h"
 #include "ranks/sample_on_ranks.h"

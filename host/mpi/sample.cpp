@@ -9,7 +9,6 @@
 #include <lacuna/lacuna.h>
 #include <lacuna/version.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -18,7 +17,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "cli/commands/sample.h"
+#include "cli/options/bind.h"
 #include "cli/options/common_options.h"
 #include "cli/options/options.h"
 #include "cli/reports/output.h"
@@ -27,7 +26,6 @@
 #include "cli/terminal/observers.h"
 #include "cli/terminal/progress_bar.h"
 #include "cli/terminal/run_program.h"
-#include "cli/terminal/stopwatch.h"
 #include "files/point_files.h"
 #include "mpi/mpi_ranks.h"
 #include "mpi/npy_sink.h"
@@ -197,33 +195,14 @@ void run(const MpiSample& all, const MpiProgram& program) {
 }  // namespace
 
 void add_sample(CLI::App& app, const MpiProgram* const& program) {
-    CLI::App& command = *app.add_subcommand("sample", kSampleDescription);
-    const auto options = std::make_shared<MpiSample>();
-    Request& request = options->common.request;
-    cli::add_size(command, request);
-    cli::add_what_to_make(command, request);
-    cli::add_number(command, "lines-per-radius", "M", request.lines_per_radius,
-                    "Lines in a radius' width (default 6)");
-    cli::add_number(command, "round-size", "K", request.round_size,
-                    "Draws in a round; 0 chooses (default), 1 is the paper's algorithm");
-    cli::add_number(command, "threads", "T", request.threads,
-                    "Threads of each rank; 0 divides a machine's cores among its ranks (default)");
-    cli::add_place(command, request);
-    command.add_option("-o,--output", options->path, "A .npy file, which all ranks write together")
-        ->type_name("FILE.npy");
-    command
-        .add_option(
-            "--report", options->common.report,
-            "Writes the request, counts, the SHA-256 of the points, and the least, median and most "
-            "seconds, bytes and memory of a rank; - is standard output")
-        ->type_name("FILE.json");
-    command
-        .add_flag("--progress", options->progress,
-                  "Shows the progress bar although standard error is no terminal under mpirun")
-        ->disable_flag_override();
-    command.add_flag("--quiet", options->common.quiet, "No progress bar and no last line")
-        ->disable_flag_override();
-    command.callback([options, &program] { run(*options, *program); });
+    const auto all = std::make_shared<MpiSample>();
+    cli::Targets targets{{"output", &all->path},
+                         {"report", &all->common.report},
+                         {"progress", &all->progress},
+                         {"quiet", &all->common.quiet}};
+    targets.merge(cli::targets_of(all->common.request));
+    cli::add_command(app, recipes::kMpiSample, kSampleDescription, targets,
+                     [all, &program](const cli::CommandLine&) { run(*all, *program); });
 }
 
 }  // namespace lacuna::mpi

@@ -1,7 +1,9 @@
 // The command `lacuna-mpi sample`.
 #pragma once
 
-#include "cli/app_fwd.h"
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
+class App;
+}
 #include "mpi/endings.h"
 
 namespace lacuna::mpi {

@@ -73,32 +73,6 @@ Result stratified(const Request& request, Observer& observer, const Poll& poll) 
 
 }  // namespace
 
-std::string_view name_of(Mode mode) {
-    switch (mode) {
-        case Mode::exact:
-            return "exact";
-        case Mode::lines:
-            return "lines";
-        case Mode::cells:
-            return "cells";
-        case Mode::stratified:
-            return "stratified";
-    }
-    return "";
-}
-
-std::string_view name_of(Metric metric) {
-    switch (metric) {
-        case Metric::min:
-            return "min";
-        case Metric::mean:
-            return "mean";
-        case Metric::max:
-            return "max";
-    }
-    return "";
-}
-
 std::string_view name_of(Verb verb) {
     switch (verb) {
         case Verb::invert:

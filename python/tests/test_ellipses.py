@@ -78,7 +78,7 @@ def test_dots_lie_along_the_edges_of_a_picture() -> None:
     a, b, angle = dots.ellipses.T
     assert (a / b > 4).all()
     assert np.abs(np.cos(angle)).max() < 0.05
-    with pytest.raises(lacuna.BadRequest, match="along 5: cannot be used with relax"):
+    with pytest.raises(lacuna.BadRequest, match="along 5 with relax: relaxing has disks"):
         lacuna.stipple(stripes, 300, along=5, relax=2)
     with pytest.raises(lacuna.BadRequest, match="along"):
         lacuna.stipple(stripes, 300, along=0.5)

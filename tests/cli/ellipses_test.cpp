@@ -102,26 +102,6 @@ TEST(Ellipses, AreDrawnAsLargeAsTheirRadiiSay) {
         << files::read_whole(svg);
 }
 
-TEST(Along, IsRefusedWhereSetsHaveDisks) {
-    const auto refused = [](const char* name, const Names& arguments) {
-        Names all = arguments;
-        all.insert(all.end(), {"--along", "4", "-o", "never.csv"});
-        return run_with(name, {"--quiet"}, all).err;
-    };
-    const char* const picture = LACUNA_EXAMPLES "/raccoon.png";
-    EXPECT_EQ(refused("stipple", {picture, "--relax", "3"}),
-              "lacuna: --along 4: cannot be used with --relax: relaxing has disks\n");
-    EXPECT_EQ(refused("sample", {"--radius", "0.1"}),
-              "lacuna: --along without --field: says how a field is read: give its picture too\n");
-    EXPECT_EQ(
-        refused("sample", {"--field", picture, "--scale", "0.1", "--relax", "2"}),
-        "lacuna: --relax 2: cannot be used with --ellipses, --stretch or --along: relaxing has "
-        "disks\n");
-    EXPECT_EQ(run_with("sample", {"--radius", "0.1", "--ellipse-columns"}, {}).err,
-              "lacuna: --ellipse-columns without --ellipses, --stretch or --along: is for sets of "
-              "ellipses\n");
-}
-
 TEST(Ellipses, AreRefusedInOneLine) {
     const Folder folder;
     const std::string array = folder.path("e.npy");
@@ -134,8 +114,6 @@ TEST(Ellipses, AreRefusedInOneLine) {
     EXPECT_EQ(refused({"--stretch", "0.1:0@30"}),
               "lacuna: --stretch 0.1:0@30: radii and angle must be finite, radii over 0, one at "
               "most 1000 times the other\n");
-    EXPECT_EQ(refused({"--stretch", "0.1:0.2@30", "--ellipses", array}),
-              "lacuna: --stretch 0.1:0.2@30: cannot be used with --ellipses\n");
     files::write_whole(array, npy_of(1, 2, {0.1, 0.1, 0, 0.1, -1, 2}));
     EXPECT_NE(
         refused({"--ellipses", array})

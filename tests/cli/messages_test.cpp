@@ -49,13 +49,7 @@ TEST(Refused, AreNamedAsTheyWereGiven) {
          {"order one.txt raccoon.png --along 3", 2, {"--along: no such option"}},
          {"sample --radius .1 --outside a.foo", 2, {"--outside a.foo: must end in .svg"}},
          {"sample --radius .1 --inside a.foo", 2, {"--inside a.foo: must end in .svg"}},
-         {"sample --radius .1 --avoid far.csv:.1", 3, {"far.csv:2: (1e+300, 0.5): "}},
-         {"sample --radius 1 --between sum", 2, {"--between sum: is for classes", "--class"}},
-         {"sample --radius 1 --between union", 2, {"--between union: is for classes"}},
-         {"sample --class a:1 --radius 1 -o a.csv", 2, {"--radius 1: is not for --class"}},
-         {"sample --class a:1 --field raccoon.png --scale 1 -o a.csv",
-          2,
-          {"--scale 1: is not for --class"}}});
+         {"sample --radius .1 --avoid far.csv:.1", 3, {"far.csv:2: (1e+300, 0.5): "}}});
 }
 
 TEST(AnSvgOfOurs, GivenAsAPictureIsCalledByItsName) {

@@ -173,8 +173,6 @@ TEST(Classes, AreRefusedInOneLine) {
               "lacuna: --class a:1:1:1: must be NAME:RADIUS or NAME:RADIUS:WEIGHT\n");
     EXPECT_EQ(refusal({"--class", "a:0"}),
               "lacuna: --class a:0: its radius must be a finite number over 0\n");
-    EXPECT_EQ(refusal({"--radius", "1", "--between", "union"}),
-              "lacuna: --between union: is for classes of points: give --class\n");
     write_file(folder.path("m.csv"), "1,2\n2\n");
     EXPECT_EQ(refusal({"--class", "a", "--class", "b", "--between", folder.path("m.csv")}),
               "lacuna: " + folder.path("m.csv") + ":2: 1 numbers: the first row has 2\n");
@@ -190,8 +188,6 @@ TEST(Classes, AreRefusedInOneLine) {
     EXPECT_EQ(refusal(with(kWood, {"--keep", folder.path("kept.csv")})),
               "lacuna: " + folder.path("kept.csv") +
                   ": has points of the class rocks, which no --class names\n");
-    EXPECT_EQ(refusal(with(kWood, {"--relax", "3"})),
-              "lacuna: --relax 3: cannot be used with --class: it keeps no distances\n");
 }
 
 TEST(Obstacles, ArePointsWithRadiiAndLinesWithAWidth) {

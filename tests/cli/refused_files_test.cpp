@@ -77,12 +77,6 @@ TEST(Refused, OfSampleAreFilesThatSayWherePointsMayLie) {
         {"outside.txt", "0.5 0.5\n2 0.5\n"},
     };
     const Refusals refusals{
-        {"--mask half.pgm --inside triangle.txt", 2,
-         "lacuna: --mask half.pgm: cannot be used with --inside, --outside or --avoid: draw these "
-         "into the picture\n"},
-        {"--mask half.pgm --relax 3", 2,
-         "lacuna: --relax 3: cannot be used with --mask, --inside, --outside, --avoid, --border or "
-         "--keep\n"},
         {"--inside triangle.txt --edge 1e-9", 2,
          "lacuna: --edge 1e-09: must be at least 6e-08, the longer side / 2^24"},
         {"--inside half.pgm", 2,

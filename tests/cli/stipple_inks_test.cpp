@@ -79,10 +79,9 @@ TEST(StippleInks, ThatCannotBeAreRefused) {
         {{"blank.pgm", "P2 1 1 1 1"}}, "stipple -o a.svg",
         {{"raccoon.png --inks mauve", 2, {"inks \"mauve\"", "cmyk", "#rrggbb"}},
          {"raccoon.png --inks cmyk --black-ink x", 2, {"black-ink x", "number"}},
-         {"raccoon.png --inks red --scale 0.1", 2, {"--scale 0.1: is not for --inks"}},
+         {"raccoon.png --inks red --scale 0.1", 2, {"--scale 0.1 with --inks: dots of inks"}},
          {"raccoon.png --inks red --relax 0", 2, {"--relax 0: ", "at least 1 for inks"}},
          {"raccoon.png --inks red --ink-counts x", 2, {"ink-counts x", "whole number"}},
-         {"raccoon.png --inks red --ink-counts 5 --count 5", 2, {"ink-counts", "--count 5"}},
          {"blank.pgm --inks red", 3, {"blank.pgm", "white all over"}}});
 }
 

@@ -1,6 +1,6 @@
 // The command line that makes the same file.
 
-// Papers of ISO 216 and ANSI in mm, the same as in host/cli/commands/paper.cpp.
+// Papers of ISO 216 and ANSI in mm, the same as in host/cli/options/paper.cpp.
 export const PAPERS = {
     A0: [841, 1189], A1: [594, 841], A2: [420, 594], A3: [297, 420], A4: [210, 297],
     A5: [148, 210], A6: [105, 148], letter: [215.9, 279.4], legal: [215.9, 355.6],

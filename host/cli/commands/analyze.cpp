@@ -1,10 +1,9 @@
 // The options of `lacuna analyze`, and its run.
-#include "cli/commands/analyze.h"
+#include "cli/commands/commands.h"
 
 #include <fmt/core.h>
 #include <lacuna/lacuna.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -17,12 +16,11 @@
 
 #include "analysis/analyse.h"
 #include "analysis/sheet.h"
+#include "cli/options/common_options.h"
 #include "cli/options/ellipse_options.h"
-#include "cli/options/given_files.h"
 #include "cli/options/options.h"
 #include "cli/reports/analysis_report.h"
 #include "cli/reports/output.h"
-#include "cli/reports/writing.h"
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/progress_bar.h"
 #include "files/point_files.h"
@@ -88,23 +86,16 @@ struct Input {
 };
 
 // Checks the options and files before the work starts.
-std::vector<Output> check(const AnalyzeCommand& options) {
+std::vector<Output> check(const CommandLine& line, const AnalyzeCommand& options) {
     if (options.sides) verify::check_domain(options.sides->width, options.sides->height);
     if (options.radius) analysis::check_radius(*options.radius);
     analysis::check_effort(options.effort);
     OutputOptions asked = options.output;
-    if (options.json) {
-        if (!asked.format.empty())
-            throw BadRequest("json", "with --format", "is another format of standard output");
-        asked.paths.emplace_back("-");
-    }
+    if (options.json) asked.paths.emplace_back("-");
     std::vector<Output> outputs = outputs_of(asked, ".json " + files::picture_extensions(), "json");
-    std::vector<GivenFile> read;
-    read.reserve(options.files.size());
-    for (const std::string& file : options.files) read.push_back({"FILE", file});
     std::vector<GivenFile> written = given_files(outputs);
     if (!has_standard_output(outputs)) written.push_back({"--output", "-"});
-    check_given_files(read, written);
+    check_given_files(files_read(line), written);
     return outputs;
 }
 
@@ -219,8 +210,8 @@ analysis::Analysis analyse(const Input& input, const analysis::Domain& domain,
     return analysis::analyse(input.sets, domain, input.radii, keep_going, options.effort);
 }
 
-void run(const AnalyzeCommand& options) {
-    const std::vector<Output> outputs = check(options);
+void run(const CommandLine& line, const AnalyzeCommand& options) {
+    const std::vector<Output> outputs = check(line, options);
     Interruption interruption;
     Input input = read_input(options);
     const Sides sides = options.sides.value_or(input.sides.value_or(Sides{1, 1}));
@@ -241,47 +232,32 @@ void run(const AnalyzeCommand& options) {
     writing.write();
 }
 
+// Where the value of each option goes.
+Targets targets_of(AnalyzeCommand& all) {
+    Targets targets{
+        {"FILE", &all.files},
+        {"domain",
+         [&all](const std::string& text) {
+             Sides& sides = all.sides.emplace();
+             read_domain("domain", text, sides.width, sides.height);
+         }},
+        {"torus", &all.torus},
+        {"radius", &all.radius},
+        {"stretch", [&all](const std::string& text) { all.ellipse = upright_ellipse_from(text); }},
+        {"max-frequency", &all.effort.max_frequency},
+        {"threads", &all.effort.threads},
+        {"json", &all.json},
+        {"quiet", &all.quiet}};
+    targets.merge(targets_of(all.output));
+    return targets;
+}
+
 }  // namespace
 
 void add_analyze(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("analyze", kAnalyzeDescription);
-    const auto options = std::make_shared<AnalyzeCommand>();
-    command
-        .add_option("FILE", options->files,
-                    "By extension: " + files::read_extensions() + "; - is standard input, as .txt")
-        ->type_name("...")
-        ->required();
-    command
-        .add_option_function<std::string>(
-            "--domain",
-            [options](const std::string& text) {
-                Sides& sides = options->sides.emplace();
-                read_domain("domain", text, sides.width, sides.height);
-            },
-            "Width and height of the domain (default: from a .json, or 1x1)")
-        ->type_name("WxH");
-    command.add_flag("--torus", options->torus, "The edges wrap: distances go across them")
-        ->disable_flag_override();
-    add_number(command, "radius", "R", options->radius,
-               "Radius of the sets, to print count * R^2 and distances in radii");
-    command
-        .add_option_function<std::string>(
-            "--stretch",
-            [options](const std::string& text) { options->ellipse = upright_ellipse_from(text); },
-            "For sets of one ellipse, as of lacuna sample --stretch: analyses them compressed, so "
-            "that the ellipse is a disk. The angle must be a multiple of 90")
-        ->type_name("A:B@DEGREES");
-    add_number(command, "max-frequency", "F", options->effort.max_frequency,
-               "Largest |k| / sqrt(count) of the spectrum (default 2)");
-    add_number(command, "threads", "T", options->effort.threads,
-               "Number of threads; 0 is one for each core (default)");
-    add_outputs(command, options->output, "REPORT",
-                "Numbers and curves as .json, or a plot sheet as " + files::picture_extensions() +
-                    "; - is standard output, as .json; may be given several times");
-    command.add_flag("--json", options->json, "Numbers and curves on standard output, like -o -")
-        ->disable_flag_override();
-    command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
-    command.callback([options] { run(*options); });
+    const auto all = std::make_shared<AnalyzeCommand>();
+    add_command(app, recipes::kAnalyze, kAnalyzeDescription, targets_of(*all),
+                [all](const CommandLine& line) { run(line, *all); });
 }
 
 }  // namespace lacuna::cli

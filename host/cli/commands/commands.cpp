@@ -3,15 +3,6 @@
 
 #include <CLI/App.hpp>
 
-#include "cli/commands/analyze.h"
-#include "cli/commands/compare.h"
-#include "cli/commands/devices.h"
-#include "cli/commands/order.h"
-#include "cli/commands/relax.h"
-#include "cli/commands/reproduce.h"
-#include "cli/commands/sample.h"
-#include "cli/commands/stipple.h"
-#include "cli/commands/verify.h"
 #include "cli/terminal/run_program.h"
 
 namespace lacuna::cli {

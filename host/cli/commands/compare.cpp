@@ -1,10 +1,9 @@
 // The options of `lacuna compare`, and its run.
-#include "cli/commands/compare.h"
+#include "cli/commands/commands.h"
 
 #include <fmt/core.h>
 #include <lacuna/lacuna.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -14,19 +13,17 @@
 #include <utility>
 #include <vector>
 
-#include "cli/check_failed.h"
-#include "cli/commands/relaxation.h"
-#include "cli/commands/sample.h"
 #include "cli/options/common_options.h"
 #include "cli/options/given_files.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_field.h"
-#include "cli/reports/comparison_report.h"
+#include "cli/options/relaxation.h"
+#include "cli/reports/comparison.h"
 #include "cli/reports/output.h"
-#include "cli/reports/writing.h"
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/observers.h"
 #include "cli/terminal/progress_bar.h"
+#include "cli/terminal/run_program.h"
 #include "drawing/dot_count.h"
 #include "files/point_files.h"
 #include "recipes/settle.h"
@@ -80,7 +77,7 @@ std::vector<std::string> split(const std::string& text) {
 }
 
 // Checks the options and files before the work starts.
-std::vector<Output> check(const CompareCommand& options) {
+std::vector<Output> check(const CommandLine& line, const CompareCommand& options) {
     constexpr std::uint32_t kMostRuns = 1000;
     if (options.runs < 1 || options.runs > kMostRuns)
         throw BadRequest("runs", std::to_string(options.runs),
@@ -93,9 +90,7 @@ std::vector<Output> check(const CompareCommand& options) {
     }
     if (!has_standard_output(charts) && !is_standard_output(options.json))
         written.push_back({"--output", "-"});
-    std::vector<GivenFile> read;
-    if (!options.picture.path.empty()) read.push_back({"IMAGE", options.picture.path});
-    check_given_files(read, written);
+    check_given_files(files_read(line), written);
     return charts;
 }
 
@@ -160,29 +155,6 @@ void end(const CompareCommand& options, const Comparison& comparison) {
             throw Unavailable(entry.failure);
 }
 
-// The modes of sample or, with a picture, of stipple. Which of them is known after all options.
-void read_any_mode(const std::string& text, std::optional<Mode>& mode) {
-    for (const Mode known : {Mode::exact, Mode::lines, Mode::cells, Mode::stratified})
-        if (text == name_of(known)) mode = known;
-    if (!mode || text != name_of(*mode))
-        throw BadRequest("mode", shown(text), "must be exact, lines, cells or stratified");
-}
-
-// Refuses options that would have no effect.
-void check_kind(const CLI::App& command, const CompareCommand& options) {
-    const bool is_picture = !options.picture.path.empty();
-    for (const std::string option : {"metric", "invert", "black", "white", "auto-levels", "sharpen",
-                                     "along", "gamma", "min-importance"})
-        if (!is_picture && command.count("--" + option) != 0)
-            throw BadRequest(option, "without a picture", "is for pictures only");
-    if (is_picture && command.count("--domain") != 0)
-        throw BadRequest("domain", "with a picture", "is for requests without one");
-    if (options.given.mode == (is_picture ? Mode::lines : Mode::cells))
-        throw BadRequest("mode", std::string(name_of(*options.given.mode)),
-                         is_picture ? "with a picture must be stratified, cells or exact"
-                                    : "is for pictures only");
-}
-
 // Decides what was not given.
 CompareCommand settled(CompareCommand options) {
     options.given.is_picture = !options.picture.path.empty();
@@ -190,16 +162,13 @@ CompareCommand settled(CompareCommand options) {
     options.given.metric = options.picture.metric;
     options.given.relax = options.given.relax.value_or(0);
     options.relax = *options.given.relax;
-    if (options.given.has_ellipses && options.relax != 0)
-        throw BadRequest("along", fmt::format("{}", options.picture.importance.along),
-                         "cannot be used with --relax: relaxing has disks");
     recipes::settle(options.given, options.request);
     return options;
 }
 
-void run(const CompareCommand& given, const Sampler& sampler) {
+void run(const CommandLine& line, const CompareCommand& given, const Sampler& sampler) {
     const CompareCommand options = settled(given);
-    const std::vector<Output> charts = check(options);
+    const std::vector<Output> charts = check(line, options);
     Request request = options.request;
     Field field;
     if (options.given.is_picture) {
@@ -214,38 +183,27 @@ void run(const CompareCommand& given, const Sampler& sampler) {
     end(options, comparison);
 }
 
+// Where the value of each option goes.
+Targets targets_of(CompareCommand& all) {
+    Targets targets{{"IMAGE", &all.picture.path},
+                    {"backends", [&all](const std::string& text) { all.backends = split(text); }},
+                    {"runs", &all.runs},
+                    {"json", &all.json},
+                    {"mode", &all.given.mode},
+                    {"relax", &all.given.relax},
+                    {"quiet", &all.quiet}};
+    targets.merge(cli::targets_of(all.request));
+    targets.merge(targets_of(all.picture));
+    targets.merge(targets_of(all.charts));
+    return targets;
+}
+
 }  // namespace
 
 void add_compare(CLI::App& app, const Sampler& sampler) {
-    CLI::App& command = *app.add_subcommand("compare", kCompareDescription);
-    const auto options = std::make_shared<CompareCommand>();
-    add_picture(command, options->picture, options->request);
-    command
-        .add_option_function<std::string>(
-            "--backends", [options](const std::string& names) { options->backends = split(names); },
-            "Some of cpu,opencl,vulkan,reference (default: the first three)")
-        ->type_name("LIST");
-    add_number(command, "runs", "N", options->runs,
-               "Number of timed runs of each backend, after the first run (default 5)");
-    add_outputs(command, options->charts, "FILE",
-                "A bar chart of the times: " + files::picture_extensions());
-    command
-        .add_option("--json", options->json,
-                    "Writes the tables and the seconds of every run; - is standard output")
-        ->type_name("FILE.json");
-    command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
-    add_size(command, options->request);
-    add_what_to_make(command, options->request);
-    add_relax(command, options->given.relax, 0);
-    add_mode(
-        command, options->request,
-        [options](const std::string& text) { read_any_mode(text, options->given.mode); },
-        "; stratified, or with a picture cells: as for sample and stipple");
-    add_effort(command, options->request);
-    command.callback([&command, options, sampler] {
-        check_kind(command, *options);
-        run(*options, sampler);
-    });
+    const auto all = std::make_shared<CompareCommand>();
+    add_command(app, recipes::kCompare, kCompareDescription, targets_of(*all),
+                [all, sampler](const CommandLine& line) { run(line, *all, sampler); });
 }
 
 }  // namespace lacuna::cli

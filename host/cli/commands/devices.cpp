@@ -1,18 +1,18 @@
 // `lacuna devices`: lists every backend's devices, and why some cannot be used.
-#include "cli/commands/devices.h"
+#include "cli/commands/commands.h"
 
 #include <fmt/core.h>
 #include <lacuna/lacuna.h>
 #include <lacuna/version.h>
 
-#include <CLI/App.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "cli/commands/comparison.h"
+#include "cli/options/bind.h"
+#include "cli/reports/comparison.h"
 #include "cli/reports/json.h"
 #include "cli/terminal/driver.h"
 #include "files/point_files.h"
@@ -39,13 +39,13 @@ struct Row {
 std::vector<Row> rows() {
     std::vector<Row> rows;
     const std::vector<Device> devices = listed_devices();
-    for (const std::string backend : {"cpu", "opencl", "vulkan", "reference"}) {
+    for (const std::string_view backend : recipes::words_of(recipes::Words::named_backends)) {
         std::size_t number = 0;
         for (const Device& device : devices)
             if (device.backend == backend) rows.push_back({device, number++});
         if (number == 0) {
             Device none;
-            none.backend = backend;
+            none.backend = std::string(backend);
             none.unusable = kNoDriver;
             rows.push_back({none, 0});
         }
@@ -91,10 +91,11 @@ std::string json_of(const std::vector<Row>& rows) {
 }  // namespace
 
 void add_devices(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("devices", kDevicesDescription);
     const auto json = std::make_shared<bool>(false);
-    command.add_flag("--json", *json, "Prints JSON")->disable_flag_override();
-    command.callback([json] { files::write_whole("-", *json ? json_of(rows()) : table(rows())); });
+    add_command(app, recipes::kDevices, kDevicesDescription, {{"json", json.get()}},
+                [json](const CommandLine&) {
+                    files::write_whole("-", *json ? json_of(rows()) : table(rows()));
+                });
 }
 
 }  // namespace lacuna::cli

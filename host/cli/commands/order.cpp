@@ -1,23 +1,21 @@
 // The options of `lacuna order`, and its run.
-#include "cli/commands/order.h"
+#include "cli/commands/commands.h"
 
 #include <fmt/core.h>
 #include <lacuna/order.h>
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "cli/commands/given_set.h"
 #include "cli/options/common_options.h"
 #include "cli/options/domain_options.h"
 #include "cli/options/drawing.h"
+#include "cli/options/given_set.h"
 #include "cli/options/options.h"
 #include "cli/reports/output.h"
-#include "cli/reports/writing.h"
 #include "cli/terminal/interruption.h"
 #include "files/point_files.h"
 #include "pictures/importance.h"
@@ -50,13 +48,13 @@ struct OrderCommand {
     DrawingOptions drawing;
 };
 
-void run(const OrderCommand& options) {
-    const std::vector<Output> outputs = checked_outputs(options.common, files_of(options.set));
+void run(const CommandLine& line, const OrderCommand& options) {
+    const std::vector<Output> outputs = checked_outputs(options.common, files_read(line));
     pictures::check(options.set.picture.importance);
     check_drawing(options.drawing, outputs);
     Interruption interruption;
     Request request = options.common.request;
-    const SetAndField given = read_given_set(options.set, request);
+    const SetAndField given = read_given_set(line, options.set, request);
     GivenColumns columns(options.set, given, options.drawing, outputs, true);
     if (given.field) request.field = &*given.field;
     const std::vector<std::uint32_t> order = naming_points(options.set, [&] {
@@ -81,23 +79,21 @@ void run(const OrderCommand& options) {
     std::fputs((printable(summary) + "\n").c_str(), stderr);
 }
 
+// Where the value of each option goes.
+Targets targets_of(OrderCommand& all) {
+    Targets targets;
+    targets.merge(targets_of(all.set));
+    targets.merge(targets_of(all.common));
+    targets.merge(targets_of(all.drawing));
+    return targets;
+}
+
 }  // namespace
 
 void add_order(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("order", kOrderDescription);
-    const auto options = std::make_shared<OrderCommand>();
-    Request& request = options->common.request;
-    add_given_set(command, options->set, request);
-    add_importance(command, options->set.picture, false);
-    add_number(command, "seed", "S", request.seed,
-               "Another seed gives another order of the points of a level (default 0)");
-    add_how_to_draw(command, options->drawing,
-                    "dots have as much ink as the picture is dark, or as a maximal set of as many "
-                    "points has");
-    add_point_outputs(command, options->common);
-    command.add_flag("--quiet", options->common.quiet, "No summary at the end, and no warning")
-        ->disable_flag_override();
-    command.callback([options] { run(*options); });
+    const auto all = std::make_shared<OrderCommand>();
+    add_command(app, recipes::kOrder, kOrderDescription, targets_of(*all),
+                [all](const CommandLine& line) { run(line, *all); });
 }
 
 }  // namespace lacuna::cli

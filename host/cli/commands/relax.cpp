@@ -1,10 +1,9 @@
 // The options of `lacuna relax`, and its run.
-#include "cli/commands/relax.h"
+#include "cli/commands/commands.h"
 
 #include <fmt/core.h>
 #include <lacuna/lacuna.h>
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -14,16 +13,15 @@
 #include <utility>
 #include <vector>
 
-#include "cli/commands/given_set.h"
-#include "cli/commands/relaxation.h"
 #include "cli/options/common_options.h"
 #include "cli/options/domain_options.h"
 #include "cli/options/drawing.h"
+#include "cli/options/given_set.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_field.h"
+#include "cli/options/relaxation.h"
 #include "cli/reports/output.h"
 #include "cli/reports/report.h"
-#include "cli/reports/writing.h"
 #include "cli/terminal/interruption.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
@@ -64,8 +62,8 @@ struct RelaxCommand {
 };
 
 // Checks the options and returns the outputs.
-std::vector<Output> check(const RelaxCommand& options) {
-    const std::vector<Output> outputs = checked_outputs(options.common, files_of(options.set));
+std::vector<Output> check(const CommandLine& line, const RelaxCommand& options) {
+    const std::vector<Output> outputs = checked_outputs(options.common, files_read(line));
     pictures::check(options.set.picture.importance);
     check_drawing(options.drawing, outputs);
     return outputs;
@@ -97,12 +95,12 @@ void sum_up(const RelaxCommand& options, const std::vector<Output>& outputs, con
     std::fputs((printable(summary) + "\n").c_str(), stderr);
 }
 
-void run(const RelaxCommand& options) {
-    const std::vector<Output> outputs = check(options);
+void run(const CommandLine& line, const RelaxCommand& options) {
+    const std::vector<Output> outputs = check(line, options);
     Interruption interruption;
     CommonOptions common = options.common;
     Request& request = common.request;
-    SetAndField given = read_given_set(options.set, request);
+    SetAndField given = read_given_set(line, options.set, request);
     const GivenColumns columns(options.set, given, options.drawing, outputs, false);
     const RelaxOptions moves = relax_options_of(request, options.iterations, options.gaussian);
     Made made;
@@ -128,30 +126,22 @@ void run(const RelaxCommand& options) {
     sum_up(options, outputs, made, relaxation);
 }
 
-void add_options(CLI::App& command, RelaxCommand& options) {
-    Request& request = options.common.request;
-    add_given_set(command, options.set, request);
-    add_number(
-        command, "iterations", "K", options.iterations,
-        fmt::format("Times that points are moved, at most 10000 (default {})", options.iterations));
-    add_gaussian(command, options.gaussian);
-    add_importance(command, options.set.picture, false);
-    add_how_to_draw(command, options.drawing,
-                    "dots have as much ink as the picture is dark, or are two thirds of the least "
-                    "distance wide");
-    add_number(command, "threads", "T", request.threads,
-               "Number of threads; 0 is one for each core (default)");
-    add_place(command, request);
-    add_what_to_write(command, options.common);
+// Where the value of each option goes.
+Targets targets_of(RelaxCommand& all) {
+    Targets targets{{"iterations", &all.iterations}};
+    targets.merge(targets_of(all.set));
+    targets.merge(targets_of(all.common));
+    targets.merge(targets_of(all.drawing));
+    targets.merge(targets_of(all.gaussian));
+    return targets;
 }
 
 }  // namespace
 
 void add_relax_command(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("relax", kRelaxDescription);
-    const auto options = std::make_shared<RelaxCommand>();
-    add_options(command, *options);
-    command.callback([options] { run(*options); });
+    const auto all = std::make_shared<RelaxCommand>();
+    add_command(app, recipes::kRelax, kRelaxDescription, targets_of(*all),
+                [all](const CommandLine& line) { run(line, *all); });
 }
 
 }  // namespace lacuna::cli

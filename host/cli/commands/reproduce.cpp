@@ -1,10 +1,9 @@
 // The options of `lacuna reproduce`, and its run.
-#include "cli/commands/reproduce.h"
+#include "cli/commands/commands.h"
 
 #include <fmt/core.h>
 #include <lacuna/lacuna.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -15,14 +14,13 @@
 #include <utility>
 #include <vector>
 
-#include "cli/check_failed.h"
-#include "cli/options/given_files.h"
+#include "cli/options/bind.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_field.h"
 #include "cli/reports/output.h"
-#include "cli/reports/writing.h"
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/progress_bar.h"
+#include "cli/terminal/run_program.h"
 #include "files/point_files.h"
 #include "pictures/image.h"
 #include "pictures/importance.h"
@@ -75,24 +73,17 @@ struct MadeItem {
 
 // The items asked for, in the paper's order and without duplicates.
 std::vector<const reproduce::Item*> chosen(const std::vector<std::string>& what) {
-    std::string names;
-    for (const reproduce::Item& item : reproduce::items()) names += fmt::format("{}, ", item.name);
     std::vector<const reproduce::Item*> items;
     const auto is_asked = [&](std::string_view name) {
         return std::find(what.begin(), what.end(), name) != what.end();
     };
     for (const reproduce::Item& item : reproduce::items())
         if (is_asked(item.name) || is_asked("all")) items.push_back(&item);
-    for (const std::string& name : what) {
-        const auto is_it = [&](const reproduce::Item& item) { return item.name == name; };
-        if (name != "all" &&
-            std::none_of(reproduce::items().begin(), reproduce::items().end(), is_it))
-            throw CLI::ValidationError(fmt::format("{}: must be one of {}all", shown(name), names));
-    }
     return items;
 }
 
-void check(const ReproduceCommand& options, const std::vector<const reproduce::Item*>& items) {
+void check(const CommandLine& line, const ReproduceCommand& options,
+           const std::vector<const reproduce::Item*>& items) {
     if (options.runs && *options.runs == 0) throw BadRequest("runs", "0", "must be at least 1");
     constexpr double kLargestRadius = 0.05;  // in the paper's tables
     const double smallest = options.smallest_radius.value_or(kLargestRadius);
@@ -112,8 +103,6 @@ void check(const ReproduceCommand& options, const std::vector<const reproduce::I
     if (error)
         throw files::FileError(
             fmt::format("{}: cannot be made: {}", *options.folder, error.message()));
-    std::vector<GivenFile> read;
-    if (!options.image.empty()) read.push_back({"--image", options.image});
     std::vector<GivenFile> written;
     for (const reproduce::Item* item : items)
         for (const std::string_view extension : {"json", "svg", "png"}) {
@@ -122,7 +111,7 @@ void check(const ReproduceCommand& options, const std::vector<const reproduce::I
                 {"--output", (folder / fmt::format("{}.{}", item->name, extension)).string()});
             check_writable(written.back().path);
         }
-    check_given_files(read, written);
+    check_given_files(files_read(line), written);
 }
 
 std::vector<MadeItem> make(const std::vector<const reproduce::Item*>& items,
@@ -147,9 +136,9 @@ void add(Writing& writing, const std::vector<MadeItem>& all, const std::filesyst
     }
 }
 
-void run(const ReproduceCommand& options) {
+void run(const CommandLine& line, const ReproduceCommand& options) {
     const auto items = chosen(options.what);
-    check(options, items);
+    check(line, options, items);
     std::optional<Field> image;
     if (!options.image.empty())
         image = pictures::importance_of(
@@ -175,26 +164,22 @@ void run(const ReproduceCommand& options) {
     if (!all_within) throw CheckFailed();
 }
 
+// Where the value of each option goes.
+Targets targets_of(ReproduceCommand& all) {
+    return {{"WHAT", &all.what},
+            {"output", [&all](const std::string& text) { all.folder = text; }},
+            {"image", &all.image},
+            {"runs", &all.runs},
+            {"smallest-radius", &all.smallest_radius},
+            {"quiet", &all.quiet}};
+}
+
 }  // namespace
 
 void add_reproduce(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("reproduce", kReproduceDescription);
-    const auto options = std::make_shared<ReproduceCommand>();
-    command.add_option("WHAT", options->what, "table1, table2, fig3 to fig8, or all")
-        ->type_name("...")
-        ->required();
-    command
-        .add_option("-o,--output", options->folder,
-                    "A folder for a .json and a picture of each item; it is made if it is missing")
-        ->type_name("FOLDER");
-    command.add_option("--image", options->image, "The picture that figure 7 stipples")
-        ->type_name("FILE");
-    add_number(command, "runs", "N", options->runs,
-               "Number of sets in each mean (default: 2 to 100, depending on the item)");
-    add_number(command, "smallest-radius", "R", options->smallest_radius,
-               "Leaves out rows of the tables with smaller radii");
-    command.add_flag("--quiet", options->quiet, "No progress bar")->disable_flag_override();
-    command.callback([options] { run(*options); });
+    const auto all = std::make_shared<ReproduceCommand>();
+    add_command(app, recipes::kReproduce, kReproduceDescription, targets_of(*all),
+                [all](const CommandLine& line) { run(line, *all); });
 }
 
 }  // namespace lacuna::cli

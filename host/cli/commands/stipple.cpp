@@ -1,10 +1,9 @@
 // The options of `lacuna stipple`, and its run.
-#include "cli/commands/stipple.h"
+#include "cli/commands/commands.h"
 
 #include <fmt/core.h>
 #include <lacuna/stipple.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -14,16 +13,14 @@
 #include <utility>
 #include <vector>
 
-#include "cli/commands/relaxation.h"
 #include "cli/options/common_options.h"
 #include "cli/options/drawing.h"
 #include "cli/options/ellipse_options.h"
 #include "cli/options/options.h"
-#include "cli/options/origin.h"
 #include "cli/options/picture_field.h"
+#include "cli/options/relaxation.h"
 #include "cli/reports/output.h"
 #include "cli/reports/report.h"
-#include "cli/reports/writing.h"
 #include "cli/terminal/driver.h"
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/observers.h"
@@ -93,37 +90,6 @@ struct StippleCommand {
     bool ellipse_columns = false;
 };
 
-void read_dot_mode(const std::string& text, std::optional<Mode>& mode) {
-    for (const Mode known : {Mode::stratified, Mode::cells, Mode::exact}) {
-        if (text != name_of(known)) continue;
-        mode = known;
-        return;
-    }
-    throw BadRequest("mode", shown(text), "must be stratified, cells or exact");
-}
-
-void add_what_to_stipple(CLI::App& command, StippleCommand& options) {
-    Request& request = options.common.request;
-    add_picture(command, options.picture, request)->required();
-    add_number(
-        command, "count", "N", request.count,
-        "Exactly N dots, at a scale that fits; this or --scale (default: a number that suits the "
-        "picture's size and darkness, or --dot-size)");
-    command
-        .add_option_function<std::string>(
-            "--mode,--start",
-            [&options](const std::string& mode) { read_dot_mode(mode, options.stipple.start); },
-            "How dots are placed before they are moved. stratified (default with --relax): every "
-            "part of the picture has its share of the dots; cells (default with --relax 0): on a "
-            "lattice, as in the paper; exact: in the plane, with no gap left, and with --metric "
-            "min. The default is cells, too, if --scale, --metric, --limit, --lines-per-radius or "
-            "--round-size is given, because a stratified set keeps no least distance")
-        ->type_name("MODE");
-    add_number(command, "lines-per-radius", "M", request.lines_per_radius,
-               "Lattice steps per least radius (default 10); in exact it changes only the speed "
-               "(default 1)");
-}
-
 std::vector<std::uint64_t> read_counts(const std::string& text) {
     std::vector<std::uint64_t> counts;
     for (std::size_t begin = 0; begin <= text.size();) {
@@ -132,46 +98,6 @@ std::vector<std::uint64_t> read_counts(const std::string& text) {
         begin = comma + 1;
     }
     return counts;
-}
-
-void add_inks(CLI::App& command, StippleOptions& options) {
-    add_text(
-        command, "inks", "LIST",
-        [&options](const std::string& text) { options.inks = inks_of(text); },
-        "Draws in colour: cmyk, or inks separated by commas: names such as black,red, or #rrggbb, "
-        "or NAME=#rrggbb. All dots together are evenly spread, too; .svg has a layer per ink");
-    add_number(command, "black-ink", "X", options.black_ink,
-               fmt::format("With --inks: how much black replaces other inks that would look grey "
-                           "together, 0 to 1 (default {})",
-                           kBlackInk));
-    add_text(
-        command, "ink-counts", "N,N...",
-        [&options](const std::string& text) { options.ink_counts = read_counts(text); },
-        "With --inks: the dots of each ink, in place of --count (default: as much as the picture "
-        "needs of each)");
-}
-
-void add_size_by_tone(CLI::App& command, StippleOptions& options) {
-    add_number(command, "size-by-tone", "A", options.size_by_tone,
-               "How much of the tone is in the dots' sizes, 0 to 1 (default 0: all are equally "
-               "large). Areas are proportional to importance^A, and dots as dense as "
-               "importance^(1 - A): with few dots more is seen");
-}
-
-void add_keep_inside(CLI::App& command, StippleOptions& options) {
-    command
-        .add_flag("--keep-inside", options.keep_inside,
-                  "Keeps dots off white, and in the picture: dots that overhang an edge are moved "
-                  "inwards, and in a shape narrower than a dot they are made smaller, but not "
-                  "smaller than a pen. Where the picture is black no gaps are left")
-        ->disable_flag_override();
-}
-
-void add_pen_path(CLI::App& command, StippleOptions& options) {
-    command
-        .add_flag("--pen-path", options.pen_path,
-                  "Orders the dots along a short path for a pen, in every format")
-        ->disable_flag_override();
 }
 
 // What the library is to do.
@@ -193,10 +119,10 @@ std::string names_of(const std::vector<Ink>& inks) {
 }
 
 // Checks everything that can be checked before the picture is read; returns the outputs.
-std::vector<Output> checked_outputs(const StippleCommand& all, const StippleOptions& options) {
-    check_ellipse_columns(all.ellipse_columns, options.tone.along != 1);
+std::vector<Output> checked_outputs(const CommandLine& line, const StippleCommand& all,
+                                    const StippleOptions& options) {
     check(options);
-    const std::vector<Output> outputs = checked_outputs(all.common, {{"IMAGE", all.picture.path}});
+    const std::vector<Output> outputs = checked_outputs(all.common, files_read(line));
     check_drawing(all.drawing, outputs);
     check_ellipse_columns(all.ellipse_columns, outputs);
     if (!options.inks.empty() && !loss_of_columns(outputs).empty())
@@ -280,9 +206,9 @@ std::string path_text(const std::vector<Output>& outputs, const files::PointSet&
                        made.path_length * drawing::millimetres_per_unit(set, style) / 1000);
 }
 
-void run(const CLI::App& command, const StippleCommand& all) {
+void run(const CommandLine& line, const StippleCommand& all) {
     const StippleOptions options = stipple_options(all);
-    const std::vector<Output> outputs = checked_outputs(all, options);
+    const std::vector<Output> outputs = checked_outputs(line, all, options);
     CommonOptions common = all.common;
     Interruption interruption;
     Made made;
@@ -291,7 +217,7 @@ void run(const CLI::App& command, const StippleCommand& all) {
     if (!common.quiet) warn_of_ink(all.drawing, made.result.points.size(), dots.dots_for_ink);
 
     const Json asked = json_of(all, options, dots);
-    const files::Origin origin = origin_of(command, request, made.result, asked);
+    const files::Origin origin = origin_of(line, request, made.result, asked);
     drawing::Style style = style_of(all.drawing, request.width, request.height);
     style.for_a_pen = dots.is_for_a_pen;
     files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
@@ -309,25 +235,33 @@ void run(const CLI::App& command, const StippleCommand& all) {
            path_text(outputs, set, style, dots));
 }
 
+// Where the value of each option goes.
+Targets targets_of(StippleCommand& all) {
+    StippleOptions& stipple = all.stipple;
+    Targets targets{
+        {"IMAGE", &all.picture.path},
+        {"mode", &stipple.start},
+        {"relax", &stipple.relax},
+        {"inks", [&stipple](const std::string& text) { stipple.inks = inks_of(text); }},
+        {"black-ink", &stipple.black_ink},
+        {"ink-counts",
+         [&stipple](const std::string& text) { stipple.ink_counts = read_counts(text); }},
+        {"size-by-tone", &stipple.size_by_tone},
+        {"keep-inside", &stipple.keep_inside},
+        {"pen-path", &stipple.pen_path},
+        {"ellipse-columns", &all.ellipse_columns}};
+    targets.merge(targets_of(all.common));
+    targets.merge(targets_of(all.picture));
+    targets.merge(targets_of(all.drawing, true));
+    return targets;
+}
+
 }  // namespace
 
 void add_stipple(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("stipple", kStippleDescription);
-    const auto options = std::make_shared<StippleCommand>();
-    add_what_to_stipple(command, *options);
-    add_inks(command, options->stipple);
-    add_what_to_make(command, options->common.request);
-    add_relax(command, options->stipple.relax, RelaxOptions{}.iterations);
-    add_how_to_draw(command, options->drawing,
-                    "the ink of all dots is as much as the picture is dark", true);
-    add_ellipse_columns(command, options->ellipse_columns);
-    add_size_by_tone(command, options->stipple);
-    add_keep_inside(command, options->stipple);
-    add_pen_path(command, options->stipple);
-    add_effort(command, options->common.request);
-    add_place(command, options->common.request);
-    add_what_to_write(command, options->common);
-    command.callback([&command, options] { run(command, *options); });
+    const auto all = std::make_shared<StippleCommand>();
+    add_command(app, recipes::kStipple, kStippleDescription, targets_of(*all),
+                [all](const CommandLine& line) { run(line, *all); });
 }
 
 }  // namespace lacuna::cli

@@ -1,11 +1,10 @@
 // The options of `lacuna verify`, and what it prints.
-#include "cli/commands/verify.h"
+#include "cli/commands/commands.h"
 
 #include <fmt/core.h>
 #include <lacuna/lacuna.h>
 #include <lacuna/verify.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,16 +15,16 @@
 #include <string>
 #include <vector>
 
-#include "cli/check_failed.h"
+#include "cli/options/common_options.h"
 #include "cli/options/domain_options.h"
 #include "cli/options/given_files.h"
-#include "cli/options/made_with.h"
 #include "cli/options/options.h"
 #include "cli/reports/verify_report.h"
 #include "cli/terminal/run_program.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
 #include "files/read_whole.h"
+#include "pictures/importance.h"
 #include "plan/sheets.h"
 #include "verify/verify.h"
 
@@ -84,20 +83,20 @@ struct Given {
 };
 
 // The request for one set. If an option is not given, the set's file gives its value.
-Request request_of(const CLI::App& command, const VerifyCommand& options, const Given& given,
+Request request_of(const CommandLine& line, const VerifyCommand& options, const Given& given,
                    const files::SetsOfFile& file, const std::string& name, SetClaim& claim) {
-    if (file.mode == name_of(Mode::cells) && command.count("--distances-only") == 0)
+    if (file.mode == name_of(Mode::cells) && !options.distances_only)
         throw BadUsage(name +
                        ": made in mode cells, where radii follow a picture: give "
                        "--distances-only, for the least of them");
-    if (file.mode == name_of(Mode::stratified) && command.count("--distances-only") == 0)
+    if (file.mode == name_of(Mode::stratified) && !options.distances_only)
         throw BadUsage(name +
                        ": made in mode stratified and relaxed, which promises no radius: "
                        "give --distances-only, for the least distance");
     Request request = given.request;
-    ask_for_files(command, options.domain, options.distances_only, file, name);
-    claim.own_field = use_values(command, file, request, claim.options.edge);
-    if (command.count("--domain") == 0 && file.width) {
+    ask_for_files(line, options.domain, options.distances_only, file, name);
+    claim.own_field = use_values(line, file, request, claim.options.edge);
+    if (!line.has("domain") && file.width) {
         request.width = *file.width;
         request.height = *file.height;
     }
@@ -134,13 +133,13 @@ Extremes radii_of(const Request& request) {
     return radii;
 }
 
-SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Given& given,
+SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& given,
                   const files::SetsOfFile& file, std::span<const Point> points,
                   const std::string& name) {
     SetClaim claim;
     claim.points = points;
     claim.options = options.domain;
-    const Request request = request_of(command, options, given, file, name, claim);
+    const Request request = request_of(line, options, given, file, name, claim);
     claim.name = name;
     claim.meant_to_be_maximal = file.maximal.value_or(true);
     claim.radii = radii_of(request);
@@ -177,8 +176,8 @@ SetClaim claim_of(const CLI::App& command, const VerifyCommand& options, Given& 
 }
 
 // Refuses bad options before it takes time to read a large file.
-void check(const CLI::App& command, const VerifyCommand& options) {
-    check_domain(command, options.domain);
+void check(const CommandLine& line, const VerifyCommand& options) {
+    pictures::check(options.domain.field.importance);
     const Request& request = options.request;
     const auto is_json = [](const std::string& file) { return file.ends_with(".json"); };
     if (!options.domain.field.path.empty() && !request.scale &&
@@ -186,17 +185,7 @@ void check(const CLI::App& command, const VerifyCommand& options) {
         std::none_of(options.files.begin(), options.files.end(), is_json))
         throw BadRequest("scale", "missing",
                          "give the radius that points should have where the field is black");
-    if (!options.domain.field.path.empty() && request.radius)
-        throw BadRequest("radius", fmt::format("{}", *request.radius),
-                         "is for sets of one radius: with --field give --scale");
-    if (options.distances_only && options.tolerance)
-        throw BadRequest("tolerance", fmt::format("{}", *options.tolerance),
-                         "is for gaps, which --distances-only does not look for");
-    std::vector<GivenFile> read;
-    read.reserve(options.files.size());
-    for (const std::string& file : options.files) read.push_back({"FILE", file});
-    for (const GivenFile& file : files_of(options.domain)) read.push_back(file);
-    check_given_files(read, std::vector<GivenFile>{});
+    check_given_files(files_read(line), std::vector<GivenFile>{});
     if (!request.radius) return;
     Claim claim;
     claim.radius = *request.radius;
@@ -226,11 +215,11 @@ std::string fault_in_levels(const SetClaim& claim) {
     return "";
 }
 
-void run(const CLI::App& command, const VerifyCommand& options) {
-    check(command, options);
+void run(const CommandLine& line, const VerifyCommand& options) {
+    check(line, options);
     Given given{options.request, {}};
     if (options.torus) given.request.boundary = Boundary::torus;
-    read_given_files(command, options.domain, given.request, given.files);
+    read_given_files(line, options.domain, given.request, given.files);
     std::vector<files::SetsOfFile> all;
     for (const std::string& path : options.files) all.push_back(files::read_sets(path));
     std::vector<SetClaim> claims;
@@ -239,7 +228,7 @@ void run(const CLI::App& command, const VerifyCommand& options) {
         const auto& sets = all[i].sets;
         for (std::size_t k = 0; k < sets.size(); ++k) {
             claims.push_back(
-                claim_of(command, options, given, all[i], sets[k],
+                claim_of(line, options, given, all[i], sets[k],
                          sets.size() == 1 ? name : fmt::format("{}: set {}", name, k + 1)));
         }
     }
@@ -257,41 +246,22 @@ void run(const CLI::App& command, const VerifyCommand& options) {
     if (!all_hold) throw CheckFailed();
 }
 
+// Where the value of each option goes.
+Targets targets_of(VerifyCommand& all) {
+    Targets targets{{"FILE", &all.files},          {"torus", &all.torus},
+                    {"tolerance", &all.tolerance}, {"distances-only", &all.distances_only},
+                    {"json", &all.json},           {"quiet", &all.quiet}};
+    targets.merge(cli::targets_of(all.request));
+    targets.merge(targets_of(all.domain));
+    return targets;
+}
+
 }  // namespace
 
 void add_verify(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("verify", kVerifyDescription);
-    const auto options = std::make_shared<VerifyCommand>();
-    command
-        .add_option("FILE", options->files,
-                    "By extension: " + files::read_extensions() + "; - is standard input, as .txt")
-        ->type_name("...")
-        ->required();
-    Request& request = options->request;
-    add_number(command, "radius", "R", request.radius,
-               "The least distance promised (default: the one in a .json)");
-    command
-        .add_option_function<std::string>(
-            "--domain",
-            [&request](const std::string& text) {
-                read_domain("domain", text, request.width, request.height);
-            },
-            "Width and height of the domain (default: from a .json or a picture, or 1x1)")
-        ->type_name("WxH");
-    add_domain(command, options->domain, request);
-    command.add_flag("--torus", options->torus, "The edges wrap")->disable_flag_override();
-    add_number(command, "tolerance", "T", options->tolerance,
-               "How far over R a gap may be (default 2^-28 of the longer side)");
-    command
-        .add_flag("--distances-only", options->distances_only,
-                  "Look for points too close only: for sets that are not meant to be maximal")
-        ->disable_flag_override();
-    command.add_flag("--json", options->json, "As JSON")->disable_flag_override();
-    command
-        .add_flag("--quiet", options->quiet,
-                  "Print nothing; only the exit code says whether all claims hold")
-        ->disable_flag_override();
-    command.callback([&command, options] { run(command, *options); });
+    const auto all = std::make_shared<VerifyCommand>();
+    add_command(app, recipes::kVerify, kVerifyDescription, targets_of(*all),
+                [all](const CommandLine& line) { run(line, *all); });
 }
 
 }  // namespace lacuna::cli

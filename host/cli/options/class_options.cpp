@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -104,39 +103,9 @@ std::vector<double> read_matrix(const std::string& path) {
 
 }  // namespace
 
-void add_classes(CLI::App& command, ClassOptions& options) {
-    command
-        .add_option("--class", options.given,
-                    "Points of a class, such as trees:0.05 or trees:0.05:3: its name, its radius, "
-                    "and how often it is drawn (default 1); once for each class")
-        ->type_name("NAME:R[:W]")
-        ->allow_extra_args(false)
-        ->take_all();
-    add_text(
-        command, "between", "RULE",
-        [&options](const std::string& text) {
-            options.between = text;
-            options.has_between = true;
-        },
-        "The least distance of two classes. sum (default): the sum of their radii, as of objects "
-        "that do not overlap; union: each class alone and all together are evenly distributed; or "
-        "a file of distances, .csv or .json, a row and a column a class, which leaves no R to "
-        "--class");
-}
-
-void append_files(const ClassOptions& options, std::vector<GivenFile>& files) {
-    if (!options.given.empty() && options.has_file())
-        files.push_back({"--between", options.between});
-}
-
 Classes read_classes(const ClassOptions& options) {
     Classes classes;
-    if (options.given.empty()) {
-        if (options.has_between)
-            throw BadRequest("between", shown(options.between),
-                             "is for classes of points: give --class");
-        return classes;
-    }
+    if (options.given.empty()) return classes;
     std::vector<double> radii;
     for (const std::string& text : options.given) {
         const ClassText one = read_class(text);

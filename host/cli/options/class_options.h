@@ -9,8 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/app_fwd.h"
-#include "cli/options/given_files.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
 
@@ -19,15 +17,8 @@ namespace lacuna::cli {
 struct ClassOptions {
     std::vector<std::string> given;  // NAME:RADIUS:WEIGHT, where the last two may be missing
     std::string between = "sum";     // a rule, or the path of a matrix
-    bool has_between = false;        // --between was given
     bool has_file() const { return between != "sum" && between != "union"; }
 };
-
-// Adds --class and --between; `options` must outlive the command.
-void add_classes(CLI::App& command, ClassOptions& options);
-
-// Appends the file of a matrix, if there is one.
-void append_files(const ClassOptions& options, std::vector<GivenFile>& files);
 
 // The classes, without names if none were given. Reads the matrix. Throws BadRequest and FileError.
 Classes read_classes(const ClassOptions& options);

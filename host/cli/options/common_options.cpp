@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <CLI/App.hpp>
 #include <cstddef>
 #include <cstdio>
 
@@ -16,53 +15,37 @@
 
 namespace lacuna::cli {
 
-void add_what_to_make(CLI::App& command, Request& request) {
-    command
-        .add_flag_callback(
-            "--torus", [&request] { request.boundary = Boundary::torus; }, "The edges wrap")
-        ->disable_flag_override();
-    add_number(command, "limit", "K", request.limit, "Stop after K points");
-    add_number(
-        command, "seed", "S", request.seed,
-        "Same seed, same points, whatever the backend (default 0). Give each colour channel a "
-        "seed of its own: where channels are equal, one seed puts their dots on the same spots");
+Targets targets_of(Request& request) {
+    return {{"radius", &request.radius},
+            {"count", &request.count},
+            {"scale", &request.scale},
+            {"domain",
+             [&request](const std::string& text) {
+                 read_domain("domain", text, request.width, request.height);
+             }},
+            {"torus", &request.boundary},
+            {"border", &request.border},
+            {"limit", &request.limit},
+            {"seed", &request.seed},
+            {"progressive", &request.progressive},
+            {"lines-per-radius", &request.lines_per_radius},
+            {"uniform-x", &request.uniform_x},
+            {"snap", &request.snap},
+            {"round-size", &request.round_size},
+            {"threads", &request.threads},
+            {"backend", &request.backend},
+            {"device", &request.device}};
 }
 
-void add_effort(CLI::App& command, Request& request) {
-    add_number(command, "round-size", "K", request.round_size,
-               "Draws in a round; 0 chooses (default), 1 is the paper's algorithm");
-    add_number(command, "threads", "T", request.threads,
-               "Number of threads; 0 is one for each core (default)");
+Targets targets_of(OutputOptions& output) {
+    return {{"output", &output.paths}, {"format", &output.format}};
 }
 
-void add_place(CLI::App& command, Request& request) {
-    command
-        .add_option(
-            "--backend", request.backend,
-            "cpu, opencl, vulkan or reference; auto (default) is the one that the environment "
-            "variable LACUNA_BACKEND names, or else cpu")
-        ->type_name("NAME");
-    command.add_option("--device", request.device, "A device's number or a part of its name")
-        ->type_name("NAME");
-}
-
-void add_point_outputs(CLI::App& command, CommonOptions& options) {
-    add_outputs(command, options.output, "FILE",
-                "By extension: " + files::written_extensions() +
-                    "; - is standard output, as .txt (default); may be given several times");
-}
-
-void add_what_to_write(CLI::App& command, CommonOptions& options) {
-    add_point_outputs(command, options);
-    command
-        .add_option(
-            "--report", options.report,
-            "Writes the request, counts, seconds by verb, memory and SHA-256 of the points; - is "
-            "standard output")
-        ->type_name("FILE.json");
-    command
-        .add_flag("--quiet", options.quiet, "No progress bar, no warning and no summary at the end")
-        ->disable_flag_override();
+Targets targets_of(CommonOptions& options) {
+    Targets targets{{"report", &options.report}, {"quiet", &options.quiet}};
+    targets.merge(targets_of(options.request));
+    targets.merge(targets_of(options.output));
+    return targets;
 }
 
 std::vector<Output> checked_outputs(const CommonOptions& options,

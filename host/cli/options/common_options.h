@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/app_fwd.h"
+#include "cli/options/bind.h"
 #include "cli/options/given_files.h"
 #include "cli/reports/output.h"
-#include "cli/terminal/stopwatch.h"
+#include "cli/terminal/observers.h"
 
 namespace lacuna::cli {
 
@@ -20,17 +20,10 @@ struct CommonOptions {
     bool quiet = false;
 };
 
-// Each adds options to `command`, which the request or `options` must outlive.
-// --torus, --limit, --seed
-void add_what_to_make(CLI::App& command, Request& request);
-// --round-size, --threads
-void add_effort(CLI::App& command, Request& request);
-// --backend, --device
-void add_place(CLI::App& command, Request& request);
-// --output and --format
-void add_point_outputs(CLI::App& command, CommonOptions& options);
-// These, --report and --quiet
-void add_what_to_write(CLI::App& command, CommonOptions& options);
+// The targets of the options that say what is made, and of those that say what is written.
+Targets targets_of(Request& request);
+Targets targets_of(OutputOptions& output);
+Targets targets_of(CommonOptions& options);
 
 // The outputs, checked before the work starts; without --output it is standard output. No output
 // may be a file in `read`. Throws BadRequest and files::FileError.

@@ -4,9 +4,7 @@
 #include <fmt/core.h>
 #include <lacuna/domains.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -34,16 +32,6 @@ namespace {
 // How far the outline of polygons may be off without --edge, in least radii. 1/16 keeps the mask
 // small and the error well under the distance of points.
 constexpr double kEdge = 1.0 / 16;
-
-void add_path(CLI::App& command, const std::string& option, const std::string& symbol,
-              std::string& path, const std::string& help) {
-    command.add_option(option, path, help)->type_name(symbol);
-}
-
-void add_files(CLI::App& command, const std::string& option, std::vector<std::string>& paths,
-               const std::string& help) {
-    command.add_option(option, paths, help)->type_name("FILE")->allow_extra_args(false)->take_all();
-}
 
 double greatest_of(const DomainFiles& files) {
     if (!files.field) return 1;
@@ -128,88 +116,26 @@ void repeat(const Request& request, std::vector<PolygonRing>& rings) {
 
 }  // namespace
 
-void add_domain(CLI::App& command, DomainOptions& options, Request& request) {
-    add_path(command, "--field", "IMAGE", options.field.path,
-             "A picture that says where points are wanted: many where it is dark, none where it is "
-             "white");
-    add_number(command, "scale", "G", request.scale,
-               "With --field, instead of --radius: the radius where the picture is black");
-    add_importance(command, options.field);
-    add_ellipses(command, options.ellipses);
-    add_classes(command, options.classes);
-    add_path(command, "--mask", "IMAGE", options.mask,
-             "A picture that says where points may lie: on pixels that are neither black nor "
-             "transparent");
-    add_files(
-        command, "--inside", options.inside,
-        "Polygons that points must lie in: .svg, .geojson or .txt (`x y` on each line, a blank "
-        "line between rings); polygons that overlap are joined, each filled by its own rule; may "
-        "be given several times, and points then lie inside of any");
-    add_files(command, "--outside", options.outside,
-              "Polygons that points must not lie in, as for --inside; may be given several times");
-    command
-        .add_option("--avoid", options.avoid,
-                    "Obstacles that points stay away from: points of a .csv, by its column radius, "
-                    "or lines and outlines of a .svg, .geojson or .txt, within WIDTH; may be given "
-                    "several times")
-        ->type_name("FILE[:WIDTH]")
-        ->allow_extra_args(false)
-        ->take_all();
-    add_number(command, "edge", "E", options.edge,
-               "How far inside the outline of polygons points may begin (default: a sixteenth of "
-               "the least radius)");
-    add_number(
-        command, "border", "D", request.border,
-        "Least distance of points to the domain's edges, and to the outlines of --inside and "
-        "--outside (default 0)");
-    add_path(command, "--keep", "FILE", options.keep,
-             "Points that are there already: they come first, unmoved, and new points fill the "
-             "space around them");
+Targets targets_of(DomainOptions& options) {
+    Targets targets{{"field", &options.field.path},
+                    {"ellipses", &options.ellipses.path},
+                    {"stretch", &options.ellipses.same},
+                    {"class", &options.classes.given},
+                    {"between", &options.classes.between},
+                    {"mask", &options.mask},
+                    {"inside", &options.inside},
+                    {"outside", &options.outside},
+                    {"avoid", &options.avoid},
+                    {"edge", &options.edge},
+                    {"keep", &options.keep}};
+    targets.merge(targets_of(options.field));
+    return targets;
 }
 
-std::vector<GivenFile> files_of(const DomainOptions& options) {
-    std::vector<GivenFile> files;
-    for (const auto& [name, path] :
-         std::array{std::pair{"--field", &options.field.path}, std::pair{"--mask", &options.mask},
-                    std::pair{"--keep", &options.keep}})
-        if (!path->empty()) files.push_back({name, *path});
-    if (!options.ellipses.path.empty()) files.push_back({"--ellipses", options.ellipses.path});
-    for (const std::string& path : options.inside) files.push_back({"--inside", path});
-    for (const std::string& path : options.outside) files.push_back({"--outside", path});
-    for (const std::string& text : options.avoid)
-        files.push_back({"--avoid", path_of_obstacles(text)});
-    append_files(options.classes, files);
-    return files;
-}
-
-void check_domain(const CLI::App& command, const DomainOptions& options) {
-    pictures::check(options.field.importance);
-    if (options.field.path.empty())
-        for (const char* name : {"--invert", "--black", "--white", "--auto-levels", "--sharpen",
-                                 "--along", "--gamma", "--min-importance", "--scale"})
-            if (command.count(name) > 0 &&
-                (name != std::string_view("--scale") || !options.ellipses.are_given()))
-                throw BadRequest(std::string(name).substr(2), "without --field",
-                                 "says how a field is read: give its picture too");
-    check(options.ellipses);
-    if (options.ellipses.are_given() && !options.field.path.empty())
-        throw BadRequest("field", shown(options.field.path),
-                         "cannot be used with --ellipses or --stretch, which give all radii");
-    const bool has_polygons =
-        !options.inside.empty() || !options.outside.empty() || !options.avoid.empty();
-    if (options.edge && !has_polygons)
-        throw BadRequest("edge", fmt::format("{}", *options.edge),
-                         "is for the outlines of --inside, --outside and --avoid: give a file too");
-    if (!options.mask.empty() && has_polygons)
-        throw BadRequest(
-            "mask", shown(options.mask),
-            "cannot be used with --inside, --outside or --avoid: draw these into the picture");
-}
-
-void read_given_files(const CLI::App& command, const DomainOptions& options, Request& request,
+void read_given_files(const CommandLine& line, const DomainOptions& options, Request& request,
                       DomainFiles& files) {
     request.classes = read_classes(options.classes);
-    bool has_shape = command.count("--domain") > 0;
+    bool has_shape = line.has("domain");
     const auto give_shape = [&](double width, double height) {
         if (!has_shape) {
             request.width = width;
@@ -305,9 +231,9 @@ double edge_of(const DomainOptions& options, const Request& request,
     return std::max(request.width, request.height) / 1000;
 }
 
-void read_domain_files(const CLI::App& command, const DomainOptions& options, Request& request,
+void read_domain_files(const CommandLine& line, const DomainOptions& options, Request& request,
                        DomainFiles& files) {
-    read_given_files(command, options, request, files);
+    read_given_files(line, options, request, files);
     if (files.polygons.empty()) return;
     const std::vector<std::vector<PolygonRing>> rings = rings_of(request, files);
     const std::vector<PolygonSet> sets = sets_of(files.kinds, rings);

@@ -5,19 +5,21 @@
 #include <lacuna/domains.h>
 #include <lacuna/lacuna.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "cli/app_fwd.h"
+#include "cli/options/bind.h"
 #include "cli/options/class_options.h"
 #include "cli/options/ellipse_options.h"
-#include "cli/options/given_files.h"
 #include "cli/options/picture_field.h"
 #include "drawing/dot_size.h"
+#include "files/read_sets.h"
 
 namespace lacuna::cli {
 
@@ -47,21 +49,12 @@ struct DomainFiles {
     double edge = 0;  // how far the polygons' outline may be off
 };
 
-// Adds --field, --scale, the options of add_importance(), --ellipses, --stretch, --class,
-// --between, --mask, --inside,
-// --outside, --avoid, --edge, --border and --keep.
-void add_domain(CLI::App& command, DomainOptions& options, Request& request);
-
-// The files that are read, which no output may overwrite.
-std::vector<GivenFile> files_of(const DomainOptions& options);
-
-// All that can be checked before the files are read. Throws BadRequest.
-void check_domain(const CLI::App& command, const DomainOptions& options);
+Targets targets_of(DomainOptions& options);
 
 // Reads the files and makes `request` point to their contents. Without --domain, the first of these
 // that is given decides the domain: the field's picture (longer side 1), the page of the polygons,
 // the mask (longer side 1). Draws no polygons. Throws BadRequest and files::FileError.
-void read_given_files(const CLI::App& command, const DomainOptions& options, Request& request,
+void read_given_files(const CommandLine& line, const DomainOptions& options, Request& request,
                       DomainFiles& files);
 
 // The rings of each file of polygons on the request's domain, and the sets that they are. The rings
@@ -76,7 +69,7 @@ double edge_of(const DomainOptions& options, const Request& request,
 
 // Does what read_given_files() does, and draws the polygons onto the request's mask. Without
 // --domain polygons that have no page must lie within the domain.
-void read_domain_files(const CLI::App& command, const DomainOptions& options, Request& request,
+void read_domain_files(const CommandLine& line, const DomainOptions& options, Request& request,
                        DomainFiles& files);
 
 // The options as JSON, for reports and for files that hold the origin of a set.
@@ -86,5 +79,22 @@ nlohmann::ordered_json json_of(const DomainOptions& options, const Request& requ
 // The diameters of dots that follow the request's field; empty without a field.
 std::vector<double> dots_of(const Request& request, std::span<const Point> points,
                             drawing::Spread spread);
+
+// What a .json says of the options that its set was made with, for `lacuna verify`: values are used
+// where no option is given, and files are asked for.
+
+// Throws BadUsage if the set in `file` was made with a picture, polygons or obstacles that
+// the command was not given, or with another tone of the field. For distances alone only ellipses
+// are needed. `name` stands for the file.
+void ask_for_files(const CommandLine& line, const DomainOptions& options, bool distances_only,
+                   const files::SetsOfFile& file, const std::string& name);
+
+// Fills in the scale, the border and how far edges may be off, where the command was not given
+// them. If the set has the same ellipse everywhere, returns its field, to which `request` points.
+std::shared_ptr<const Field> use_values(const CommandLine& line, const files::SetsOfFile& file,
+                                        Request& request, std::optional<double>& edge);
+
+// How many points of the set were kept: it begins with them.
+std::size_t kept_in(const files::SetsOfFile& file);
 
 }  // namespace lacuna::cli

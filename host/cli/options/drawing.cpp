@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -28,21 +27,6 @@ constexpr double kLeastInk = 0.5, kMostInk = 2;
 std::uint64_t to_three_digits(double number) {
     const double step = std::pow(10, std::max(0.0, std::floor(std::log10(number)) - 2));
     return static_cast<std::uint64_t>(std::max(1.0, std::round(number / step) * step));
-}
-
-// Adds an option whose text is passed to `read`.
-template <class Read>
-void add_option(CLI::App& command, DrawingOptions& options, const std::string& name,
-                const std::string& symbol, const std::string& help, const Read& read) {
-    command
-        .add_option_function<std::string>(
-            "--" + name,
-            [&options, name, read](const std::string& text) {
-                options.given.push_back(name);
-                read(name, text);
-            },
-            help)
-        ->type_name(symbol);
 }
 
 // A diameter, or two with `..` between them.
@@ -76,27 +60,27 @@ std::string text_of(const Pens& pens) {
 
 }  // namespace
 
-void add_how_to_draw(CLI::App& command, DrawingOptions& options, const std::string& by_radius,
-                     bool has_tones) {
+Targets targets_of(DrawingOptions& options, bool has_tones) {
+    Targets targets;
+    const auto bind = [&](std::string_view name, const auto& read_text) {
+        targets[name] = [&options, name = std::string(name), read_text](const std::string& text) {
+            options.given.push_back(name);
+            read_text(options, name, text);
+        };
+    };
     using Text = const std::string&;
-    add_option(command, options, "dot-size", has_tones ? "D[..D]" : "D",
-               std::string("Diameter of dots, such as 0.5mm") +
-                   (has_tones ? ", or 0.3mm..0.8mm from light to dark" : "") +
-                   "; or radius (default): " + by_radius +
-                   ". In .csv .npy .ply .json it adds columns for dots, as --paper-size does",
-               [&options, has_tones](Text name, Text text) {
-                   options.pens.reset();
-                   if (text != "radius") options.pens = read_pens(name, text, has_tones);
-               });
-    add_option(command, options, "paper-size", "WxH",
-               "Such as 210x297mm (or cm, in, pt); or A0 to A6, letter, legal, tabloid, which are "
-               "turned to suit the picture",
-               [&options](Text name, Text text) { options.paper = read_paper(name, text); });
-    add_option(
-        command, options, "margin", "D", "Margin around the dots, with --paper-size (default 0mm)",
-        [&options](Text name, Text text) { options.margin_mm = read_length(name, text, 0); });
-    add_option(command, options, "dpi", "X", "Pixels per inch of .png (default 144)",
-               [&options](Text name, Text text) { read(name, text, options.pixels_per_inch); });
+    bind("dot-size", [has_tones](DrawingOptions& all, Text name, Text text) {
+        all.pens.reset();
+        if (text != "radius") all.pens = read_pens(name, text, has_tones);
+    });
+    bind("paper-size",
+         [](DrawingOptions& all, Text name, Text text) { all.paper = read_paper(name, text); });
+    bind("margin", [](DrawingOptions& all, Text name, Text text) {
+        all.margin_mm = read_length(name, text, 0);
+    });
+    bind("dpi",
+         [](DrawingOptions& all, Text name, Text text) { read(name, text, all.pixels_per_inch); });
+    return targets;
 }
 
 bool has_picture(const std::vector<Output>& outputs) {
@@ -117,8 +101,6 @@ void check_drawing(const DrawingOptions& options, const std::vector<Output>& out
     };
     if (is_given("dpi") && std::none_of(outputs.begin(), outputs.end(), is_png))
         throw BadRequest("dpi", "with --output " + shown(outputs.front().path), "is for .png");
-    if (options.margin_mm != 0 && !options.paper)
-        throw BadRequest("margin", fmt::format("{}mm", options.margin_mm), "needs a --paper-size");
     if (options.paper) drawing::check(*paper_of(options));
     check_pixels(options);
 }

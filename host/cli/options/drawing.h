@@ -10,10 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/app_fwd.h"
-#include "cli/commands/paper.h"
+#include "cli/options/bind.h"
+#include "cli/options/options.h"
 #include "cli/reports/output.h"
-#include "cli/reports/writing.h"
 #include "drawing/dot_size.h"
 #include "drawing/picture.h"
 #include "files/point_files.h"
@@ -28,10 +27,8 @@ struct DrawingOptions {
     std::vector<std::string> given;  // names of the options that were given
 };
 
-// Adds --dot-size, --paper-size, --margin and --dpi; `options` must outlive the command.
-// `by_radius` is the help text for `--dot-size radius`, the default. `has_tones` adds MIN..MAX.
-void add_how_to_draw(CLI::App& command, DrawingOptions& options, const std::string& by_radius,
-                     bool has_tones = false);
+// `has_tones` allows two sizes of dots, MIN..MAX.
+Targets targets_of(DrawingOptions& options, bool has_tones = false);
 
 // "radius", a diameter in mm, or two.
 nlohmann::ordered_json json_of_pens(const std::optional<Pens>& pens);

@@ -1,7 +1,6 @@
 // Options of ellipses, and how they become a field.
 #include "cli/options/ellipse_options.h"
 
-#include <CLI/App.hpp>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string_view>
@@ -36,43 +35,9 @@ Ellipse ellipse_from(const std::string& text) {
     return ellipse;
 }
 
-void add_ellipses(CLI::App& command, EllipseOptions& options) {
-    command
-        .add_option("--ellipses", options.path,
-                    "An ellipse for each point instead of a disk: a .npy of rows x columns x 3 "
-                    "numbers, two radii and the angle of the first one, in radians "
-                    "counterclockwise from the x axis; --scale multiplies all radii (default 1)")
-        ->type_name("FILE");
-    command
-        .add_option("--stretch", options.same,
-                    "The same ellipse for all points: two radii, and the angle of the first one "
-                    "in degrees counterclockwise from the x axis")
-        ->type_name("A:B@DEGREES");
-}
-
-void check(const EllipseOptions& options) {
-    if (!options.path.empty() && !options.same.empty())
-        throw BadRequest("stretch", shown(options.same), "cannot be used with --ellipses");
-}
-
 Field read_ellipses(const EllipseOptions& options) {
     if (!options.path.empty()) return pictures::read_ellipses(options.path);
     return pictures::field_of(1, 1, std::vector{ellipse_from(options.same)});
-}
-
-void add_ellipse_columns(CLI::App& command, bool& is_given) {
-    command
-        .add_flag(
-            "--ellipse-columns", is_given,
-            "Writes the ellipse of each point to .csv .npy .ply .json: its radii a and b, and "
-            "the angle of a in radians")
-        ->disable_flag_override();
-}
-
-void check_ellipse_columns(bool is_given, bool has_ellipses) {
-    if (is_given && !has_ellipses)
-        throw BadRequest("ellipse-columns", "without --ellipses, --stretch or --along",
-                         "is for sets of ellipses");
 }
 
 void check_ellipse_columns(bool is_given, const std::vector<Output>& outputs) {

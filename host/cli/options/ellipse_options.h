@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/app_fwd.h"
 #include "cli/reports/output.h"
 
 namespace lacuna::cli {
@@ -19,11 +18,6 @@ struct EllipseOptions {
     bool are_given() const { return !path.empty() || !same.empty(); }
 };
 
-void add_ellipses(CLI::App& command, EllipseOptions& options);
-
-// Checks that not both are given. Throws BadRequest.
-void check(const EllipseOptions& options);
-
 // The field of the ellipses, whose scale is 1. Throws BadRequest and files::FileError.
 Field read_ellipses(const EllipseOptions& options);
 
@@ -31,11 +25,6 @@ nlohmann::ordered_json json_of(const EllipseOptions& options);
 
 // The ellipse that A:B@DEGREES names. Throws BadRequest for --stretch.
 Ellipse ellipse_from(const std::string& text);
-
-// Adds --ellipse-columns, which sets `is_given`.
-void add_ellipse_columns(CLI::App& command, bool& is_given);
-// Refuses the option for sets of disks.
-void check_ellipse_columns(bool is_given, bool has_ellipses);
 
 // The ellipses of the points that were made of the request; empty if its field has no stretches.
 std::vector<Ellipse> ellipses_of(const Request& request, const Result& result);

@@ -1,11 +1,9 @@
 // Compares the options of a command with those that a .json says its set was made with.
-#include "cli/options/made_with.h"
+#include "cli/options/domain_options.h"
 
 #include <fmt/core.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -18,23 +16,6 @@
 
 namespace lacuna::cli {
 namespace {
-
-// The options that name files, as a .json and verify's command line call them.
-struct FileOption {
-    const char* key;
-    const char* option;
-};
-constexpr std::array<FileOption, 7> kFiles{{{"field", "field"},
-                                            {"image", "field"},
-                                            {"ellipses", "ellipses"},
-                                            {"mask", "mask"},
-                                            {"inside", "inside"},
-                                            {"outside", "outside"},
-                                            {"avoid", "avoid"}}};
-
-bool is_given(const CLI::App& command, const std::string& option) {
-    return command.count("--" + option) > 0;
-}
 
 [[noreturn]] void ask(const std::string& name, const std::string& option, const std::string& value,
                       const char* or_else) {
@@ -62,31 +43,36 @@ std::optional<double> number_of(const files::SetsOfFile& file, const char* optio
 
 }  // namespace
 
-void ask_for_files(const CLI::App& command, const DomainOptions& options, bool distances_only,
+void ask_for_files(const CommandLine& line, const DomainOptions& options, bool distances_only,
                    const files::SetsOfFile& file, const std::string& name) {
     // The file of a set of disks holds its least radius, but the radius of an ellipse depends on
     // the direction.
     const bool has_ellipses = file.options.contains("ellipses") || file.options.contains("along");
     if (distances_only && !has_ellipses) return;
-    for (const auto& [key, option] : kFiles) {
+    const auto ask_for = [&](const std::string& key, std::string_view option) {
         const auto found = file.options.find(key);
-        if (found == file.options.end() || is_given(command, option)) continue;
-        ask(name, option, found->second, has_ellipses ? "" : ", or --distances-only");
-    }
+        if (found == file.options.end() || line.has(option)) return;
+        ask(name, std::string(option), found->second, has_ellipses ? "" : ", or --distances-only");
+    };
+    const std::vector<const recipes::Option*> rows = recipes::options_of(line.command);
+    for (const recipes::Option* row : rows)
+        if (row->names_a_file() && !row->is_argument() && row->name != "keep")
+            ask_for(row->key(), row->name);
+    ask_for("image", "field");  // of stipple
     if (options.field.path.empty()) return;
+    Picture any;
+    const Targets readings = targets_of(any);  // of the options that say how a picture is read
     const Json own = json_of_importance(options.field.importance);
-    for (const char* const key : {"invert", "gamma", "black", "white", "auto_levels",
-                                  "min_importance", "along", "sharpen"}) {
-        const auto found = file.options.find(key);
-        std::string option = key;
-        std::replace(option.begin(), option.end(), '_', '-');
-        if (found == file.options.end() || is_given(command, option)) continue;
-        if (!own.contains(key) || text_of(own.at(key)) != found->second)
-            ask(name, option, found->second, "");
+    for (const recipes::Option* row : rows) {
+        const auto found = file.options.find(row->key());
+        if (!readings.contains(row->name) || found == file.options.end() || line.has(row->name))
+            continue;
+        if (!own.contains(row->key()) || text_of(own.at(row->key())) != found->second)
+            ask(name, std::string(row->name), found->second, "");
     }
 }
 
-std::shared_ptr<const Field> use_values(const CLI::App& command, const files::SetsOfFile& file,
+std::shared_ptr<const Field> use_values(const CommandLine& line, const files::SetsOfFile& file,
                                         Request& request, std::optional<double>& edge) {
     std::shared_ptr<const Field> field;
     const auto stretch = file.options.find("stretch");
@@ -97,11 +83,11 @@ std::shared_ptr<const Field> use_values(const CLI::App& command, const files::Se
         request.field = field.get();
         if (!request.scale) request.scale = 1;
     }
-    if (!is_given(command, "scale") && request.field != nullptr) {
+    if (!line.has("scale") && request.field != nullptr) {
         const std::optional<double> scale = file.scale ? file.scale : number_of(file, "scale");
         if (scale) request.scale = scale;
     }
-    if (!is_given(command, "border")) request.border = number_of(file, "border").value_or(0);
+    if (!line.has("border")) request.border = number_of(file, "border").value_or(0);
     if (!edge) edge = number_of(file, "edge");
     return field;
 }

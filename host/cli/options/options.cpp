@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 #include <lacuna/lacuna.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -124,11 +123,6 @@ void read_domain(const std::string& option, const std::string& text, double& wid
         parse_whole_text(view.substr(cross + 1), height) != std::errc{})
         throw BadRequest(option, shown(text),
                          "must be WIDTHxHEIGHT, two numbers such as 1x1 or 2.5x1");
-}
-
-void add_text(CLI::App& command, const std::string& option, const std::string& symbol,
-              const std::function<void(const std::string&)>& take, const std::string& help) {
-    command.add_option_function<std::string>("--" + option, take, help)->type_name(symbol);
 }
 
 }  // namespace lacuna::cli

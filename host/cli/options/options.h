@@ -1,13 +1,12 @@
 // Options whose values are read strictly: text that is not a value as a whole is a BadRequest.
 #pragma once
 
+#include <lacuna/stipple.h>
+
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
-
-#include "cli/app_fwd.h"
 
 namespace lacuna::cli {
 
@@ -34,17 +33,13 @@ void read(const std::string& option, const std::string& text, std::optional<Valu
 // A domain as WIDTHxHEIGHT.
 void read_domain(const std::string& option, const std::string& text, double& width, double& height);
 
-// Adds an option whose text is passed to `take`. CLI11's own conversions would accept octal and
-// hexadecimal numbers and blanks.
-void add_text(CLI::App& command, const std::string& option, const std::string& symbol,
-              const std::function<void(const std::string&)>& take, const std::string& help);
+// A length in mm from a number with mm, cm, in or pt behind it. Throws BadRequest(option, text,
+// ...) for anything else, and if the length is under least_mm or over 200 in, PDF's limit.
+double read_length(const std::string& option, const std::string& text, double least_mm);
 
-template <class Value>
-void add_number(CLI::App& command, const std::string& option, const std::string& symbol,
-                Value& value, const std::string& help) {
-    add_text(
-        command, option, symbol,
-        [option, &value](const std::string& text) { read(option, text, value); }, help);
-}
+// A sheet without margins: WIDTHxHEIGHT with one of these units, or A0 to A6, letter, legal or
+// tabloid in any case. Papers given by name may turn. Throws as read_length does; no side may be
+// under 1 mm.
+Paper read_paper(const std::string& option, const std::string& text);
 
 }  // namespace lacuna::cli

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/app_fwd.h"
+#include "cli/options/bind.h"
 #include "pictures/importance.h"
 
 namespace lacuna::cli {
@@ -18,12 +18,8 @@ struct Picture {
     std::optional<Metric> metric;
 };
 
-// Adds IMAGE, --scale, --metric and the options of add_importance(). Returns IMAGE's option.
-CLI::Option* add_picture(CLI::App& command, Picture& picture, Request& request);
-
-// Adds --invert, --black, --white, --auto-levels, --sharpen, --gamma and --min-importance, and for
-// commands that can make ellipses --along.
-void add_importance(CLI::App& command, Picture& picture, bool has_ellipses = true);
+// The targets of --metric and of the options that say how a picture is read.
+Targets targets_of(Picture& picture);
 
 // Reads the picture, and sets the request's domain to its shape with a longer side of 1. Throws
 // BadRequest and files::FileError.

@@ -5,7 +5,7 @@
 #include <array>
 #include <numeric>
 
-#include "cli/reports/comparison_report.h"
+#include "cli/reports/comparison.h"
 #include "drawing/canvas.h"
 #include "drawing/plot.h"
 

@@ -1,5 +1,5 @@
 // Writes a comparison as text and as JSON.
-#include "cli/reports/comparison_report.h"
+#include "cli/reports/comparison.h"
 
 #include <lacuna/version.h>
 

@@ -1,16 +1,16 @@
-// Checks paths and formats before the work starts.
+// Checks paths and formats before the work starts, and writes files, then streams.
 #include "cli/reports/output.h"
 
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "cli/options/options.h"
 #include "files/links.h"
@@ -56,20 +56,6 @@ const files::Format& format_of(const std::string& path, const std::string& wante
 }
 
 }  // namespace
-
-void add_outputs(CLI::App& command, OutputOptions& options, const std::string& symbol,
-                 const std::string& help) {
-    command.add_option("-o,--output", options.paths, help)
-        ->type_name(symbol)
-        ->expected(1)
-        // Otherwise -o would take photo.jpg in `-o dots.svg photo.jpg`, and -- in `-o a.svg -- b`.
-        ->allow_extra_args(false)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command
-        .add_option("--format", options.format,
-                    "Format of outputs whose name has no extension, such as -; for example json")
-        ->type_name("NAME");
-}
 
 std::vector<Output> outputs_of(const OutputOptions& options, const std::string& allowed,
                                const std::string& usual) {
@@ -140,6 +126,17 @@ void check_json(const std::string& option, const std::string& path) {
     if (!is_stream(path) && fs::path(path).extension() != ".json")
         throw BadRequest(option, shown(path), "must be - or a file whose name ends in .json");
     check_writable(path);
+}
+
+void Writing::add(const std::string& path, std::function<std::string()> content) {
+    (is_stream(path) ? streams_ : files_).push_back({path, std::move(content)});
+}
+
+void Writing::write() const {
+    Interruption::finish_files_first();
+    for (const File& file : files_) files::write_whole(file.path, file.content());
+    Interruption::exit_at_once();
+    for (const File& stream : streams_) files::write_whole(stream.path, stream.content());
 }
 
 }  // namespace lacuna::cli

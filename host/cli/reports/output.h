@@ -1,11 +1,12 @@
-// The outputs of a command and their formats, checked before the work starts: a typo must not cost
-// a long run.
+// The outputs of a command and their formats, checked before the work starts, because a typo must
+// not cost a long run; and their writing.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
-#include "cli/app_fwd.h"
 
+#include "cli/terminal/interruption.h"
 #include "files/point_files.h"
 
 namespace lacuna::cli {
@@ -15,11 +16,6 @@ struct OutputOptions {
     std::vector<std::string> paths;
     std::string format;  // empty: the extension of each path decides
 };
-
-// Adds --output, which may be given several times, and --format. `options` must outlive the
-// command.
-void add_outputs(CLI::App& command, OutputOptions& options, const std::string& symbol,
-                 const std::string& help);
 
 struct Output {
     std::string path;  // "-" is standard output
@@ -52,5 +48,27 @@ void check_writable(const std::string& path);
 // Checks that the path given with `option` is a stream or a .json file that can be written. Throws
 // like outputs_of.
 void check_json(const std::string& option, const std::string& path);
+
+// Files are written first; a signal waits until all of them are finished. Then pipes, devices and
+// standard output are written in the order in which they were added. These may block for ever, so a
+// signal then ends the program at once.
+class Writing {
+public:
+    // An Interruption must exist: without it a signal could leave half a file.
+    explicit Writing(Interruption&) {}
+
+    // `content` is called when the file is about to be written. "-" is standard output.
+    void add(const std::string& path, std::function<std::string()> content);
+
+    // Throws what files::write_whole throws.
+    void write() const;
+
+private:
+    struct File {
+        std::string path;
+        std::function<std::string()> content;
+    };
+    std::vector<File> files_, streams_;
+};
 
 }  // namespace lacuna::cli

@@ -1,4 +1,4 @@
-// Writes the report.
+// Writes the report, and the origin of a set.
 #include "cli/reports/report.h"
 
 #include <lacuna/version.h>
@@ -6,6 +6,8 @@
 #include <sys/resource.h>
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 #include "files/point_files.h"
 
@@ -43,6 +45,45 @@ std::int64_t peak_memory_bytes() {
 // Device names come from drivers, which need not use UTF-8.
 std::string text_of(const Json& report) {
     return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+// Quotes `word` so that a shell reads it as one word.
+std::string quoted(const std::string& word) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./:=,+%@";
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+    std::string result = "'";
+    for (const char c : word) {
+        if (c == '\'') {
+            result += "'\\''";
+        } else {
+            result += c;
+        }
+    }
+    return result + "'";
+}
+
+// Arguments without a name first, then options in the order of --help. --seeds becomes the --seed
+// of this set.
+std::string command_line(const CommandLine& line, std::uint64_t seed) {
+    std::string text = "lacuna " + std::string(recipes::name_of_command(line.command));
+    for (const auto& [name_in_table, values] : line.given) {
+        const recipes::Option& option = *recipes::find_option(line.command, name_in_table);
+        const bool is_argument = option.is_argument();
+        const std::string name = is_argument ? "" : " --" + std::string(name_in_table);
+        if (!option.traits.decides_points) continue;
+        if (name_in_table == "seeds") {
+            text += " --seed " + std::to_string(seed);
+            continue;
+        }
+        if (values.empty()) text += name;  // a flag
+        // An option that may be given several times is given with each of its values.
+        for (const std::string& value : values) {
+            const bool looks_like_an_option = is_argument && value.starts_with("-") && value != "-";
+            text += name + " " + quoted(looks_like_an_option ? "./" + value : value);
+        }
+    }
+    return text;
 }
 
 }  // namespace
@@ -137,6 +178,26 @@ std::string relax_report(const Json& request, const Made& made, const Json& more
                 {"points_sha256", files::sha256_of(made.result.points)}};
     report.update(more, true);
     return text_of(report);
+}
+
+files::Origin origin_of(const CommandLine& line, const Request& request, const Result& result) {
+    return origin_of(line, request, result, Json::object());
+}
+
+files::Origin origin_of(const CommandLine& line, const Request& request, const Result& result,
+                        const Json& more) {
+    Json options = what_decides(request, result);
+    options.update(more);
+    // File names are bytes, which need not be UTF-8.
+    return {LACUNA_VERSION,
+            command_line(line, request.seed),
+            request.boundary,
+            request.mode,
+            request.seed,
+            result.maximal,
+            options.dump(-1, ' ', false, Json::error_handler_t::replace),
+            result.levels,
+            result.scale};
 }
 
 }  // namespace lacuna::cli

@@ -1,4 +1,5 @@
-// --report: the request, the result and the time and memory it took, as JSON.
+// --report: the request, the result and the time and memory it took, as JSON; and the origin of a
+// set for its files.
 #pragma once
 
 #include <lacuna/lacuna.h>
@@ -8,6 +9,7 @@
 
 #include "cli/options/common_options.h"
 #include "cli/reports/json.h"
+#include "files/point_files.h"
 #include "pictures/importance.h"
 
 namespace lacuna::cli {
@@ -39,5 +41,12 @@ std::string many_report(const Request& request, const ManyMade& made);
 
 // The report of `lacuna relax`.
 std::string relax_report(const Json& request, const Made& made, const Json& more);
+
+// The origin of a set for files: the request, and a command line that makes the set again.
+// Options that decide no point are left out (outputs, backend, device, threads), so that the bytes
+// of a file are the same wherever the set was made. `more` is merged into the options.
+files::Origin origin_of(const CommandLine& line, const Request& request, const Result& result,
+                        const Json& more);
+files::Origin origin_of(const CommandLine& line, const Request& request, const Result& result);
 
 }  // namespace lacuna::cli

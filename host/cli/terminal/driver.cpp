@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "backends/backends.h"
-#include "cli/exit_codes.h"
+#include "cli/terminal/run_program.h"
 
 namespace lacuna::cli {
 namespace {

@@ -1,7 +1,10 @@
-// Several observers of one run, which are called one after another.
+// Observers of a run: several that are called one after another, and a stopwatch.
 #pragma once
 
 #include <lacuna/lacuna.h>
+#include <array>
+#include <chrono>
+#include <cstddef>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -26,6 +29,34 @@ public:
 
 private:
     std::vector<std::reference_wrapper<Observer>> all_;
+};
+
+inline constexpr std::array kVerbs{Verb::invert, Verb::locate,   Verb::admit,    Verb::subtract,
+                                   Verb::refine, Verb::transfer, Verb::first_use};
+inline constexpr std::array kRelaxVerbs{Verb::assign, Verb::accumulate, Verb::move, Verb::descend};
+inline constexpr std::array kStippleVerbs{Verb::read, Verb::pen_path};
+
+// Measures the seconds of each verb, and the seconds since its construction.
+class Stopwatch : public Observer {
+public:
+    void begin(Verb verb) override { begun_[index_of(verb)] = Clock::now(); }
+    void end(Verb verb) override {
+        spent_[index_of(verb)] += Clock::now() - begun_[index_of(verb)];
+    }
+
+    double seconds(Verb verb) const { return spent_[index_of(verb)].count(); }
+    double seconds_so_far() const { return Seconds(Clock::now() - start_).count(); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    using Seconds = std::chrono::duration<double>;
+
+    static constexpr std::size_t kCount = 1 + static_cast<std::size_t>(Verb::pen_path);
+    static std::size_t index_of(Verb verb) { return static_cast<std::size_t>(verb); }
+
+    Clock::time_point start_ = Clock::now();
+    std::array<Clock::time_point, kCount> begun_{};
+    std::array<Seconds, kCount> spent_{};
 };
 
 }  // namespace lacuna::cli

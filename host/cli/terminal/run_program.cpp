@@ -14,16 +14,15 @@
 #include <iostream>
 #include <memory>
 #include <new>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "cli/check_failed.h"
-#include "cli/commands/nearest.h"
-#include "cli/exit_codes.h"
 #include "cli/options/options.h"
+#include "cli/terminal/completion.h"
 #include "files/point_files.h"
 
 namespace lacuna::cli {
@@ -138,6 +137,11 @@ int parse_and_run(const Program& program, int argc, char** argv) {
         app.require_subcommand(1);
         program.add_commands(app);
         add_help_and_version(app, program);
+        const std::vector<std::string> words(argv + 1, argv + argc);
+        if (!words.empty() && words.front() == "__words") {  // for the completions of shells
+            program.say(words_at(app, std::span(words).subspan(1)));
+            return 0;
+        }
         app.parse(argc, argv);
         return 0;
     } catch (const CLI::ParseError& error) {

@@ -1,14 +1,28 @@
 // A program with subcommands: its messages, and the exit code of each exception.
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "cli/app_fwd.h"
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
+class App;
+}
 
 namespace lacuna::cli {
+
+// The exit codes of the program, besides 0 and 128 + a signal's number.
+inline constexpr int kExitCheckFailed = 1;
+inline constexpr int kExitBadUsage = 2;
+inline constexpr int kExitFile = 3;
+inline constexpr int kExitDevice = 4;
+inline constexpr int kExitBug = 70;  // EX_SOFTWARE of sysexits.h
+
+// The exception of a command that has done its work and has found a check failed. The result has
+// been printed. The exit code becomes kExitCheckFailed.
+class CheckFailed : public std::exception {};
 
 // A mistake in the command line; what() is one line.
 class BadUsage : public std::runtime_error {

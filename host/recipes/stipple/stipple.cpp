@@ -19,6 +19,7 @@
 #include "pictures/importance.h"
 #include "plan/checked_request.h"
 #include "recipes/make.h"
+#include "recipes/options.h"
 #include "recipes/settle.h"
 
 namespace lacuna {
@@ -32,47 +33,34 @@ std::uint64_t sum_of(std::span<const std::uint64_t> counts) {
     return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
-// Ellipses are for mode exact, and are not relaxed.
-void check_ellipses(const StippleOptions& options) {
-    if (!has_ellipses(options)) return;
-    const auto refuse = [&](const char* allowed) {
-        throw BadRequest("along", shortest(options.tone.along), allowed);
+// What was given, by the names of the table of options.
+recipes::CommandLine line_of(const StippleOptions& options) {
+    recipes::CommandLine line{recipes::kStipple, {}};
+    const auto give = [&](const char* name, const auto& value, bool is_given = true) {
+        if (is_given) line.given.push_back({name, {fmt::format("{}", value)}});
     };
-    if (!options.inks.empty()) refuse("is not for --inks, whose dots are relaxed");
-    if (options.relax.value_or(0) != 0) refuse("cannot be used with --relax: relaxing has disks");
-    if (options.start.value_or(Mode::exact) != Mode::exact) refuse("is for --mode exact");
-}
-
-// What is about distances is not for inks, whose dots begin stratified.
-void check_distances(const StippleOptions& options) {
-    const auto refuse = [](const char* option, const std::string& value) {
-        throw BadRequest(option, value, "is not for --inks, whose dots begin stratified");
+    const auto give_if = [&](const char* name, const auto& value) {
+        if (value) give(name, *value);
     };
     const Request& request = options.request;
-    if (options.start && *options.start != Mode::stratified)
-        refuse("mode", std::string(name_of(*options.start)));
-    if (options.metric) refuse("metric", std::string(name_of(*options.metric)));
-    if (request.scale) refuse("scale", shortest(*request.scale));
-    if (request.limit) refuse("limit", std::to_string(*request.limit));
-    if (request.lines_per_radius)
-        refuse("lines-per-radius", std::to_string(*request.lines_per_radius));
-    if (request.round_size != 0) refuse("round-size", std::to_string(request.round_size));
+    give_if("count", request.count);
+    give_if("scale", request.scale);
+    give_if("limit", request.limit);
+    give_if("lines-per-radius", request.lines_per_radius);
+    give("round-size", request.round_size, request.round_size != 0);
+    if (options.start) give("mode", name_of(*options.start));
+    if (options.metric) give("metric", name_of(*options.metric));
+    give_if("relax", options.relax);
+    give("along", options.tone.along, has_ellipses(options));
+    if (!options.inks.empty()) give("inks", options.inks.front().name);
+    give_if("black-ink", options.black_ink);
+    if (!options.ink_counts.empty()) give("ink-counts", options.ink_counts.front());
+    return line;
 }
 
 void check_inks(const StippleOptions& options) {
     const auto& counts = options.ink_counts;
-    if (options.inks.empty()) {
-        if (options.black_ink)
-            throw BadRequest("black-ink", shortest(*options.black_ink), "needs --inks");
-        if (!counts.empty())
-            throw BadRequest("ink-counts", std::to_string(counts.front()), "needs --inks");
-        return;
-    }
-    check_distances(options);
     if (counts.empty()) return;
-    if (options.request.count)
-        throw BadRequest("ink-counts", fmt::format("with --count {}", *options.request.count),
-                         "gives the number of dots, too: must be one of both");
     if (counts.size() != options.inks.size())
         throw BadRequest("ink-counts", fmt::format("{} numbers", counts.size()),
                          fmt::format("must be one for each ink, {}", options.inks.size()));
@@ -82,7 +70,7 @@ void check_inks(const StippleOptions& options) {
 // A stippling without dots: its request has the mode and the metric.
 Stippling settled(const StippleOptions& options) {
     pictures::check(options.tone);
-    check_ellipses(options);
+    recipes::refuse_pairs(line_of(options));
     check_inks(options);
     if (!(options.size_by_tone >= 0 && options.size_by_tone <= 1))
         throw BadRequest("size-by-tone", shortest(options.size_by_tone), "must be 0 to 1");

@@ -1,5 +1,5 @@
 // A set that was made, and what files need besides its points.
-#include "cli/commands/made_set.h"
+#include "cli/reports/made_set.h"
 
 #include <cmath>
 

@@ -3,14 +3,13 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <string>
 #include <vector>
 
-#include "cli/app_fwd.h"
-#include "cli/commands/made_set.h"
 #include "cli/options/common_options.h"
 #include "cli/options/drawing.h"
 #include "cli/options/given_files.h"
+#include "cli/reports/made_set.h"
 #include "cli/reports/output.h"
 
 namespace lacuna::cli {
@@ -20,15 +19,15 @@ struct SeedRange {
     std::uint64_t last;  // included
 };
 
-// --seeds; `seeds` must outlive the command.
-void add_seeds(CLI::App& command, std::optional<SeedRange>& seeds);
+// FIRST..LAST. Throws BadRequest.
+SeedRange read_seeds(const std::string& text);
 
 // Checks the outputs of all seeds before the work starts, and returns them. Each path must have
 // {seed} in its name; the report must not, because one report describes all sets. All folders must
 // exist and be writable. Throws as checked_outputs of one set does. No file may be named for two
 // seeds, for a set and the report, or in `read`.
-std::vector<Output> checked_outputs(const CLI::App& command, const CommonOptions& options,
-                                    SeedRange seeds, const std::vector<GivenFile>& read);
+std::vector<Output> checked_outputs(const CommonOptions& options, SeedRange seeds,
+                                    const std::vector<GivenFile>& read);
 
 // What the files of all sets have in common.
 struct AllSets {
@@ -38,7 +37,7 @@ struct AllSets {
 
 // Makes the sets and writes each to `outputs`, as checked_outputs gives them. Every file has the
 // bytes that --seed alone would give. Throws what lacuna::sample and the files throw.
-void sample_seeds(const CLI::App& command, const CommonOptions& options,
+void sample_seeds(const CommandLine& line, const CommonOptions& options,
                   const DrawingOptions& drawing, const std::vector<Output>& outputs,
                   SeedRange seeds, const AllSets& all_sets);
 

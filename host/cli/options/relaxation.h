@@ -9,23 +9,18 @@
 #include <string>
 #include <vector>
 
-#include "cli/app_fwd.h"
+#include "cli/options/bind.h"
 #include "cli/options/common_options.h"
 #include "cli/reports/output.h"
 
 namespace lacuna::cli {
-
-// Adds --relax, whose help names this default.
-void add_relax(CLI::App& command, std::optional<std::uint32_t>& iterations,
-               std::uint32_t usual_iterations);
 
 // The steps on the Gaussian energy that follow the iterations.
 struct GaussianOptions {
     std::uint32_t steps = 0;
     std::optional<double> distance{};
 };
-// Adds --gaussian and --gaussian-distance.
-void add_gaussian(CLI::App& command, GaussianOptions& gaussian);
+Targets targets_of(GaussianOptions& gaussian);
 
 // The results of relaxing, besides the points.
 struct Relaxation {

@@ -1,10 +1,9 @@
 // Makes many sets under one progress bar, and writes each as soon as it is made.
-#include "cli/commands/sample_seeds.h"
+#include "cli/options/sample_seeds.h"
 
 #include <fmt/core.h>
 #include <lacuna/many.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
@@ -17,18 +16,15 @@
 #include <utility>
 #include <vector>
 
-#include "cli/commands/made_set.h"
 #include "cli/options/given_files.h"
 #include "cli/options/options.h"
-#include "cli/options/origin.h"
+#include "cli/reports/made_set.h"
 #include "cli/reports/output.h"
 #include "cli/reports/report.h"
-#include "cli/reports/writing.h"
 #include "cli/terminal/driver.h"
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/observers.h"
 #include "cli/terminal/progress_bar.h"
-#include "cli/terminal/stopwatch.h"
 #include "files/point_files.h"
 
 namespace lacuna::cli {
@@ -36,20 +32,6 @@ namespace {
 
 constexpr std::string_view kPlace = "{seed}";
 constexpr std::uint64_t kMostSeeds = 1'000'000;
-
-SeedRange read_seeds(const std::string& text) {
-    const std::size_t dots = text.find("..");
-    if (dots == std::string::npos)
-        throw BadRequest("seeds", shown(text), "must be FIRST..LAST, as in 0..99, both included");
-    SeedRange seeds{};
-    read("seeds", text.substr(0, dots), seeds.first);
-    read("seeds", text.substr(dots + 2), seeds.last);
-    if (seeds.last < seeds.first)
-        throw BadRequest("seeds", shown(text), "the first must not be greater than the last");
-    if (seeds.last - seeds.first >= kMostSeeds)
-        throw BadRequest("seeds", shown(text), fmt::format("must be at most {}", kMostSeeds));
-    return seeds;
-}
 
 std::string path_of(std::string path, std::uint64_t seed) {
     const std::string number = std::to_string(seed);
@@ -139,18 +121,23 @@ void sum_up(const CommonOptions& options, const ManyMade& all) {
 
 }  // namespace
 
-void add_seeds(CLI::App& command, std::optional<SeedRange>& seeds) {
-    add_text(
-        command, "seeds", "A..B", [&seeds](const std::string& text) { seeds = read_seeds(text); },
-        "A set for each seed from A to B, both included; each goes to a file of its own: every "
-        "--output has {seed} in its name. Instead of --seed");
+SeedRange read_seeds(const std::string& text) {
+    const std::size_t dots = text.find("..");
+    if (dots == std::string::npos)
+        throw BadRequest("seeds", shown(text), "must be FIRST..LAST, as in 0..99, both included");
+    SeedRange seeds{};
+    read("seeds", text.substr(0, dots), seeds.first);
+    read("seeds", text.substr(dots + 2), seeds.last);
+    if (seeds.last < seeds.first)
+        throw BadRequest("seeds", shown(text), "the first must not be greater than the last");
+    if (seeds.last - seeds.first >= kMostSeeds)
+        throw BadRequest("seeds", shown(text), fmt::format("must be at most {}", kMostSeeds));
+    return seeds;
 }
 
-std::vector<Output> checked_outputs(const CLI::App& command, const CommonOptions& options,
-                                    SeedRange seeds, const std::vector<GivenFile>& read) {
+std::vector<Output> checked_outputs(const CommonOptions& options, SeedRange seeds,
+                                    const std::vector<GivenFile>& read) {
     const std::string range = fmt::format("{}..{}", seeds.first, seeds.last);
-    if (command.count("--seed") > 0)
-        throw BadRequest("seeds", range, "is instead of --seed, not with it");
     if (options.output.paths.empty())
         throw BadRequest("seeds", range,
                          "needs an --output with {seed} in its name, such as 'tiles/{seed}.npy'");
@@ -175,7 +162,7 @@ std::vector<Output> checked_outputs(const CLI::App& command, const CommonOptions
     return outputs;
 }
 
-void sample_seeds(const CLI::App& command, const CommonOptions& options,
+void sample_seeds(const CommandLine& line, const CommonOptions& options,
                   const DrawingOptions& drawing, const std::vector<Output>& outputs,
                   SeedRange seeds, const AllSets& all_sets) {
     const drawing::Style style = style_of(drawing, options.request.width, options.request.height);
@@ -196,7 +183,7 @@ void sample_seeds(const CLI::App& command, const CommonOptions& options,
             [&](std::uint64_t seed, Result set) {
                 Request request = options.request;
                 request.seed = seed;
-                const files::Origin origin = origin_of(command, request, set, all_sets.options);
+                const files::Origin origin = origin_of(line, request, set, all_sets.options);
                 Writing writing(interruption);
                 const MadeSet files(request, set, origin, all_sets.showing);
                 write_set(writing, drawing, outputs_of_seed(outputs, seed), files.points(), style,

@@ -1,11 +1,10 @@
 // Reads points, their picture and their domain.
-#include "cli/commands/given_set.h"
+#include "cli/options/given_set.h"
 
 #include <fmt/core.h>
 
 #include <lacuna/pictures.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -57,45 +56,25 @@ void colour(const files::LayersOfFile& inks, std::vector<files::Layer>& layers) 
 
 }  // namespace
 
-void add_given_set(CLI::App& command, GivenSet& set, Request& request) {
-    command.add_option("POINTS", set.points, "The points; - is standard input, as .txt")
-        ->type_name("")
-        ->required();
-    command.add_option("IMAGE", set.picture.path, "The picture; - is standard input")
-        ->type_name("");
-    command
-        .add_option_function<std::string>(
-            "--domain",
-            [&set, &request](const std::string& text) {
-                read_domain("domain", text, request.width, request.height);
-                set.has_domain = true;
-            },
-            "Width and height of the domain")
-        ->type_name("WxH");
-    command
-        .add_flag_callback(
-            "--torus", [&request] { request.boundary = Boundary::torus; }, "The edges wrap")
-        ->disable_flag_override();
+Targets targets_of(GivenSet& set) {
+    Targets targets{{"POINTS", &set.points}, {"IMAGE", &set.picture.path}};
+    targets.merge(targets_of(set.picture));
+    return targets;
 }
 
-std::vector<GivenFile> files_of(const GivenSet& set) {
-    std::vector<GivenFile> files{{"POINTS", set.points}};
-    if (!set.picture.path.empty()) files.push_back({"IMAGE", set.picture.path});
-    return files;
-}
-
-SetAndField read_given_set(const GivenSet& set, Request& request) {
+SetAndField read_given_set(const CommandLine& line, const GivenSet& set, Request& request) {
+    const bool has_domain = line.has("domain");
     files::SetsOfFile file = read_one_set(set.points);
     SetAndField read{std::move(file.sets.front()), {}, {}};
     if (!set.picture.path.empty()) {
         Request shape;
         read.field = read_field(set.picture, shape);
-        if (!set.has_domain) {
+        if (!has_domain) {
             request.width = shape.width;
             request.height = shape.height;
         }
     }
-    if (!set.has_domain && file.width) {
+    if (!has_domain && file.width) {
         request.width = *file.width;
         request.height = *file.height;
     }

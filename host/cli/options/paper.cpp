@@ -1,5 +1,5 @@
 // Units of length, and the names and sizes of papers.
-#include "cli/commands/paper.h"
+#include "cli/options/options.h"
 
 #include <fmt/core.h>
 
@@ -7,15 +7,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <optional>
 #include <string_view>
 #include <system_error>
 
-#include "cli/options/options.h"
 #include "drawing/picture.h"
 #include "files/parse.h"
+#include "files/point_files.h"
+#include "recipes/words.h"
 
 namespace lacuna::cli {
 namespace {
@@ -34,23 +34,29 @@ constexpr std::array<Unit, 4> kUnits{
      {"in", drawing::kMillimetresPerInch},
      {"pt", drawing::kMillimetresPerInch / drawing::kPointsPerInch}}};
 
-struct NamedPaper {
-    std::string_view name;
+struct PaperSize {
     double width_mm;
     double height_mm;
 };
 
-// ISO 216, and the sizes of ANSI, which are whole or half inches.
-constexpr std::array<NamedPaper, 10> kPapers{{{"a0", 841, 1189},
-                                              {"a1", 594, 841},
-                                              {"a2", 420, 594},
-                                              {"a3", 297, 420},
-                                              {"a4", 210, 297},
-                                              {"a5", 148, 210},
-                                              {"a6", 105, 148},
-                                              {"letter", 215.9, 279.4},
-                                              {"legal", 215.9, 355.6},
-                                              {"tabloid", 279.4, 431.8}}};
+// Of the words for papers, in their order: ISO 216, and the sizes of ANSI, which are whole or half
+// inches.
+constexpr std::array<PaperSize, 10> kSizes{{{841, 1189},
+                                            {594, 841},
+                                            {420, 594},
+                                            {297, 420},
+                                            {210, 297},
+                                            {148, 210},
+                                            {105, 148},
+                                            {215.9, 279.4},
+                                            {215.9, 355.6},
+                                            {279.4, 431.8}}};
+
+std::string in_lower_case(std::string_view text) {
+    std::string lower(text);
+    std::transform(lower.begin(), lower.end(), lower.begin(), files::lower_case);
+    return lower;
+}
 
 // Takes the unit from the end of `text`.
 std::optional<double> take_unit(std::string_view& text) {
@@ -89,12 +95,12 @@ double read_length(const std::string& option, const std::string& text, double le
 }
 
 Paper read_paper(const std::string& option, const std::string& text) {
-    std::string name = text;
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    for (const NamedPaper& known : kPapers)
-        if (name == known.name)
-            return {.width_mm = known.width_mm, .height_mm = known.height_mm, .may_turn = true};
+    const auto names = recipes::words_of(recipes::Words::papers);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (in_lower_case(text) == in_lower_case(names[i]))
+            return {.width_mm = kSizes.at(i).width_mm,
+                    .height_mm = kSizes.at(i).height_mm,
+                    .may_turn = true};
 
     std::string_view rest = text;
     const std::optional<double> unit = take_unit(rest);

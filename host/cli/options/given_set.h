@@ -10,9 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/app_fwd.h"
+#include "cli/options/bind.h"
 #include "cli/options/drawing.h"
-#include "cli/options/given_files.h"
 #include "cli/options/picture_field.h"
 #include "cli/reports/output.h"
 #include "files/read_sets.h"
@@ -22,13 +21,10 @@ namespace lacuna::cli {
 struct GivenSet {
     std::string points;  // path
     Picture picture;     // its path is empty if there is none
-    bool has_domain = false;
 };
 
-// Adds POINTS, IMAGE, --domain and --torus; `set` and `request` must outlive the command.
-void add_given_set(CLI::App& command, GivenSet& set, Request& request);
-
-std::vector<GivenFile> files_of(const GivenSet& set);
+// The targets of POINTS, IMAGE and what says how a picture is read.
+Targets targets_of(GivenSet& set);
 
 // Reads the points, which must be one set, and the picture. Sets the request's domain: as given, or
 // the picture's shape, or as in the file of the points. `file` has the other columns.
@@ -37,7 +33,7 @@ struct SetAndField {
     std::optional<Field> field;
     files::SetsOfFile file;
 };
-SetAndField read_given_set(const GivenSet& set, Request& request);
+SetAndField read_given_set(const CommandLine& line, const GivenSet& set, Request& request);
 
 [[noreturn]] void refuse_points(const GivenSet& set, const BadRequest& error);
 

@@ -1,9 +1,8 @@
 // Relaxing points under a progress bar.
-#include "cli/commands/relaxation.h"
+#include "cli/options/relaxation.h"
 
 #include <fmt/core.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -42,32 +41,14 @@ std::optional<double> measure_moved(const CommonOptions& common, const std::vect
 
 }  // namespace
 
-void add_relax(CLI::App& command, std::optional<std::uint32_t>& iterations,
-               std::uint32_t usual_iterations) {
-    add_number(command, "relax", "K", iterations,
-               fmt::format("Then moves the points K times, as lacuna relax does; 0 leaves them "
-                           "(default {})",
-                           usual_iterations));
-}
-
-void add_gaussian(CLI::App& command, GaussianOptions& gaussian) {
-    add_number(command, "gaussian", "K", gaussian.steps,
-               "Then K steps (150 if no number follows) of descent on the Gaussian energy, which "
-               "take low frequencies out of the set and keep a least distance; for domains without "
-               "a picture");
-    command.get_option("--gaussian")->expected(0, 1)->default_str("150");
-    add_number(command, "gaussian-distance", "D", gaussian.distance,
-               fmt::format("The distance below which the steps of --gaussian push points apart, in "
-                           "mean spacings, 0 to 1 (default {:.2f})",
-                           RelaxOptions{}.gaussian_distance));
+Targets targets_of(GaussianOptions& gaussian) {
+    return {{"gaussian", &gaussian.steps}, {"gaussian-distance", &gaussian.distance}};
 }
 
 RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations,
                               const GaussianOptions& gaussian) {
     RelaxOptions options;
     options.gaussian = gaussian.steps;
-    if (gaussian.distance && gaussian.steps == 0)
-        throw BadRequest("gaussian-distance", shortest(*gaussian.distance), "is for --gaussian");
     options.gaussian_distance = gaussian.distance.value_or(options.gaussian_distance);
     options.width = request.width;
     options.height = request.height;

@@ -1,11 +1,14 @@
-// Finds the word with the least edit distance.
-#include "cli/commands/nearest.h"
+// Finds the words that may follow, and the word with the least edit distance.
+#include "cli/terminal/completion.h"
 
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <string_view>
 
 #include "files/point_files.h"
+#include "recipes/options.h"
 
 namespace lacuna::cli {
 namespace {
@@ -28,7 +31,51 @@ std::size_t distance(const std::string& a, const std::string& b) {
     return steps.back().back();
 }
 
+std::string lines_of(std::span<const std::string_view> words) {
+    std::string lines;
+    for (const std::string_view word : words) lines += std::string(word) + "\n";
+    return lines;
+}
+
+std::string lines_of_commands(const CLI::App& app) {
+    std::string lines;
+    for (const CLI::App* command : app.get_subcommands(nullptr)) {
+        const std::string about = command->get_description();
+        lines += command->get_name() + "\t" + about.substr(0, about.find('\n')) + "\n";
+    }
+    return lines;
+}
+
+std::string lines_of_options(std::span<const recipes::Option* const> options) {
+    std::string lines = "--help\tPrint the help message\n";
+    for (const recipes::Option* option : options)
+        if (!option->is_argument())
+            lines += "--" + std::string(option->name) + "\t" + std::string(option->help) + "\n";
+    return lines;
+}
+
+// The row of the option that `word` names, with one or two dashes; null if it has no value.
+const recipes::Option* option_with_value(recipes::Commands command, std::string_view word) {
+    if (!word.starts_with("-")) return nullptr;
+    const std::size_t dashes = std::min(word.find_first_not_of('-'), word.size());
+    const recipes::Option* const option = recipes::find_option(command, word.substr(dashes));
+    return option != nullptr && option->kind != recipes::Kind::flag ? option : nullptr;
+}
+
 }  // namespace
+
+std::string words_at(const CLI::App& app, std::span<const std::string> typed) {
+    if (typed.size() < 2 || typed.front() == "help") return lines_of_commands(app);
+    const std::optional<recipes::Commands> command = recipes::command_called(typed.front());
+    if (!command) return "";
+    if (const auto* const before = option_with_value(*command, typed[typed.size() - 2]))
+        return lines_of(recipes::words_of(before->traits.words));
+    const std::vector<const recipes::Option*> options = recipes::options_of(*command);
+    if (typed.back().starts_with("-")) return lines_of_options(options);
+    for (const recipes::Option* option : options)
+        if (option->is_argument()) return lines_of(recipes::words_of(option->traits.words));
+    return "";
+}
 
 std::vector<std::string> names_of_commands(const CLI::App& app) {
     std::vector<std::string> names;

@@ -1,5 +1,5 @@
 // Runs every contestant in turn.
-#include "cli/commands/comparison.h"
+#include "cli/reports/comparison.h"
 
 #include <algorithm>
 #include <new>
@@ -11,6 +11,7 @@
 #include "cli/terminal/driver.h"
 #include "cli/terminal/observers.h"
 #include "files/point_files.h"
+#include "recipes/words.h"
 
 namespace lacuna::cli {
 namespace {
@@ -121,13 +122,13 @@ std::vector<Contestant> contestants_of(const std::string& backend,
 }  // namespace
 
 std::vector<Contestant> find_contestants(const std::vector<std::string>& backends) {
-    const std::vector<std::string> usual = {"cpu", "opencl", "vulkan"};
     const std::vector<Device> devices = listed_devices();
     std::vector<Contestant> all;
-    for (const std::string& backend : backends.empty() ? usual : backends) {
-        if (backend != "reference" && std::find(usual.begin(), usual.end(), backend) == usual.end())
+    for (const std::string& backend :
+         backends.empty() ? std::vector<std::string>{"cpu", "opencl", "vulkan"} : backends) {
+        if (!recipes::is_among(backend, recipes::Words::named_backends))
             throw BadRequest("backends", shown(backend),
-                             "each must be one of cpu, opencl, vulkan, reference");
+                             "each must be " + recipes::listed(recipes::Words::named_backends));
         const std::vector<Contestant> its = contestants_of(backend, devices);
         const bool any = std::any_of(its.begin(), its.end(),
                                      [](const Contestant& one) { return one.missing.empty(); });

@@ -11,7 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/terminal/stopwatch.h"
+#include "cli/terminal/observers.h"
+#include "drawing/medium.h"
 
 namespace lacuna::cli {
 
@@ -81,5 +82,15 @@ struct Comparison {
 // request that cannot be met, and Cancelled.
 Comparison compare(const Request& request, const std::vector<Contestant>& contestants,
                    std::uint32_t runs, const Sampler& sampler, Observer& observer);
+
+// A table of times, memory and agreement, a table of seconds by verb, and then the hash of the
+// points and the differences.
+std::string text_of(const Comparison& comparison);
+
+// The same as JSON, with the seconds of every run.
+std::string json_of(const Comparison& comparison, const Request& request);
+
+// A bar for each entry's median, divided into its verbs, and a line from fastest to slowest run.
+std::string draw_chart(const Comparison& comparison, drawing::Medium medium);
 
 }  // namespace lacuna::cli
