@@ -133,7 +133,7 @@ void check(const PolygonSet& set) {
             fmt::format("must leave some of {} open, wider than twice the edge, {:.3g}", domain,
                         edge));
     throw BadRequest(
-        "inside", fmt::format("{} in {}", count, extent_of(allowed).text()),
+        option_of(allowed.front()), fmt::format("{} in {}", count, extent_of(allowed).text()),
         fmt::format("must enclose some of {}{}, and be wider than twice the edge, {:.3g}", domain,
                     has_forbidden ? ", that --outside and --avoid leave open" : "", edge));
 }
@@ -169,6 +169,7 @@ std::shared_ptr<const DrawnMask> drawn(std::span<const PolygonSet> sets,
 }  // namespace
 
 Point domain_around(std::span<const PolygonSet> sets) {
+    for (const PolygonSet& set : sets) check(set);
     const Extent all = extent_of(sets);
     if (all.least.x >= 0 && all.least.y >= 0 && all.most.x <= 1 && all.most.y <= 1) return {1, 1};
     if (all.begins_near_0()) return all.most;

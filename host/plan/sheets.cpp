@@ -188,7 +188,19 @@ void check_classes(const Request& request) {
                                  ", the number of classes");
 }
 
+namespace {
+
+void check_radii(std::span<const double> radii) {
+    for (const double radius : radii)
+        if (!(radius > 0) || !std::isfinite(radius))
+            throw BadRequest("class", shortest(radius),
+                             "a radius must be a finite number greater than 0");
+}
+
+}  // namespace
+
 std::vector<double> distances_by_sum(std::span<const double> radii) {
+    check_radii(radii);
     std::vector<double> distances;
     for (const double a : radii)
         for (const double b : radii) distances.push_back(a + b);
@@ -197,6 +209,7 @@ std::vector<double> distances_by_sum(std::span<const double> radii) {
 
 // Wei 2010, as docs/placement.md has it.
 std::vector<double> distances_by_union(std::span<const double> radii) {
+    check_radii(radii);
     std::vector<double> distances;
     for (const double& a : radii) {
         for (const double& b : radii) {

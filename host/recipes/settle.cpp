@@ -38,6 +38,8 @@ void settle(const Given& given, Request& request) {
     if (relax > relaxing::kMostIterations)
         throw BadRequest("relax", std::to_string(relax),
                          "must be at most " + std::to_string(relaxing::kMostIterations));
+    if (given.metric && !given.is_picture && request.field == nullptr)
+        throw BadRequest("metric", std::string(name_of(*given.metric)), "is for a field");
     request.mode = mode_of(given, request);
     if (request.mode == Mode::stratified && relax == 0 && given.gaussian == 0)
         throw BadRequest("mode", std::string(name_of(request.mode)), "is a start for --relax");

@@ -24,13 +24,14 @@ struct Given {
 // ellipses, and otherwise 0.
 std::uint32_t relax_of(const Given& given);
 
-// Decides the mode and the metric. The sizes of `request` and what limits it must be set before.
+// Decides the mode and the metric. The sizes of `request`, its field and what limits it must be set
+// before.
 //   - Points that will be relaxed begin stratified, if nothing was given that is about distances:
 //     radius, scale, metric, limit, lines per radius or round size. Inks always do.
 //   - Other dots of a picture are made in mode cells, ellipses and all other sets in mode exact.
 //   - In cells the metric is mean if the points will be relaxed. Otherwise it is min.
 // Throws BadRequest if the points would be moved too often, or those of a stratified set not at
-// all.
+// all, and for a metric without a field or a picture.
 void settle(const Given& given, Request& request);
 
 }  // namespace lacuna::recipes

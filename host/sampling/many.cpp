@@ -16,6 +16,7 @@
 #include "backends/backends.h"
 #include "base/polling.h"
 #include "base/threads.h"
+#include "plan/checked_request.h"
 
 namespace lacuna {
 namespace {
@@ -130,6 +131,7 @@ void sample_many(const Request& request, std::span<const std::uint64_t> seeds,
 
 void sample_many(const Request& request, std::span<const std::uint64_t> seeds, const TakeSet& take,
                  Observer& observer) {
+    check_request(request);  // also if there are no seeds yet
     OfAll all(observer, seeds.size());
     // The threads are checked by sample() itself, which would come too late here.
     const bool can_share = request.threads != 1 && request.threads <= kMostThreads;

@@ -16,6 +16,7 @@
 
 #include "domains/picture_of_mask.h"
 #include "plan/mask_tree.h"
+#include "refusal.h"
 
 namespace draw_mask_test {
 
@@ -286,6 +287,29 @@ TEST(DrawnPlaces, CostByTheirOutlinesWhateverTheExtent) {
         EXPECT_LT(mask.drawn->tree.nodes().size(), 1200U);
         EXPECT_NEAR(mask.drawn->tree.allowed_share() * extent * extent, 72, 3);
     }
+}
+
+TEST(TheDomainAroundPlaces, ReachesAsFarAsTheyDo) {
+    const auto around = [](Point far, double distance = 0) {
+        const std::vector<PolygonRing> rings{{{0.2, 0.1}, {0.5, 0.2}, far}};
+        const PolygonSet set{.rings = rings, .distance = distance, .option = "lake"};
+        return domain_around(std::span(&set, 1));
+    };
+    EXPECT_EQ(around({0.3, 0.9}), (Point{1, 1}));
+    EXPECT_EQ(around({3, 0.9}), (Point{3, 0.9}));
+    EXPECT_EQ(domain_around({}), (Point{1, 1}));
+    EXPECT_EQ(tests::refusal_of([&] {
+                  around({0.3, std::nan("")});
+              }).substr(0, 12),
+              "lake ring 0:");
+    EXPECT_EQ(tests::refusal_of([&] { around({0.3, 0.4}, -1); }).substr(0, 9), "border -1");
+}
+
+TEST(ADrawnMask, WithoutAPixelIsRefusedByTheNameOfItsOption) {
+    const std::vector<PolygonRing> rings{{{0.2, 0.1}, {0.5, 0.1}, {0.5, 0.1001}}};
+    const PolygonSet set{.rings = rings, .option = "lake"};
+    EXPECT_EQ(tests::refusal_of([&] { draw_mask(std::span(&set, 1), 1, 1, 0.01); }).substr(0, 11),
+              "lake 1 ring");
 }
 
 }  // namespace draw_mask_test

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "recipes/settle.h"
 #include "refusal.h"
 
 namespace lacuna::recipes {
@@ -130,6 +131,14 @@ TEST(Making, RefusesWhatRelaxingExcludes) {
     request.field = &even;
     EXPECT_EQ(refusal_of([&] { make(request, {.gaussian = 2}); }),
               "gaussian 2: is for domains without a picture");
+}
+
+TEST(Settling, RefusesAMetricWithoutAField) {
+    Request request;
+    EXPECT_EQ(refusal_of([&] { settle({.metric = Metric::min}, request); }),
+              "metric min: is for a field");
+    EXPECT_EQ(refusal_of([&] { settle({.is_picture = true, .metric = Metric::min}, request); }),
+              "accepted");
 }
 
 }  // namespace

@@ -194,6 +194,7 @@ TEST(Stippling, RefusesWhatCannotBe) {
         {"along 3 with --relax: relaxing has disks", {.relax = 2, .tone = {.along = 3}}},
         {"along 3 with --mode=cells: is for --mode exact",
          {.start = Mode::cells, .tone = {.along = 3}}},
+        {"mode lines: must be stratified, cells or exact", {.start = Mode::lines}},
         {"mode stratified: is a start for --relax", {.start = Mode::stratified, .relax = 0}},
         {"size-by-tone 2: must be 0 to 1", {.size_by_tone = 2}},
         {"size-by-tone 1: is not for a --dot-size", {.size_by_tone = 1, .pens = Pens{1, 1}}},

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <random>
 #include <span>
@@ -393,6 +394,12 @@ TEST(Classes, AreRefusedInOneLine) {
     request.radius = 0.01;
     request.keep_classes = right;
     EXPECT_EQ(refusal(request), "keep classes of points: are for requests with classes");
+    for (const double wrong : {0.0, -0.1, std::numeric_limits<double>::quiet_NaN()})
+        for (const auto& by_rule : {distances_by_sum, distances_by_union})
+            EXPECT_EQ(tests::refusal_of([&] {
+                          by_rule(std::vector{0.2, wrong});
+                      }).substr(0, 6),
+                      "class ");
 }
 
 }  // namespace

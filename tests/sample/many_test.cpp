@@ -86,6 +86,7 @@ TEST(SampleMany, RefusesWhatSampleRefuses) {
     Request snapped = request_of(0.1);
     snapped.snap = true;
     EXPECT_THROW(sample_many(snapped, seeds, take), BadRequest);
+    EXPECT_THROW(sample_many(snapped, {}, take), BadRequest);
 }
 
 TEST(SampleMany, PassesOnWhatTakingASetThrows) {

@@ -83,7 +83,8 @@ Polygons decode_lines(std::string_view bytes, std::string_view format, const std
 std::vector<PolygonRing> fitted(Polygons polygons, double width, double height);
 
 // The upper right corner of the domain of sets that have no page: (1, 1), or their farthest corner
-// if they reach beyond it. Throws BadRequest if they lie far from (0, 0), where a domain begins.
+// if they reach beyond it. Throws BadRequest if they lie far from (0, 0), where a domain begins,
+// and for coordinates and distances that are not finite.
 Point domain_around(std::span<const PolygonSet> sets);
 
 // Throws BadRequest for sets of an option, or of one of its files, that lie wholly outside of the

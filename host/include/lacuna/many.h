@@ -23,7 +23,7 @@ using TakeSet = std::function<void(std::uint64_t seed, Result set)>;
 // of automatic size. All other sets are made one after another, each on all threads or on the
 // device. `observer` is called on the calling thread. Its Progress counts sets instead of points,
 // and its rounds are 0. begin() and end() are not called, because sets are made at the same time.
-// Throws what sample() throws.
+// Throws what sample() throws; a request that makes no sense is refused without seeds, too.
 void sample_many(const Request& request, std::span<const std::uint64_t> seeds, const TakeSet& take);
 void sample_many(const Request& request, std::span<const std::uint64_t> seeds, const TakeSet& take,
                  Observer& observer);

@@ -71,6 +71,8 @@ void check_inks(const StippleOptions& options) {
 Stippling settled(const StippleOptions& options) {
     pictures::check(options.tone);
     recipes::refuse_pairs(line_of(options));
+    if (options.start == Mode::lines)
+        throw BadRequest("mode", "lines", "must be stratified, cells or exact");
     check_inks(options);
     if (!(options.size_by_tone >= 0 && options.size_by_tone <= 1))
         throw BadRequest("size-by-tone", shortest(options.size_by_tone), "must be 0 to 1");
