@@ -14,46 +14,24 @@ backends and devices. ``lacuna.qmc`` has an engine like those in scipy.stats.qmc
 from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._domains import Polygons, domain_around, draw_mask, read_lines, read_polygons
+from ._analysis import Analysis, analyze
+from ._devices import Device, devices
 from ._errors import BadRequest, DeviceError, Error, FileError, MemoryRefused, Unavailable
-from ._judging import analyze, devices
-from ._many import sample_many
 from ._order import order
+from ._polygons import Polygons, domain_around, draw_mask, read_lines, read_polygons
 from ._relax import relax
-from ._results import Analysis, Device, Evenness, PointSet, Relaxed, Stippling
-from ._sample import sample
+from ._sample import sample, sample_many
+from ._sets import Evenness, PointSet, Relaxed, Stippling
 from ._stipple import stipple
 from ._verify import Verdict, verify
 
 __version__: str = _core.version
 __all__ = [
-    "Analysis",
-    "BadRequest",
-    "Device",
-    "DeviceError",
-    "Error",
-    "Evenness",
-    "FileError",
-    "MemoryRefused",
-    "PointSet",
-    "Polygons",
-    "Relaxed",
-    "Stippling",
-    "Unavailable",
-    "Verdict",
-    "analyze",
-    "devices",
-    "domain_around",
-    "draw_mask",
-    "order",
-    "read_lines",
-    "read_polygons",
-    "relax",
-    "sample",
-    "sample_many",
-    "stipple",
-    "verify",
-]
+    "Analysis", "BadRequest", "Device", "DeviceError", "Error", "Evenness", "FileError",
+    "MemoryRefused", "PointSet", "Polygons", "Relaxed", "Stippling", "Unavailable", "Verdict",
+    "analyze", "devices", "domain_around", "draw_mask", "order", "read_lines", "read_polygons",
+    "relax", "sample", "sample_many", "stipple", "verify",
+]  # fmt: skip
 
 if TYPE_CHECKING:
     from . import qmc as qmc

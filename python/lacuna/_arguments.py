@@ -1,6 +1,6 @@
-"""Checks the arguments of lacuna's functions: types, shapes and ranges. Errors name the argument.
+"""Converts the arguments of lacuna's functions: checks types and shapes. Errors name the argument.
 
-All other rules about values are checked by the library itself.
+All rules about values are checked by the library itself.
 """
 
 from __future__ import annotations
@@ -8,7 +8,8 @@ from __future__ import annotations
 import operator
 import os
 import secrets
-from typing import TYPE_CHECKING, Any, Iterator, Literal, SupportsFloat, SupportsIndex
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, Callable, Iterator, Literal, SupportsFloat, SupportsIndex
 
 import numpy as np
 
@@ -23,11 +24,13 @@ if TYPE_CHECKING:
     Mode = Literal["exact", "lines", "cells", "stratified"]
     Metric = Literal["min", "mean", "max"]
     Seed = int | float | np.integer[Any] | np.random.Generator | None
+    Progress = Callable[[int, int], object]
 
 # Most pixels in all and along a side, as exponents of 2. Masks of draw_mask may be larger.
 _OF_FIELDS = (28, 20)
 _OF_MASKS = (33, 24)
 _MOST_POINTS = 2**31
+MOST_64 = 2**64 - 1
 _LONGEST_SHOWN = 60  # characters of a value in a message
 _LONGEST_NAME = 200  # characters
 _PIXELS_OF_PART = 2**22  # copied at a time, in some milliseconds; Ctrl-C works between two parts
@@ -76,15 +79,6 @@ def flag(name: str, value: object) -> bool:
     raise TypeError(f"{name} must be True or False, not {shown(value)}")
 
 
-def choice(name: str, value: object, known: tuple[str, ...]) -> str:
-    """One of the words in ``known``."""
-    if not isinstance(value, str):
-        raise TypeError(f"{name} must be a str, one of {', '.join(known)}, not {shown(value)}")
-    if value not in known:
-        raise BadRequest(f"{name} {shown(value)}: must be one of {', '.join(known)}", name)
-    return value
-
-
 def text(name: str, value: object) -> str:
     """A name: a str of some length that UTF-8 can encode, without NUL."""
     if not isinstance(value, str):
@@ -102,13 +96,11 @@ def text(name: str, value: object) -> str:
     return value
 
 
-def device_text(value: object) -> str:
+def _device(name: str, value: object) -> str:
     """A device by number or by a part of its name."""
-    if value is None:
-        return ""
     if isinstance(value, str):
-        return text("device", value)
-    return str(whole("device", value, 0, 2**31))  # type: ignore[arg-type]
+        return text(name, value)
+    return str(whole(name, value, 0, 2**31))  # type: ignore[arg-type]
 
 
 def pair(name: str, value: object) -> tuple[float, float]:
@@ -122,7 +114,7 @@ def pair(name: str, value: object) -> tuple[float, float]:
     return real(name, both[0]), real(name, both[1])
 
 
-def seed_of(value: Seed) -> int:
+def _seed(name: str, value: Any) -> int:
     """A seed of 64 bits: the number itself, or drawn from a generator or from the system."""
     if value is None:
         return secrets.randbits(64)
@@ -130,10 +122,75 @@ def seed_of(value: Seed) -> int:
         return int(value.integers(2**64, dtype=np.uint64))
     if isinstance(value, (np.random.RandomState, np.random.BitGenerator, np.random.SeedSequence)):
         raise TypeError(
-            "seed must be None, an int or a numpy.random.Generator, not a "
+            f"{name} must be None, an int or a numpy.random.Generator, not a "
             f"{type(value).__name__}: wrap it with numpy.random.default_rng"
         )
-    return whole("seed", value, 0, 2**64 - 1)
+    return whole(name, value, 0, MOST_64)
+
+
+def _counts(name: str, value: Any) -> list[int]:
+    return [whole(name, count, 0, MOST_64) for count in value]
+
+
+def _range(least: int, most: int) -> Callable[[str, Any], int]:
+    return lambda name, value: whole(name, value, least, most)
+
+
+# What each argument is converted by.
+_KINDS: dict[str, Callable[[str, Any], object]] = {
+    **dict.fromkeys("radius scale border edge tolerance gaussian_distance black".split(), real),
+    **dict.fromkeys("white gamma min_importance sharpen_amount along size_by_tone".split(), real),
+    **dict.fromkeys("black_ink max_frequency".split(), real),
+    **dict.fromkeys("relax iterations gaussian threads".split(), _range(0, 2**32 - 1)),
+    **dict.fromkeys("sharpen lines_per_radius".split(), _range(0, 2**32 - 1)),
+    **dict.fromkeys("n limit round_size".split(), _range(0, MOST_64)),
+    **dict.fromkeys("torus progressive snap uniform_x measure distances_only".split(), flag),
+    **dict.fromkeys("auto_levels invert keep_inside".split(), flag),
+    **dict.fromkeys("mode metric backend".split(), text),
+    "memory_limit": _range(1, MOST_64),
+    "device": _device,
+    "domain": pair,
+    "seed": _seed,
+    "ink_counts": _counts,
+}
+# Arguments that may be None, which means that they are not given.
+_OPTIONAL = set(
+    "radius n scale metric mode domain edge limit relax gaussian_distance "
+    "lines_per_radius device memory_limit black_ink ink_counts tolerance".split()
+)
+
+
+def options(**given: object) -> dict[str, Any]:
+    """The arguments by their names, as the library takes them, without those not given."""
+    return {
+        name: _KINDS[name](name, value)
+        for name, value in given.items()
+        if value is not None or name not in _OPTIONAL
+    }
+
+
+@contextmanager
+def watched(progress: Progress | Literal[True] | None) -> Iterator[Progress | None]:
+    """A progress to call: the one given, or for True a bar of tqdm, if that is installed."""
+    if progress is not True:
+        if progress is not None and not callable(progress):
+            raise TypeError(f"progress must be callable or True, not {shown(progress)}")
+        yield progress
+        return
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        yield None
+        return
+    with tqdm(disable=None) as bar:  # None: only on a terminal or in a notebook
+
+        def show(done: int, expected: int) -> None:
+            bar.n, bar.total = done, expected
+            bar.refresh()
+
+        yield show
+        bar.n = bar.total or bar.n
+        bar.refresh()
 
 
 def numbers(name: str, value: object) -> npt.NDArray[Any]:
@@ -207,6 +264,15 @@ def ellipses_of(name: str, value: object) -> _core.Field:
     return _core.ellipse_field(np.ascontiguousarray(array, dtype=np.float64))
 
 
+def importance_of(field: object, ellipses: object) -> _core.Field | None:
+    """The field of either argument; None without both."""
+    if field is not None and ellipses is not None:
+        raise BadRequest("ellipses: cannot be used with field", "ellipses")
+    if ellipses is not None:
+        return ellipses_of("ellipses", ellipses)
+    return None if field is None else field_of("field", field)
+
+
 def mask_of(name: str, value: object) -> _core.Mask:
     """A mask, row 0 on top: points may lie where a number is not 0."""
     array = _pixels(name, value, _OF_MASKS)
@@ -220,6 +286,15 @@ def mask_of(name: str, value: object) -> _core.Mask:
             )
         values[part] = array[part] != 0
     return mask
+
+
+def shape_of(*pixels: _core.Field | _core.Mask | None) -> tuple[float, float] | None:
+    """The domain of the first picture: its shape, the longer side 1. None if there is none."""
+    for one in pixels:
+        if one is not None:
+            longer = max(one.columns, one.rows)
+            return one.columns / longer, one.rows / longer
+    return None
 
 
 def path_bytes(name: str, value: str | bytes | os.PathLike[Any]) -> bytes:

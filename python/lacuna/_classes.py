@@ -20,13 +20,12 @@ if TYPE_CHECKING:
     Bytes = npt.NDArray[np.uint8]
 
 
-def classes_of(classes: ClassSizes | None, between: object) -> _core.Classes:
-    """The classes of a request; without names if there are none."""
-    made = _core.Classes()
+def classes_of(classes: ClassSizes | None, between: object) -> dict[str, Any]:
+    """The classes among the options of a request; empty if there are none."""
     if classes is None:
         if not isinstance(between, str) or between != "sum":
             raise BadRequest(f"between {shown(between)}: is for classes", "between")
-        return made
+        return {}
     if not isinstance(classes, Mapping) or not classes:
         raise TypeError(
             f"classes must be a dict of names and radii, such as {{'trees': 0.05}}, not "
@@ -43,27 +42,20 @@ def classes_of(classes: ClassSizes | None, between: object) -> _core.Classes:
             raise BadRequest("classes: each needs a radius unless between is a matrix", "classes")
         known = [radius for radius in radii if radius is not None]
         by_rule = _core.distances_by_sum if between == "sum" else _core.distances_by_union
-        made.distances = by_rule(known)
+        distances = by_rule(known)
     else:
         if any(radius is not None for radius in radii):
             raise BadRequest("classes: need no radius, for between has all distances", "classes")
-        made.distances = _matrix_of(between, len(radii))
-    made.names = list(classes)
-    made.weights = [weight for _, weight in sizes]
-    return made
+        distances = _matrix_of(between, len(radii))
+    weights = [weight for _, weight in sizes]
+    return {"class_names": list(classes), "distances": distances, "weights": weights}
 
 
 def _size_of(name: object, size: Any) -> tuple[float | None, float]:
     if not isinstance(name, str):
         raise TypeError(f"classes: a name must be a str, not {shown(name)}")
     radius, weight = size if isinstance(size, tuple) and len(size) == 2 else (size, 1.0)
-    if radius is not None:
-        radius = real("classes", radius)
-        if not 0 < radius < np.inf:
-            raise BadRequest(
-                f"classes {name}: its radius is {radius}: must be a finite number over 0", "classes"
-            )
-    return radius, real("classes", weight)
+    return None if radius is None else real("classes", radius), real("classes", weight)
 
 
 def _matrix_of(between: Any, count: int) -> list[float]:
@@ -81,10 +73,8 @@ def _matrix_of(between: Any, count: int) -> list[float]:
     return [float(distance) for distance in matrix.ravel()]
 
 
-def class_numbers(
-    argument: str, given: Iterable[object], names: Sequence[str], points: int
-) -> Bytes:
-    """For each point the place of its class among the names: ``given`` are names or places."""
+def _numbers(argument: str, given: Iterable[object], names: Sequence[str]) -> Bytes:
+    """The places of classes among the names: ``given`` are names or places."""
     places = {name: place for place, name in enumerate(names)}
     numbers = []
     for one in given:
@@ -99,20 +89,21 @@ def class_numbers(
                 f"{argument} {shown(one)}: must be from 0 to {len(names) - 1}", argument
             )
         numbers.append(number)
-    if len(numbers) != points:
-        raise BadRequest(f"{argument}: has {len(numbers)} classes for {points} points", argument)
     return np.array(numbers, dtype=np.uint8)
 
 
-def attributes_of(classes: _core.Classes, made: dict[str, Any]) -> dict[str, Any]:
-    """The attributes ``classes``, ``class_of`` and ``distances`` of a PointSet."""
-    names = tuple(classes.names)
-    if not names:
-        return {"classes": (), "class_of": None, "distances": None}
-    matrix = np.array(classes.distances).reshape(len(names), len(names))
-    size = made["scale"] or made["radius"]
-    return {
-        "classes": names,
-        "class_of": made["class_of"],
-        "distances": matrix * (size / matrix[matrix > 0].min()),
-    }
+def classes_of_points(
+    argument: str,
+    given: Iterable[object] | None,
+    own: Iterable[object] | None,
+    classes: dict[str, Any],
+    points: npt.NDArray[np.float64] | None,
+) -> Bytes | None:
+    """The class of each point: as given, or else the points' own; None without both."""
+    if given is None:
+        given = own
+    if given is None:
+        return None
+    if not classes or points is None:
+        raise BadRequest(f"{argument}: is for points with classes", argument)
+    return _numbers(argument, given, classes["class_names"])

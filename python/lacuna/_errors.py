@@ -7,8 +7,8 @@ import re
 # Python's arguments for options of the library. For all other options, _ replaces -.
 _SPELLED = {"class": "classes", "count": "n", "sets": "points"}
 
-# Options of the command that the library's messages name.
-_OPTION = re.compile(r"(?<![^\s(])(--[a-z][a-z-]+|uniform-x|lines-per-radius)\b")
+# Options of the command that the library's messages name, and its word for n.
+_OPTION = re.compile(r"(?<![^\s(])(--[a-z][a-z-]+|uniform-x|lines-per-radius|a count)\b")
 
 # Control characters, which paths may contain, are escaped: a message is one line.
 _CONTROLS = {code: f"\\x{code:02x}" for code in (*range(32), 127)}
@@ -16,7 +16,7 @@ _CONTROLS = {code: f"\\x{code:02x}" for code in (*range(32), 127)}
 
 def _argument_of(option: re.Match[str]) -> str:
     """Python's argument for an option."""
-    name = option[0].lstrip("-")
+    name = option[0].lstrip("-").removeprefix("a ")
     return "invert=True" if name == "invert" else _SPELLED.get(name, name.replace("-", "_"))
 
 

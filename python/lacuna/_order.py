@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, SupportsFloat
 
 from . import _core
-from ._arguments import field_of, points_array, seed_of
-from ._judging import domain_of
-from ._runs import shape_of
+from ._arguments import field_of, options, points_array, shape_of
+from ._sets import domain_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -65,8 +64,6 @@ def order(
     >>> ordered.shape
     (256, 2)
     """
-    given = points_array("points", points)
     importance = None if field is None else field_of("field", field)
-    shape = (1.0, 1.0) if importance is None else shape_of(importance)
-    width, height, wraps = domain_of(points, domain, torus, shape)
-    return _core.progressive_order(given, importance, width, height, wraps, seed_of(seed))
+    asked = options(**domain_of(points, domain, torus, shape_of(importance)), seed=seed)
+    return _core.progressive_order(points_array("points", points), importance, asked)

@@ -10,8 +10,6 @@ if TYPE_CHECKING:
     import numpy.typing as npt
     from matplotlib.axes import Axes
 
-    from ._verify import Verdict
-
     Floats = npt.NDArray[np.float64]
 
 # N r^2 / area of a maximal set on the torus: docs/design.md, section 5.
@@ -43,6 +41,7 @@ def dots(
     from matplotlib.collections import EllipseCollection
 
     ax.set(aspect="equal", xlim=(0, domain[0]), ylim=(0, domain[1]))
+    ax.set(xlabel="x (unit of the domain)", ylabel="y (unit of the domain)")
     if radii is None:
         if least_distance == 0:
             least_distance = (_DENSITY * domain[0] * domain[1] / max(1, len(points))) ** 0.5
@@ -61,35 +60,38 @@ def dots(
     return ax
 
 
-def power(ax: Axes | None, frequency: Floats, power: Floats) -> Axes:
-    """Draws the radial power, and a line at 1, the power of independent points."""
+def curve(ax: Axes | None, x: Floats, y: Floats, of_x: str, of_y: str) -> Axes:
+    """Draws a curve, and a line at 1, which independent points have."""
     ax = _axes(ax)
-    ax.plot(frequency, power)
+    ax.plot(x, y)
     ax.axhline(1, color="gray", linewidth=0.5)
-    ax.set(
-        xlabel="frequency / sqrt(N)", ylabel="power", xlim=(0, float(frequency[-1])), ylim=(0, None)
-    )
+    ax.set(xlabel=of_x, ylabel=of_y, xlim=(0, float(x[-1]) if len(x) else 1), ylim=(0, None))
     return ax
 
 
-def verdict(ax: Axes | None, found: Verdict) -> Axes:
-    """Draws the points, and what was found: a point where none may lie, the closest pair, and the
-    largest gap."""
-    points = found.points
+def verdict(
+    ax: Axes | None,
+    points: Floats,
+    domain: tuple[float, float],
+    wrong: list[int],
+    pair: tuple[tuple[int, int], bool] | None,
+    gap: tuple[tuple[float, float], float, bool] | None,
+) -> Axes:
+    """Draws points, those where none may lie, the closest pair, and the largest gap with its
+    distance. A pair or a gap comes with whether it is allowed."""
     ax = _axes(ax)
     from matplotlib.patches import Circle
 
-    dots(ax, points, found.domain, 0, None, "gray")
-    for wrong in (found.outside, found.moved, found.forbidden):
-        if wrong is not None and wrong < len(points) and np.isfinite(points[wrong]).all():
-            ax.plot(*points[wrong], "x", color=_WRONG, label=f"point {wrong}")
-    if found.closest_pair is not None:
-        color = "black" if found.kept else _WRONG
-        ax.plot(*points[list(found.closest_pair)].T, ".-", color=color, label="closest pair")
-    if found.largest_gap is not None and found.largest_gap_distance is not None:
-        color = "black" if found.covered else _WRONG
-        reach = found.largest_gap_distance
-        ax.add_patch(Circle(found.largest_gap, reach, color=color, fill=False, label="largest gap"))
+    dots(ax, points, domain, 0, None, "gray")
+    for one in wrong:
+        if one < len(points) and np.isfinite(points[one]).all():
+            ax.plot(*points[one], "x", color=_WRONG, label=f"point {one}")
+    if pair is not None:
+        color = "black" if pair[1] else _WRONG
+        ax.plot(*points[list(pair[0])].T, ".-", color=color, label="closest pair")
+    if gap is not None:
+        color = "black" if gap[2] else _WRONG
+        ax.add_patch(Circle(gap[0], gap[1], color=color, fill=False, label="largest gap"))
     if ax.get_legend_handles_labels()[0]:
         ax.legend(loc="upper right")
     return ax

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, SupportsFloat
+from typing import TYPE_CHECKING, Literal, SupportsFloat
 
 from . import _core
-from ._arguments import field_of, flag, points_array, real, whole
-from ._judging import domain_of
-from ._results import Relaxed
-from ._runs import MOST_32, checked_progress, moved, place, shape_of
+from ._arguments import field_of, options, points_array, shape_of, watched
+from ._sets import Relaxed, domain_of, relaxed_of
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from ._arguments import Whole
-
-    from ._runs import Progress
+    from ._arguments import Progress, Whole
 
 
 def relax(
@@ -31,7 +27,7 @@ def relax(
     backend: str = "auto",
     device: int | str | None = None,
     threads: Whole = 0,
-    progress: Progress | None = None,
+    progress: Progress | Literal[True] | None = None,
 ) -> Relaxed:
     """Move points until their cells hold equal importance and each is the centroid of its cell.
 
@@ -79,19 +75,13 @@ def relax(
     >>> even.points.shape, even.evenness.after_voronoi < even.evenness.before
     ((256, 2), True)
     """
-    given = points_array("points", points)
     importance = None if field is None else field_of("field", field)
-    options = _core.RelaxOptions()
-    shape = (1.0, 1.0) if importance is None else shape_of(importance)
-    width, height, wraps = domain_of(points, domain, torus, shape)
-    place(options, (width, height), wraps, backend, device, threads)
-    options.iterations = whole("iterations", iterations, 0, MOST_32)
-    options.gaussian = whole("gaussian", gaussian, 0, MOST_32)
-    options.gaussian_distance = real("gaussian_distance", gaussian_distance)
-    options.measure = flag("measure", measure)
-    checked_progress(progress)
-    made = _core.relax(given, importance, options, progress)
-    made["relaxed"] = dict(made)
-    relaxed = moved(made, options, options.iterations, options.gaussian)
-    assert relaxed is not None
-    return relaxed
+    asked = options(
+        **domain_of(points, domain, torus, shape_of(importance)), iterations=iterations,
+        gaussian=gaussian, gaussian_distance=gaussian_distance, measure=measure, backend=backend,
+        device=device, threads=threads,
+    )  # fmt: skip
+    with watched(progress) as told:
+        made = _core.relax(points_array("points", points), importance, asked, told)
+    place = {name: asked[name] for name in ("domain", "torus", "iterations", "gaussian")}
+    return relaxed_of(made, **place)

@@ -1,43 +1,35 @@
-"""sample: makes a point set."""
+"""sample and sample_many: make point sets."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Iterable, SupportsFloat
+import os
+import sys
+import time
+from itertools import islice
+from typing import TYPE_CHECKING, Any, Collection, Iterable, Iterator, Literal, Sized
+from typing import SupportsFloat, TypedDict, Unpack, overload
 
 from . import _core
-from ._arguments import (
-    choice,
-    ellipses_of,
-    field_of,
-    flag,
-    mask_of,
-    pair,
-    points_array,
-    real,
-    shown,
-    whole,
-)
-from ._classes import class_numbers, classes_of
-from ._errors import BadRequest
-from ._results import PointSet
-from ._runs import (
-    MODES,
-    MOST_32,
-    fill,
-    make,
-    place,
-    refuse_what_is_for_fields,
-    set_size,
-    settle,
-    shape_of,
-)
+from ._arguments import MOST_64, importance_of, mask_of, options, points_array, real, shape_of
+from ._arguments import shown, watched, whole
+from ._classes import classes_of, classes_of_points
+from ._errors import BadRequest, MemoryRefused
+from ._polygons import around, places_of, sets_on
+from ._sets import PointSet, set_attributes
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from ._arguments import Metric, Mode, Seed, Whole
+    from ._arguments import Metric, Mode, Progress, Seed, Whole
     from ._classes import ClassSizes
-    from ._runs import Progress
+    from ._polygons import Obstacles, Places
+
+# The most sets in a batch, and for an iterator the most points. A batch is made by one call of the
+# library, and its first set is handed out only when all of them are made.
+_MOST_SETS_AHEAD = 4096
+_MOST_POINTS_AHEAD = 2**20
+_BYTES_OF_A_POINT = 16
+_BYTES_OF_A_SET = 1000  # a PointSet without its points; a little less than measured
 
 
 def sample(
@@ -49,6 +41,10 @@ def sample(
     scale: SupportsFloat | None = None,
     metric: Metric | None = None,
     mask: npt.ArrayLike | None = None,
+    inside: Places = None,
+    outside: Places = None,
+    avoid: Obstacles | None = None,
+    edge: SupportsFloat | None = None,
     border: SupportsFloat = 0,
     keep: npt.ArrayLike | None = None,
     classes: ClassSizes | None = None,
@@ -71,7 +67,7 @@ def sample(
     device: int | str | None = None,
     threads: Whole = 0,
     memory_limit: Whole | None = None,
-    progress: Progress | None = None,
+    progress: Progress | Literal[True] | None = None,
 ) -> PointSet:
     """Make a maximal set of random points, evenly spread; with ``field`` dense where it is high.
 
@@ -106,8 +102,19 @@ def sample(
     mask : array_like, shape (rows, columns), optional
         Points may lie on pixels that are not 0 or False. The mask is stretched over the domain. Row
         0 is the top. Any real dtype, byte order and strides. ``draw_mask`` makes one of polygons.
+    inside, outside : Polygons, iterable of array_like, or list of Polygons, optional
+        Polygons in which points must lie, and must not lie: outlines of shape (N, 2) in the unit of
+        ``domain``, y upwards, or what ``read_polygons`` gives. Of several Polygons a point lies in
+        any. Not with a mask.
+    avoid : list of (Polygons or iterable of array_like, float), optional
+        Obstacles: lines, outlines and points, and the distance that points keep from them.
+        ``read_lines`` reads them; an array of one row is a point.
+    edge : float, optional
+        How far inside of these outlines points may begin, in the unit of ``domain``; points never
+        lie outside. By default a sixteenth of the least radius; needed with ``n``.
     border : float
-        Least distance of points to the domain's edges, in the unit of ``domain``; not on a torus.
+        Least distance of points to the domain's edges, in the unit of ``domain``, and to the
+        outlines of ``inside`` and ``outside``; not on a torus.
     keep : array_like, shape (N, 2), optional
         Points that are there already. They come first, unmoved, and new points keep their distance
         from them. Each must lie where points may lie, and keep its distance from the others. They
@@ -125,7 +132,7 @@ def sample(
         By default those of ``keep``, if it is a PointSet with classes.
     domain : tuple of float, optional
         Width and height. By default the shape of the field or else of the mask, with a longer side
-        of 1; without both (1, 1).
+        of 1; else ``domain_around`` the polygons and obstacles; without all of these (1, 1).
     torus : bool
         Whether the edges wrap.
     mode : {'exact', 'lines', 'cells', 'stratified'}, optional
@@ -163,10 +170,10 @@ def sample(
         0 is one for each core.
     memory_limit : int, optional
         Refuse a set that takes more bytes; by default the machine's memory.
-    progress : callable, optional
+    progress : callable or True, optional
         Called with the number of points so far and the number expected, at most 50 times a second,
         on the calling thread. An exception that it raises ends the run. While relaxing it is called
-        with points times iterations and steps.
+        with points times iterations and steps. True: a progress bar, if tqdm is installed.
 
     Returns
     -------
@@ -202,13 +209,6 @@ def sample(
     >>> bool((dense.points[:, 0] > 0.5).mean() > 0.7)
     True
 
-    A sequence that may be cut anywhere:
-
-    >>> sequence = lacuna.sample(n=4096, torus=True, progressive=True, seed=1)
-    >>> again = lacuna.sample(n=1000, torus=True, progressive=True, seed=1)
-    >>> bool((sequence.points[:1000] == again.points).all())
-    True
-
     Trees with bushes and grass between them, no two of which overlap:
 
     >>> wood = lacuna.sample(classes={"trees": 0.05, "bushes": 0.02, "grass": 0.005}, seed=1)
@@ -227,71 +227,208 @@ def sample(
     >>> bool(lacuna.verify(made, ellipses=swirl))
     True
 
-    A maximal set that follows the same field, in a disk, with a point that is there already:
+    Inside of a triangle, around a rock:
 
-    >>> y, x = np.mgrid[-1:1:64j, -1:1:64j]
-    >>> disk = np.hypot(x, y) < 0.9
-    >>> made = lacuna.sample(field=ramp, scale=0.02, mask=disk, keep=[(0.5, 0.5)], seed=1)
-    >>> made.maximal, made.points[0].tolist()
-    (True, [0.5, 0.5])
+    >>> triangle, rock = [(0, 0), (1, 0), (0.5, 1)], [(0.5, 0.4)]
+    >>> made = lacuna.sample(0.05, inside=[triangle], avoid=[([rock], 0.2)], seed=1)
+    >>> made.maximal, bool((np.hypot(*(made.points - rock).T) >= 0.2).all())
+    (True, True)
     """
-    request = _core.Request()
-    if field is not None and ellipses is not None:
-        raise BadRequest("ellipses: cannot be used with field", "ellipses")
-    importance = None if field is None else field_of("field", field)
-    if ellipses is not None:
-        importance = ellipses_of("ellipses", ellipses)
-    request.border = real("border", border)
-    if mode is not None:
-        choice("mode", mode, (*MODES, "stratified"))
+    importance = importance_of(field, ellipses)
+    if ellipses is not None and scale is None and n is None:
+        scale = 1
     allowed = None if mask is None else mask_of("mask", mask)
     kept = None if keep is None else points_array("keep", keep)
-    iterations = whole("relax", relax, 0, MOST_32)
-    request.classes = classes_of(classes, between)
-    of_kept = None
-    if keep_classes is None and request.classes.names and isinstance(keep, PointSet):
-        keep_classes = keep._class_names_of_points
-    if keep_classes is not None:
-        if not request.classes.names or kept is None:
-            raise BadRequest("keep_classes: is for keep with classes", "keep_classes")
-        of_kept = class_numbers("keep_classes", keep_classes, request.classes.names, len(kept))
-    moves = _core.Moves()
-    moves.iterations = iterations
-    moves.gaussian = whole("gaussian", gaussian, 0, MOST_32)
-    if gaussian_distance is not None:
-        moves.gaussian_distance = real("gaussian_distance", gaussian_distance)
-    if importance is None:
-        refuse_what_is_for_fields(mode, scale, metric)
-        set_size(request, {"radius": radius, "n": n}, bool(request.classes.names))
-        sides = (1.0, 1.0) if allowed is None else shape_of(allowed)
+    kinds = classes_of(classes, between)
+    _check_sizes(bool(kinds), radius=radius, scale=scale)
+    places = places_of(inside, outside, avoid, real("border", border))
+    if domain is None:
+        domain = shape_of(importance, allowed) or around(places)
+    asked = options(
+        radius=radius, n=n, scale=scale, metric=metric, domain=domain, torus=torus, mode=mode,
+        edge=edge, border=border, seed=seed, progressive=progressive, limit=limit, relax=relax,
+        gaussian=gaussian, gaussian_distance=gaussian_distance, lines_per_radius=lines_per_radius,
+        snap=snap, uniform_x=uniform_x, round_size=round_size, backend=backend, device=device,
+        threads=threads, memory_limit=memory_limit,
+    )  # fmt: skip
+    asked.update(kinds)
+    sets = sets_on(asked, places)
+    own = keep._names_of_points() if isinstance(keep, PointSet) and kinds else None
+    of_kept = classes_of_points("keep_classes", keep_classes, own, kinds, kept)
+    with watched(progress) as told:
+        made = _core.sample(asked, importance, allowed, sets, kept, of_kept, told)
+    arrays: dict[str, object] = {"mask": allowed or sets, "keep": kept is not None}
+    arrays["field" if ellipses is None else "ellipses"] = importance
+    # The command names the files of these.
+    said: dict[str, Any] = {name: "an array" for name, given in arrays.items() if given}
+    if kept is not None:
+        said["kept"] = len(kept)
+    if made["relaxed"] is not None:
+        said["relax"] = asked["relax"]
+    if asked["gaussian"]:
+        said["gaussian"] = asked["gaussian"]
+        said["gaussian_distance"] = asked.get("gaussian_distance", 0.9)
+    return PointSet(**set_attributes(made, asked, **said))
+
+
+def _check_sizes(has_classes: bool, **sizes: SupportsFloat | None) -> None:
+    """Classes have radii of their own."""
+    for name, size in sizes.items():
+        if has_classes and size is not None:
+            raise BadRequest(f"{name} {shown(size)}: is not for classes, which have radii", name)
+
+
+class More(TypedDict, total=False):
+    """The arguments of ``sample`` that ``sample_many`` has, too."""
+
+    classes: ClassSizes | None
+    between: str | npt.ArrayLike
+    domain: tuple[SupportsFloat, SupportsFloat]
+    torus: bool
+    mode: Literal["exact", "lines"] | None
+    progressive: bool
+    limit: Whole | None
+    lines_per_radius: Whole | None
+    snap: bool
+    uniform_x: bool
+    round_size: Whole
+    backend: str
+    device: int | str | None
+    threads: Whole
+    memory_limit: Whole | None
+    progress: Progress | Literal[True] | None
+
+
+@overload
+def sample_many(
+    seeds: Iterator[Whole],
+    radius: SupportsFloat | None = ...,
+    n: Whole | None = ...,
+    **more: Unpack[More],
+) -> Iterator[PointSet]: ...
+@overload
+def sample_many(
+    seeds: Collection[Whole],
+    radius: SupportsFloat | None = ...,
+    n: Whole | None = ...,
+    **more: Unpack[More],
+) -> list[PointSet]: ...
+def sample_many(
+    seeds: Collection[Whole] | Iterator[Whole],
+    radius: SupportsFloat | None = None,
+    n: Whole | None = None,
+    **more: Unpack[More],
+) -> list[PointSet] | Iterator[PointSet]:
+    """Make many sets of one request, one for each seed. Small sets are made in parallel.
+
+    Each set is the same as that of ``sample`` with this seed. Sets of up to about 20,000 points are
+    made on one thread each, several at the same time; larger sets are made one after another. Seeds
+    are read a batch at a time.
+
+    Parameters
+    ----------
+    seeds : iterable of int
+        Such as ``range(1000)``. Each is from 0 to 2^64 - 1. For an iterator, such as
+        ``itertools.count()`` or a generator, the sets come one at a time and are not kept.
+    radius, n : float, int
+        As for ``sample``.
+    **more
+        classes, between, domain, torus, mode, progressive, limit, lines_per_radius, snap,
+        uniform_x, round_size, backend, device and threads, as for ``sample``; memory_limit, which
+        is for each set; and progress, which is called with the number of sets that are done and the
+        number of all sets, for an iterator with the number of seeds that have been read.
+
+    Returns
+    -------
+    list of PointSet, or for an iterator an iterator of PointSet
+        In the order of the seeds. The ``seconds`` of a set are the time of its batch, divided by
+        the number of sets in it.
+
+    Raises
+    ------
+    BadRequest, TypeError, MemoryRefused, Unavailable, DeviceError, KeyboardInterrupt
+        As ``sample``.
+
+    Examples
+    --------
+    >>> import lacuna
+    >>> tiles = lacuna.sample_many(range(100), n=256, torus=True)
+    >>> len(tiles), tiles[7].seed
+    (100, 7)
+    >>> bool((tiles[7].points == lacuna.sample(n=256, torus=True, seed=7).points).all())
+    True
+    >>> import itertools
+    >>> for tile in lacuna.sample_many(itertools.count(), n=256, torus=True):
+    ...     if tile.seed == 200:
+    ...         break
+    """
+    for name in more:
+        if name not in More.__annotations__:
+            raise TypeError(f"sample_many() got an unexpected keyword argument {name!r}")
+    kinds = classes_of(more.pop("classes", None), more.pop("between", "sum"))
+    progress = more.pop("progress", None)
+    _check_sizes(bool(kinds), radius=radius)
+    if isinstance(seeds, (str, bytes)) or not isinstance(seeds, Iterable):
+        raise TypeError(f"seeds must be an iterable of int, not {shown(seeds)}")
+    usual = {"backend": "auto", "threads": 0, "round_size": 0}
+    asked = {**options(radius=radius, n=n, **{**usual, **more}), **kinds}
+    expected = None
+    if isinstance(seeds, Sized):
+        expected = _number_of(seeds)
+        _refuse_more_sets(expected, asked.get("n", 1))
     else:
-        if radius is not None:
-            raise BadRequest(f"radius {shown(radius)}: with a field give scale or n", "radius")
-        if ellipses is not None and scale is None and n is None:
-            scale = 1
-        set_size(request, {"scale": scale, "n": n}, bool(request.classes.names))
-        sides = shape_of(importance)
-    if domain is not None:
-        sides = pair("domain", domain)
-    place(request, sides, torus, backend, device, threads)
-    fill(
-        request,
-        seed=seed,
-        limit=limit,
-        lines_per_radius=lines_per_radius,
-        round_size=round_size,
-        memory_limit=memory_limit,
-    )
-    request.progressive = flag("progressive", progressive)
-    has_ellipses = ellipses is not None
-    settle(
-        request,
-        mode=mode,
-        metric=metric,
-        relax=iterations,
-        gaussian=moves.gaussian,
-        ellipses=has_ellipses,
-    )
-    request.snap = flag("snap", snap)
-    request.uniform_x = flag("uniform_x", uniform_x)
-    return PointSet(**make(request, importance, moves, progress, allowed, kept, of_kept))
+        _core.sample_many(asked, [], None)  # refuses the request now, not with the first set
+    sets = _made(asked, seeds, expected, progress)
+    return sets if isinstance(seeds, Iterator) else list(sets)
+
+
+def _made(
+    asked: dict[str, Any],
+    seeds: Iterable[Whole],
+    expected: int | None,
+    progress: Progress | Literal[True] | None,
+) -> Iterator[PointSet]:
+    """Samples once for each seed.
+
+    Seeds are read and sets are made a batch at a time. If ``expected`` is given, it is the number
+    of seeds, and all sets are wanted. If it is None, the first batch is one set, and each further
+    batch has twice as many, up to _MOST_POINTS_AHEAD points.
+    """
+    remaining = iter(seeds)
+    done, size = 0, 1 if expected is None else _MOST_SETS_AHEAD
+    with watched(progress) as told:
+
+        def count_on(of_batch: int, in_batch: int) -> None:
+            assert told is not None
+            told(done + of_batch, done + in_batch if expected is None else expected)
+
+        while batch := [whole("seeds", seed, 0, MOST_64) for seed in islice(remaining, size)]:
+            started = time.perf_counter()
+            all_made = _core.sample_many(asked, batch, count_on if told else None)
+            total = time.perf_counter() - started
+            for made in all_made:
+                made["seconds"] = {"total": total / len(batch)}
+                yield PointSet(**set_attributes(made, asked))
+            done += len(batch)
+            points = sum(len(made["points"]) for made in all_made)
+            if expected is None and 2 * points <= _MOST_POINTS_AHEAD:
+                size = min(2 * size, _MOST_SETS_AHEAD)
+
+
+def _number_of(seeds: Sized) -> int:
+    try:
+        return len(seeds)
+    except OverflowError:  # a range that is longer than a list can be
+        return sys.maxsize
+
+
+def _refuse_more_sets(sets: int, points: int) -> None:
+    """Refuses sets that together take more memory than the machine has."""
+    needed = sets * (_BYTES_OF_A_SET + _BYTES_OF_A_POINT * points)
+    available = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    if needed > available:
+        raise MemoryRefused(
+            f"seeds of {sets} sets: take at least {needed / 1e9:.3g} GB together, of "
+            f"{available / 1e9:.3g} GB; with iter(seeds) the sets come one at a time",
+            "seeds",
+        )

@@ -4,33 +4,19 @@ from __future__ import annotations
 
 import io
 import os
-from typing import TYPE_CHECKING, Any, Literal, Sequence, SupportsFloat
+from typing import TYPE_CHECKING, Literal, Sequence, SupportsFloat
 
 import numpy as np
 
 from . import _core
-from ._arguments import choice, flag, numbers, path_bytes, real, text, whole
+from ._arguments import numbers, options, path_bytes, text, watched
 from ._errors import BadRequest, FileError
-from ._results import Stippling
-from ._runs import (
-    METRICS,
-    MOST_32,
-    MOST_64,
-    checked_progress,
-    fill,
-    moved,
-    place,
-    request_of,
-    set_of,
-)
+from ._sets import Stippling, set_attributes
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from ._arguments import Metric, Seed, Whole
-    from ._runs import Progress
-
-STARTS = ("stratified", "cells", "exact")
+    from ._arguments import Metric, Progress, Seed, Whole
 
 
 def _picture(image: object) -> _core.Picture:
@@ -73,7 +59,7 @@ def stipple(
     device: int | str | None = None,
     threads: Whole = 0,
     memory_limit: Whole | None = None,
-    progress: Progress | None = None,
+    progress: Progress | Literal[True] | None = None,
 ) -> Stippling:
     """Stipple a picture: random dots, evenly spread, dense where it is dark.
 
@@ -169,63 +155,24 @@ progress
     >>> np.bincount(dots.ink)  # cyan, magenta, yellow; the disk needs no black
     array([  0, 112,  88])
     """
-    options = _core.StippleOptions()
-    options.tone.invert = flag("invert", invert)
-    options.tone.black = real("black", black)
-    options.tone.white = real("white", white)
-    options.tone.auto_levels = flag("auto_levels", auto_levels)
-    options.tone.gamma = real("gamma", gamma)
-    options.tone.min_importance = real("min_importance", min_importance)
-    options.tone.sharpen = whole("sharpen", sharpen, 0, 1000)
-    options.tone.sharpen_amount = real("sharpen_amount", sharpen_amount)
-    options.tone.along = real("along", along)
-    options.size_by_tone = real("size_by_tone", size_by_tone)
-    options.keep_inside = flag("keep_inside", keep_inside)
-    if inks is not None:
-        options.inks = _core.inks_of(text("inks", inks))
-    if black_ink is not None:
-        options.black_ink = real("black_ink", black_ink)
-    if ink_counts is not None:
-        options.ink_counts = [whole("ink_counts", count, 0, MOST_32) for count in ink_counts]
-    if relax is not None:
-        options.relax = whole("relax", relax, 0, MOST_32)
-    if metric is not None:
-        options.metric = choice("metric", metric, METRICS)
-    if mode is not None:
-        options.start = choice("mode", mode, STARTS)
-    request = options.request
-    if n is not None:
-        request.count = whole("n", n, 1, MOST_64)
-    if scale is not None:
-        request.scale = real("scale", scale)
-    place(request, (1.0, 1.0), torus, backend, device, threads)
-    fill(
-        request,
-        seed=seed,
-        limit=limit,
-        lines_per_radius=lines_per_radius,
-        round_size=round_size,
-        memory_limit=memory_limit,
-    )
-    checked_progress(progress)
+    asked = options(
+        n=n, scale=scale, relax=relax, metric=metric, mode=mode, black_ink=black_ink,
+        ink_counts=ink_counts, invert=invert, black=black, white=white, auto_levels=auto_levels,
+        gamma=gamma, min_importance=min_importance, sharpen=sharpen, sharpen_amount=sharpen_amount,
+        along=along, size_by_tone=size_by_tone, keep_inside=keep_inside, torus=torus, seed=seed,
+        limit=limit, lines_per_radius=lines_per_radius, round_size=round_size, backend=backend,
+        device=device, threads=threads, memory_limit=memory_limit,
+    )  # fmt: skip
+    palette = [] if inks is None else _core.inks_of(text("inks", inks))
     picture = _picture(image)
     try:
-        made = _core.stipple(picture, options, progress)
+        with watched(progress) as told:
+            made = _core.stipple(picture, asked, palette, told)
     except FileError as error:
         if isinstance(image, (str, bytes, os.PathLike)):
             raise
         raise BadRequest(str(error), "image") from None
-    return _stippling(made, options)
-
-
-def _stippling(made: dict[str, Any], options: _core.StippleOptions) -> Stippling:
-    """The result of what the library has made."""
-    request, iterations = made.pop("request"), made.pop("iterations")
-    asked = dict(request_of(request, True, made["lines_per_radius"]), relax=iterations)
-    if options.inks:
-        asked["inks"] = [ink.name for ink in options.inks]
-    else:
-        asked["field"] = "an array"
-    relaxed = moved(made, request, iterations)
-    palette = {ink.name: ink.hex for ink in options.inks} or None
-    return Stippling(**set_of(made, request, True, relaxed, asked), inks=palette)
+    iterations, asked["n"] = made.pop("iterations"), made.pop("count")
+    said = {"inks": [ink.name for ink in palette]} if palette else {"field": "an array"}
+    attributes = set_attributes(made, asked, relax=iterations, **said)
+    return Stippling(**attributes, inks={ink.name: ink.hex for ink in palette} or None)

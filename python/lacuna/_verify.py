@@ -3,25 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Iterable, SupportsFloat
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, SupportsFloat
 
 import numpy as np
 
 from . import _core, _plots
-from ._arguments import ellipses_of, field_of, flag, mask_of, points_array, real, shown
-from ._classes import class_numbers, classes_of
-from ._domains import Polygons, around, lines_of, obstacles_on, sets_on
+from ._arguments import flag, importance_of, mask_of, options, points_array, real, shape_of, shown
+from ._classes import classes_of, classes_of_points
 from ._errors import BadRequest
-from ._judging import domain_of
-from ._results import PointSet, Relaxed
-from ._runs import shape_of
+from ._polygons import around, places_of, sets_on
+from ._sets import HasPoints, PointSet, domain_of
 
 if TYPE_CHECKING:
     import numpy.typing as npt
     from matplotlib.axes import Axes
 
     from ._classes import ClassSizes
-    from ._domains import Obstacles
+    from ._polygons import Obstacles, Places
 
     Floats = npt.NDArray[np.float64]
 
@@ -39,8 +37,8 @@ class Verdict:
         No two points are closer than their limit and, unless ``distances_only``, every spot has a
         point within their limit + tolerance.
     reason : str
-        Why the claim does not hold; empty if it does. A PointSet of ``n``, ``limit`` or ``relax``
-        has gaps, and is then named as one that is not meant to be maximal.
+        Why the claim does not hold; empty if it does. A PointSet of ``n``, ``limit``, ``relax``
+        or another mode than 'exact' has gaps, and is then named as not meant to be maximal.
     maximal : bool
         The claim holds, gaps were looked for, and the tolerance is at most 1 % of the least radius.
     kept, covered : bool or None
@@ -65,8 +63,6 @@ class Verdict:
         The limit of that spot and that point.
     largest_gap_class : str or None
         With classes: the class of which a point has most room there.
-    emptiest_spot, emptiest_distance, emptiest_limit
-        Deprecated names of ``largest_gap``, ``largest_gap_distance`` and ``largest_gap_limit``.
     radius, tolerance : float
         As claimed; with a field radius is the least of all radii.
     scale : float or None
@@ -89,29 +85,43 @@ class Verdict:
     largest_gap: tuple[float, float] | None
     largest_gap_distance: float | None
     largest_gap_limit: float | None
+    largest_gap_class: str | None
     radius: float
     tolerance: float
     scale: float | None
     points: Floats = field(repr=False)
     domain: tuple[float, float] = field(repr=False)
-    largest_gap_class: str | None = field(default=None, kw_only=True)
-    reason: str = field(default="", kw_only=True)
-
-    # Deprecated names, for programs that were written for them.
-    emptiest_spot = property(lambda self: self.largest_gap)
-    emptiest_distance = property(lambda self: self.largest_gap_distance)
-    emptiest_limit = property(lambda self: self.largest_gap_limit)
+    reason: str
 
     def __bool__(self) -> bool:
         return self.holds
 
+    def __str__(self) -> str:
+        if not self.holds:
+            return f"refuted: {self.reason}"
+        kind = "a maximal set" if self.maximal else "a set without gaps over the tolerance"
+        found = "" if self.closest_pair is None else (
+            f"; the closest two are {self.least_distance:.6g} apart"
+        )
+        if self.covered is None:
+            kind = "far enough apart"
+        if self.largest_gap_distance is not None:
+            found += f"; the largest gap is {self.largest_gap_distance:.6g} from the nearest point"
+        return f"{len(self.points)} points are {kind}{found}"
+
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draw the points, the closest pair and the largest gap with matplotlib. Whatever refutes
         the claim is red. Arguments and errors are as of ``PointSet.plot``."""
-        return _plots.verdict(ax, self)
+        wrong = [one for one in (self.outside, self.moved, self.forbidden) if one is not None]
+        pair = gap = None
+        if self.closest_pair is not None:
+            pair = (self.closest_pair, bool(self.kept))
+        if self.largest_gap is not None and self.largest_gap_distance is not None:
+            gap = (self.largest_gap, self.largest_gap_distance, bool(self.covered))
+        return _plots.verdict(ax, self.points, self.domain, wrong, pair, gap)
 
 
-def _reason(found: dict[str, Any], gaps_known: bool, points: object, count: int) -> str:
+def _reason(found: dict[str, Any], is_meant_to_be_maximal: bool) -> str:
     """Why a claim does not hold, or nothing."""
     if found["outside"] is not None:
         return f"point {found['outside']} lies outside of the domain"
@@ -120,86 +130,48 @@ def _reason(found: dict[str, Any], gaps_known: bool, points: object, count: int)
     if found["forbidden"] is not None:
         return f"point {found['forbidden']} lies where {found['forbidden_by']} allows none"
     if not found["kept"]:
+        first, second = found["closest_pair"]
         return (
-            f"points {found['first']} and {found['second']} are {found['least_distance']:.6g} "
+            f"points {first} and {second} are {found['least_distance']:.6g} "
             f"apart, less than their limit {found['least_limit']:.6g}"
         )
-    if not gaps_known or found["covered"]:
+    if found["holds"]:
         return ""
-    if not count:
+    if found["largest_gap"] is None:
         return "there is no point"
-    spot, limit = found["largest_gap"], found["largest_gap_limit"]
+    x, y = found["largest_gap"]
     gap = (
-        f"the spot ({spot[0]:.6g}, {spot[1]:.6g}) is {found['largest_gap_distance']:.6g} from the "
-        f"nearest point, more than its limit {limit:.6g}"
+        f"the spot ({x:.6g}, {y:.6g}) is {found['largest_gap_distance']:.6g} from the "
+        f"nearest point, more than its limit {found['largest_gap_limit']:.6g}"
     )
-    if isinstance(points, PointSet) and not points.maximal:
-        gap += (
-            "; this set is not meant to be maximal, because of n, limit or relax: "
-            "distances_only=True does not look for gaps"
-        )
-    return gap
+    return gap if is_meant_to_be_maximal else gap + (
+        "; this set is not meant to be maximal, because of n, limit, relax or mode: "
+        "distances_only=True does not look for gaps"
+    )
 
 
-def _claimed(
-    points: object, radius: SupportsFloat | None, scale: SupportsFloat | None, has_field: bool
-) -> float:
-    """The radius, or with a field the scale: as given, or else the PointSet's own."""
-    if not has_field:
-        if scale is not None:
-            raise BadRequest(f"scale {shown(scale)}: is for a field", "scale")
-        if radius is None:
-            if not isinstance(points, PointSet):
-                raise BadRequest("radius missing: give the least distance to be proven", "radius")
-            radius = points.radius
-        return real("radius", radius)
-    if radius is not None:
-        raise BadRequest(f"radius {shown(radius)}: with a field give scale", "radius")
-    if scale is None and isinstance(points, PointSet):
-        scale = points.scale
-    if scale is None:
-        raise BadRequest("scale missing: give the radius where importance is 1", "scale")
-    return real("scale", scale)
-
-
-def _classes(
-    points: object,
-    classes: ClassSizes | None,
-    between: object,
-    class_of: Iterable[object] | None,
-    count: int,
-) -> tuple[_core.Classes, npt.NDArray[np.uint8] | None]:
-    """The classes claimed, and that of each point: as given, or else the PointSet's own."""
-    made = classes_of(classes, between)
-    own = points if isinstance(points, PointSet) and points.class_of is not None else None
-    if not made.names and own is not None and own.distances is not None:
-        made.names = list(own.classes)
-        made.distances = [float(distance) for distance in own.distances.ravel()]
-        made.weights = list(own._request["weights"])
-    if not made.names:
-        if class_of is not None:
-            raise BadRequest("class_of: is for classes", "class_of")
-        return made, None
-    if class_of is None and own is not None:
-        return made, own.class_of
-    if class_of is None:
-        raise BadRequest("class_of missing: give the class of each point", "class_of")
-    return made, class_numbers("class_of", class_of, made.names, count)
-
-
-def _read_only(array: Floats) -> Floats:
-    view = array.view()
-    view.flags.writeable = False
-    return view
-
-
-def _shape(
-    pixels: _core.Field | _core.Mask | None, *places: tuple[str, object]
-) -> tuple[float, float]:
-    """The domain if neither the caller nor a PointSet gives it."""
-    if pixels is not None:
-        return shape_of(pixels)
-    return around(*places)
+def _size(
+    own: Mapping[str, Any],
+    radius: SupportsFloat | None,
+    scale: SupportsFloat | None,
+    has_field: bool,
+    has_ellipses: bool,
+) -> dict[str, SupportsFloat | None]:
+    """The radius, or with a field or ellipses the scale: as given, or else the PointSet's own."""
+    name, other, given, wrong = "radius", "scale", radius, scale
+    if has_field or has_ellipses:
+        name, other, given, wrong = "scale", "radius", scale, radius
+    if wrong is not None:
+        reason = "is for a field" if other == "scale" else "with a field give scale"
+        raise BadRequest(f"{other} {shown(wrong)}: {reason}", other)
+    given = (own.get(name) or None) if given is None else given
+    if given is None and has_ellipses:
+        given = 1
+    if given is None:
+        what = "the radius where importance is 1"
+        what = what if name == "scale" else "the least distance to be proven"
+        raise BadRequest(f"{name} missing: give {what}", name)
+    return {name: given}
 
 
 def verify(
@@ -210,8 +182,8 @@ def verify(
     ellipses: npt.ArrayLike | None = None,
     scale: SupportsFloat | None = None,
     mask: npt.ArrayLike | None = None,
-    inside: Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None = None,
-    outside: Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None = None,
+    inside: Places = None,
+    outside: Places = None,
     avoid: Obstacles | None = None,
     edge: SupportsFloat = 0,
     border: SupportsFloat | None = None,
@@ -305,84 +277,57 @@ def verify(
     >>> lacuna.verify(dense, field=ramp, mask=disk).maximal
     True
     """
-    claim = _core.Claim()
+    own: Mapping[str, Any] = points._promised if isinstance(points, PointSet) else {}
     array = points_array("points", points)
-    claim.classes, of_points = _classes(points, classes, between, class_of, len(array))
-    if claim.classes.names and radius is None and scale is None:
-        distances = [distance for distance in claim.classes.distances if distance > 0]
-        claimed = min(distances, default=0.0)
-    else:
-        if ellipses is not None and scale is None and not isinstance(points, PointSet):
-            scale = 1
-        claimed = _claimed(points, radius, scale, field is not None or ellipses is not None)
-    if field is not None and ellipses is not None:
-        raise BadRequest("ellipses: cannot be used with field", "ellipses")
-    if field is None and ellipses is None:
-        claim.radius = claimed
-    else:
-        claim.scale = claimed
-    importance = None if field is None else field_of("field", field)
-    if ellipses is not None:
-        importance = ellipses_of("ellipses", ellipses)
+    importance = importance_of(field, ellipses)
     allowed = None if mask is None else mask_of("mask", mask)
-    own = points._request if isinstance(points, PointSet) else {}
+    kinds = classes_of(classes, between)
+    of_points: Iterable[object] | None = None
+    if isinstance(points, PointSet) and points.distances is not None:
+        of_points = points._names_of_points() if kinds else points.class_of
+        kinds = kinds or {
+            "class_names": list(points.classes),
+            "distances": points.distances.ravel().tolist(),
+            "weights": own["weights"],
+        }
+    if kinds and radius is None and scale is None:
+        least = min((one for one in kinds["distances"] if one > 0), default=0.0)
+        size = {"radius" if importance is None else "scale": least}
+    else:
+        size = _size(own, radius, scale, field is not None, ellipses is not None)
+    border = own.get("border", 0) if border is None else border
+    places = places_of(inside, outside, avoid, real("border", border))
     if not flag("distances_only", distances_only):
-        has_polygons = inside is not None or outside is not None or avoid is not None
         for name, is_given in (
-            ("field", importance is not None),
-            ("ellipses", importance is not None),
-            ("mask", mask is not None or has_polygons),
+            ("ellipses" if own.get("has_ellipses") else "field", importance is not None),
+            ("mask", mask is not None or bool(places)),
         ):
-            if name in own and not is_given:
+            if own.get(f"has_{name}") and not is_given:
                 raise BadRequest(f"{name} missing: the set was made with one: give it too", name)
-    claim.border = real("border", own.get("border", 0) if border is None else border)
-    claim.edge = real("edge", edge)
-    shape = (1.0, 1.0)
-    if domain is None and not isinstance(points, (PointSet, Relaxed)):
-        obstacles = [("avoid", lines) for lines in lines_of(avoid)]
-        shape = _shape(
-            importance or allowed, ("inside", inside), ("outside", outside), *obstacles
-        )
-    claim.width, claim.height, claim.torus = domain_of(points, domain, torus, shape)
-    claim.distances_only = flag("distances_only", distances_only)
-    if tolerance is not None:
-        claim.tolerance = real("tolerance", tolerance)
-    size = (claim.width, claim.height)
-    sets = sets_on("inside", inside, size, distance=claim.border)
-    sets += sets_on("outside", outside, size, forbidden=True, distance=claim.border)
-    sets += obstacles_on(avoid, size, claim.torus)
-    kept = array[: own["kept"]] if keep is None and "kept" in own else None
+    shape = None
+    if domain is None and not isinstance(points, HasPoints):
+        shape = shape_of(importance, allowed) or around(places)
+    asked = options(
+        **domain_of(points, domain, torus, shape),
+        **size,
+        edge=edge,
+        border=border,
+        tolerance=tolerance,
+        distances_only=distances_only,
+    )
+    asked.update(kinds)
+    kept = array[: own["kept"]] if own.get("kept") and keep is None else None
     if keep is not None:
         kept = points_array("keep", keep)
-    found = _core.verify(array, claim, importance, allowed, sets, kept, of_points)
-    in_place = all(found[name] is None for name in ("outside", "moved", "forbidden"))
-    pair_known = in_place and len(array) > 1
-    gaps_known = in_place and not claim.distances_only
-    spot_known = gaps_known and len(array) > 0
+    if kinds and class_of is None and of_points is None:
+        raise BadRequest("class_of missing: give the class of each point", "class_of")
+    numbers = classes_of_points("class_of", class_of, of_points, kinds, array)
+    found = _core.verify(array, asked, importance, allowed, sets_on(asked, places), kept, numbers)
+    shown_points = array.view()
+    shown_points.flags.writeable = False
     return Verdict(
-        holds=in_place and found["kept"] and (not gaps_known or found["covered"]),
-        reason=_reason(found, gaps_known, points, len(array)),
-        maximal=found["maximal"],
-        kept=found["kept"] if in_place else None,
-        covered=found["covered"] if gaps_known else None,
-        outside=found["outside"],
-        moved=found["moved"],
-        forbidden=found["forbidden"],
-        forbidden_by=found["forbidden_by"],
-        closest_pair=(found["first"], found["second"]) if pair_known else None,
-        least_distance=found["least_distance"] if pair_known else np.inf,
-        least_limit=found["least_limit"] if pair_known else None,
-        largest_gap=found["largest_gap"] if spot_known else None,
-        largest_gap_distance=found["largest_gap_distance"] if spot_known else None,
-        largest_gap_limit=found["largest_gap_limit"] if spot_known else None,
-        largest_gap_class=(
-            claim.classes.names[found["largest_gap_class"]]
-            if spot_known and claim.classes.names
-            else None
-        ),
-        radius=claimed if importance is None else claimed / float(importance.values.max()) ** 0.5,
-        tolerance=found["tolerance"],
-        scale=None if importance is None else claimed,
-        points=_read_only(array),
-        domain=(claim.width, claim.height),
+        reason=_reason(found, not own.get("distances_only")),
+        points=shown_points,
+        domain=asked["domain"],
+        **found,
     )

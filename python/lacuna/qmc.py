@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Literal, SupportsFloat
 import numpy as np
 from scipy.stats import qmc as _qmc
 
-from ._arguments import choice, flag, numbers, real, seed_of, shown, whole
+from ._arguments import numbers, options, shown, whole
 from ._errors import BadRequest
 from ._sample import sample
 
@@ -101,22 +101,25 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
     ) -> None:
         if whole("d", d, 0, 2**31) != 2:
             raise BadRequest(f"d {d}: must be 2", "d")
-        choice("hypersphere", hypersphere, ("volume", "surface"))
+        if hypersphere not in ("volume", "surface"):
+            wrong = f"hypersphere {shown(hypersphere)}: must be one of volume, surface"
+            raise BadRequest(wrong, "hypersphere")
         whole("ncandidates", ncandidates, 1, 2**31)
         if optimization is not None:
             raise BadRequest(f"optimization {shown(optimization)}: must be None", "optimization")
         if rng is not None and seed is not None:
             raise BadRequest("seed and rng: give one of them", "seed")
         super().__init__(2)
-        self.radius = real("radius", radius)
+        given = options(radius=radius, torus=torus, seed=seed if rng is None else rng)
+        self.radius: float = given["radius"]
         self.l_bounds = _bounds("l_bounds", 0.0 if l_bounds is None else l_bounds)
         self.u_bounds = _bounds("u_bounds", 1.0 if u_bounds is None else u_bounds)
         if not (self.l_bounds < self.u_bounds).all():
             raise BadRequest("l_bounds must be less than u_bounds", "l_bounds")
         with np.errstate(over="ignore"):  # infinite sides are refused by name
             self._sides = self.u_bounds - self.l_bounds
-        self._seed = seed_of(seed if rng is None else rng)
-        self._torus = flag("torus", torus)
+        self._seed: int = given["seed"]
+        self._torus: bool = given["torus"]
         self._place = {"backend": backend, "device": device, "threads": threads}
         self._points: npt.NDArray[np.float64] = np.empty((0, 2))
         self._is_full = False
@@ -158,17 +161,13 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
         self._points = points
         self._is_full = limit is None or len(points) < limit
 
-    def _random(
-        self, n: Whole = 1, *, workers: Whole = 1
-    ) -> npt.NDArray[np.float64]:
+    def _random(self, n: Whole = 1, *, workers: Whole = 1) -> npt.NDArray[np.float64]:
         begin = self.num_generated
         count = whole("n", n, 0, 2**31)
         self._fetch(begin + count)
         return self._points[begin : begin + count].copy()
 
-    def random(
-        self, n: Whole = 1, *, workers: Whole = 1
-    ) -> npt.NDArray[np.float64]:
+    def random(self, n: Whole = 1, *, workers: Whole = 1) -> npt.NDArray[np.float64]:
         """Draw the next points; fewer than ``n`` if no more room is left.
 
         Parameters
@@ -187,38 +186,16 @@ class PoissonDisk(_qmc.QMCEngine):  # type: ignore[misc]
         return drawn
 
     def fill_space(self) -> npt.NDArray[np.float64]:
-        """Draw points until no room is left.
-
-        Returns
-        -------
-        ndarray, shape (N, 2)
-        """
+        """Draw points until no room is left. Returns an array of shape (N, 2)."""
         self._fetch(None)
         return self.random(len(self._points) - self.num_generated)
 
     def reset(self) -> PoissonDisk:
-        """Go back to the first point.
-
-        Returns
-        -------
-        PoissonDisk
-            The engine itself.
-        """
+        """Go back to the first point. Returns the engine itself."""
         self.num_generated = 0
         return self
 
     def fast_forward(self, n: Whole) -> PoissonDisk:
-        """Skip points.
-
-        Parameters
-        ----------
-        n : int
-            The number of points.
-
-        Returns
-        -------
-        PoissonDisk
-            The engine itself.
-        """
+        """Skip ``n`` points. Returns the engine itself."""
         self.random(n)
         return self

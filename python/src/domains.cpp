@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "arrays.h"
+#include "options.h"
 #include "parts.h"
 #include "polygon_sets.h"
 #include "watch.h"
@@ -31,6 +32,7 @@ Truths truths_of(Mask& mask) {
     return Truths(mask.allowed.data(), {mask.rows, mask.columns}, nb::find(mask));
 }
 
+// The attributes of Polygons.
 nb::dict polygons_of(const nb::bytes& bytes, bool as_lines) {
     const std::string path(bytes.c_str(), bytes.size());
     Polygons polygons;
@@ -41,17 +43,21 @@ nb::dict polygons_of(const nb::bytes& bytes, bool as_lines) {
     nb::list rings;
     for (PolygonRing& ring : polygons.rings) rings.append(array_of(std::move(ring)));
     nb::dict found;
-    found["rings"] = rings;
-    found["width"] = polygons.width;
-    found["height"] = polygons.height;
+    found["rings"] = nb::tuple(rings);
+    found["domain"] = nb::none();
+    if (polygons.width > 0) found["domain"] = nb::make_tuple(polygons.width, polygons.height);
     return found;
 }
 
-Mask mask_of(const nb::list& given, double width, double height, double edge,
-             std::uint64_t memory_limit) {
-    PolygonSets sets(given);
+Mask mask_of(const nb::list& polygons, const nb::dict& given) {
+    PolygonSets sets(polygons);
+    Request options;
+    double edge = 0;
+    read_domain(given, options);
+    read(given, "edge", edge);
+    read(given, "memory_limit", options.memory_limit_bytes);
     const Unlocked unlocked;
-    return draw_mask(sets.copy(), width, height, edge, memory_limit);
+    return draw_mask(sets.copy(), options.width, options.height, edge, options.memory_limit_bytes);
 }
 
 nb::tuple domain_of(const nb::list& given) {

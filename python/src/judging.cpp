@@ -3,8 +3,8 @@
 #include <lacuna/verify.h>
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
-#include <nanobind/stl/optional.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
@@ -16,6 +16,7 @@
 
 #include "arrays.h"
 #include "background.h"
+#include "options.h"
 #include "parts.h"
 #include "polygon_sets.h"
 #include "watch.h"
@@ -27,10 +28,6 @@ namespace {
 
 // Fewer points than this are verified too fast for Ctrl-C to matter, so no thread is started.
 constexpr std::size_t kFewPoints = 10000;
-
-Boundary boundary_of(bool torus) {
-    return torus ? Boundary::torus : Boundary::box;
-}
 
 template <typename Number>
 nb::object or_none(const std::optional<Number>& number) {
@@ -52,20 +49,74 @@ const char* name_of(Proof::Closed closed) {
     return "";
 }
 
-nb::dict verify_points(const PointArray& array, const Claim& asked, const Field* field,
+Claim asked_claim(const nb::dict& given) {
+    Claim claim;
+    read_domain(given, claim);
+    read_classes(given, claim.classes);
+    read(given, "radius", claim.radius);
+    read(given, "scale", claim.scale);
+    read(given, "border", claim.border);
+    read(given, "edge", claim.edge_tolerance);
+    read(given, "tolerance", claim.tolerance);
+    read(given, "distances_only", claim.distances_only);
+    return claim;
+}
+
+// The attributes of a Verdict, None where nothing is known.
+nb::dict verdict_of(const Proof& proof, const Claim& claim, std::size_t points) {
+    nb::dict found;
+    const bool in_place = !proof.outside && !proof.moved && !proof.forbidden;
+    const bool gaps_known = in_place && !claim.distances_only;
+    const auto known = [](bool is_known, auto value) {
+        return is_known ? nb::cast(value) : nb::object(nb::none());
+    };
+    found["holds"] = in_place && proof.kept && (claim.distances_only || proof.covered);
+    found["maximal"] = proof.maximal;
+    found["kept"] = known(in_place, proof.kept);
+    found["covered"] = known(gaps_known, proof.covered);
+    found["outside"] = or_none(proof.outside);
+    found["moved"] = or_none(proof.moved);
+    found["forbidden"] = or_none(proof.forbidden);
+    found["forbidden_by"] = known(proof.forbidden.has_value(), name_of(proof.forbidden_by));
+    const bool has_pair = in_place && points > 1;
+    found["closest_pair"] = known(has_pair, std::pair(proof.first, proof.second));
+    found["least_distance"] =
+        has_pair ? proof.least_distance : std::numeric_limits<double>::infinity();
+    found["least_limit"] = known(has_pair, proof.least_limit);
+    const bool has_gap = gaps_known && points > 0;
+    found["largest_gap"] = known(has_gap, std::pair(proof.largest_gap.x, proof.largest_gap.y));
+    found["largest_gap_distance"] = known(has_gap, proof.largest_gap_distance);
+    found["largest_gap_limit"] = known(has_gap, proof.largest_gap_limit);
+    found["largest_gap_class"] = nb::none();
+    if (has_gap && !claim.classes.names.empty())
+        found["largest_gap_class"] = claim.classes.names[proof.largest_gap_class];
+    found["tolerance"] = proof.tolerance;
+    found["radius"] = claim.radius;
+    found["scale"] = nb::none();
+    if (claim.field != nullptr) {
+        found["scale"] = claim.scale;
+        const auto& importance = claim.field->importance;
+        found["radius"] =
+            claim.scale / std::sqrt(*std::max_element(importance.begin(), importance.end()));
+    }
+    return found;
+}
+
+nb::dict verify_points(const PointArray& array, const nb::dict& given, const Field* field,
                        const Mask* mask, const nb::list& polygons,
                        const std::optional<PointArray>& keep,
                        const std::optional<ClassArray>& class_of) {
     PolygonSets sets(polygons);
+    Claim claim = asked_claim(given);
+    std::vector<Point> kept;
+    std::vector<std::uint8_t> of_points;
     const auto work = [&](const std::atomic<bool>& stop) {
-        const std::vector<Point> kept = keep ? points_of(*keep) : std::vector<Point>{};
-        Claim claim = asked;
+        if (keep) kept = points_of(*keep);
+        if (class_of) of_points = classes_of(*class_of);
         claim.field = field;
         claim.mask = mask;
         claim.polygons = sets.copy();
         claim.keep = kept;
-        const std::vector<std::uint8_t> of_points =
-            class_of ? classes_of(*class_of) : std::vector<std::uint8_t>{};
         claim.class_of_points = of_points;
         return prove(points_of(array), claim, [&] { return !stop; });
     };
@@ -77,25 +128,7 @@ nb::dict verify_points(const PointArray& array, const Claim& asked, const Field*
     } else {
         proof = in_background(work);
     }
-    nb::dict found;
-    found["outside"] = or_none(proof.outside);
-    found["moved"] = or_none(proof.moved);
-    found["forbidden"] = or_none(proof.forbidden);
-    found["forbidden_by"] =
-        proof.forbidden ? nb::cast(name_of(proof.forbidden_by)) : nb::object(nb::none());
-    found["kept"] = proof.kept;
-    found["first"] = proof.first;
-    found["second"] = proof.second;
-    found["least_distance"] = proof.least_distance;
-    found["least_limit"] = proof.least_limit;
-    found["covered"] = proof.covered;
-    found["largest_gap"] = nb::make_tuple(proof.largest_gap.x, proof.largest_gap.y);
-    found["largest_gap_distance"] = proof.largest_gap_distance;
-    found["largest_gap_limit"] = proof.largest_gap_limit;
-    found["largest_gap_class"] = proof.largest_gap_class;
-    found["tolerance"] = proof.tolerance;
-    found["maximal"] = proof.maximal;
-    return found;
+    return verdict_of(proof, claim, array.shape(0));
 }
 
 // Adds the rings as three arrays. Anisotropy is NaN where power is 0.
@@ -111,8 +144,14 @@ void add_rings(nb::dict& found, const std::vector<Ring>& rings) {
     found["anisotropy_db"] = array_of(std::move(anisotropy));
 }
 
-nb::dict analyze_sets(const nb::list& arrays, double width, double height, bool torus,
-                      double max_frequency, std::uint32_t threads, nb::object progress) {
+// The attributes of an Analysis.
+nb::dict analyze_sets(const nb::list& arrays, const nb::dict& given_options, nb::object progress) {
+    Claim domain;
+    read_domain(given_options, domain);
+    double max_frequency = 2;
+    std::uint32_t threads = 0;
+    read(given_options, "max_frequency", max_frequency);
+    read(given_options, "threads", threads);
     std::vector<PointArray> given;
     for (const nb::handle array : arrays) given.push_back(nb::cast<PointArray>(array));
     Watch watch(std::move(progress));
@@ -126,7 +165,8 @@ nb::dict analyze_sets(const nb::list& arrays, double width, double height, bool 
             watch.look(static_cast<std::uint64_t>(share * static_cast<double>(kWhole)), kWhole);
             return true;
         };
-        statistics = analyze(sets, width, height, boundary_of(torus), look, max_frequency, threads);
+        statistics = analyze(sets, domain.width, domain.height, domain.boundary, look,
+                             max_frequency, threads);
     }
     nb::dict found;
     add_rings(found, statistics.rings);
@@ -144,24 +184,9 @@ nb::dict analyze_sets(const nb::list& arrays, double width, double height, bool 
 }  // namespace
 
 void add_judging(nb::module_& module) {
-    nb::class_<Claim>(module, "Claim")
-        .def(nb::init<>())
-        .def_rw("width", &Claim::width)
-        .def_rw("height", &Claim::height)
-        .def_prop_rw(
-            "torus", [](const Claim& claim) { return claim.boundary == Boundary::torus; },
-            [](Claim& claim, bool torus) { claim.boundary = boundary_of(torus); })
-        .def_rw("radius", &Claim::radius)
-        .def_rw("scale", &Claim::scale)
-        .def_rw("border", &Claim::border)
-        .def_rw("classes", &Claim::classes)
-        .def_rw("edge", &Claim::edge_tolerance)
-        .def_rw("tolerance", &Claim::tolerance, nb::arg().none())
-        .def_rw("distances_only", &Claim::distances_only);
     module.def("verify", verify_points, nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(),
                nb::arg(), nb::arg().none(), nb::arg().none());
-    module.def("analyze", analyze_sets, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
-               nb::arg(), nb::arg().none());
+    module.def("analyze", analyze_sets, nb::arg(), nb::arg(), nb::arg().none());
 }
 
 }  // namespace lacuna::python

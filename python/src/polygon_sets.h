@@ -1,12 +1,14 @@
-// Sets of polygons from python/lacuna: a list of (rings, forbidden, distance), each ring
+// Sets of polygons from python/lacuna: a list of (argument, rings, forbidden, distance), each ring
 // an array.
 #pragma once
 
 #include <lacuna/lacuna.h>
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,12 +23,15 @@ public:
         for (const nb::handle set : sets) {
             const auto parts = nb::cast<nb::tuple>(set);
             Given& given = given_.emplace_back();
-            for (const nb::handle ring : nb::cast<nb::list>(parts[0]))
+            given.argument = nb::cast<std::string>(parts[0]);
+            for (const nb::handle ring : nb::cast<nb::list>(parts[1]))
                 given.arrays.push_back(nb::cast<PointArray>(ring));
-            given.forbidden = nb::cast<bool>(parts[1]);
-            given.distance = nb::cast<double>(parts[2]);
+            given.forbidden = nb::cast<bool>(parts[2]);
+            given.distance = nb::cast<double>(parts[3]);
         }
     }
+
+    bool are_none() const { return given_.empty(); }
 
     // Copies the rings, which needs no GIL. The result is valid until the next call.
     std::span<const PolygonSet> copy() {
@@ -35,13 +40,15 @@ public:
         rings_.resize(given_.size());
         for (std::size_t i = 0; i < given_.size(); ++i) {
             for (const PointArray& array : given_[i].arrays) rings_[i].push_back(points_of(array));
-            sets_.push_back({rings_[i], given_[i].forbidden, given_[i].distance});
+            sets_.push_back(
+                {rings_[i], given_[i].forbidden, given_[i].distance, given_[i].argument});
         }
         return sets_;
     }
 
 private:
     struct Given {
+        std::string argument;
         std::vector<PointArray> arrays;
         bool forbidden = false;
         double distance = 0;

@@ -1,14 +1,16 @@
-// Requests, fields, and the functions that make points: sample, sample_many, relax and order.
+// Fields, and the functions that make points: sample, sample_many, relax and order.
+#include <lacuna/domains.h>
 #include <lacuna/lacuna.h>
 #include <lacuna/many.h>
 #include <lacuna/order.h>
 #include <lacuna/pictures.h>
+#include <lacuna/verify.h>
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
-#include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
-#include <nanobind/stl/vector.h>
+#include <nanobind/stl/string_view.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -17,8 +19,10 @@
 #include <vector>
 
 #include "arrays.h"
+#include "options.h"
 #include "parts.h"
-#include "recipes/make.h"
+#include "plan/sheets.h"
+#include "polygon_sets.h"
 #include "recipes/settle.h"
 #include "watch.h"
 
@@ -56,13 +60,55 @@ Field field_of_ellipses(const EllipseArray& array) {
 
 }  // namespace
 
-nb::dict dict_of(Result result) {
+namespace {
+
+// What verify proves of a set unless it is told otherwise.
+nb::dict promises_of(const Claim& claim) {
+    nb::dict promised;
+    promised["radius"] = claim.radius;
+    promised["scale"] = claim.scale;
+    promised["border"] = claim.border;
+    promised["distances_only"] = claim.distances_only;
+    promised["weights"] = claim.classes.weights;
+    promised["kept"] = claim.keep.size();
+    promised["has_mask"] = claim.mask != nullptr;
+    promised["has_field"] = claim.field != nullptr;
+    promised["has_ellipses"] = claim.field != nullptr && !claim.field->stretches.empty();
+    return promised;
+}
+
+// The distances that classes keep in a set, row by row.
+std::vector<double> kept_distances(const Request& request, const Result& result) {
+    std::vector<double> distances = request.classes.distances;
+    const double size = request.field != nullptr ? result.scale : result.radius;
+    const double factor = size / least_distance_of(request.classes);
+    for (double& distance : distances) distance *= factor;
+    return distances;
+}
+
+}  // namespace
+
+nb::dict dict_of(Result result, const Request& request, const std::optional<Relaxed>& moved) {
     nb::dict made;
+    Request promise = request;
+    if (moved) promise.mode = Mode::stratified;  // moved points keep their least distance alone
+    made["_promised"] = promises_of(claim_of(promise, result));
+    made["classes"] = nb::tuple(nb::cast(request.classes.names));
+    made["class_of"] = made["distances"] = nb::none();
+    if (!request.classes.names.empty()) {
+        made["distances"] = array_of(kept_distances(request, result));
+        made["class_of"] = array_of(std::move(result.classes));
+    }
+    made["relaxed"] = moved ? nb::object(dict_of(*moved)) : nb::none();
     made["points"] = array_of(std::move(result.points));
-    made["class_of"] =
-        result.classes.empty() ? nb::object(nb::none()) : array_of(std::move(result.classes));
+    made["domain"] = nb::make_tuple(request.width, request.height);
+    made["torus"] = request.boundary == Boundary::torus;
+    made["mode"] = name_of(request.mode);
+    made["metric"] = name_of(request.metric);
+    made["seed"] = request.seed;
     made["radius"] = result.radius;
-    made["scale"] = result.scale;
+    const bool has_scale = request.field != nullptr && request.mode != Mode::stratified;
+    made["scale"] = has_scale ? nb::cast(result.scale) : nb::none();
     made["lines_per_radius"] = result.lines_per_radius;
     made["maximal"] = result.maximal;
     nb::list levels;
@@ -73,58 +119,134 @@ nb::dict dict_of(Result result) {
     made["draws"] = result.draws;
     made["backend"] = result.backend;
     made["device"] = result.device;
+    made["ellipses"] = nb::none();
     return made;
 }
 
-nb::dict dict_of(Relaxed relaxed) {
+nb::dict dict_of(const Relaxed& relaxed) {
     nb::dict made;
-    made["points"] = array_of(std::move(relaxed.points));
     made["lattice"] = nb::make_tuple(relaxed.lattice_columns, relaxed.lattice_rows);
     made["evenness"] = nb::none();
-    if (relaxed.evenness)
-        made["evenness"] = nb::make_tuple(relaxed.evenness->before, relaxed.evenness->after,
-                                          relaxed.evenness->after_voronoi);
+    if (const auto& evenness = relaxed.evenness)
+        made["evenness"] =
+            nb::make_tuple(evenness->before, evenness->after, evenness->after_voronoi);
     made["backend"] = relaxed.backend;
     made["device"] = relaxed.device;
     return made;
 }
 
+void read_classes(const nb::dict& given, Classes& classes) {
+    read(given, "class_names", classes.names);
+    read(given, "distances", classes.distances);
+    read(given, "weights", classes.weights);
+}
+
+Request request_of(const nb::dict& given) {
+    Request request;
+    read_place(given, request);
+    read_classes(given, request.classes);
+    read(given, "radius", request.radius);
+    read(given, "n", request.count);
+    read(given, "scale", request.scale);
+    read(given, "border", request.border);
+    read(given, "lines_per_radius", request.lines_per_radius);
+    read(given, "progressive", request.progressive);
+    read(given, "limit", request.limit);
+    read(given, "snap", request.snap);
+    read(given, "uniform_x", request.uniform_x);
+    read(given, "round_size", request.round_size);
+    read(given, "seed", request.seed);
+    read(given, "memory_limit", request.memory_limit_bytes);
+    return request;
+}
+
+recipes::Moves moves_of(const nb::dict& given) {
+    recipes::Moves moves;
+    read(given, "relax", moves.iterations);
+    read(given, "gaussian", moves.gaussian);
+    read(given, "gaussian_distance", moves.gaussian_distance);
+    return moves;
+}
+
 namespace {
 
-// Samples, and moves the points if that is asked for.
-nb::dict sample_points(const Request& wanted, const Field* field, const Mask* mask,
-                       const std::optional<PointArray>& keep,
-                       const std::optional<ClassArray>& keep_classes, const recipes::Moves& moves,
-                       nb::object progress) {
-    Request request = wanted;
+// Decides the mode and the metric of a request that has its field.
+void settle(const nb::dict& given, const recipes::Moves& moves, Request& request) {
+    const bool has_ellipses = request.field != nullptr && !request.field->stretches.empty();
+    recipes::Given asked{
+        .has_ellipses = has_ellipses, .relax = moves.iterations, .gaussian = moves.gaussian};
+    read_word(given, "mode", asked.mode);
+    read_word(given, "metric", asked.metric);
+    recipes::settle(asked, request);
+}
+
+// How far inside of outlines points may begin: a sixteenth of the least radius unless it is given.
+double edge_of(const nb::dict& given, const Request& request) {
+    std::optional<double> edge;
+    read(given, "edge", edge);
+    if (edge) return *edge;
+    std::optional<double> size = request.field != nullptr ? request.scale : request.radius;
+    if (!size && !request.count && !request.classes.names.empty())
+        size = least_distance_of(request.classes);
+    if (!size && request.count)
+        throw BadRequest("edge", "missing", "n has no radius, of which it is a sixteenth");
+    if (size && request.field != nullptr)
+        *size /= std::sqrt(
+            *std::max_element(request.field->importance.begin(), request.field->importance.end()));
+    // If the radius is invalid, the check of the request refuses it.
+    return size && *size > 0 && std::isfinite(*size)
+               ? *size / 16
+               : std::max(request.width, request.height) / 1000;
+}
+
+// Samples, and moves the points if that is asked for. Returns the attributes of a PointSet.
+nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* mask,
+                       const nb::list& polygons, const std::optional<PointArray>& keep,
+                       const std::optional<ClassArray>& keep_classes, nb::object progress) {
+    Request request = request_of(given);
     request.field = field;
     request.mask = mask;
+    const recipes::Moves moves = moves_of(given);
+    settle(given, moves, request);
+    PolygonSets sets(polygons);
+    Mask places;
+    if (!sets.are_none()) {
+        if (mask != nullptr)
+            throw BadRequest("mask", "with inside, outside or avoid",
+                             "give one of them; draw_mask makes a mask of polygons");
+        const double edge = edge_of(given, request);
+        const Unlocked unlocked;
+        places = draw_places(sets.copy(), request.width, request.height, edge,
+                             request.memory_limit_bytes);
+        request.mask = &places;
+    }
     Watch watch(std::move(progress));
     recipes::Made set;
     std::vector<Ellipse> ellipses;
+    std::vector<Point> kept;
+    std::vector<std::uint8_t> of_kept;
     {
         const nb::gil_scoped_release no_gil;
-        const std::vector<Point> kept = keep ? points_of(*keep) : std::vector<Point>{};
+        if (keep) kept = points_of(*keep);
+        if (keep_classes) of_kept = classes_of(*keep_classes);
         request.keep = kept;
-        const std::vector<std::uint8_t> of_kept =
-            keep_classes ? classes_of(*keep_classes) : std::vector<std::uint8_t>{};
         request.keep_classes = of_kept;
         set = recipes::make(request, moves, watch);
         if (field != nullptr && !field->stretches.empty())
             ellipses = ellipses_of(set.result.points, *field, set.result.scale, request.width,
                                    request.height);
     }
-    nb::dict made = dict_of(std::move(set.result));
-    made["ellipses"] = ellipses.empty() ? nb::object(nb::none()) : array_of(std::move(ellipses));
-    made["relaxed"] = nb::none();
-    if (set.relaxed) made["relaxed"] = dict_of(std::move(*set.relaxed));
+    nb::dict made = dict_of(std::move(set.result), request, set.relaxed);
+    if (!ellipses.empty()) made["ellipses"] = array_of(std::move(ellipses));
     made["seconds"] = watch.seconds();
     return made;
 }
 
-// Returns a dict for each seed.
-nb::list sample_many_points(const Request& request, const std::vector<std::uint64_t>& seeds,
+// Returns the attributes of a PointSet for each seed.
+nb::list sample_many_points(const nb::dict& given, const std::vector<std::uint64_t>& seeds,
                             nb::object progress) {
+    Request request = request_of(given);
+    settle(given, {}, request);
     Watch watch(std::move(progress));
     std::vector<Result> results;
     {
@@ -135,97 +257,46 @@ nb::list sample_many_points(const Request& request, const std::vector<std::uint6
             watch);
     }
     nb::list all;
-    for (Result& result : results) all.append(dict_of(std::move(result)));
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+        request.seed = seeds[i];
+        all.append(dict_of(std::move(results[i]), request, std::nullopt));
+    }
     return all;
 }
 
-nb::dict relax_points(const PointArray& array, const Field* field, const RelaxOptions& options,
+// Returns the attributes of a Relaxed.
+nb::dict relax_points(const PointArray& array, const Field* field, const nb::dict& given,
                       nb::object progress) {
+    RelaxOptions options;
+    read_place(given, options);
+    read(given, "iterations", options.iterations);
+    read(given, "gaussian", options.gaussian);
+    read(given, "gaussian_distance", options.gaussian_distance);
+    read(given, "measure", options.measure);
     Watch watch(std::move(progress));
     Relaxed relaxed;
     {
         const nb::gil_scoped_release no_gil;
         relaxed = relax(points_of(array), field, options, watch);
     }
-    nb::dict made = dict_of(std::move(relaxed));
+    nb::dict made = dict_of(relaxed);
+    made["points"] = array_of(std::move(relaxed.points));
     made["seconds"] = watch.seconds();
     return made;
 }
 
 // The indices of the points in a progressive order.
-nb::object order_points(const PointArray& array, const Field* field, double width, double height,
-                        bool torus, std::uint64_t seed) {
+nb::object order_points(const PointArray& array, const Field* field, const nb::dict& given) {
+    OrderOptions options;
+    read_domain(given, options);
+    read(given, "seed", options.seed);
     const std::vector<Point> points = points_of(array);
     std::vector<std::uint32_t> order;
     {
         const Unlocked unlocked;
-        order = progressive_order(points, field,
-                                  {width, height, torus ? Boundary::torus : Boundary::box, seed});
+        order = progressive_order(points, field, options);
     }
     return array_of(std::move(order));
-}
-
-// Decides the mode and the metric of a request. Returns how often the points are relaxed.
-std::uint32_t settle(Request& request, const std::optional<std::string>& mode,
-                     const std::optional<std::string>& metric, std::optional<std::uint32_t> relax,
-                     std::uint32_t gaussian, bool has_ellipses) {
-    recipes::Given given{.has_ellipses = has_ellipses, .relax = relax, .gaussian = gaussian};
-    if (mode) given.mode = named<Mode>(*mode, "mode");
-    if (metric) given.metric = named<Metric>(*metric, "metric");
-    recipes::settle(given, request);
-    return recipes::relax_of(given);
-}
-
-// Adds the attributes for the domain, the backend, the device and threads.
-template <typename Options>
-nb::class_<Options>& add_common(nb::class_<Options>& type) {
-    return type.def(nb::init<>())
-        .def_rw("width", &Options::width)
-        .def_rw("height", &Options::height)
-        .def_prop_rw(
-            "torus", [](const Options& options) { return options.boundary == Boundary::torus; },
-            [](Options& options, bool torus) {
-                options.boundary = torus ? Boundary::torus : Boundary::box;
-            })
-        .def_rw("backend", &Options::backend)
-        .def_rw("device", &Options::device)
-        .def_rw("threads", &Options::threads);
-}
-
-void add_classes(nb::module_& module) {
-    nb::class_<Classes>(module, "Classes")
-        .def(nb::init<>())
-        .def_rw("names", &Classes::names)
-        .def_rw("distances", &Classes::distances)
-        .def_rw("weights", &Classes::weights);
-    module.def("distances_by_sum",
-               [](const std::vector<double>& radii) { return distances_by_sum(radii); });
-    module.def("distances_by_union",
-               [](const std::vector<double>& radii) { return distances_by_union(radii); });
-}
-
-void add_request(nb::module_& module) {
-    nb::class_<Request> request(module, "Request");
-    add_common(request)
-        .def_rw("radius", &Request::radius, nb::arg().none())
-        .def_rw("count", &Request::count, nb::arg().none())
-        .def_rw("scale", &Request::scale, nb::arg().none())
-        .def_rw("border", &Request::border)
-        .def_rw("classes", &Request::classes)
-        .def_rw("lines_per_radius", &Request::lines_per_radius, nb::arg().none())
-        .def_rw("progressive", &Request::progressive)
-        .def_rw("limit", &Request::limit, nb::arg().none())
-        .def_rw("snap", &Request::snap)
-        .def_rw("uniform_x", &Request::uniform_x)
-        .def_rw("round_size", &Request::round_size)
-        .def_rw("seed", &Request::seed)
-        .def_rw("memory_limit", &Request::memory_limit_bytes)
-        .def_prop_rw(
-            "mode", [](const Request& r) { return std::string(name_of(r.mode)); },
-            [](Request& r, const std::string& name) { r.mode = named<Mode>(name, "mode"); })
-        .def_prop_rw(
-            "metric", [](const Request& r) { return std::string(name_of(r.metric)); },
-            [](Request& r, const std::string& name) { r.metric = named<Metric>(name, "metric"); });
 }
 
 }  // namespace
@@ -236,45 +307,17 @@ void add_sampling(nb::module_& module) {
         .def_ro("columns", &Field::columns)
         .def_prop_ro("has_ellipses", [](const Field& field) { return !field.stretches.empty(); })
         .def_prop_ro("values", values_of);
-    nb::class_<Tone>(module, "Tone")
-        .def(nb::init<>())
-        .def_rw("black", &Tone::black)
-        .def_rw("white", &Tone::white)
-        .def_rw("auto_levels", &Tone::auto_levels)
-        .def_rw("invert", &Tone::invert)
-        .def_rw("gamma", &Tone::gamma)
-        .def_rw("min_importance", &Tone::min_importance)
-        .def_rw("along", &Tone::along)
-        .def_rw("sharpen", &Tone::sharpen)
-        .def_rw("sharpen_amount", &Tone::sharpen_amount);
-    add_classes(module);
-    add_request(module);
-    nb::class_<RelaxOptions> options(module, "RelaxOptions");
-    add_common(options)
-        .def_rw("iterations", &RelaxOptions::iterations)
-        .def_rw("gaussian", &RelaxOptions::gaussian)
-        .def_rw("gaussian_distance", &RelaxOptions::gaussian_distance)
-        .def_rw("measure", &RelaxOptions::measure);
+    module.def("distances_by_sum",
+               [](const std::vector<double>& radii) { return distances_by_sum(radii); });
+    module.def("distances_by_union",
+               [](const std::vector<double>& radii) { return distances_by_union(radii); });
     module.def("make_field", make_field);
     module.def("ellipse_field", field_of_ellipses);
-    nb::class_<recipes::Moves>(module, "Moves")
-        .def(nb::init<>())
-        .def_rw("iterations", &recipes::Moves::iterations)
-        .def_rw("gaussian", &recipes::Moves::gaussian)
-        .def_prop_rw(
-            "gaussian_distance",
-            [](const recipes::Moves& moves) {
-                return relax_options_of({}, moves).gaussian_distance;
-            },
-            [](recipes::Moves& moves, double distance) { moves.gaussian_distance = distance; });
-    module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg().none(),
-               nb::arg().none(), nb::arg().none(), nb::arg(), nb::arg().none());
+    module.def("sample", sample_points, nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg(),
+               nb::arg().none(), nb::arg().none(), nb::arg().none());
     module.def("sample_many", sample_many_points, nb::arg(), nb::arg(), nb::arg().none());
     module.def("relax", relax_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg().none());
-    module.def("progressive_order", order_points, nb::arg(), nb::arg().none(), nb::arg(), nb::arg(),
-               nb::arg(), nb::arg());
-    module.def("settle", settle, nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg().none(),
-               nb::arg(), nb::arg());
+    module.def("progressive_order", order_points, nb::arg(), nb::arg().none(), nb::arg());
 }
 
 }  // namespace lacuna::python

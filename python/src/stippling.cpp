@@ -3,9 +3,6 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/array.h>
-#include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
-#include <nanobind/stl/vector.h>
 
 #include <array>
 #include <cstdint>
@@ -15,6 +12,7 @@
 
 #include "arrays.h"
 #include "files/point_files.h"
+#include "options.h"
 #include "parts.h"
 #include "watch.h"
 
@@ -33,9 +31,32 @@ Picture read_file(const nb::bytes& path) {
     return read_picture(name);
 }
 
+StippleOptions options_of(const nb::dict& given, const std::vector<Ink>& inks) {
+    StippleOptions options{.request = request_of(given), .inks = inks};
+    read_word(given, "mode", options.start);
+    read_word(given, "metric", options.metric);
+    read(given, "relax", options.relax);
+    read(given, "black_ink", options.black_ink);
+    read(given, "ink_counts", options.ink_counts);
+    read(given, "size_by_tone", options.size_by_tone);
+    read(given, "keep_inside", options.keep_inside);
+    Tone& tone = options.tone;
+    read(given, "black", tone.black);
+    read(given, "white", tone.white);
+    read(given, "auto_levels", tone.auto_levels);
+    read(given, "invert", tone.invert);
+    read(given, "gamma", tone.gamma);
+    read(given, "min_importance", tone.min_importance);
+    read(given, "along", tone.along);
+    read(given, "sharpen", tone.sharpen);
+    read(given, "sharpen_amount", tone.sharpen_amount);
+    return options;
+}
+
 // The dots of a picture as attributes of a Stippling.
-nb::dict stipple_picture(const Picture& picture, const StippleOptions& options,
-                         nb::object progress) {
+nb::dict stipple_picture(const Picture& picture, const nb::dict& given,
+                         const std::vector<Ink>& inks, nb::object progress) {
+    const StippleOptions options = options_of(given, inks);
     Watch watch(std::move(progress));
     Stippling dots;
     {
@@ -46,40 +67,16 @@ nb::dict stipple_picture(const Picture& picture, const StippleOptions& options,
     for (std::size_t k = 0; k < dots.layers.size(); ++k)
         ink.insert(ink.end(), dots.layers[k].dots, static_cast<std::uint8_t>(k));
     for (double& diameter : dots.diameters) diameter /= 2;
-    nb::dict made = dict_of(std::move(dots.result));
+    const Field picture_field;  // stands for the picture's: sizes are scales
+    dots.request.field = &picture_field;
+    nb::dict made = dict_of(std::move(dots.result), dots.request, dots.relaxed);
     made["radii"] = array_of(std::move(dots.diameters));
-    made["ellipses"] =
-        dots.ellipses.empty() ? nb::object(nb::none()) : array_of(std::move(dots.ellipses));
+    if (!dots.ellipses.empty()) made["ellipses"] = array_of(std::move(dots.ellipses));
     made["ink"] = dots.layers.empty() ? nb::object(nb::none()) : array_of(std::move(ink));
-    made["request"] = std::move(dots.request);
     made["iterations"] = dots.iterations;
-    made["relaxed"] = nb::none();
-    if (dots.relaxed) made["relaxed"] = dict_of(std::move(*dots.relaxed));
+    made["count"] = dots.request.count;
     made["seconds"] = watch.seconds();
     return made;
-}
-
-void add_options(nb::module_& module) {
-    nb::class_<StippleOptions>(module, "StippleOptions")
-        .def(nb::init<>())
-        .def_rw("request", &StippleOptions::request)
-        .def_rw("tone", &StippleOptions::tone)
-        .def_rw("relax", &StippleOptions::relax, nb::arg().none())
-        .def_rw("inks", &StippleOptions::inks)
-        .def_rw("black_ink", &StippleOptions::black_ink, nb::arg().none())
-        .def_rw("ink_counts", &StippleOptions::ink_counts)
-        .def_rw("size_by_tone", &StippleOptions::size_by_tone)
-        .def_rw("keep_inside", &StippleOptions::keep_inside)
-        .def_prop_rw(
-            "start", [](const StippleOptions&) { return nb::none(); },
-            [](StippleOptions& options, const std::string& name) {
-                options.start = named<Mode>(name, "mode");
-            })
-        .def_prop_rw(
-            "metric", [](const StippleOptions&) { return nb::none(); },
-            [](StippleOptions& options, const std::string& name) {
-                options.metric = named<Metric>(name, "metric");
-            });
 }
 
 }  // namespace
@@ -95,8 +92,7 @@ void add_stippling(nb::module_& module) {
             new (self) Picture{bytes_of(content), "image"};
         });
     module.def("read_picture", read_file);
-    add_options(module);
-    module.def("stipple", stipple_picture, nb::arg(), nb::arg(), nb::arg().none());
+    module.def("stipple", stipple_picture, nb::arg(), nb::arg(), nb::arg(), nb::arg().none());
 }
 
 }  // namespace lacuna::python

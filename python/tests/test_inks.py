@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from conftest import REPOSITORY, Command, refused
+from conftest import REPOSITORY, Command
 
 import lacuna
 
@@ -45,10 +45,10 @@ COLOURS[:, 30:] = (0.1, 0.2, 0.9)
     ],
 )
 def test_dots_are_the_commands(
-    command: Command, backend: str, arguments: dict[str, Any], options: list[object]
+    command: Command, arguments: dict[str, Any], options: list[object]
 ) -> None:
     expected = command("stipple", HOPPER, "--seed", 3, *options)
-    made = lacuna.stipple(HOPPER, **arguments, seed=3, backend=backend)
+    made = lacuna.stipple(HOPPER, **arguments, seed=3)
     assert made.points.tobytes() == np.ascontiguousarray(expected[:, :2]).tobytes()
     assert made.ink is not None and (made.ink == expected[:, 2]).all()
     assert made.mode == "stratified" and made.radius > 0 and len(made.radii) == len(made)
@@ -75,23 +75,3 @@ def test_files_have_layers_and_plots_have_colours(tmp_path: Path) -> None:
     assert lines[0] == "x,y,ink" and lines[1].endswith(",red") and lines[-1].endswith(",blue")
     faces = made.plot().collections[0].get_facecolor()
     assert len(faces) == 100 and tuple(faces[0]) != tuple(faces[-1])
-
-
-@pytest.mark.parametrize(
-    ("argument", "arguments"),
-    [
-        ("inks", {"inks": "mauve"}),
-        ("black_ink", {"black_ink": 0.5}),
-        ("ink_counts", {"ink_counts": [1]}),
-        ("ink_counts", {"inks": "red", "ink_counts": [1, 2]}),
-        ("ink_counts", {"inks": "red", "ink_counts": [1], "n": 5}),
-        ("ink_counts", {"inks": "red,green", "ink_counts": [0, 0]}),
-        ("scale", {"inks": "red", "scale": 0.1}),
-        ("limit", {"inks": "red", "limit": 5}),
-        ("metric", {"inks": "red", "metric": "max"}),
-        ("mode", {"inks": "red", "mode": "cells"}),
-        ("relax", {"inks": "red", "relax": 0}),
-    ],
-)
-def test_what_cannot_be_is_refused(argument: str, arguments: dict[str, Any]) -> None:
-    refused(lacuna.BadRequest, argument, lacuna.stipple, COLOURS, **arguments)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -21,10 +22,6 @@ def test_a_set_of_ours_is_proven_and_one_with_a_hole_is_not(torus: bool) -> None
     assert not refuted and refuted.kept and not refuted.covered
     assert refuted.largest_gap is not None
     assert math.dist(refuted.largest_gap, missing) < 0.03
-    # The deprecated names.
-    assert refuted.emptiest_spot == refuted.largest_gap
-    assert refuted.emptiest_distance == refuted.largest_gap_distance
-    assert refuted.emptiest_limit == refuted.largest_gap_limit
 
 
 def test_a_verdict_says_why_a_claim_does_not_hold() -> None:
@@ -38,6 +35,24 @@ def test_a_verdict_says_why_a_claim_does_not_hold() -> None:
     near = lacuna.verify([(0.1, 0.1), (0.9, 0.9), (0.1, 0.2)], 0.15)
     assert near.reason == "points 0 and 2 are 0.1 apart, less than their limit 0.15"
     assert "point 1 lies outside" in lacuna.verify([(0.1, 0.1), (0.5, 2)], 0.1).reason
+
+
+def test_results_say_in_a_sentence_what_was_found() -> None:
+    made = lacuna.sample(0.2, seed=1)
+    said = str(lacuna.verify(made))
+    assert re.fullmatch(
+        rf"{len(made)} points are a maximal set; the closest two are 0.2\d+ apart; "
+        r"the largest gap is 0.1\d+ from the nearest point",
+        said,
+    )
+    only = str(lacuna.verify(made, distances_only=True))
+    assert only.startswith(f"{len(made)} points are far enough apart; the closest two are")
+    assert str(lacuna.verify(made.points[1:], 0.2)).startswith("refuted: the spot (")
+    assert str(lacuna.verify([(0.5, 0.5)], 1)) == (
+        "1 points are a maximal set; the largest gap is 0.707107 from the nearest point"
+    )
+    assert str(lacuna.analyze([made, made])).startswith(f"2 sets of {len(made)} points on average, ")
+    assert ", psi_6 0." in str(lacuna.analyze(made))
 
 
 def test_the_closest_pair_is_named() -> None:
@@ -81,10 +96,9 @@ def test_analyze_reaches_as_far_as_it_is_told() -> None:
         found = lacuna.analyze(made, max_frequency=farthest, threads=1)
         assert found.frequency[-1] == pytest.approx(farthest, abs=0.1)
         assert (found.power == lacuna.analyze(made, max_frequency=farthest).power).all()
-    for wrong in (0, -1, math.nan, 1001):
-        with pytest.raises(lacuna.BadRequest, match="max_frequency") as error:
-            lacuna.analyze(made, max_frequency=wrong)
-        assert error.value.argument == "max_frequency"
+    with pytest.raises(lacuna.BadRequest, match="max_frequency") as error:
+        lacuna.analyze(made, max_frequency=1001)
+    assert error.value.argument == "max_frequency"
 
 
 def test_relaxing_makes_shares_more_equal() -> None:

@@ -28,11 +28,6 @@ def test_many_sequences_are_those_of_sample() -> None:
         assert (one.points == expected.points).all() and one.levels == expected.levels
 
 
-def test_a_sequence_is_not_relaxed() -> None:
-    with pytest.raises(lacuna.BadRequest, match="relax 2: cannot be used with progressive"):
-        lacuna.sample(n=50, progressive=True, relax=2)
-
-
 @pytest.mark.parametrize("has_field", [False, True])
 def test_an_order_is_the_commands(
     command: Callable[..., Any], tmp_path: Path, has_field: bool

@@ -134,6 +134,11 @@ def test_results_are_drawn_where_one_says_or_in_a_new_figure(tmp_path: Path) -> 
         assert own.figure is not figure
         own.figure.savefig(tmp_path / "own.png")
         plt.close(own.figure)
+    curve = lacuna.analyze(made).plot(curve="pair_correlation")
+    assert curve.get_xlabel() == "distance / mean spacing"
+    plt.close(curve.figure)
+    with pytest.raises(lacuna.BadRequest, match="^curve 'size': must be one of power"):
+        lacuna.analyze(made).plot(curve="size")  # type: ignore[arg-type]
     figure.savefig(tmp_path / "all.png")
     plt.close(figure)
 

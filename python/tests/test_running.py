@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import threading
+import types
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -21,6 +22,38 @@ def test_progress_is_told_and_rises() -> None:
     assert all(0 <= done <= expected for done, expected in told)
     assert [done for done, _ in told] == sorted(done for done, _ in told)
     assert told[-1][0] <= len(made)
+
+
+class Bar:
+    """Stands for a bar of tqdm."""
+
+    n, total = 0, None
+    bars: list[Bar] = []
+
+    def __init__(self, **options: object) -> None:
+        assert options == {"disable": None}
+        self.bars.append(self)
+
+    def __enter__(self) -> Bar:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.is_closed = True
+
+    def refresh(self) -> None: ...
+
+
+def test_true_shows_a_bar_if_tqdm_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "tqdm", types.ModuleType("tqdm"))
+    tqdm = types.ModuleType("tqdm.auto")
+    tqdm.tqdm = Bar  # type: ignore[attr-defined]
+    monkeypatch.setitem(sys.modules, "tqdm.auto", tqdm)
+    made = lacuna.sample(0.0015, seed=1, threads=1, progress=True)
+    assert len(lacuna.sample_many(range(40), 0.02, progress=True)) == 40
+    assert len(Bar.bars) == 2 and all(bar.is_closed and bar.n == bar.total for bar in Bar.bars)
+    assert abs(Bar.bars[0].n - len(made)) < 0.1 * len(made)
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)
+    assert lacuna.relax(made.points[:50], iterations=1, progress=True).iterations == 1
 
 
 def test_what_progress_raises_ends_the_run() -> None:

@@ -68,6 +68,9 @@ wood: lacuna.PointSet = lacuna.sample(
     keep=[(0.5, 0.5)],
     keep_classes=["trees"],
 )
+grove: lacuna.PointSet = lacuna.sample(
+    0.2, inside=[[(0, 0), (1, 0), (0, 1)]], avoid=[([[(0.2, 0.2)]], 0.1)], edge=0.01, progress=True
+)
 kinds: npt.NDArray[np.uint8] | None = wood.class_of
 between: Floats | None = wood.distances
 names: tuple[str, ...] = wood.classes
@@ -125,6 +128,7 @@ judged: Floats = lacuna.verify(made).points
 verdict: lacuna.Verdict = lacuna.verify(made, 0.1, domain=(1, 1), torus=True, tolerance=1e-9)
 only: lacuna.Verdict = lacuna.verify([[0.1, 0.2], [0.3, 0.4]], 0.1, distances_only=True)
 holds: bool = bool(verdict)
+said: str = str(verdict)
 pair: tuple[int, int] | None = verdict.closest_pair
 spot: tuple[float, float] | None = verdict.largest_gap
 outside: int | None = verdict.outside
@@ -161,6 +165,7 @@ scalars: list[float | None] = [found.psi_6, found.oscillations, found.effective_
 scalars += [found.relative_radius, found.least_distance, found.mean_distance, found.mean_count]
 sets: int = found.sets
 found.plot(ax=axes).set_title("power")
+found.plot(axes, curve="pair_correlation")
 
 listed: list[lacuna.Device] = lacuna.devices()
 usable: list[str] = [f"{one.backend} {one.number} {one.name}" for one in listed if one.usable]

@@ -1,4 +1,4 @@
-"""read_polygons, read_lines and draw_mask: polygons in which points may lie, and obstacles."""
+"""Polygons in which points may lie, and obstacles: read from files, and drawn onto masks."""
 
 from __future__ import annotations
 
@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, Any, Iterable, SupportsFloat
 import numpy as np
 
 from . import _core
-from ._arguments import flag, pair, path_bytes, points_array, real, shown, whole
+from ._arguments import options, path_bytes, points_array, real, shown
 from ._errors import BadRequest
-from ._runs import MOST_64
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -19,8 +18,6 @@ if TYPE_CHECKING:
     from ._arguments import Whole
 
     Floats = npt.NDArray[np.float64]
-    # Lines and the distance that points keep from them.
-    Obstacles = list[tuple["Polygons | Iterable[npt.ArrayLike]", float]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,6 +37,12 @@ class Polygons:
 
     def __len__(self) -> int:
         return len(self.rings)
+
+
+if TYPE_CHECKING:
+    Places = Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None
+    # Lines and the distance that points keep from them.
+    Obstacles = list[tuple[Polygons | Iterable[npt.ArrayLike], float]]
 
 
 def read_polygons(path: str | bytes | os.PathLike[Any]) -> Polygons:
@@ -75,8 +78,7 @@ def read_polygons(path: str | bytes | os.PathLike[Any]) -> Polygons:
     >>> moon = lacuna.read_polygons(path)
     >>> len(moon), moon.domain
     (1, (4.0, 2.0))
-    >>> mask = lacuna.draw_mask(moon, 0.1 / 16)
-    >>> made = lacuna.sample(0.1, mask=mask, domain=moon.domain, seed=1)
+    >>> made = lacuna.sample(0.1, inside=moon, seed=1)
     >>> made.maximal, bool((abs(made.points - (2, 1)) < 0.91).all())
     (True, True)
     >>> folder.cleanup()
@@ -89,12 +91,11 @@ def _read(path: str | bytes | os.PathLike[Any], as_lines: bool) -> Polygons:
         found = _core.read_polygons(path_bytes("path", path), as_lines)
     except BadRequest as error:
         raise error.called("path") from None
-    width, height = found["width"], found["height"]
-    return Polygons(tuple(found["rings"]), (width, height) if width > 0 else None)
+    return Polygons(**found)
 
 
 def read_lines(path: str | bytes | os.PathLike[Any]) -> Polygons:
-    """Read lines and outlines from a file, for ``avoid`` of ``draw_mask`` and ``verify``.
+    """Read lines and outlines from a file, for ``avoid`` of ``sample`` and ``verify``.
 
     A line becomes a ring that goes there and back, an outline one that goes around and back, and a
     point a ring of one point: nothing lies inside of these.
@@ -120,8 +121,7 @@ def read_lines(path: str | bytes | os.PathLike[Any]) -> Polygons:
     >>> folder = tempfile.TemporaryDirectory()
     >>> path = pathlib.Path(folder.name, "fence.txt")
     >>> _ = path.write_text("0.2 0.5\\n0.8 0.5\\n")
-    >>> mask = lacuna.draw_mask(None, 0.002, avoid=[(lacuna.read_lines(path), 0.1)])
-    >>> made = lacuna.sample(0.03, mask=mask, seed=1)
+    >>> made = lacuna.sample(0.03, avoid=[(lacuna.read_lines(path), 0.1)], seed=1)
     >>> beside = made.points[abs(made.points[:, 0] - 0.5) < 0.3]
     >>> bool((abs(beside[:, 1] - 0.5) >= 0.1).all())
     True
@@ -130,80 +130,81 @@ def read_lines(path: str | bytes | os.PathLike[Any]) -> Polygons:
     return _read(path, as_lines=True)
 
 
-def rings_on(name: str, rings: object, domain: tuple[float, float]) -> list[Floats]:
-    """The rings as arrays. If they have a page, it is stretched over the domain."""
-    if isinstance(rings, Polygons):
-        if rings.domain is None:
-            return list(rings.rings)
-        scale = domain[0] / rings.domain[0], domain[1] / rings.domain[1]
-        with np.errstate(over="ignore", invalid="ignore"):  # the library refuses inf and NaN
-            return [ring * scale for ring in rings.rings]
-    if isinstance(rings, (str, bytes, os.PathLike)) or not isinstance(rings, Iterable):
-        raise TypeError(f"{name} must be Polygons or a list of N x 2 arrays, not {shown(rings)}")
-    return [points_array(name, ring) for ring in rings]
+class _Place:
+    """Rings of one argument, which are read once, and the distance that points keep from them."""
+
+    def __init__(self, argument: str, given: object, is_forbidden: bool, distance: float) -> None:
+        self.argument, self.is_forbidden, self.distance = argument, is_forbidden, distance
+        self.page = None
+        if isinstance(given, Polygons):
+            self.rings, self.page = list(given.rings), given.domain
+        elif isinstance(given, (str, bytes, os.PathLike)) or not isinstance(given, Iterable):
+            raise TypeError(
+                f"{argument} must be Polygons or a list of N x 2 arrays, not {shown(given)}"
+            )
+        else:
+            self.rings = [points_array(argument, ring) for ring in given]
+
+    def on(self, domain: tuple[float, float], torus: bool) -> _core.PolygonSet:
+        """The set for the library. A page is stretched over the domain; on a torus obstacles have
+        images on all sides."""
+        rings = self.rings
+        if self.page is not None:
+            scale = domain[0] / self.page[0], domain[1] / self.page[1]
+            with np.errstate(over="ignore", invalid="ignore"):  # the library refuses inf and NaN
+                rings = [ring * scale for ring in rings]
+        if torus and self.argument == "avoid":
+            sides = (-1.0, 0.0, 1.0)
+            images = [np.multiply((i, j), domain) for i in sides for j in sides]
+            rings = [ring + image for ring in rings for image in images]
+        return self.argument, rings, self.is_forbidden, self.distance
 
 
-def sets_on(
-    name: str,
-    given: object,
-    domain: tuple[float, float],
-    forbidden: bool = False,
-    distance: float = 0.0,
-) -> list[tuple[list[Floats], bool, float]]:
-    """One set of polygons, or one for each Polygons of a list."""
-    if given is None:
-        return []
-    several = [given]
-    if isinstance(given, (list, tuple)) and given and isinstance(given[0], Polygons):
-        several = list(given)
-    return [(rings_on(name, one, domain), forbidden, distance) for one in several]
-
-
-def _pairs(avoid: object) -> list[tuple[object, SupportsFloat]]:
+def places_of(
+    inside: object, outside: object, avoid: object, border: float = 0.0, inner: str = "inside"
+) -> list[_Place]:
+    """The places of these arguments. ``border`` is the distance from outlines, and ``inner`` the
+    name of the first argument."""
+    places = [_Place(inner, one, False, border) for one in _several(inside)]
+    places += [_Place("outside", one, True, border) for one in _several(outside)]
     if avoid is None:
-        return []
+        return places
     if not isinstance(avoid, (list, tuple)) or not all(
         isinstance(one, (list, tuple)) and len(one) == 2 for one in avoid
     ):
         raise TypeError(
             f"avoid must be a list of pairs of lines and their distance, not {shown(avoid)}"
         )
-    return list(avoid)
-
-
-def lines_of(avoid: object) -> list[object]:
-    return [lines for lines, _ in _pairs(avoid)]
-
-
-def obstacles_on(
-    avoid: object, domain: tuple[float, float], torus: bool = False
-) -> list[tuple[list[Floats], bool, float]]:
-    """A set for each pair of lines and their distance; on a torus with its images."""
-    sets = []
-    for lines, distance in _pairs(avoid):
-        rings = rings_on("avoid", lines, domain)
-        if torus:
-            around = (-1.0, 0.0, 1.0)
-            images = [np.multiply((i, j), domain) for i in around for j in around]
-            rings = [ring + image for ring in rings for image in images]
+    for lines, distance in avoid:
         width = real("avoid", distance)
         if not 0 < width < np.inf:
             raise BadRequest(f"avoid {width}: a distance must be a finite number over 0", "avoid")
-        sets.append((rings, True, width))
-    return sets
+        places.append(_Place("avoid", lines, True, width))
+    return places
 
 
-def page_of(*given: object) -> tuple[float, float] | None:
-    """The first page of these polygons."""
-    for one in given:
-        for polygons in one if isinstance(one, (list, tuple)) else [one]:
-            if isinstance(polygons, Polygons) and polygons.domain is not None:
-                return polygons.domain
-    return None
+def _several(given: object) -> list[object]:
+    """One Polygons or list of rings, or several Polygons, as a list."""
+    if isinstance(given, (list, tuple)) and given and isinstance(given[0], Polygons):
+        return list(given)
+    return [] if given is None else [given]
 
 
-def domain_around(*places: object) -> tuple[float, float]:
-    """The domain of places: what ``draw_mask`` and ``verify`` take unless they are given one.
+def around(places: list[_Place]) -> tuple[float, float]:
+    """The domain of places: their first page, or else as far as they reach."""
+    page = next((place.page for place in places if place.page is not None), None)
+    if page is not None or not places:
+        return page or (1.0, 1.0)
+    return _core.domain_around([place.on((1.0, 1.0), False) for place in places])
+
+
+def sets_on(asked: dict[str, Any], places: list[_Place]) -> list[_core.PolygonSet]:
+    """The sets of places on the domain of these options."""
+    return [place.on(asked["domain"], asked["torus"]) for place in places]
+
+
+def domain_around(*places: Places) -> tuple[float, float]:
+    """The domain of places: what ``sample`` and ``verify`` use unless they are given one.
 
     The first page of Polygons that have one; else (1, 1), or the farthest corner if the places
     reach beyond it.
@@ -230,35 +231,21 @@ def domain_around(*places: object) -> tuple[float, float]:
     >>> lacuna.domain_around([[(10, 5), (90, 5), (50, 60)]])
     (90.0, 60.0)
     """
-    return around(*(("places", given) for given in places))
-
-
-def around(*places: tuple[str, object]) -> tuple[float, float]:
-    """``domain_around`` places that come with the names of their arguments."""
-    page = page_of(*(given for _, given in places))
-    if page is not None:
-        return page
-    sets = []
-    for name, given in places:
-        for one in sets_on(name, given, (1.0, 1.0)):
-            if not all(np.isfinite(ring).all() for ring in one[0]):
-                raise BadRequest(f"{name}: coordinates must be finite numbers", name)
-            sets.append(one)
-    return _core.domain_around(sets) if sets else (1.0, 1.0)
+    return around([_Place("places", one, False, 0.0) for all in places for one in _several(all)])
 
 
 def draw_mask(
-    rings: Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None,
+    rings: Places,
     edge: SupportsFloat,
     *,
-    outside: Polygons | Iterable[npt.ArrayLike] | Iterable[Polygons] | None = None,
+    outside: Places = None,
     avoid: Obstacles | None = None,
     border: SupportsFloat = 0,
     torus: bool = False,
     domain: tuple[SupportsFloat, SupportsFloat] | None = None,
     memory_limit: Whole | None = None,
 ) -> npt.NDArray[np.bool_]:
-    """Draw polygons onto a mask, for ``sample``.
+    """Draw polygons onto an array of bool, the ``mask`` of ``sample`` and ``verify``.
 
     A pixel is True if all of it is inside: if an odd number of rings goes around it. So a ring
     within another is a hole, and no point of ``sample`` lies outside. The diagonal of a pixel is at
@@ -312,22 +299,12 @@ def draw_mask(
     >>> lacuna.sample(0.05, mask=mask, seed=1).maximal
     True
     """
-    most = 0 if memory_limit is None else whole("memory_limit", memory_limit, 1, MOST_64)
     distance = real("border", border)
-
-    def sets_for(size: tuple[float, float], around: bool) -> list[tuple[list[Floats], bool, float]]:
-        sets = sets_on("rings", rings, size, distance=distance)
-        sets += sets_on("outside", outside, size, forbidden=True, distance=distance)
-        return sets + obstacles_on(avoid, size, around)
-
-    page = page_of(rings, outside, *lines_of(avoid))
-    if domain is not None:
-        width, height = pair("domain", domain)
-    else:
-        width, height = page or _core.domain_around(sets_for((1.0, 1.0), False))
-    sets = sets_for((width, height), flag("torus", torus))
-    try:
-        mask = _core.draw_mask(sets, width, height, real("edge", edge), most)
-    except BadRequest as error:
-        raise error.called("rings") if error.argument == "inside" else error from None
-    return mask.values.view(np.bool_)
+    places = places_of(rings, outside, avoid, distance, "rings")
+    asked = options(
+        domain=around(places) if domain is None else domain,
+        edge=edge,
+        torus=torus,
+        memory_limit=memory_limit,
+    )
+    return _core.draw_mask(sets_on(asked, places), asked).values.view(np.bool_)
