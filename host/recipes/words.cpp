@@ -79,12 +79,23 @@ std::string listed(Words list) {
 
 namespace lacuna {
 
+namespace {
+
+// The word of an enum; empty for a number that is none of its values.
+template <typename Enum>
+std::string_view word_of(std::span<const std::string_view> words, Enum value) {
+    const auto place = static_cast<std::size_t>(value);
+    return place < words.size() ? words[place] : std::string_view{};
+}
+
+}  // namespace
+
 std::string_view name_of(Mode mode) {
-    return recipes::kModes.at(static_cast<std::size_t>(mode));
+    return word_of(recipes::kModes, mode);
 }
 
 std::string_view name_of(Metric metric) {
-    return recipes::kMetrics.at(static_cast<std::size_t>(metric));
+    return word_of(recipes::kMetrics, metric);
 }
 
 }  // namespace lacuna
