@@ -12,8 +12,8 @@
 #endif
 #ifdef LACUNA_VULKAN
 #include "backends/vulkan/make_backend.h"
-#include "plan/sizes.h"
 #endif
+#include "plan/sizes.h"
 
 namespace lacuna {
 namespace {
