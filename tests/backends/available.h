@@ -12,13 +12,12 @@
 #include "backends/backend.h"
 #include "backends/cpu/make_backend.h"
 #include "backends/device/layout.h"
-#include "plan/plan.h"
+#include "plan/make_plan.h"
 #ifdef LACUNA_OPENCL
 #include "backends/opencl/make_backend.h"
 #endif
 #ifdef LACUNA_VULKAN
 #include "backends/vulkan/make_backend.h"
-#include "plan/make_plan.h"
 #endif
 
 namespace lacuna::tests {
