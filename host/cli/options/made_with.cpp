@@ -24,11 +24,11 @@ namespace {
 }
 
 // A value as files::SetsOfFile::options has it.
-std::string text_of(const Json& value) {
+std::string value_text(const Json& value) {
     if (value.is_boolean()) return value.get<bool>() ? "true" : "";
     if (value.is_number()) return fmt::format("{}", value.get<double>());
     std::string text;
-    for (const Json& one : value) text += (text.empty() ? "" : ":") + text_of(one);
+    for (const Json& one : value) text += (text.empty() ? "" : ":") + value_text(one);
     return text;
 }
 
@@ -67,7 +67,7 @@ void ask_for_files(const CommandLine& line, const DomainOptions& options, bool d
         const auto found = file.options.find(row->key());
         if (!readings.contains(row->name) || found == file.options.end() || line.has(row->name))
             continue;
-        if (!own.contains(row->key()) || text_of(own.at(row->key())) != found->second)
+        if (!own.contains(row->key()) || value_text(own.at(row->key())) != found->second)
             ask(name, std::string(row->name), found->second, "");
     }
 }

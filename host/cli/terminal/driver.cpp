@@ -24,7 +24,7 @@ std::array<char, 80> line_begin{};
 
 void tell(std::string_view text) {
     // If this fails, nothing can be done about it.
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
 [[noreturn]] void tell_of_driver_and_exit(std::string_view how) {
