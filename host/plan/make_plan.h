@@ -29,9 +29,9 @@ FieldSums sums_of(const Field& field, const Poll& poll = nobody_asks);
 Plan make_cells_plan(const CheckedRequest& request, const FieldSums& sums,
                      const Poll& poll = nobody_asks);
 
-// make_plan for mode exact with a radius field (plan_radius_field.cpp), but for the distances of
-// kept points, which must have been checked. The plan keeps `samples`, too, which lie where samples
-// may lie and keep their distances.
+// make_plan for mode exact with a radius field (plan_radius_field.cpp). Unlike make_plan it does
+// not check the distances of kept points: check_kept_distances() must have. The plan keeps
+// `samples`, too, which lie where samples may lie and keep their distances.
 Plan make_radius_field_plan(const CheckedRequest& request, const Poll& poll = nobody_asks,
                             std::span<const Sample> samples = {});
 

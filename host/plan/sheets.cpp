@@ -138,6 +138,11 @@ double least_distance_of(const Classes& classes) {
     return least;
 }
 
+double distance_factor(const Request& request, const Result& result) {
+    const double size = request.field != nullptr ? result.scale : result.radius;
+    return size / least_distance_of(request.classes);
+}
+
 std::vector<double> distances_of(const Request& request) {
     if (request.classes.names.empty()) return {1};
     const double least = least_distance_of(request.classes);

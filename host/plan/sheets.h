@@ -63,6 +63,9 @@ std::vector<double> distances_of(const Request& request);
 // The least distance that is not 0, in the request's unit, which Request::radius or scale stand
 // for. Infinite if there is none.
 double least_distance_of(const Classes& classes);
+// The distances that classes keep in a set, over those of its request: not 1 if the request has a
+// count, or a radius or scale of its own.
+double distance_factor(const Request& request, const Result& result);
 
 // Checks the names, radii, weights and distances of classes. Throws BadRequest.
 void check_classes(const Request& request);

@@ -30,7 +30,7 @@ std::uint32_t relax_of(const Given& given);
 //     radius, scale, metric, limit, lines per radius or round size. Inks always do.
 //   - Other dots of a picture are made in mode cells, ellipses and all other sets in mode exact.
 //   - In cells the metric is mean if the points will be relaxed. Otherwise it is min.
-// Throws BadRequest if the points would be moved too often, or those of a stratified set not at
+// Throws BadRequest if points would be moved too often, if a stratified set would not be moved at
 // all, and for a metric without a field or a picture.
 void settle(const Given& given, Request& request);
 

@@ -24,7 +24,7 @@ constexpr double kPointsWithoutField = 64;
 // lose 3 % of their samples. A mean of 96 is enough for most drawings and takes twice the time.
 constexpr double kPointsWhereDense = 8;
 constexpr double kMostPointsOfField = 96;
-constexpr double kDenseShare = 0.1;  // of the samples: so many count as dense
+constexpr double kDenseShare = 0.1;  // this part of the samples counts as dense
 
 // Limits of portable/power.h.
 constexpr double kMostPoints = 2147483648;  // 2^31

@@ -58,10 +58,6 @@ Field field_of_ellipses(const EllipseArray& array) {
                          static_cast<std::uint32_t>(array.shape(0)), ellipses);
 }
 
-}  // namespace
-
-namespace {
-
 // What verify proves of a set unless it is told otherwise.
 nb::dict promises_of(const Claim& claim) {
     nb::dict promised;
@@ -80,8 +76,7 @@ nb::dict promises_of(const Claim& claim) {
 // The distances that classes keep in a set, row by row.
 std::vector<double> kept_distances(const Request& request, const Result& result) {
     std::vector<double> distances = request.classes.distances;
-    const double size = request.field != nullptr ? result.scale : result.radius;
-    const double factor = size / least_distance_of(request.classes);
+    const double factor = distance_factor(request, result);
     for (double& distance : distances) distance *= factor;
     return distances;
 }

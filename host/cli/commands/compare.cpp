@@ -17,7 +17,6 @@
 #include "cli/options/given_files.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_field.h"
-#include "cli/options/relaxation.h"
 #include "cli/reports/comparison.h"
 #include "cli/reports/output.h"
 #include "cli/terminal/interruption.h"
@@ -26,6 +25,7 @@
 #include "cli/terminal/run_program.h"
 #include "drawing/dot_count.h"
 #include "files/point_files.h"
+#include "recipes/make.h"
 #include "recipes/settle.h"
 
 namespace lacuna::cli {
@@ -125,7 +125,8 @@ Comparison compared(const CompareCommand& options, const Request& request, const
         Result result = sampler(one, observer);
         if (options.relax == 0) return result;
         Relaxed relaxed =
-            relax(result.points, one.field, relax_options_of(one, options.relax), observer);
+            relax(result.points, one.field,
+                  recipes::relax_options_of(one, {.iterations = options.relax}), observer);
         result.points = std::move(relaxed.points);
         result.radius = 0;               // not known: relaxing keeps no distance
         result.device = relaxed.device;  // a stratified start has none

@@ -57,8 +57,7 @@ struct RelaxCommand {
     CommonOptions common;
     GivenSet set;
     DrawingOptions drawing;
-    std::uint32_t iterations = RelaxOptions{}.iterations;
-    GaussianOptions gaussian;
+    recipes::Moves moves{.iterations = RelaxOptions{}.iterations};
 };
 
 // Checks the options and returns the outputs.
@@ -88,10 +87,11 @@ void sum_up(const RelaxCommand& options, const std::vector<Output>& outputs, con
     const CommonOptions& common = options.common;
     if (common.quiet || has_standard_output(outputs) || is_standard_output(common.report)) return;
     const std::string steps =
-        options.gaussian.steps == 0 ? "" : fmt::format(", {} steps", options.gaussian.steps);
-    const std::string summary = fmt::format(
-        "{} points, {} iterations{}, {:.3f} s, {} -> {}", made.result.points.size(),
-        options.iterations, steps, made.seconds, relaxation.relaxed.backend, paths_of(outputs));
+        options.moves.gaussian == 0 ? "" : fmt::format(", {} steps", options.moves.gaussian);
+    const std::string summary =
+        fmt::format("{} points, {} iterations{}, {:.3f} s, {} -> {}", made.result.points.size(),
+                    options.moves.iterations, steps, made.seconds, relaxation.relaxed.backend,
+                    paths_of(outputs));
     std::fputs((printable(summary) + "\n").c_str(), stderr);
 }
 
@@ -102,7 +102,7 @@ void run(const CommandLine& line, const RelaxCommand& options) {
     Request& request = common.request;
     SetAndField given = read_given_set(line, options.set, request);
     const GivenColumns columns(options.set, given, options.drawing, outputs, false);
-    const RelaxOptions moves = relax_options_of(request, options.iterations, options.gaussian);
+    const RelaxOptions moves = recipes::relax_options_of(request, options.moves);
     Made made;
     made.result.points = std::move(given.points);
     if (given.field) request.field = &*given.field;
@@ -128,11 +128,11 @@ void run(const CommandLine& line, const RelaxCommand& options) {
 
 // Where the value of each option goes.
 Targets targets_of(RelaxCommand& all) {
-    Targets targets{{"iterations", &all.iterations}};
+    Targets targets{{"iterations", &all.moves.iterations}};
     targets.merge(targets_of(all.set));
     targets.merge(targets_of(all.common));
     targets.merge(targets_of(all.drawing));
-    targets.merge(targets_of(all.gaussian));
+    targets.merge(cli::targets_of(all.moves));
     return targets;
 }
 

@@ -29,6 +29,7 @@
 #include "cli/terminal/interruption.h"
 #include "files/point_files.h"
 #include "pictures/importance.h"
+#include "plan/sheets.h"
 #include "recipes/settle.h"
 #include "relax/descent.h"
 
@@ -61,8 +62,7 @@ struct SampleCommand {
     DomainOptions domain;
     DrawingOptions drawing;
     recipes::Given given;
-    std::uint32_t relax = 0;  // as `given` says
-    GaussianOptions gaussian;
+    recipes::Moves moves;  // the iterations as `given` says
     std::optional<SeedRange> seeds;
     bool ellipse_columns = false;
 };
@@ -73,8 +73,8 @@ bool has_ellipses(const DomainOptions& options) {
 
 void run(const CommandLine& line, SampleCommand all) {
     all.given.has_ellipses = has_ellipses(all.domain);
-    all.relax = recipes::relax_of(all.given);
-    all.given.gaussian = all.gaussian.steps;
+    all.moves.iterations = recipes::relax_of(all.given);
+    all.given.gaussian = all.moves.gaussian;
     recipes::settle(all.given, all.common.request);
     pictures::check(all.domain.field.importance);
     CommonOptions options = all.common;
@@ -96,8 +96,8 @@ void run(const CommandLine& line, SampleCommand all) {
         return;
     }
     const drawing::Style style = style_of(all.drawing, request.width, request.height);
-    const RelaxOptions moves = relax_options_of(request, all.relax, all.gaussian);
-    const bool moves_points = all.relax != 0 || all.gaussian.steps != 0;
+    const RelaxOptions moves = recipes::relax_options_of(request, all.moves);
+    const bool moves_points = all.moves.are_asked_for();
     relaxing::check_gaussian(request.field, moves);
     Interruption interruption;
     Made made = make(options);
@@ -135,7 +135,7 @@ Targets targets_of(SampleCommand& all) {
     targets.merge(targets_of(all.common));
     targets.merge(targets_of(all.domain));
     targets.merge(targets_of(all.drawing));
-    targets.merge(targets_of(all.gaussian));
+    targets.merge(cli::targets_of(all.moves));
     return targets;
 }
 

@@ -157,11 +157,6 @@ std::vector<files::Layer> layers_of(const Classes& classes, const Result& result
     return files::layers_of_classes(classes.names, result.classes);
 }
 
-double distance_factor(const Request& request, const Result& result) {
-    const double size = request.field != nullptr ? result.scale : result.radius;
-    return size / least_distance_of(request.classes);
-}
-
 std::vector<double> class_diameters(const Request& request, const Result& result) {
     const std::size_t count = request.classes.names.size();
     const double scale = distance_factor(request, result);

@@ -35,9 +35,6 @@ std::vector<files::Layer> layers_of(const Classes& classes, const Result& result
 // keep in this result.
 std::vector<double> class_diameters(const Request& request, const Result& result);
 
-// The distances of a set's classes over those of the request: not 1 where a count decides.
-double distance_factor(const Request& request, const Result& result);
-
 nlohmann::ordered_json json_of(const Classes& classes);
 
 }  // namespace lacuna::cli

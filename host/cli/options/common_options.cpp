@@ -12,6 +12,7 @@
 #include "cli/terminal/driver.h"
 #include "cli/terminal/observers.h"
 #include "cli/terminal/progress_bar.h"
+#include "plan/sheets.h"
 
 namespace lacuna::cli {
 

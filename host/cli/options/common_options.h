@@ -20,7 +20,7 @@ struct CommonOptions {
     bool quiet = false;
 };
 
-// The targets of the options that say what is made, and of those that say what is written.
+// The targets of the options of a request, of its outputs, and of both with --report and --quiet.
 Targets targets_of(Request& request);
 Targets targets_of(OutputOptions& output);
 Targets targets_of(CommonOptions& options);

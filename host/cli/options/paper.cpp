@@ -39,8 +39,8 @@ struct PaperSize {
     double height_mm;
 };
 
-// Of the words for papers, in their order: ISO 216, and the sizes of ANSI, which are whole or half
-// inches.
+// The sizes of the papers in Words::papers, in the same order: ISO 216 first, then ANSI, whose
+// sides are whole or half inches.
 constexpr std::array<PaperSize, 10> kSizes{{{841, 1189},
                                             {594, 841},
                                             {420, 594},

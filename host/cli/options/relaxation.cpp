@@ -1,15 +1,11 @@
 // Relaxing points under a progress bar.
 #include "cli/options/relaxation.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "base/number_text.h"
-#include "cli/options/options.h"
 #include "cli/reports/report.h"
 #include "cli/terminal/driver.h"
 #include "cli/terminal/observers.h"
@@ -41,23 +37,8 @@ std::optional<double> measure_moved(const CommonOptions& common, const std::vect
 
 }  // namespace
 
-Targets targets_of(GaussianOptions& gaussian) {
-    return {{"gaussian", &gaussian.steps}, {"gaussian-distance", &gaussian.distance}};
-}
-
-RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations,
-                              const GaussianOptions& gaussian) {
-    RelaxOptions options;
-    options.gaussian = gaussian.steps;
-    options.gaussian_distance = gaussian.distance.value_or(options.gaussian_distance);
-    options.width = request.width;
-    options.height = request.height;
-    options.boundary = request.boundary;
-    options.iterations = iterations;
-    options.backend = request.backend;
-    options.device = request.device;
-    options.threads = request.threads;
-    return options;
+Targets targets_of(recipes::Moves& moves) {
+    return {{"gaussian", &moves.gaussian}, {"gaussian-distance", &moves.gaussian_distance}};
 }
 
 Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& outputs,

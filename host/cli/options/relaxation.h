@@ -3,7 +3,6 @@
 
 #include <lacuna/lacuna.h>
 
-#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -12,15 +11,12 @@
 #include "cli/options/bind.h"
 #include "cli/options/common_options.h"
 #include "cli/reports/output.h"
+#include "recipes/make.h"
 
 namespace lacuna::cli {
 
-// The steps on the Gaussian energy that follow the iterations.
-struct GaussianOptions {
-    std::uint32_t steps = 0;
-    std::optional<double> distance{};
-};
-Targets targets_of(GaussianOptions& gaussian);
+// The targets of --gaussian and --gaussian-distance.
+Targets targets_of(recipes::Moves& moves);
 
 // The results of relaxing, besides the points.
 struct Relaxation {
@@ -28,10 +24,6 @@ struct Relaxation {
     Relaxed relaxed;  // without its points
     std::optional<double> least_distance;
 };
-
-// Options with the request's domain, backend, device and threads.
-RelaxOptions relax_options_of(const Request& request, std::uint32_t iterations,
-                              const GaussianOptions& gaussian = {});
 
 // Relaxes the points of `made` under a progress bar, and adds the time to it; `field` may be null.
 // Evenness is measured if there is a report. The set is then not known to be maximal; its radius is

@@ -36,7 +36,7 @@ struct Layer {
 
 // What an ink prints, and how many dots it has.
 struct InkPart {
-    const Field* field = nullptr;  // with as many columns and rows as those of the other inks
+    const Field* field = nullptr;  // all inks have fields of one size
     std::uint64_t dots = 0;        // at least 1
 };
 

@@ -270,9 +270,10 @@ std::string_view name_of(Verb verb);
 enum class Stage { sampling, relaxing, pen_path };
 
 struct Progress {
-    std::uint64_t points = 0;           // admitted so far; while relaxing, times iterations
+    // The points that were admitted. While relaxing: their number times the finished rounds.
+    std::uint64_t points = 0;
     std::uint64_t expected_points = 0;  // an estimate, at least `points`
-    std::uint64_t rounds = 0;           // finished so far; while relaxing, iterations and steps
+    std::uint64_t rounds = 0;           // finished ones. While relaxing: iterations and steps
     Stage stage = Stage::sampling;
     std::uint64_t all_rounds = 0;  // while relaxing: the number of iterations and steps in all
 };

@@ -19,8 +19,8 @@
 //     in proportion, until its shorter radius is longer by the tolerance. On a torus no ellipse may
 //     be longer than the shorter side.
 //   - A mask, polygons and a border say where points may lie, as in Request. A spot where no point
-//     may lie need not be covered. Nor need a spot be covered that is nearer to an edge of polygons
-//     than Claim::edge_tolerance plus the distance that the set keeps from them. A
+//     may lie need not be covered. The same holds for spots nearer to an edge of polygons than
+//     Claim::edge_tolerance plus the distance that the set keeps from them. A
 //     line that two rings share is an edge of both. No point may lie outside, nor nearer than that
 //     distance; 4e-12 of the longer side are for the rounding of doubles.
 //   - Samplers round the borders of pixels to the lines of a grid. So a point that is within 2^-28

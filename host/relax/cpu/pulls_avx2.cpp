@@ -28,7 +28,7 @@ constexpr std::size_t kCount = 4;  // lanes of a vector
 HWY_INLINE Lane product(Lane a, Lane b) {
     return hn::MulEven(hn::BitCast(kHalves, a), hn::BitCast(kHalves, b));
 }
-// Of the whole 64 bits, and without regard to a sign.
+// Shifts lanes of 64 bits to the right, as unsigned numbers.
 template <typename Bits>
 HWY_INLINE Lane shifted(Lane lanes, Bits bits) {
     return hn::BitCast(kLanes, hn::ShiftRightSame(hn::BitCast(kUnsigned, lanes), bits));
