@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 
 #include "backends/cpu/darts.h"
 #include "backends/cpu/round_backend.h"
@@ -18,11 +17,12 @@ public:
 
 protected:
     using RoundBackend<DartState>::state_;
+    using RoundBackend<DartState>::stage_;
 
     // Decides the round's candidates, in at most most_slabs slabs.
     void throw_darts(std::uint32_t most_slabs) {
         const auto count = static_cast<std::uint32_t>(state_.candidates.size());
-        if (!std::exchange(state_.is_screened, false))
+        if (stage_ == Stage::restored)
             this->for_columns(count, [&](std::uint32_t column) { cpu::screen(state_, column); });
         const std::uint32_t slabs = count < kDrawsWorthSlabs ? 1 : most_slabs;
         for (std::uint32_t end, begin = 0; begin < count; begin = end) {
@@ -33,7 +33,7 @@ protected:
                             [&](std::uint32_t slab) { darts_.throw_in(state_, slab); });
             darts_.finish(state_, [&] { this->poll(); });
         }
-        state_.is_inserted = true;
+        stage_ = Stage::admitted;
     }
 
 private:

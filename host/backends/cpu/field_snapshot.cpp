@@ -11,14 +11,14 @@ namespace lacuna::cpu {
 
 // As with one radius, a snapshot has the round's samples among `samples` only after the round's
 // last verb, and does not show what screen found.
-Snapshot FieldState::snapshot() const {
+Snapshot FieldState::snapshot(Stage stage) const {
     Snapshot snapshot;
     std::vector<Sample> of_round;
     for (const std::uint32_t i : by_order) {
         const Candidate& candidate = candidates[i];
         snapshot.candidates.push_back({candidate.x, candidate.y, 0, candidate.order});
-        snapshot.statuses.push_back(is_screened ? STATUS_UNDECIDED : statuses[i]);
-        if (is_inserted && statuses[i] == STATUS_ADMITTED)
+        snapshot.statuses.push_back(stage == Stage::located ? STATUS_UNDECIDED : statuses[i]);
+        if (stage == Stage::admitted && statuses[i] == STATUS_ADMITTED)
             of_round.push_back({candidate.x, candidate.y});
     }
     for (const std::vector<BlockBox>& of_region : boxes)
@@ -38,7 +38,6 @@ std::uint32_t FieldState::region_of(std::uint32_t block) const {
 }
 
 void FieldState::restore(const Snapshot& snapshot) {
-    is_screened = is_inserted = false;
     near.put(with_radii(plan, snapshot.samples));
     for (std::uint32_t block = 0; block < first.block_count(); ++block) near.note_cuts(block);
     boxes.assign(columns, {});

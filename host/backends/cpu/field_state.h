@@ -29,13 +29,12 @@ struct FieldState : State {
     std::vector<std::vector<BlockBox>> boxes;  // active boxes of each region, block by block
     NeighbourLists near;
 
-    void end_locate() { is_screened = true; }
     // Makes the active boxes the bins. Call it once, then for each region, in parallel.
     void measure_boxes();
     void measure_boxes(std::uint32_t region);
     // Puts restored samples of the round into the lists.
     void insert_admitted();
-    Snapshot snapshot() const;
+    Snapshot snapshot(Stage stage) const;
     void restore(const Snapshot& snapshot);
 
 private:

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
-#include <utility>
 
 #include "backends/cpu/dart_backend.h"
 #include "backends/cpu/round_backend.h"
@@ -20,13 +19,14 @@ public:
     using DartBackend::DartBackend;
 
     void admit() override {
-        if (!state_.grid) return admit_by_passes([&] { take_out(); });
+        if (!state_.grid) return admit_by_passes([&] { cut(); });
         throw_darts(slabs());
     }
 
     void subtract() override {
         insert();
-        if (!std::exchange(is_cut_, false)) cut();
+        if (stage_ != Stage::cut) cut();
+        stage_ = Stage::cut;
     }
 
     void refine(bool halve) override {
@@ -35,15 +35,12 @@ public:
         for_columns(state_.bin_begins.back(),
                     [&](std::uint32_t column) { cpu::refine(state_, column, width); });
         state_.settle_boxes(width);
+        stage_ = Stage::cut;
     }
 
 private:
-    void take_out() {
-        cut();
-        is_cut_ = true;
-    }
     void insert() {
-        if (state_.grid && !std::exchange(state_.is_inserted, false))
+        if (state_.grid && stage_ != Stage::admitted)
             for_columns(state_.candidates.size(),
                         [&](std::uint32_t column) { cpu::insert(state_, column); });
     }
@@ -51,8 +48,6 @@ private:
         while (!all_columns([&](std::uint32_t column) { return cpu::subtract(state_, column); }))
             state_.grow();
     }
-
-    bool is_cut_ = false;  // admit has cut the bins: subtract has nothing to do
 };
 
 class CellsBackend : public RoundBackend<BitState> {
@@ -60,14 +55,12 @@ public:
     using RoundBackend::RoundBackend;
 
     void admit() override {
-        admit_by_passes([&] {
-            cut();
-            is_cut_ = true;
-        });
+        admit_by_passes([&] { cut(); });
     }
 
     void subtract() override {
-        if (!std::exchange(is_cut_, false)) cut();
+        if (stage_ != Stage::cut) cut();
+        stage_ = Stage::cut;
     }
 
     void refine(bool) override { throw std::logic_error("mode cells has nothing to refine"); }
@@ -78,8 +71,6 @@ private:
         for_columns(state_.near.size(),
                     [&](std::uint32_t column) { cpu::subtract(state_, column); });
     }
-
-    bool is_cut_ = false;  // admit has cut the bins: subtract has nothing to do
 };
 
 }  // namespace

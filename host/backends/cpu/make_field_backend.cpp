@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
-#include <utility>
 
 #include "backends/cpu/dart_backend.h"
 #include "backends/cpu/field_state.h"
@@ -24,12 +23,13 @@ public:
     void subtract() override { throw std::logic_error("a radius field is refined from the start"); }
 
     void refine(bool halve) override {
-        if (!std::exchange(state_.is_inserted, false)) state_.insert_admitted();
+        if (stage_ != Stage::admitted) state_.insert_admitted();
         for_columns(state_.bin_begins.back(),
                     [&](std::uint32_t region) { cpu::refine(state_, region, halve); });
         state_.measure_boxes();
         for_columns(state_.bin_begins.back(),
                     [&](std::uint32_t region) { state_.measure_boxes(region); });
+        stage_ = Stage::cut;
     }
 };
 

@@ -29,12 +29,12 @@ public:
     void watch(std::function<bool()> may_go_on) override { workers_.watch(std::move(may_go_on)); }
 
     void locate(std::span<const Draw> draws) override {
-        if (!is_set_)
+        if (stage_ == Stage::none)
             for_columns(state_.plan.lines, [&](std::uint32_t i) { cpu::set_free(state_, i); });
-        is_set_ = true;
         state_.begin_round(draws);
         for_columns(draws.size(), [&](std::uint32_t i) { cpu::locate(state_, draws, i); });
         state_.end_locate();
+        stage_ = Stage::located;
     }
 
     Round finish_round() override {
@@ -43,7 +43,7 @@ public:
         Sample* next = samples_.data();
         for (const std::uint32_t i : state_.by_order) {
             const Candidate& candidate = state_.candidates[i];
-            survivors += static_cast<std::uint64_t>(state_.is_screened ||
+            survivors += static_cast<std::uint64_t>(stage_ == Stage::located ||
                                                     state_.statuses[i] != STATUS_COVERED);
             *next = {candidate.x, candidate.y};
             next += state_.statuses[i] == STATUS_ADMITTED;
@@ -55,25 +55,26 @@ public:
     }
     std::vector<Candidate> located() override { return state_.candidates; }
 
-    Snapshot snapshot() override { return state_.snapshot(); }
+    Snapshot snapshot() override { return state_.snapshot(stage_); }
     void restore(const Snapshot& snapshot) override {
         state_.restore(snapshot);
-        is_set_ = true;
+        stage_ = Stage::restored;
     }
 
 protected:
-    // Admits all draws at once or, if they crowd (crowd.h), part by part. take_out() cuts a part's
-    // samples from the bins, so that is_covered sees them.
-    template <typename TakeOut>
-    void admit_by_passes(TakeOut take_out) {
+    // Admits all draws at once or, if they crowd (crowd.h), part by part. cut() cuts the samples of
+    // a part from the bins, and is_covered then finds the draws that they cover.
+    template <typename Cut>
+    void admit_by_passes(Cut cut) {
         const auto count = static_cast<std::uint32_t>(state_.candidates.size());
         std::uint32_t end = cpu::first_part(state_);
+        stage_ = end == count ? Stage::admitted : Stage::cut;
         if (end == count) return decide_all();
         Crowd<ModeState> crowd(state_);
         for (std::uint32_t begin = 0; begin < count;
              begin = end, end += std::min(end, count - end)) {
             admit_part(crowd, {begin, end});
-            take_out();
+            cut();
         }
         crowd.give_back(state_);
     }
@@ -103,6 +104,7 @@ protected:
     void poll() const { workers_.poll(); }
 
     ModeState state_;
+    Stage stage_ = Stage::none;
 
 private:
     // Columns of a slab. In narrower slabs too many draws are put off (darts.h); the cells of wider
@@ -134,7 +136,6 @@ private:
     }
 
     Workers workers_;
-    bool is_set_ = false;  // the bins are set free in the first round
     std::vector<Sample> samples_;
     std::vector<std::uint32_t> orders_;  // with plan.tells_orders
 };

@@ -54,10 +54,13 @@ void State::begin_round(std::span<const Draw> draws) {
     find_column_begins(bin_begins, draws, column_begins);
 }
 
-Snapshot State::snapshot() const {
+Snapshot State::snapshot(Stage stage) const {
     Snapshot snapshot;
     snapshot.candidates = candidates;
     snapshot.statuses = statuses;
+    // What screen found is not shown.
+    if (stage == Stage::located)
+        std::fill(snapshot.statuses.begin(), snapshot.statuses.end(), STATUS_UNDECIDED);
     return snapshot;
 }
 
@@ -119,14 +122,15 @@ void SpanState::sort_columns(Snapshot& snapshot) const {
                   [&](std::uint32_t a, std::uint32_t b) {
                       return comes_before(candidates[a], candidates[b]);
                   });
+    const std::vector<std::uint32_t> unsorted = snapshot.statuses;
     for (std::size_t i = 0; i < sorted.size(); ++i) {
         snapshot.candidates[i] = candidates[sorted[i]];
-        snapshot.statuses[i] = statuses[sorted[i]];
+        snapshot.statuses[i] = unsorted[sorted[i]];
     }
 }
 
-Snapshot SpanState::snapshot() const {
-    Snapshot snapshot = State::snapshot();
+Snapshot SpanState::snapshot(Stage stage) const {
+    Snapshot snapshot = State::snapshot(stage);
     snapshot.capacity = capacity;
     for (std::uint32_t line = 0; line < plan.lines && !has_boxes; ++line) {
         const std::span<Span> of_line = slot(line).first(span_counts[line]);
@@ -136,13 +140,11 @@ Snapshot SpanState::snapshot() const {
         snapshot.grid.insert(snapshot.grid.end(), grid->column(i),
                              grid->column(i) + plan.grid().rows);
     // In a snapshot the round's samples enter the grid with the round's last verb, not with admit.
-    for (std::size_t i = 0; is_inserted && i < candidates.size(); ++i)
+    for (std::size_t i = 0; grid && stage == Stage::admitted && i < candidates.size(); ++i)
         if (statuses[i] == STATUS_ADMITTED)
             snapshot.grid[std::size_t{candidates[i].x / plan.grid().side} * plan.grid().rows +
                           candidates[i].y / plan.grid().side] = {NO_SAMPLE, NO_SAMPLE};
     if (grid) sort_columns(snapshot);
-    if (is_screened)
-        std::fill(snapshot.statuses.begin(), snapshot.statuses.end(), STATUS_UNDECIDED);
     snapshot.box_width = has_boxes ? bin_width : 0;
     for (const std::vector<Box>& of_column : boxes)
         snapshot.boxes.insert(snapshot.boxes.end(), of_column.begin(), of_column.end());
@@ -151,7 +153,6 @@ Snapshot SpanState::snapshot() const {
 
 void SpanState::restore(const Snapshot& snapshot) {
     State::restore(snapshot);
-    is_inserted = is_screened = false;
     if (grid) grid->clear(0, 1);  // the margin, too, which is in no snapshot
     for (std::uint32_t i = 0; i < plan.grid().columns && grid; ++i)
         std::copy_n(snapshot.grid.data() + std::size_t{i} * plan.grid().rows, plan.grid().rows,
@@ -256,8 +257,8 @@ void BitState::find_near(const std::function<void()>& poll) {
     for_each_near([&](std::uint32_t column, std::uint32_t i) { near[--near_begins[column]] = i; });
 }
 
-Snapshot BitState::snapshot() const {
-    Snapshot snapshot = State::snapshot();
+Snapshot BitState::snapshot(Stage stage) const {
+    Snapshot snapshot = State::snapshot(stage);
     for (std::size_t i = 0; i < plan.lines * words; ++i) {
         snapshot.bits.push_back(static_cast<std::uint32_t>(bits[i]));
         snapshot.bits.push_back(static_cast<std::uint32_t>(bits[i] >> 32));

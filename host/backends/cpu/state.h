@@ -15,6 +15,15 @@
 
 namespace lacuna::cpu {
 
+// How far the round has come.
+enum class Stage {
+    none,      // there was no round yet, and the bins are not set free
+    restored,  // candidates with any statuses
+    located,   // undecided candidates; in exact, screen has found those that are covered
+    admitted,  // all are decided; in exact, the round's samples are in the grid or the lists
+    cut,       // the round's samples are cut from the bins
+};
+
 // The order of candidates within a column.
 inline bool comes_before(const Candidate& a, const Candidate& b) {
     return a.y < b.y || (a.y == b.y && a.order < b.order);
@@ -45,10 +54,6 @@ struct State {
     std::vector<std::uint32_t> column_begins;  // columns + 1
     std::vector<std::uint32_t> statuses;       // portable/status.h
     std::vector<std::uint32_t> by_order;       // the candidate of each draw
-    // In exact: whether screen has found the candidates that earlier samples cover.
-    bool is_screened = false;
-    // In exact: whether the round's own samples, too, are in the grid or the neighbour lists.
-    bool is_inserted = false;
     // Except in exact, a column has as many buckets as candidates (portable/column.h). Bucket b
     // begins at the column's candidate number buckets[column_begins[column] + b].
     std::vector<std::uint32_t> buckets;
@@ -64,14 +69,14 @@ struct State {
     void begin_round(std::span<const Draw> draws);
     // Sorts the column's candidates by y, and by order where y is equal.
     void sort_column(std::uint32_t column);
-    // Called after all columns' candidates were sorted.
+    // Called after all columns' candidates were located.
     void end_locate() {}
     // Index of the column's first candidate that is not below y, or the column's end.
     std::uint32_t first_from(std::uint32_t column, std::uint32_t y) const;
     // The number of the column's candidates in the buckets of the heights [low, high).
     std::uint32_t count_between(std::uint32_t column, std::uint32_t low, std::uint32_t high) const;
 
-    Snapshot snapshot() const;
+    Snapshot snapshot(Stage stage) const;
     void restore(const Snapshot& snapshot);
 };
 
@@ -95,12 +100,11 @@ struct SpanState : State {
     }
     // Sets the line's spans, for which there must be room.
     void set_spans(std::uint32_t line, std::span<const Span> of_line);
-    void end_locate() { is_screened = grid.has_value(); }
     // Doubles the room of every line.
     void grow();
     // Makes the boxes the bins; all are `width` wide.
     void settle_boxes(std::uint32_t width);
-    Snapshot snapshot() const;
+    Snapshot snapshot(Stage stage) const;
     void restore(const Snapshot& snapshot);
 
 private:
@@ -159,7 +163,7 @@ struct BitState : State {
     void find_widest_open();
     // For subtract: fills near. Sequential; calls poll now and then, which may throw.
     void find_near(const std::function<void()>& poll);
-    Snapshot snapshot() const;
+    Snapshot snapshot(Stage stage) const;
     void restore(const Snapshot& snapshot);
 };
 
