@@ -1,6 +1,7 @@
-// Numbers as text.
+// Numbers as text, and texts for messages.
 #include "base/number_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <iterator>
 
@@ -18,6 +19,12 @@ std::string rounded(double value, int digits) {
         std::to_chars(std::begin(text), std::end(text), value, std::chars_format::general, digits)
             .ptr;
     return {text, end};
+}
+
+std::string shown(const std::string& text) {
+    const auto is_plain = [](unsigned char c) { return c > 0x20 && c != 0x7f; };
+    if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return text;
+    return '"' + text + '"';
 }
 
 }  // namespace lacuna

@@ -1,4 +1,4 @@
-// Numbers as text, whatever the locale.
+// Numbers as text, whatever the locale, and texts for messages.
 #pragma once
 
 #include <string>
@@ -9,5 +9,8 @@ namespace lacuna {
 std::string shortest(double value);
 // Writes a number with at most this many significant digits, as printf's %g does.
 std::string rounded(double value, int digits);
+
+// A given text for a message: in quotes if it is empty, or has blanks or control characters.
+std::string shown(const std::string& text);
 
 }  // namespace lacuna

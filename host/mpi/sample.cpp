@@ -17,9 +17,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/number_text.h"
 #include "cli/options/bind.h"
 #include "cli/options/common_options.h"
-#include "cli/options/options.h"
 #include "cli/reports/output.h"
 #include "cli/reports/report.h"
 #include "cli/terminal/driver.h"
@@ -84,7 +84,7 @@ void check(const MpiSample& all, const Request& request, const MpiRanks& ranks) 
         throw BadRequest("output", "nothing", "must be given: a file whose name ends in .npy");
     const files::Format* const format = files::find_format_of(all.path);
     if (cli::is_stream(all.path) || format == nullptr || format->extension != ".npy")
-        throw BadRequest("output", cli::shown(all.path),
+        throw BadRequest("output", shown(all.path),
                          "must be a file whose name ends in .npy, to which all ranks can write");
     cli::check_writable(all.path);
     if (!all.common.report.empty()) cli::check_json("report", all.common.report);
@@ -200,7 +200,7 @@ void add_sample(CLI::App& app, const MpiProgram* const& program) {
                          {"report", &all->common.report},
                          {"progress", &all->progress},
                          {"quiet", &all->common.quiet}};
-    targets.merge(cli::targets_of(all->common.request));
+    targets.merge(recipes::targets_of(all->common.request));
     cli::add_command(app, recipes::kMpiSample, kSampleDescription, targets,
                      [all, &program](const cli::CommandLine&) { run(*all, *program); });
 }

@@ -3,10 +3,9 @@
 
 #include <lacuna/verify.h>
 
-#include <string>
 #include <utility>
 
-#include "base/number_text.h"
+#include "recipes/targets.h"
 #include "relax/descent.h"
 #include "relax/lattice.h"
 
@@ -34,23 +33,29 @@ void note_moves(const Request& request, Result& result) {
     result.radius = least_distance(result.points, request.width, request.height, request.boundary);
 }
 
-void check_moves(const Request& request, const Moves& moves) {
-    if (moves.gaussian_distance && moves.gaussian == 0)
-        throw BadRequest("gaussian-distance", shortest(*moves.gaussian_distance),
-                         "is for --gaussian");
-    if (!moves.are_asked_for()) return;
-    const bool relaxes = moves.iterations != 0;
-    const auto refuse = [&](const char* allowed) {
-        throw BadRequest(relaxes ? "relax" : "gaussian",
-                         std::to_string(relaxes ? moves.iterations : moves.gaussian), allowed);
+namespace {
+
+// The moves, and what of a request excludes some, as a command line.
+CommandLine line_of(const Request& request, Moves moves) {
+    Moves usual;
+    CommandLine line{kSample, given_in(kSample, targets_of(moves), targets_of(usual))};
+    const auto give = [&](const char* name, bool is_given) {
+        if (is_given) line.given.push_back({name, {}});
     };
-    if (request.progressive) refuse("cannot be used with --progressive: it moves the points");
-    if (request.mask != nullptr || request.border != 0 || !request.keep.empty())
-        refuse("cannot be used with --mask, --inside, --outside, --avoid, --border or --keep");
-    if (!request.classes.names.empty())
-        refuse("cannot be used with --class: it keeps no distances");
-    if (request.field != nullptr && !request.field->stretches.empty())
-        refuse("cannot be used with --ellipses, --stretch or --along: relaxing has disks");
+    give("progressive", request.progressive);
+    give("mask", request.mask != nullptr);
+    give("border", request.border != 0);
+    give("keep", !request.keep.empty());
+    give("class", !request.classes.names.empty());
+    give("ellipses", request.field != nullptr && !request.field->stretches.empty());
+    return line;
+}
+
+}  // namespace
+
+void check_moves(const Request& request, const Moves& moves) {
+    refuse_pairs(line_of(request, moves));
+    if (!moves.are_asked_for()) return;
     const RelaxOptions options = relax_options_of(request, moves);
     relaxing::check_options(options);
     relaxing::check_gaussian(request.field, options);

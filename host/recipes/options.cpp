@@ -5,9 +5,17 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <iterator>
 
 namespace lacuna::recipes {
 namespace {
+
+// An option, and its help. {read}, {written} and {pictures} stand for the extensions of the files
+// that can be read, written, and written as pictures.
+struct Row {
+    Option option;
+    std::string_view help;
+};
 
 constexpr Commands kUniform = kSample | kCompare | kMpiSample;  // radius, count, domain
 constexpr Commands kPlaced = kSample | kVerify;                 // in polygons, around others
@@ -17,388 +25,305 @@ constexpr Commands kMade = kSample | kStipple | kCompare | kMpiSample;
 constexpr Commands kDrawn = kSample | kStipple | kMoved;
 constexpr Commands kReported = kSample | kStipple | kRelax;
 
-constexpr Option kRows[] = {
+constexpr Row kRows[] = {
     // Arguments
-    {"FILE",
-     "...",
-     Kind::read_file,
-     kVerify | kAnalyze,
-     "By extension: {read}; - is standard input, as .txt",
-     {.repeats = true, .is_required = true}},
-    {"POINTS",
-     "",
-     Kind::read_file,
-     kMoved,
-     "The points; - is standard input, as .txt",
-     {.is_required = true}},
-    {"IMAGE",
-     "",
-     Kind::read_file,
-     kStipple,
-     "The picture; - is standard input",
-     {.is_required = true}},
-    {"IMAGE", "", Kind::read_file, kMoved | kCompare, "The picture; - is standard input"},
-    {"WHAT",
-     "...",
-     Kind::word,
-     kReproduce,
-     "table1, table2, fig3 to fig8, or all",
-     {.words = Words::figures, .repeats = true, .is_required = true}},
+    {{"FILE", "...", Kind::read_file, kVerify | kAnalyze, {.repeats = true, .is_required = true}},
+     "By extension: {read}; - is standard input, as .txt"},
+    {{"POINTS", "", Kind::read_file, kMoved, {.is_required = true}},
+     "The points; - is standard input, as .txt"},
+    {{"IMAGE", "", Kind::read_file, kStipple, {.is_required = true}},
+     "The picture; - is standard input"},
+    {{"IMAGE", "", Kind::read_file, kMoved | kCompare}, "The picture; - is standard input"},
+    {{"WHAT",
+      "...",
+      Kind::word,
+      kReproduce,
+      {.words = Words::figures, .repeats = true, .is_required = true}},
+     "table1, table2, fig3 to fig8, or all"},
 
     // What points are asked for
-    {"radius", "R", Kind::number, kUniform, "Least distance between two points; this or --count"},
-    {"radius", "R", Kind::number, kVerify,
+    {{"radius", "R", Kind::number, kUniform}, "Least distance between two points; this or --count"},
+    {{"radius", "R", Kind::number, kVerify},
      "The least distance promised (default: the one in a .json)"},
-    {"radius", "R", Kind::number, kAnalyze,
+    {{"radius", "R", Kind::number, kAnalyze},
      "Radius of the sets, to print count * R^2 and distances in radii"},
-    {"count", "N", Kind::whole, kUniform,
+    {{"count", "N", Kind::whole, kUniform},
      "Exactly N points, at a radius with room for a few more, so that the set is not maximal; this "
      "or --radius"},
-    {"domain", "WxH", Kind::text, kUniform, "Width and height of the domain (default 1x1)"},
-    {"domain", "WxH", Kind::text, kVerify | kMoved | kAnalyze,
+    {{"domain", "WxH", Kind::text, kUniform}, "Width and height of the domain (default 1x1)"},
+    {{"domain", "WxH", Kind::text, kVerify | kMoved | kAnalyze},
      "Width and height of the domain (default: from a .json or a picture, or 1x1)"},
 
     // Pictures
-    {"field", "IMAGE", Kind::read_file, kPlaced,
+    {{"field", "IMAGE", Kind::read_file, kPlaced},
      "A picture that says where points are wanted: many where it is dark, none where it is white"},
-    {"scale", "G", Kind::number, kPlaced,
+    {{"scale", "G", Kind::number, kPlaced},
      "With --field, instead of --radius: the radius where the picture is black"},
-    {"scale", "G", Kind::number, kStipple | kCompare,
+    {{"scale", "G", Kind::number, kStipple | kCompare},
      "The radius where the picture is black, if its longer side is 1; this or --count"},
-    {"metric",
-     "METRIC",
-     Kind::word,
-     kStipple | kCompare,
-     "Least distance of two dots: the min, mean or max of their two radii",
-     {.words = Words::metrics}},
-    {"invert", "", Kind::flag, kPicture, "Bright is dense instead of dark"},
-    {"black", "L", Kind::number, kPicture, "Luminance from 0 to L counts as black (default 0)"},
-    {"white", "L", Kind::number, kPicture, "Luminance from L to 1 counts as white (default 1)"},
-    {"auto-levels", "", Kind::flag, kPicture,
+    {{"metric", "METRIC", Kind::word, kStipple | kCompare, {.words = Words::metrics}},
+     "Least distance of two dots: the min, mean or max of their two radii"},
+    {{"invert", "", Kind::flag, kPicture}, "Bright is dense instead of dark"},
+    {{"black", "L", Kind::number, kPicture}, "Luminance from 0 to L counts as black (default 0)"},
+    {{"white", "L", Kind::number, kPicture}, "Luminance from L to 1 counts as white (default 1)"},
+    {{"auto-levels", "", Kind::flag, kPicture},
      "Chooses --black and --white: half a percent of the pixels lie beyond each"},
-    {"sharpen", "R[:X]", Kind::text, kPicture,
+    {{"sharpen", "R[:X]", Kind::text, kPicture},
      "Sharpens edges of about R pixels, X times as much (default 1), by an unsharp mask: shows "
      "more with few dots"},
-    {"along", "RATIO", Kind::number, kPicture & ~kMoved,
+    {{"along", "RATIO", Kind::number, kPicture & ~kMoved},
      "Ellipses instead of disks, up to RATIO times as long as wide, along the picture's edges "
      "(default 1); in mode exact"},
-    {"gamma", "X", Kind::number, kPicture,
+    {{"gamma", "X", Kind::number, kPicture},
      "Importance is raised to this power: over 1 lightens middle tones (default 1)"},
-    {"min-importance", "I", Kind::number, kPicture,
+    {{"min-importance", "I", Kind::number, kPicture},
      "Least importance, so that white has dots too (default 0)"},
 
     // Where points may lie
-    {"ellipses", "FILE", Kind::read_file, kPlaced,
+    {{"ellipses", "FILE", Kind::read_file, kPlaced},
      "An ellipse for each point instead of a disk: a .npy of rows x columns x 3 numbers, two radii "
      "and the angle of the first one, in radians counterclockwise from the x axis; --scale "
      "multiplies all radii (default 1)"},
-    {"stretch", "A:B@DEGREES", Kind::text, kPlaced,
+    {{"stretch", "A:B@DEGREES", Kind::text, kPlaced},
      "The same ellipse for all points: two radii, and the angle of the first one in degrees "
      "counterclockwise from the x axis"},
-    {"stretch", "A:B@DEGREES", Kind::text, kAnalyze,
+    {{"stretch", "A:B@DEGREES", Kind::text, kAnalyze},
      "For sets of one ellipse, as of lacuna sample --stretch: analyses them compressed, so that "
      "the ellipse is a disk. The angle must be a multiple of 90"},
-    {"class",
-     "NAME:R[:W]",
-     Kind::text,
-     kPlaced,
+    {{"class", "NAME:R[:W]", Kind::text, kPlaced, {.repeats = true}},
      "Points of a class, such as trees:0.05 or trees:0.05:3: its name, its radius, and how often "
-     "it is drawn (default 1); once for each class",
-     {.repeats = true}},
-    {"between",
-     "RULE",
-     Kind::word_or_file,
-     kPlaced,
+     "it is drawn (default 1); once for each class"},
+    {{"between", "RULE", Kind::word_or_file, kPlaced, {.words = Words::between}},
      "The least distance of two classes. sum (default): the sum of their radii, as of objects that "
      "do not overlap; union: each class alone and all together are evenly distributed; or a file "
-     "of distances, .csv or .json, a row and a column a class, which leaves no R to --class",
-     {.words = Words::between}},
-    {"mask", "IMAGE", Kind::read_file, kPlaced,
+     "of distances, .csv or .json, a row and a column a class, which leaves no R to --class"},
+    {{"mask", "IMAGE", Kind::read_file, kPlaced},
      "A picture that says where points may lie: on pixels that are neither black nor transparent"},
-    {"inside",
-     "FILE",
-     Kind::read_file,
-     kPlaced,
+    {{"inside", "FILE", Kind::read_file, kPlaced, {.repeats = true}},
      "Polygons that points must lie in: .svg, .geojson or .txt (`x y` on each line, a blank line "
      "between rings); polygons that overlap are joined, each filled by its own rule; may be given "
-     "several times, and points then lie inside of any",
-     {.repeats = true}},
-    {"outside",
-     "FILE",
-     Kind::read_file,
-     kPlaced,
-     "Polygons that points must not lie in, as for --inside; may be given several times",
-     {.repeats = true}},
-    {"avoid",
-     "FILE[:WIDTH]",
-     Kind::obstacles,
-     kPlaced,
+     "several times, and points then lie inside of any"},
+    {{"outside", "FILE", Kind::read_file, kPlaced, {.repeats = true}},
+     "Polygons that points must not lie in, as for --inside; may be given several times"},
+    {{"avoid", "FILE[:WIDTH]", Kind::obstacles, kPlaced, {.repeats = true}},
      "Obstacles that points stay away from: points of a .csv, by its column radius, or lines and "
-     "outlines of a .svg, .geojson or .txt, within WIDTH; may be given several times",
-     {.repeats = true}},
-    {"edge", "E", Kind::number, kPlaced,
+     "outlines of a .svg, .geojson or .txt, within WIDTH; may be given several times"},
+    {{"edge", "E", Kind::number, kPlaced},
      "How far inside the outline of polygons points may begin (default: a sixteenth of the least "
      "radius)"},
-    {"border", "D", Kind::number, kPlaced,
+    {{"border", "D", Kind::number, kPlaced},
      "Least distance of points to the domain's edges, and to the outlines of --inside and "
      "--outside (default 0)"},
-    {"keep", "FILE", Kind::read_file, kPlaced,
+    {{"keep", "FILE", Kind::read_file, kPlaced},
      "Points that are there already: they come first, unmoved, and new points fill the space "
      "around them"},
 
     // Dots of a picture
-    {"count", "N", Kind::whole, kStipple,
+    {{"count", "N", Kind::whole, kStipple},
      "Exactly N dots, at a scale that fits; this or --scale (default: a number that suits the "
      "picture's size and darkness, or --dot-size)"},
-    {"mode",
-     "MODE",
-     Kind::word,
-     kStipple,
+    {{"mode", "MODE", Kind::word, kStipple, {.words = Words::dot_modes, .alias = "start"}},
      "How dots are placed before they are moved. stratified (default with --relax): every part of "
      "the picture has its share of the dots; cells (default with --relax 0): on a lattice, as in "
      "the paper; exact: in the plane, with no gap left, and with --metric min. The default is "
      "cells, too, if --scale, --metric, --limit, --lines-per-radius or --round-size is given, "
-     "because a stratified set keeps no least distance",
-     {.words = Words::dot_modes, .alias = "start"}},
-    {"lines-per-radius", "M", Kind::whole, kStipple,
+     "because a stratified set keeps no least distance"},
+    {{"lines-per-radius", "M", Kind::whole, kStipple},
      "Lattice steps per least radius (default 10); in exact it changes only the speed (default 1)"},
-    {"inks", "LIST", Kind::text, kStipple,
+    {{"inks", "LIST", Kind::text, kStipple},
      "Draws in colour: cmyk, or inks separated by commas: names such as black,red, or #rrggbb, or "
      "NAME=#rrggbb. All dots together are evenly spread, too; .svg has a layer per ink"},
-    {"black-ink", "X", Kind::number, kStipple,
+    {{"black-ink", "X", Kind::number, kStipple},
      "With --inks: how much black replaces other inks that would look grey together, 0 to 1 "
      "(default 0.8)"},
-    {"ink-counts", "N,N...", Kind::text, kStipple,
+    {{"ink-counts", "N,N...", Kind::text, kStipple},
      "With --inks: the dots of each ink, in place of --count (default: as much as the picture "
      "needs of each)"},
 
     // How they are made
-    {"torus", "", Kind::flag, kMade | kMoved | kVerify, "The edges wrap"},
-    {"torus", "", Kind::flag, kAnalyze, "The edges wrap: distances go across them"},
-    {"limit", "K", Kind::whole, kMade, "Stop after K points"},
-    {"seed", "S", Kind::whole, kMade,
+    {{"torus", "", Kind::flag, kMade | kMoved | kVerify}, "The edges wrap"},
+    {{"torus", "", Kind::flag, kAnalyze}, "The edges wrap: distances go across them"},
+    {{"limit", "K", Kind::whole, kMade}, "Stop after K points"},
+    {{"seed", "S", Kind::whole, kMade},
      "Same seed, same points, whatever the backend (default 0). Give each colour channel a seed of "
      "its own: where channels are equal, one seed puts their dots on the same spots"},
-    {"seed", "S", Kind::whole, kOrder,
+    {{"seed", "S", Kind::whole, kOrder},
      "Another seed gives another order of the points of a level (default 0)"},
-    {"seeds", "A..B", Kind::text, kSample,
+    {{"seeds", "A..B", Kind::text, kSample},
      "A set for each seed from A to B, both included; each goes to a file of its own: every "
      "--output has {seed} in its name. Instead of --seed"},
-    {"progressive", "", Kind::flag, kSample,
+    {{"progressive", "", Kind::flag, kSample},
      "Orders the points so that the first n, for any n from 16 on, are spread as evenly as a set "
      "of n points. --count may then cut the sequence anywhere"},
-    {"iterations", "K", Kind::whole, kRelax,
+    {{"iterations", "K", Kind::whole, kRelax},
      "Times that points are moved, at most 10000 (default 15)"},
-    {"relax", "K", Kind::whole, kSample | kCompare,
+    {{"relax", "K", Kind::whole, kSample | kCompare},
      "Then moves the points K times, as lacuna relax does; 0 leaves them (default 0)"},
-    {"relax", "K", Kind::whole, kStipple,
+    {{"relax", "K", Kind::whole, kStipple},
      "Then moves the points K times, as lacuna relax does; 0 leaves them (default 15)"},
-    {"gaussian",
-     "K",
-     Kind::whole,
-     kSample | kRelax,
+    {{"gaussian", "K", Kind::whole, kSample | kRelax, {.usual = "150"}},
      "Then K steps (150 if no number follows) of descent on the Gaussian energy, which take low "
-     "frequencies out of the set and keep a least distance; for domains without a picture",
-     {.usual = "150"}},
-    {"gaussian-distance", "D", Kind::number, kSample | kRelax,
+     "frequencies out of the set and keep a least distance; for domains without a picture"},
+    {{"gaussian-distance", "D", Kind::number, kSample | kRelax},
      "The distance below which the steps of --gaussian push points apart, in mean spacings, 0 to 1 "
      "(default 0.90)"},
-    {"mode",
-     "MODE",
-     Kind::word,
-     kSample,
+    {{"mode", "MODE", Kind::word, kSample, {.words = Words::point_modes, .alias = "start"}},
      "exact (default): no gap is left, every distance is at least the radius; lines: the paper's "
      "algorithm, which is approximate; stratified (default with --relax and --count): every part "
-     "of the domain has its share of the points",
-     {.words = Words::point_modes, .alias = "start"}},
-    {"mode",
-     "MODE",
-     Kind::word,
-     kCompare,
+     "of the domain has its share of the points"},
+    {{"mode", "MODE", Kind::word, kCompare, {.words = Words::modes, .alias = "start"}},
      "exact (default): no gap is left, every distance is at least the radius; lines: the paper's "
      "algorithm, which is approximate; stratified, or with a picture cells: as for sample and "
-     "stipple",
-     {.words = Words::modes, .alias = "start"}},
-    {"lines-per-radius", "M", Kind::whole, kSample | kCompare,
+     "stipple"},
+    {{"lines-per-radius", "M", Kind::whole, kSample | kCompare},
      "Number of lines per radius (default 6 in exact, 30 in lines)"},
-    {"lines-per-radius", "M", Kind::whole, kMpiSample, "Lines in a radius' width (default 6)"},
-    {"uniform-x", "", Kind::flag, kSample | kCompare,
+    {{"lines-per-radius", "M", Kind::whole, kMpiSample}, "Lines in a radius' width (default 6)"},
+    {{"uniform-x", "", Kind::flag, kSample | kCompare},
      "In mode lines: all lines with room are equally likely, however much room they have"},
-    {"snap", "", Kind::flag, kSample | kCompare,
+    {{"snap", "", Kind::flag, kSample | kCompare},
      "In mode lines: points lie on the lines, and every distance is at least the radius R; without "
      "it distances may be R/(2M) less"},
 
     // Dots on paper
-    {"dot-size", "D", Kind::text, kSample,
+    {{"dot-size", "D", Kind::text, kSample},
      "Diameter of dots, such as 0.5mm; or radius (default): two thirds of --radius. In .csv .npy "
      ".ply .json it adds columns for dots, as --paper-size does"},
-    {"dot-size", "D[..D]", Kind::text, kStipple,
+    {{"dot-size", "D[..D]", Kind::text, kStipple},
      "Diameter of dots, such as 0.5mm, or 0.3mm..0.8mm from light to dark; or radius (default): "
      "the ink of all dots is as much as the picture is dark. In .csv .npy .ply .json it adds "
      "columns for dots, as --paper-size does"},
-    {"dot-size", "D", Kind::text, kRelax,
+    {{"dot-size", "D", Kind::text, kRelax},
      "Diameter of dots, such as 0.5mm; or radius (default): dots have as much ink as the picture "
      "is dark, or are two thirds of the least distance wide. In .csv .npy .ply .json it adds "
      "columns for dots, as --paper-size does"},
-    {"dot-size", "D", Kind::text, kOrder,
+    {{"dot-size", "D", Kind::text, kOrder},
      "Diameter of dots, such as 0.5mm; or radius (default): dots have as much ink as the picture "
      "is dark, or as a maximal set of as many points has. In .csv .npy .ply .json it adds columns "
      "for dots, as --paper-size does"},
-    {"paper-size",
-     "WxH",
-     Kind::text,
-     kDrawn,
+    {{"paper-size", "WxH", Kind::text, kDrawn, {.words = Words::papers}},
      "Such as 210x297mm (or cm, in, pt); or A0 to A6, letter, legal, tabloid, which are turned to "
-     "suit the picture",
-     {.words = Words::papers}},
-    {"margin", "D", Kind::text, kDrawn, "Margin around the dots, with --paper-size (default 0mm)"},
-    {"dpi", "X", Kind::number, kDrawn, "Pixels per inch of .png (default 144)"},
-    {"ellipse-columns", "", Kind::flag, kSample | kStipple,
+     "suit the picture"},
+    {{"margin", "D", Kind::text, kDrawn},
+     "Margin around the dots, with --paper-size (default 0mm)"},
+    {{"dpi", "X", Kind::number, kDrawn}, "Pixels per inch of .png (default 144)"},
+    {{"ellipse-columns", "", Kind::flag, kSample | kStipple},
      "Writes the ellipse of each point to .csv .npy .ply .json: its radii a and b, and the angle "
      "of a in radians"},
-    {"size-by-tone", "A", Kind::number, kStipple,
+    {{"size-by-tone", "A", Kind::number, kStipple},
      "How much of the tone is in the dots' sizes, 0 to 1 (default 0: all are equally large). Areas "
      "are proportional to importance^A, and dots as dense as importance^(1 - A): with few dots "
      "more is seen"},
-    {"keep-inside", "", Kind::flag, kStipple,
+    {{"keep-inside", "", Kind::flag, kStipple},
      "Keeps dots off white, and in the picture: dots that overhang an edge are moved inwards, and "
      "in a shape narrower than a dot they are made smaller, but not smaller than a pen. Where the "
      "picture is black no gaps are left"},
-    {"pen-path", "", Kind::flag, kStipple,
+    {{"pen-path", "", Kind::flag, kStipple},
      "Orders the dots along a short path for a pen, in every format"},
 
     // Looking at sets
-    {"tolerance", "T", Kind::number, kVerify,
+    {{"tolerance", "T", Kind::number, kVerify},
      "How far over R a gap may be (default 2^-28 of the longer side)"},
-    {"distances-only", "", Kind::flag, kVerify,
+    {{"distances-only", "", Kind::flag, kVerify},
      "Look for points too close only: for sets that are not meant to be maximal"},
-    {"max-frequency", "F", Kind::number, kAnalyze,
+    {{"max-frequency", "F", Kind::number, kAnalyze},
      "Largest |k| / sqrt(count) of the spectrum (default 2)"},
-    {"backends",
-     "LIST",
-     Kind::text,
-     kCompare,
-     "Some of cpu,opencl,vulkan,reference (default: the first three)",
-     {.words = Words::named_backends}},
-    {"runs", "N", Kind::whole, kCompare,
+    {{"backends", "LIST", Kind::text, kCompare, {.words = Words::named_backends}},
+     "Some of cpu,opencl,vulkan,reference (default: the first three)"},
+    {{"runs", "N", Kind::whole, kCompare},
      "Number of timed runs of each backend, after the first run (default 5)"},
-    {"runs", "N", Kind::whole, kReproduce,
+    {{"runs", "N", Kind::whole, kReproduce},
      "Number of sets in each mean (default: 2 to 100, depending on the item)"},
-    {"image", "FILE", Kind::read_file, kReproduce, "The picture that figure 7 stipples"},
-    {"smallest-radius", "R", Kind::number, kReproduce,
+    {{"image", "FILE", Kind::read_file, kReproduce}, "The picture that figure 7 stipples"},
+    {{"smallest-radius", "R", Kind::number, kReproduce},
      "Leaves out rows of the tables with smaller radii"},
 
     // Where it runs
-    {"round-size", "K", Kind::whole, kMade,
+    {{"round-size", "K", Kind::whole, kMade},
      "Draws in a round; 0 chooses (default), 1 is the paper's algorithm"},
-    {"threads",
-     "T",
-     Kind::whole,
-     kReported | kCompare | kAnalyze,
-     "Number of threads; 0 is one for each core (default)",
-     {.decides_points = false}},
-    {"threads",
-     "T",
-     Kind::whole,
-     kMpiSample,
-     "Threads of each rank; 0 divides a machine's cores among its ranks (default)",
-     {.decides_points = false}},
-    {"backend",
-     "NAME",
-     Kind::text,
-     kReported | kMpiSample,
+    {{"threads", "T", Kind::whole, kReported | kCompare | kAnalyze, {.decides_points = false}},
+     "Number of threads; 0 is one for each core (default)"},
+    {{"threads", "T", Kind::whole, kMpiSample, {.decides_points = false}},
+     "Threads of each rank; 0 divides a machine's cores among its ranks (default)"},
+    {{"backend",
+      "NAME",
+      Kind::text,
+      kReported | kMpiSample,
+      {.words = Words::backends, .decides_points = false}},
      "cpu, opencl, vulkan or reference; auto (default) is the one that the environment variable "
-     "LACUNA_BACKEND names, or else cpu",
-     {.words = Words::backends, .decides_points = false}},
-    {"device",
-     "NAME",
-     Kind::text,
-     kReported | kMpiSample,
-     "A device's number or a part of its name",
-     {.decides_points = false}},
+     "LACUNA_BACKEND names, or else cpu"},
+    {{"device", "NAME", Kind::text, kReported | kMpiSample, {.decides_points = false}},
+     "A device's number or a part of its name"},
 
     // What is written
-    {"output",
-     "FILE",
-     Kind::written_file,
-     kDrawn,
-     "By extension: {written}; - is standard output, as .txt (default); may be given several times",
-     {.alias = "o", .repeats = true, .decides_points = false}},
-    {"output",
-     "REPORT",
-     Kind::written_file,
-     kAnalyze,
+    {{"output",
+      "FILE",
+      Kind::written_file,
+      kDrawn,
+      {.alias = "o", .repeats = true, .decides_points = false}},
+     "By extension: {written}; - is standard output, as .txt (default); may be given several "
+     "times"},
+    {{"output",
+      "REPORT",
+      Kind::written_file,
+      kAnalyze,
+      {.alias = "o", .repeats = true, .decides_points = false}},
      "Numbers and curves as .json, or a plot sheet as {pictures}; - is standard output, as .json; "
-     "may be given several times",
-     {.alias = "o", .repeats = true, .decides_points = false}},
-    {"output",
-     "FILE",
-     Kind::written_file,
-     kCompare,
-     "A bar chart of the times: {pictures}",
-     {.alias = "o", .repeats = true, .decides_points = false}},
-    {"output",
-     "FOLDER",
-     Kind::written_file,
-     kReproduce,
-     "A folder for a .json and a picture of each item; it is made if it is missing",
-     {.alias = "o", .decides_points = false}},
-    {"output",
-     "FILE.npy",
-     Kind::written_file,
-     kMpiSample,
-     "A .npy file, which all ranks write together",
-     {.alias = "o", .decides_points = false}},
-    {"format",
-     "NAME",
-     Kind::text,
-     kDrawn,
-     "Format of outputs whose name has no extension, such as -; for example json",
-     {.words = Words::formats, .decides_points = false}},
-    {"format",
-     "NAME",
-     Kind::text,
-     kAnalyze,
-     "Format of outputs whose name has no extension, such as -; for example json",
-     {.words = Words::report_formats, .decides_points = false}},
-    {"format",
-     "NAME",
-     Kind::text,
-     kCompare,
-     "Format of outputs whose name has no extension, such as -; for example svg",
-     {.words = Words::chart_formats, .decides_points = false}},
-    {"report",
-     "FILE.json",
-     Kind::written_file,
-     kReported,
+     "may be given several times"},
+    {{"output",
+      "FILE",
+      Kind::written_file,
+      kCompare,
+      {.alias = "o", .repeats = true, .decides_points = false}},
+     "A bar chart of the times: {pictures}"},
+    {{"output", "FOLDER", Kind::written_file, kReproduce, {.alias = "o", .decides_points = false}},
+     "A folder for a .json and a picture of each item; it is made if it is missing"},
+    {{"output",
+      "FILE.npy",
+      Kind::written_file,
+      kMpiSample,
+      {.alias = "o", .decides_points = false}},
+     "A .npy file, which all ranks write together"},
+    {{"format", "NAME", Kind::text, kDrawn, {.words = Words::formats, .decides_points = false}},
+     "Format of outputs whose name has no extension, such as -; for example json"},
+    {{"format",
+      "NAME",
+      Kind::text,
+      kAnalyze,
+      {.words = Words::report_formats, .decides_points = false}},
+     "Format of outputs whose name has no extension, such as -; for example json"},
+    {{"format",
+      "NAME",
+      Kind::text,
+      kCompare,
+      {.words = Words::chart_formats, .decides_points = false}},
+     "Format of outputs whose name has no extension, such as -; for example svg"},
+    {{"report", "FILE.json", Kind::written_file, kReported, {.decides_points = false}},
      "Writes the request, counts, seconds by verb, memory and SHA-256 of the points; - is standard "
-     "output",
-     {.decides_points = false}},
-    {"report",
-     "FILE.json",
-     Kind::written_file,
-     kMpiSample,
+     "output"},
+    {{"report", "FILE.json", Kind::written_file, kMpiSample, {.decides_points = false}},
      "Writes the request, counts, the SHA-256 of the points, and the least, median and most "
-     "seconds, bytes and memory of a rank; - is standard output",
-     {.decides_points = false}},
-    {"json", "FILE.json", Kind::written_file, kCompare,
+     "seconds, bytes and memory of a rank; - is standard output"},
+    {{"json", "FILE.json", Kind::written_file, kCompare},
      "Writes the tables and the seconds of every run; - is standard output"},
-    {"json", "", Kind::flag, kAnalyze, "Numbers and curves on standard output, like -o -"},
-    {"json", "", Kind::flag, kVerify | kDevices, "As JSON"},
-    {"progress", "", Kind::flag, kMpiSample,
+    {{"json", "", Kind::flag, kAnalyze}, "Numbers and curves on standard output, like -o -"},
+    {{"json", "", Kind::flag, kVerify | kDevices}, "As JSON"},
+    {{"progress", "", Kind::flag, kMpiSample},
      "Shows the progress bar although standard error is no terminal under mpirun"},
-    {"quiet",
-     "",
-     Kind::flag,
-     kReported,
-     "No progress bar, no warning and no summary at the end",
-     {.decides_points = false}},
-    {"quiet", "", Kind::flag, kOrder, "No summary at the end, and no warning"},
-    {"quiet", "", Kind::flag, kVerify,
+    {{"quiet", "", Kind::flag, kReported, {.decides_points = false}},
+     "No progress bar, no warning and no summary at the end"},
+    {{"quiet", "", Kind::flag, kOrder}, "No summary at the end, and no warning"},
+    {{"quiet", "", Kind::flag, kVerify},
      "Print nothing; only the exit code says whether all claims hold"},
-    {"quiet", "", Kind::flag, kAnalyze | kCompare | kReproduce, "No progress bar"},
-    {"quiet", "", Kind::flag, kMpiSample, "No progress bar and no last line"},
+    {{"quiet", "", Kind::flag, kAnalyze | kCompare | kReproduce}, "No progress bar"},
+    {{"quiet", "", Kind::flag, kMpiSample}, "No progress bar and no last line"},
 };
+
+// The options alone: what does not ask for help is linked without its texts, as on the page.
+constexpr auto kOptions = [] {
+    std::array<Option, std::size(kRows)> options{};
+    for (std::size_t i = 0; i < options.size(); ++i) options[i] = kRows[i].option;
+    return options;
+}();
 
 constexpr std::array<std::string_view, 10> kCommands{"sample",  "stipple", "relax",   "order",
                                                      "verify",  "analyze", "compare", "reproduce",
@@ -424,21 +349,67 @@ std::string Option::key() const {
 
 std::vector<const Option*> options_of(Commands command) {
     std::vector<const Option*> rows;
-    for (const Option& row : kRows)
+    for (const Option& row : kOptions)
         if ((row.commands & command) != 0) rows.push_back(&row);
     return rows;
 }
 
 const Option* find_option(Commands command, std::string_view name) {
-    const auto found = std::find_if(std::begin(kRows), std::end(kRows), [&](const Option& row) {
-        return (row.commands & command) != 0 && (row.name == name || row.traits.alias == name);
-    });
-    return found == std::end(kRows) ? nullptr : found;
+    const auto* const found =
+        std::find_if(kOptions.begin(), kOptions.end(), [&](const Option& row) {
+            return (row.commands & command) != 0 && (row.name == name || row.traits.alias == name);
+        });
+    return found == kOptions.end() ? nullptr : found;
+}
+
+std::string_view help_of(const Option& option) {
+    return kRows[&option - kOptions.data()].help;
 }
 
 bool CommandLine::has(std::string_view name) const {
     return std::any_of(given.begin(), given.end(),
                        [&](const GivenOption& one) { return one.name == name; });
+}
+
+void CommandLine::sort() {
+    std::stable_sort(given.begin(), given.end(), [&](const auto& a, const auto& b) {
+        return find_option(command, a.name) < find_option(command, b.name);
+    });
+}
+
+std::string CommandLine::text(std::uint64_t seed) const {
+    std::string text = "lacuna " + std::string(name_of_command(command));
+    for (const auto& [name_in_table, values] : given) {
+        const Option& option = *find_option(command, name_in_table);
+        const bool is_argument = option.is_argument();
+        const std::string name = is_argument ? "" : " --" + std::string(name_in_table);
+        if (!option.traits.decides_points) continue;
+        if (name_in_table == "seeds") {
+            text += " --seed " + std::to_string(seed);
+            continue;
+        }
+        if (values.empty()) text += name;  // a flag
+        // An option that may be given several times is given with each of its values.
+        for (const std::string& value : values) {
+            const bool looks_like_an_option = is_argument && value.starts_with("-") && value != "-";
+            text += name + " " + quoted(looks_like_an_option ? "./" + value : value);
+        }
+    }
+    return text;
+}
+
+std::string quoted(const std::string& word) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./:=,+%@";
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+    std::string result = "'";
+    for (const char c : word) {
+        if (c == '\'')
+            result += "'\\''";
+        else
+            result += c;
+    }
+    return result + "'";
 }
 
 }  // namespace lacuna::recipes

@@ -56,11 +56,8 @@ struct Traits {
 struct Option {
     std::string_view name;    // without dashes; an argument without a name is in capitals
     std::string_view symbol;  // of its value, in --help
-    Kind kind;
-    Commands commands;  // that have it
-    // {read}, {written} and {pictures} stand for the extensions of the files that can be read,
-    // written, and written as pictures.
-    std::string_view help;
+    Kind kind = Kind::flag;
+    Commands commands = 0;  // that have it
     Traits traits = {};
 
     bool is_argument() const { return name.front() >= 'A' && name.front() <= 'Z'; }
@@ -75,6 +72,10 @@ std::vector<const Option*> options_of(Commands command);
 // The row of a command's option, by its name or alias; null if it has none.
 const Option* find_option(Commands command, std::string_view name);
 
+// The help of a row that these functions gave. It may name kinds of files: {read}, {written} or
+// {pictures} stands for the extensions of those that can be read, written, or written as pictures.
+std::string_view help_of(const Option& option);
+
 // An option that was given, and its values as they were written.
 struct GivenOption {
     std::string_view name;            // as in the table
@@ -87,7 +88,15 @@ struct CommandLine {
     std::vector<GivenOption> given;
 
     bool has(std::string_view name) const;
+    // Puts the options into the order of the table.
+    void sort();
+    // The line for a shell, of the options that decide which points are made: arguments first, then
+    // options in the order of the table. Instead of --seeds it has the --seed of one set.
+    std::string text(std::uint64_t seed) const;
 };
+
+// Quotes a word so that a shell reads it as one.
+std::string quoted(const std::string& word);
 
 // Throws BadRequest for an option that needs another one which was not given, or that excludes one
 // which was given. A number that switches an option off, as in --relax 0, is as good as none.

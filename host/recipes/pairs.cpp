@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "recipes/options.h"
 
@@ -127,14 +128,12 @@ std::string written(std::string_view name) {
 }
 
 std::string written_all(std::string_view names) {
-    std::string text;
+    std::vector<std::string> all;
     any_of_names(names, [&](std::string_view name) {
-        const bool is_last = names.ends_with(name);
-        if (!text.empty()) text += is_last ? " or " : ", ";
-        text += written(name);
+        all.push_back(written(name));
         return false;
     });
-    return text;
+    return listed(std::vector<std::string_view>(all.begin(), all.end()));
 }
 
 [[noreturn]] void refuse(const GivenOption& one, const std::string& with, std::string_view why) {

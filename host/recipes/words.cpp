@@ -65,14 +65,17 @@ bool is_among(std::string_view word, Words list) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-std::string listed(Words list) {
-    const std::span<const Word> words = words_of(list);
+std::string listed(std::span<const Word> words) {
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (i != 0) text += i + 1 == words.size() ? " or " : ", ";
         text += words[i];
     }
     return text;
+}
+
+std::string listed(Words list) {
+    return listed(words_of(list));
 }
 
 }  // namespace lacuna::recipes

@@ -125,7 +125,7 @@ def test_files_are_those_of_the_command(tmp_path: Path) -> None:
         ({"classes": {"a": 1}, "radius": 1}, "radius 1: is not for classes, which have radii"),
         ({"radius": 1, "between": "union"}, "between 'union': is for classes"),
         ({"radius": 1, "keep_classes": [0]}, "keep_classes: is for points with classes"),
-        ({"classes": KINDS, "relax": 1}, "relax 1: cannot be used with classes: it keeps no distances"),
+        ({"classes": KINDS, "relax": 1}, "relax 1 with classes: it keeps no distances"),
         (
             {"classes": KINDS, "keep": [(0.5, 0.5)], "keep_classes": ["rocks"]},
             "keep_classes 'rocks': must be one of trees, bushes, grass",

@@ -61,7 +61,7 @@ def test_the_command_makes_the_same_set(tmp_path: Path, command: Command) -> Non
         ({"ellipses": swirl() * 0}, "ellipses with radii of 0 everywhere: some must be greater"),
         ({"ellipses": swirl(), "field": np.ones((2, 2))}, "ellipses: cannot be used with field"),
         ({"ellipses": swirl(), "radius": 0.1}, "radius 0.1: is not for a field: give a scale or n"),
-        ({"ellipses": swirl(), "n": 9, "relax": 3}, "relax 3: cannot be used with ellipses"),
+        ({"ellipses": swirl(), "n": 9, "relax": 3}, "relax 3 with ellipses: relaxing has disks"),
         ({"ellipses": swirl(), "classes": {"a": 0.1}}, "class"),
     ],
 )

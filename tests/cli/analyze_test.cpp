@@ -95,39 +95,6 @@ TEST(Analyze, WritesTheSameNumbersAsJsonWithTheirUnits) {
     EXPECT_EQ(json["bond_orientational_order"]["points"], 400);
 }
 
-TEST(Analyze, ReachesAsFarAsItIsTold) {
-    const Folder folder;
-    write_file(folder.path("a.txt"), lattice(40));  // by the fast sums
-    const auto analyzed = [&](const std::string& farthest) {
-        return run({"analyze", folder.path("a.txt"), "--torus", "--max-frequency", farthest});
-    };
-    const auto last_ring = [&](const std::string& farthest) {
-        const Json json = Json::parse(
-            run({"analyze", folder.path("a.txt"), "--torus", "--json", "--max-frequency", farthest})
-                .out);
-        EXPECT_EQ(json["spectrum"]["max_k_over_sqrt_count"], std::stod(farthest));
-        return json["spectrum"]["radial"]["k_over_sqrt_count"].back().get<double>();
-    };
-    EXPECT_NEAR(last_ring("0.3"), 0.3, 0.08);
-    EXPECT_NEAR(last_ring("2"), 2, 0.08);
-    EXPECT_NEAR(last_ring("6"), 6, 0.08);
-    expect_has(line_of(analyzed("0.3").out, "k / sqrt(count)"), {" 0.3"});
-    expect_has(line_of(analyzed("1").out, "k / sqrt(count)"), {" 0.5 ", " 1"});
-    EXPECT_EQ(analyzed("1").out.find("1.1 "), std::string::npos);
-    expect_has(line_of(analyzed("6").out, "k / sqrt(count)"), {" 2 ", " 6"});
-    EXPECT_EQ(analyzed("2").out, run({"analyze", folder.path("a.txt"), "--torus"}).out);
-}
-
-TEST(Analyze, TellsTheSameOnAnyNumberOfThreads) {
-    const Folder folder;
-    expect_success({"sample", "--count", "3000", "-o", folder.path("a.npy"), "--quiet"});
-    const auto told = [&](const std::string& threads) {
-        return run({"analyze", folder.path("a.npy"), "--json", "--threads", threads}).out;
-    };
-    EXPECT_EQ(told("1"), told("3"));
-    EXPECT_EQ(told("0"), told("3"));
-}
-
 TEST(Analyze, AveragesSeveralFilesAndSeveralSetsOfOne) {
     const Folder folder;
     const std::string path = folder.path("a.txt");
@@ -159,17 +126,6 @@ TEST(Analyze, TakesDomainAndRadiusFromAJsonFileUnlessTold) {
     const Outcome told = run({"analyze", path, "--domain", "3x1", "--radius", "0.1"});
     expect_has(line_of(told.out, "domain"), {" 3 x 1, box"});
     expect_has(line_of(told.out, "radius"), {" 0.1"});
-}
-
-TEST(Analyze, ReadsTheFilesOfPsaAndUtk) {
-    const Folder folder;
-    write_file(folder.path("a.txt"), lattice(9));
-    write_file(folder.path("psa.txt"), "81\n" + lattice(9));
-    write_file(folder.path("utk.dat"), lattice(9, "\t"));
-    const std::string expected = run({"analyze", folder.path("a.txt")}).out;
-    expect_has(expected, {"points a set            81\n"});
-    EXPECT_EQ(run({"analyze", folder.path("psa.txt")}).out, expected);
-    EXPECT_EQ(run({"analyze", folder.path("utk.dat")}).out, expected);
 }
 
 TEST(Analyze, ReadsStandardInput) {

@@ -34,26 +34,6 @@ std::vector<Point> points_of(const Folder& folder, Names arguments) {
     return outcome.exit_code == 0 ? files::read_points(path) : std::vector<Point>{};
 }
 
-double distance(Point a, Point b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
-}
-
-// Whether every allowed point of a fine lattice is closer than `radius` to a sample.
-template <class IsAllowed>
-bool is_full(const std::vector<Point>& points, double width, double height, double radius,
-             const IsAllowed& is_allowed) {
-    constexpr int kSteps = 200;
-    for (int i = 0; i < kSteps; ++i)
-        for (int j = 0; j < kSteps; ++j) {
-            const Point spot{(i + 0.5) * width / kSteps, (j + 0.5) * height / kSteps};
-            if (is_allowed(spot) && std::none_of(points.begin(), points.end(), [&](Point point) {
-                    return distance(spot, point) < radius * (1 + 1e-6);
-                }))
-                return false;
-        }
-    return true;
-}
-
 TEST(SampleInsidePolygons, MayBeGivenSeveralFilesAndOthersToLeaveOut) {
     const Folder folder;
     const auto square = [&](const std::string& name, const std::string& low,
@@ -67,18 +47,6 @@ TEST(SampleInsidePolygons, MayBeGivenSeveralFilesAndOthersToLeaveOut) {
     const Names where{"--inside", low, "--inside", high, "--outside", pond};
     Names arguments = where;
     arguments.insert(arguments.end(), {"--radius", "0.03"});
-    const auto is_in = [](Point at, double from, double to) {
-        return at.x > from && at.x < to && at.y > from && at.y < to;
-    };
-    const auto is_allowed = [&](Point at, double edge) {
-        return (is_in(at, -1, 0.6 - edge) || is_in(at, 0.4 + edge, 2)) &&
-               !is_in(at, 0.3 - edge, 0.45 + edge);
-    };
-    const double edge = 0.03 / 16 * (1 + 1e-3);
-    const std::vector<Point> points = points_of(folder, arguments);
-    for (const Point& point : points) EXPECT_TRUE(is_allowed(point, 0));
-    EXPECT_TRUE(is_full(points, 1, 1, 0.03, [&](Point at) { return is_allowed(at, edge); }));
-
     const std::string json = folder.path("a.json");
     ASSERT_EQ(sample_to(json, arguments).exit_code, 0);
     const auto options = Json::parse(content_of(json)).at("options");
@@ -92,51 +60,6 @@ TEST(SampleInsidePolygons, MayBeGivenSeveralFilesAndOthersToLeaveOut) {
     const Outcome asked = test::run(proof);
     EXPECT_EQ(asked.exit_code, 2);
     EXPECT_NE(asked.err.find("made with --outside " + pond), std::string::npos) << asked.err;
-}
-
-TEST(SampleOnAMask, FillsThePixelsThatAreNotBlackAndNoOthers) {
-    const Folder folder;
-    const std::string mask = grey_picture(folder, 2, 2, bytes({0, 255, 1, 0}));
-    const std::vector<Point> points =
-        points_of(folder, {"--mask", mask, "--radius", "0.05", "--seed", "3"});
-    const auto is_allowed = [](Point at) { return (at.x < 0.5) == (at.y < 0.5); };
-    EXPECT_GT(points.size(), 100U);
-    EXPECT_TRUE(std::all_of(points.begin(), points.end(), is_allowed));
-    EXPECT_TRUE(is_full(points, 1, 1, 0.05, is_allowed));
-}
-
-TEST(SampleOnAMask, HasTheShapeOfThePictureUnlessToldAnother) {
-    const Folder folder;
-    const std::string mask = grey_picture(folder, 2, 1, bytes({255, 255}));
-    const auto highest = [](const std::vector<Point>& points) {
-        return std::max_element(points.begin(), points.end(),
-                                [](Point a, Point b) { return a.y < b.y; })
-            ->y;
-    };
-    const double own = highest(points_of(folder, {"--mask", mask, "--radius", "0.05"}));
-    EXPECT_LT(own, 0.5);
-    EXPECT_GT(own, 0.4);
-    EXPECT_GT(highest(points_of(folder, {"--mask", mask, "--radius", "0.05", "--domain", "1x1"})),
-              0.9);
-}
-
-TEST(SampleInsidePolygons, FillsThemUpToTheirEdges) {
-    const Folder folder;
-    const std::string svg = folder.path("ring.svg");
-    write_file(
-        svg,
-        "<svg viewBox='0 0 20 10'><path fill-rule='evenodd' d='M1 5A4 4 0 0 1 9 5A4 4 0 0 1 1 5Z "
-        "M3 5A2 2 0 0 1 7 5A2 2 0 0 1 3 5Z'/></svg>");
-    const std::vector<Point> points = points_of(folder, {"--inside", svg, "--radius", "0.5"});
-    const auto from_middle = [](Point at) { return distance(at, {5, 5}); };
-    const double edge = 0.5 / 16 * (1 + 1e-3);
-    for (const Point& point : points) {
-        EXPECT_LE(from_middle(point), 4);
-        EXPECT_GE(from_middle(point), 2);
-    }
-    EXPECT_TRUE(is_full(points, 20, 10, 0.5, [&](Point at) {
-        return from_middle(at) < 4 - edge && from_middle(at) > 2 + edge;
-    }));
 }
 
 TEST(SampleInsidePolygons, AsksForADomainWhereTheyReachBeyondTheDefault) {
@@ -185,26 +108,6 @@ TEST(SampleAroundPlaces, HasTheirDomainWhateverOptionReadsThem) {
     }
 }
 
-// The inside of an outline is avoided only by --outside.
-TEST(SampleAroundPlaces, AvoidsOutlinesAndNotTheirInside) {
-    const Folder folder;
-    const std::string square = folder.path("square.txt");
-    write_file(square, "20 20\n80 20\n80 80\n20 80\n");
-    const std::vector<Point> points =
-        points_of(folder, {"--avoid", square + ":5", "--domain", "100x100", "--radius", "2"});
-    std::size_t inside = 0;
-    for (const Point& p : points) {
-        // From the middle of the square: within its sides, beyond them, and how far from them.
-        const double x = std::abs(p.x - 50) - 30, y = std::abs(p.y - 50) - 30;
-        const bool is_inside = x < 0 && y < 0;
-        inside += is_inside ? 1 : 0;
-        const double distance =
-            is_inside ? -std::max(x, y) : std::hypot(std::max(x, 0.0), std::max(y, 0.0));
-        EXPECT_GE(distance, 5) << p.x << " " << p.y;
-    }
-    EXPECT_GT(inside, 300U);
-}
-
 // No point lies outside, and two islands cost no more for lying far apart.
 TEST(SampleInsidePolygons, LeavesNoPointOutsideAndCostsNothingBetweenIslands) {
     const Folder folder;
@@ -236,57 +139,6 @@ TEST(SampleInsidePolygons, TakesAnEdgeAndStretchesAPageOverTheDomain) {
     points_of(folder, {"--inside", svg, "--count", "100", "--report", report});
     const double edge = Json::parse(content_of(report))["request"]["edge"];
     EXPECT_NEAR(edge, std::sqrt(0.69656 * 20 * 5 / 100) / 16, 0.002);  // the page is 20 x 10
-}
-
-TEST(SampleWithABorder, KeepsAwayFromTheEdges) {
-    const Folder folder;
-    const std::vector<Point> points =
-        points_of(folder, {"--radius", "0.05", "--border", "0.2", "--domain", "2x1"});
-    const auto is_allowed = [](Point at) {
-        return at.x >= 0.2 && at.x <= 1.8 && at.y >= 0.2 && at.y <= 0.8;
-    };
-    EXPECT_TRUE(std::all_of(points.begin(), points.end(), is_allowed));
-    EXPECT_TRUE(is_full(points, 2, 1, 0.05, is_allowed));
-}
-
-TEST(SampleAroundKeptPoints, LeavesThemFirstAndUnmoved) {
-    const Folder folder;
-    const std::string keep = folder.path("keep.csv");
-    write_file(keep, "x,y\n0.1,0.1\n0.30000000000000004,0.7\n");
-    const std::vector<Point> points = points_of(folder, {"--radius", "0.1", "--keep", keep});
-    ASSERT_GT(points.size(), 50U);
-    EXPECT_EQ(points[0], (Point{0.1, 0.1}));
-    EXPECT_EQ(points[1], (Point{0.30000000000000004, 0.7}));
-    for (std::size_t a = 0; a < points.size(); ++a)
-        for (std::size_t b = 0; b < a; ++b) EXPECT_GE(distance(points[a], points[b]), 0.1);
-    EXPECT_TRUE(is_full(points, 1, 1, 0.1, [](Point) { return true; }));
-}
-
-TEST(SampleAroundKeptPoints, CarriesOnASetThatALimitStopped) {
-    const Folder folder;
-    const std::string begun = folder.path("begun.json");
-    EXPECT_EQ(sample_to(begun, {"--radius", "0.05", "--limit", "100"}).exit_code, 0);
-    const std::vector<Point> first = files::read_points(begun);
-    ASSERT_EQ(first.size(), 100U);
-    const std::vector<Point> points = points_of(folder, {"--radius", "0.05", "--keep", begun});
-    EXPECT_TRUE(std::equal(first.begin(), first.end(), points.begin()));
-    EXPECT_TRUE(is_full(points, 1, 1, 0.05, [](Point) { return true; }));
-}
-
-TEST(SampleOnAField, IsDenseWhereThePictureIsDark) {
-    const Folder folder;
-    const std::string field = grey_picture(folder, 2, 1, bytes({0, 191}));
-    const std::vector<Point> points =
-        points_of(folder, {"--field", field, "--scale", "0.02", "--seed", "5"});
-    const auto left =
-        std::count_if(points.begin(), points.end(), [](Point at) { return at.x < 0.5; });
-    const auto right = static_cast<std::ptrdiff_t>(points.size()) - left;
-    EXPECT_GT(left, 3 * right);
-    const std::vector<Point> inverted =
-        points_of(folder, {"--field", field, "--count", "300", "--invert"});
-    EXPECT_EQ(inverted.size(), 300U);
-    EXPECT_TRUE(
-        std::all_of(inverted.begin(), inverted.end(), [](Point at) { return at.x >= 0.5; }));
 }
 
 TEST(ASetOnADomain, TellsACommandThatMakesItAgain) {

@@ -1,7 +1,6 @@
 // Messages name the option that was given, as it was given, and what was meant by a misprint.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli/expectations.h"
@@ -11,23 +10,6 @@
 namespace messages_test {
 
 using namespace lacuna::test;
-using Json = nlohmann::json;
-
-// web/tests/test_numbers.py reads the same table for the page.
-TEST(WholeNumbers, AreReadAsThePageReadsThem) {
-    const Json table = Json::parse(content_of(LACUNA_EXAMPLES "/../tests/cli/whole_numbers.json"));
-    for (const auto& [text, number] : table.at("taken").items()) {
-        const Outcome outcome =
-            run({"sample", "--radius", "1", "--seed", text, "--format", "json", "--quiet"});
-        ASSERT_EQ(outcome.exit_code, 0) << text << ": " << outcome.err;
-        EXPECT_EQ(Json::parse(outcome.out).at("seed"), number) << text;
-    }
-    for (const std::string text : table.at("refused")) {
-        const Words seed = text.starts_with("-") ? Words{"--seed=" + text} : Words{"--seed", text};
-        expect_one_error(run(joined({"sample", "--radius", "1"}, seed)), 2,
-                         {"--seed ", "must be a whole number"});
-    }
-}
 
 TEST(Refused, AreNamedAsTheyWereGiven) {
     std::string grid = "x,y\n";

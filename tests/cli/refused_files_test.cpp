@@ -2,8 +2,6 @@
 // refused for their options are in refusals_test.cpp.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -22,50 +20,17 @@ const std::string kGrey = pgm(2, 2, std::string(4, '\x40'));
 // As points they are far enough apart, and as a polygon they have an inside.
 const std::string kPoints = "0.1 0.1\n0.9 0.1\n0.5 0.9\n";
 
-// NumPy's format, one row.
-std::string npy(const std::vector<double>& values) {
-    const std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (1, " +
-                               std::to_string(values.size()) + "), }\n";
-    std::string file("\x93NUMPY\1\0", 8);
-    file += static_cast<char>(header.size());
-    file += '\0';
-    file += header;
-    std::string numbers(values.size() * sizeof(double), '\0');
-    std::memcpy(numbers.data(), values.data(), numbers.size());
-    return file + numbers;
-}
-
 TEST(Refused, OfStippleAreBadPictures) {
-    const std::string raccoon = content_of(kRaccoon);
-    std::string one_dark_pixel(4000000, '\xff');
-    one_dark_pixel[1234567] = '\0';
-    const Files files{
-        {"text.png", "hello\n"},
-        {"empty.png", ""},
-        {"half.png", raccoon.substr(0, raccoon.size() / 2)},
-        {"white.png", pgm(2, 1, bytes({255, 255}))},
-        {"nothing.png", pgm(0, 0, "")},
-        {"long.png", pgm(100000, 1, std::string(100000, '\0'))},
-        {"nan.png", npy({0, std::nan("")})},
-        {"negative.png", npy({0.5, -1})},
-        {"black.pgm", pgm(1, 1, bytes({0}))},
-        {"dark.pgm", pgm(2000, 2000, one_dark_pixel)},
-    };
+    const Files files{{"text.png", "hello\n"},
+                      {"white.png", pgm(2, 1, bytes({255, 255}))},
+                      {"black.pgm", pgm(1, 1, bytes({0}))}};
     const Refusals refusals{
         {"text.png --count 100", 3, "text.png", "begins with \"hello", "must be a picture"},
-        {"empty.png --count 100", 3, "empty.png", ": empty"},
-        {"half.png --count 100", 3, "half.png", "not a whole PNG"},
         {"white.png --count 100", 3, "white.png", "white all over"},
-        {"nothing.png --count 100", 3, "nothing.png", "0 x 0 pixels", "at least 1 x 1"},
-        {"long.png --count 100", 3, "long.png", "100000 x 1 pixels", "at most 1000 times"},
-        {"nan.png --count 100", 3, "nan.png", "column 1", "nan", "finite"},
-        {"negative.png --count 100", 3, "negative.png", "column 1", "-1", "0 or more"},
         {"none.png --count 100", 3, "none.png", "No such file"},
         // The most points for lattices of one step to the radius: 320 GB.
         {"black.pgm --count 5000000000 --lines-per-radius 1", 2,
          "--count 5000000000:", "needs about", "GB of memory, more than the"},
-        // All dots must lie on one pixel of 2000 x 2000, so the lattice would be too fine.
-        {"dark.pgm --count 1000 --relax 0", 2, "--count 1000:", "steps long", "fewer points"},
     };
     expect_refusals(files, "stipple -o a.svg --report a.json", refusals);
 }

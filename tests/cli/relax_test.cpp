@@ -106,12 +106,4 @@ TEST(Relax, TellsOfAFileInOneLineAndReportsPointsThatWereRead) {
               json.at("relax").at("least_distance"));
 }
 
-TEST(Relax, GivenWhiteThenNoDotIsThere) {
-    const Folder folder;
-    const std::string image = grey_picture(folder, 4, 1, bytes({0, 255, 255, 0}));
-    const std::vector<Point> points = points_of(image, {"--count", "50", "--relax", "15"});
-    ASSERT_EQ(points.size(), 50U);
-    for (const Point& point : points) EXPECT_TRUE(point.x < 0.25 || point.x >= 0.75) << point.x;
-}
-
 }  // namespace

@@ -33,20 +33,6 @@ TEST(Sample, WritesToStandardOutputWhatItWritesToAFile) {
     EXPECT_EQ(folder.names(), Names{"a.txt"});
 }
 
-TEST(Sample, GivesTheSameBytesForTheSameSeedAndOthersForAnother) {
-    const Names request{"sample", "--radius", "0.05", "--seed"};
-    const auto with_seed = [&](const std::string& seed) {
-        Names words = request;
-        words.push_back(seed);
-        return run(words).out;
-    };
-    EXPECT_NE(with_seed("1"), "");
-    EXPECT_EQ(with_seed("1"), with_seed("1"));
-    EXPECT_NE(with_seed("1"), with_seed("2"));
-    EXPECT_EQ(with_seed("0"), run({"sample", "--radius", "0.05"}).out);
-    EXPECT_NE(with_seed("18446744073709551615"), with_seed("1"));
-}
-
 TEST(Sample, EndsWithOneLineAboutAFileUnlessQuiet) {
     const Folder folder;
     const std::string path = folder.path("points.csv");
@@ -137,35 +123,6 @@ TEST(Sample, ReportsCountsTimesMemoryAndTheHashOfThePoints) {
     run({"sample", "--radius", "0.05", "--seed", "1", "--report", other});
     const auto other_json = nlohmann::json::parse(content_of(other));
     EXPECT_NE(other_json.at("points_sha256"), json.at("points_sha256"));
-}
-
-TEST(Sample, ReportsTheModeAndItsLinesPerRadiusAndNoRefiningInLines) {
-    const Folder folder;
-    const std::string report = folder.path("report.json");
-    const auto report_of = [&](const Names& more) {
-        expect_success(joined({"sample", "--radius", "0.05", "--report", report}, more));
-        return nlohmann::json::parse(content_of(report));
-    };
-    const auto lines = report_of({"--mode", "lines"});
-    EXPECT_EQ(lines.at("request").at("mode"), "lines");
-    EXPECT_EQ(lines.at("request").at("lines_per_radius"), 30);
-    EXPECT_EQ(lines.at("seconds").at("refine"), 0.0);
-    const auto exact = report_of({"--mode", "exact", "--lines-per-radius", "3"});
-    EXPECT_EQ(exact.at("request").at("mode"), "exact");
-    EXPECT_EQ(exact.at("request").at("lines_per_radius"), 3);
-    EXPECT_NE(exact.at("points_sha256"), lines.at("points_sha256"));
-    EXPECT_EQ(exact.at("maximal"), true);
-}
-
-TEST(Sample, MakesExactSetsUnlessToldOtherwise) {
-    const Names request{"sample", "--radius", "0.05", "--torus"};
-    const auto in_mode = [&](const Names& mode) { return run(joined(request, mode)).out; };
-    EXPECT_EQ(in_mode({}), in_mode({"--mode", "exact"}));
-    EXPECT_EQ(in_mode({}), in_mode({"--mode", "exact", "--lines-per-radius", "6"}));
-    EXPECT_NE(in_mode({}), in_mode({"--mode", "lines"}));
-    EXPECT_NE(in_mode({}), in_mode({"--mode", "lines", "--lines-per-radius", "6"}));
-    EXPECT_EQ(in_mode({"--mode", "lines"}),
-              in_mode({"--mode", "lines", "--lines-per-radius", "30"}));
 }
 
 }  // namespace sample_test

@@ -39,92 +39,6 @@ double mean_difference(const std::vector<double>& a, const std::vector<double>& 
     return sum / static_cast<double>(a.size());
 }
 
-TEST(Stipple, GivenACountThenThereAreExactlySoManyDotsInThePicturesShape) {
-    const Folder folder;
-    const std::vector<Point> points =
-        points_of(grey_picture(folder, 6, 3, std::string(18, '\x40')), {"--count", "500"});
-    ASSERT_EQ(points.size(), 500U);
-    double right = 0, top = 0;
-    for (const Point& point : points) {
-        EXPECT_GE(std::min(point.x, point.y), 0);
-        right = std::max(right, point.x);
-        top = std::max(top, point.y);
-    }
-    EXPECT_LT(right, 1);
-    EXPECT_GT(right, 0.95);
-    EXPECT_LT(top, 0.5);
-    EXPECT_GT(top, 0.45);
-}
-
-TEST(Stipple, GivenABlackCornerThenAllDotsLieThereAndItIsUpright) {
-    const Folder folder;
-    const std::string image = grey_picture(folder, 2, 2, bytes({0, 255, 255, 255}));
-    for (const Point& point : points_of(image, {"--count", "300"})) {
-        EXPECT_LT(point.x, 0.5);
-        EXPECT_GE(point.y, 0.5);
-    }
-    std::size_t others = 0;
-    const std::vector<Point> inverted = points_of(image, {"--count", "300", "--invert"});
-    for (const Point& point : inverted) others += point.x >= 0.5 || point.y < 0.5 ? 1U : 0U;
-    EXPECT_EQ(others, 300U);
-    EXPECT_EQ(inverted.size(), 300U);
-}
-
-// Ratio of the dots in the dark left half to the dots in the lighter right half.
-double left_to_right(const std::string& image, const Names& arguments) {
-    double left = 0, right = 0;
-    for (const Point& point : points_of(image, arguments)) ++(point.x < 0.5 ? left : right);
-    return left / right;
-}
-
-TEST(Stipple, GivenTonesThenGammaAndTheLeastImportanceChangeTheirDensities) {
-    const Folder folder;
-    // Importance 0.8 and 0.4.
-    const std::string image = grey_picture(folder, 2, 1, bytes({51, 153}));
-    EXPECT_NEAR(left_to_right(image, {"--count", "8000"}), 2, 0.1);
-    EXPECT_NEAR(left_to_right(image, {"--count", "8000", "--gamma", "2"}), 4, 0.3);
-    EXPECT_NEAR(left_to_right(image, {"--count", "8000", "--invert"}), 1 / 3.0, 0.03);
-    EXPECT_NEAR(left_to_right(image, {"--count", "8000", "--min-importance", "1"}), 1, 0.05);
-}
-
-TEST(Stipple, GivenAScaleThenTheSetIsMaximalAndItsLeastDistanceIsTheScale) {
-    const Folder folder;
-    const std::string image = grey_picture(folder, 1, 1, bytes({0}));
-    const std::string report = folder.path("report.json");
-    const Names arguments{"--scale", "0.03", "--torus", "--report", report};
-    const std::vector<Point> points = points_of(image, arguments);
-    double closest = 1;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            const double dx = std::abs(points[i].x - points[j].x);
-            const double dy = std::abs(points[i].y - points[j].y);
-            closest = std::min(closest, std::hypot(std::min(dx, 1 - dx), std::min(dy, 1 - dy)));
-        }
-    EXPECT_GE(closest, 0.03);
-    EXPECT_LT(closest, 0.0305);
-    // docs/design.md, section 5, less the loss of a lattice of 10 steps to the radius.
-    EXPECT_NEAR(static_cast<double>(points.size()), 0.66 / (0.03 * 0.03), 30);
-    const auto json = nlohmann::json::parse(content_of(report));
-    EXPECT_EQ(json.at("maximal"), true);
-    EXPECT_EQ(json.at("scale"), 0.03);
-    EXPECT_EQ(json.at("radius"), 0.03);
-}
-
-TEST(Stipple, GivenAMetricThenMaxLeavesAGapBesideTheDarkSideThatMinDoesNot) {
-    const Folder folder;
-    const std::string image = grey_picture(folder, 2, 1, bytes({0, 245}));  // radii 1 : 5
-    const auto beside_the_edge = [&](const std::string& metric) {
-        const std::vector<Point> points =
-            points_of(image, {"--scale", "0.01", "--metric", metric, "--torus"});
-        return std::count_if(points.begin(), points.end(),
-                             [](const Point& point) { return point.x > 0.48 && point.x < 0.5; });
-    };
-    const std::ptrdiff_t min = beside_the_edge("min");
-    const std::ptrdiff_t mean = beside_the_edge("mean");
-    EXPECT_LT(mean, 0.9 * static_cast<double>(min));
-    EXPECT_LT(beside_the_edge("max"), 0.9 * static_cast<double>(mean));
-}
-
 TEST(Stipple, GivenThePhotographThenThePictureOfTheDotsLooksLikeIt) {
     const Folder folder;
     const std::vector<double> photograph = blocks_of(lacuna::pictures::read_image(kRaccoon));
@@ -142,28 +56,6 @@ TEST(Stipple, GivenThePhotographThenThePictureOfTheDotsLooksLikeIt) {
         EXPECT_EQ(picture.rows, 1536U);
         EXPECT_LT(mean_difference(blocks_of(picture), photograph), most) << way.back();
     }
-}
-
-TEST(Stipple, GivenAFixedDotSizeThenThePictureHasSoMuchInk) {
-    const Folder folder;
-    const std::string image = grey_picture(folder, 1, 1, bytes({128}));
-    const std::string path = folder.path("a.png");
-    const Names arguments{"--count",   "200",      "--dot-size", "1mm",   "--paper-size",
-                          "120x100mm", "--margin", "10mm",       "--dpi", "254"};
-    ASSERT_EQ(stipple(image, arguments, path).exit_code, 0);
-    const lacuna::pictures::Image picture = lacuna::pictures::read_image(path);
-    ASSERT_EQ(picture.columns, 1200U);
-    ASSERT_EQ(picture.rows, 1000U);
-    double ink = 0;
-    for (std::size_t row = 0; row < picture.rows; ++row)
-        for (std::size_t column = 0; column < picture.columns; ++column) {
-            const double dark = 1 - picture.luminance[row * picture.columns + column];
-            ink += dark;
-            // Dots may stick out of the domain, 80 mm x 80 mm in the middle, by half of their size.
-            if (dark == 0) continue;
-            ASSERT_TRUE(column >= 194 && column < 1006 && row >= 94 && row < 906);
-        }
-    EXPECT_NEAR(ink, 200 * 3.14159 * 5 * 5, 200);
 }
 
 TEST(Stipple, WarnsInOneLineOfDotsWithLessThanHalfOfTheInkOrMoreThanTwice) {
@@ -241,60 +133,26 @@ TEST(Stipple, WithoutACountMakesAsManyDotsAsSuitThePictureAndSaysSo) {
     EXPECT_TRUE(sized.err.starts_with("2037 dots (")) << sized.err;
 }
 
+TEST(Stipple, InExactTellsItsModeAndTheMetricThatItHas) {
+    const Folder folder;
+    const std::string image = grey_picture(folder, 2, 1, bytes({0, 128}));
+    const std::string path = folder.path("a.json"), report = folder.path("report.json");
+    expect_success({"stipple", image, "--mode", "exact", "--count", "100", "--relax", "2", "-o",
+                    path, "--report", report, "--quiet"});
+    const auto request = nlohmann::json::parse(content_of(report)).at("request");
+    EXPECT_EQ(request.at("mode"), "exact");
+    EXPECT_EQ(request.at("metric"), "min");
+    EXPECT_EQ(request.at("lines_per_radius"), 1);
+    const auto made = nlohmann::json::parse(content_of(path));
+    EXPECT_EQ(made.at("mode"), "exact");
+    EXPECT_EQ(made.at("command"),
+              "lacuna stipple " + image + " --count 100 --mode exact --relax 2");
+}
+
 TEST(Stipple, OfOneDotSaysSo) {
     const Folder folder;
     const Outcome outcome = run({"stipple", kRaccoon, "--count", "1", "-o", folder.path("a.svg")});
     EXPECT_TRUE(outcome.err.starts_with("1 dot, ")) << outcome.err;
-}
-
-// A black disk in the middle.
-std::string disk(const Folder& folder) {
-    constexpr int kSide = 60;
-    std::string pixels;
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x)
-            pixels += std::hypot(x - 29.5, y - 29.5) < 20 ? '\0' : '\xff';
-    return grey_picture(folder, kSide, kSide, pixels);
-}
-
-TEST(Stipple, KeepsDotsInsideOfShapesWhereItIsToldTo) {
-    const Folder folder;
-    const std::string image = disk(folder);
-    const auto farthest = [&](Names arguments) {
-        arguments.insert(arguments.begin(), {"--count", "200", "--relax", "15"});
-        arguments.insert(arguments.end(), {"--paper-size", "60x60mm"});
-        const Outcome outcome = stipple(image, arguments, folder.path("a.json"));
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        const auto set = nlohmann::json::parse(content_of(folder.path("a.json")));
-        double reach = 0;
-        for (std::size_t i = 0; i < 200; ++i) {
-            const double x = set.at("points")[i][0], y = set.at("points")[i][1];
-            reach = std::max(
-                reach, std::hypot(x - 0.5, y - 0.5) + set.at("dots").at("radii")[i].get<double>());
-        }
-        return reach * 60;
-    };
-    // Pixels reach at most 20.7 pixels from the middle.
-    EXPECT_LE(farthest({"--keep-inside"}), 20.8);
-    EXPECT_LE(farthest({"--keep-inside", "--size-by-tone", "1"}), 20.8);
-    EXPECT_LE(farthest({"--keep-inside", "--inks", "black"}), 20.8);
-    EXPECT_LE(farthest({"--keep-inside", "--pen-path"}), 20.8);
-    EXPECT_GT(farthest({"--dot-size", "4mm"}), 21);
-    // A pen keeps its size, and is only moved.
-    EXPECT_LE(farthest({"--keep-inside", "--dot-size", "4mm"}), 20.8);
-}
-
-TEST(Stipple, MakesEveryKindOfFileTwiceTheSame) {
-    const Folder folder;
-    for (const std::string extension :
-         {".txt", ".csv", ".npy", ".ply", ".json", ".svg", ".pdf", ".png"}) {
-        const std::string one = folder.path("one" + extension),
-                          two = folder.path("two" + extension);
-        for (const std::string& path : {one, two})
-            ASSERT_EQ(stipple(kRaccoon, {"--count", "200"}, path).exit_code, 0) << extension;
-        EXPECT_GT(content_of(one).size(), 1000U) << extension;
-        EXPECT_EQ(content_of(one), content_of(two)) << extension;
-    }
 }
 
 }  // namespace

@@ -96,63 +96,6 @@ TEST(VerifyPlaces, OfAMaskPolygonsABorderAndKeptPoints) {
     expect_has(verdict_of("right.txt", {"--radius", "0.8", "--keep", right}, 0), {"maximal"});
 }
 
-// Each example has a counterpart in docs/domains.md.
-std::vector<std::vector<std::string>> examples_in(const Folder& folder) {
-    std::string shades = "P5\n64 16\n255\n";
-    std::string discs = shades;
-    for (int i = 0; i < 64 * 16; ++i) {
-        shades += static_cast<char>(255 - 4 * (i % 64));
-        discs += i % 64 % 20 < 12 ? '\xff' : '\0';
-    }
-    write_file(folder.path("shades.pgm"), shades);
-    write_file(folder.path("discs.pgm"), discs);
-    write_file(folder.path("trees.csv"), "0.25,0.125\n0.5,0.125\n0.75,0.25\n");
-    return {{"--field", folder.path("shades.pgm"), "--scale", "0.02"},
-            {"--field", folder.path("shades.pgm"), "--scale", "0.02", "--torus", "--invert",
-             "--gamma", "2"},
-            {"--field", LACUNA_EXAMPLES "/raccoon.png", "--scale", "0.02"},
-            {"--inside", LACUNA_EXAMPLES "/lakes.svg", "--border", "1", "--radius", "3"},
-            {"--mask", folder.path("discs.pgm"), "--radius", "0.02"},
-            {"--keep", folder.path("trees.csv"), "--radius", "0.05"}};
-}
-
-TEST(VerifyOfWhatSampleMade, ProvesItAndRefutesItWithALineLess) {
-    const Folder folder;
-    for (const std::vector<std::string>& options : examples_in(folder)) {
-        SCOPED_TRACE(options[0] + " " + options[1]);
-        const Outcome made = run(joined({"sample"}, options));
-        ASSERT_EQ(made.exit_code, 0) << made.err;
-        const auto proof_of = [&](const std::string& lines) {
-            write_file(folder.path("points.txt"), lines);
-            return run(joined({"verify", folder.path("points.txt")}, options));
-        };
-        const Outcome whole = proof_of(made.out);
-        EXPECT_EQ(whole.exit_code, 0) << whole.out << whole.err;
-        expect_has(line_of(whole.out, "verdict"), {"a maximal Poisson-disk set "});
-        // One of the first points, so that it fills no gap within the tolerance at polygon edges.
-        std::size_t fourth = 0;
-        for (int line = 0; line < 3; ++line) fourth = made.out.find('\n', fourth) + 1;
-        const std::size_t fifth = made.out.find('\n', fourth) + 1;
-        const Outcome bare = proof_of(made.out.substr(0, fourth) + made.out.substr(fifth));
-        EXPECT_EQ(bare.exit_code, 1);
-        expect_has(line_of(bare.out, "verdict"), {"not maximal: there is room for a point at ("});
-    }
-}
-
-TEST(VerifyOfWhatSampleMade, NamesAPointThatWasMovedOutOfTheMask) {
-    const Folder folder;
-    write_file(folder.path("mask.pgm"), picture(0, '\xff'));
-    const std::vector<std::string> options{"--mask", folder.path("mask.pgm"), "--radius", "0.1"};
-    const Outcome made = run(joined({"sample"}, options));
-    ASSERT_EQ(made.exit_code, 0) << made.err;
-    const std::string rest = made.out.substr(made.out.find('\n') + 1);
-    write_file(folder.path("points.txt"), "0.25 0.25\n" + rest);
-    const Outcome moved = run(joined({"verify", folder.path("points.txt")}, options));
-    EXPECT_EQ(moved.exit_code, 1);
-    expect_has(line_of(moved.out, "verdict"),
-               {"refused: point 0 at (0.25, 0.25) lies where the mask lets none lie"});
-}
-
 TEST(VerifyOfAFileThatTellsAScale, AsksForThePictureThatItsRadiiFollow) {
     const Folder folder;
     const std::string field = folder.path("field.pgm");

@@ -43,23 +43,6 @@ TEST(Verify, OfAMaximalSetExitsWith0AndTellsTheNumbers) {
         {"a maximal Poisson-disk set of radius 0.04, to a tolerance of 3.725290298461914e-09"});
 }
 
-// A spot 0.0354 from every point has room for a point at a radius of 0.02.
-TEST(Verify, WithAToleranceOverAPercentOfTheRadiusProvesNoMaximalSet) {
-    const Folder folder;
-    write_file(folder.path("a.txt"), lattice());
-    const auto verdict_with = [&](const std::string& radius, const std::string& tolerance) {
-        const Outcome outcome =
-            run({"verify", folder.path("a.txt"), "--radius", radius, "--tolerance", tolerance});
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
-        return line_of(outcome.out, "verdict");
-    };
-    expect_has(verdict_with("0.02", "0.02"),
-               {"a Poisson-disk set of radius 0.02", "no spot is farther than 0.04 from a point",
-                "not proven maximal", "over 1 %"});
-    expect_has(verdict_with("0.0351", "0.00035"), {"a maximal", "to a tolerance of 0.00035"});
-    expect_has(verdict_with("0.0351", "0.00036"), {"not proven maximal"});
-}
-
 TEST(Verify, OfDistancesOnlyDoesNotAskForGaps) {
     const Folder folder;
     write_file(folder.path("a.txt"), "0.1 0.1\n0.9 0.9\n");
@@ -71,15 +54,6 @@ TEST(Verify, OfDistancesOnlyDoesNotAskForGaps) {
                {"a Poisson-disk set of radius 0.1", "was not asked"});
     EXPECT_EQ(
         run({"verify", folder.path("a.txt"), "--radius", "1.2", "--distances-only"}).exit_code, 1);
-}
-
-TEST(Verify, OfABoxTakesPointsOnItsFarEdges) {
-    const Folder folder;
-    write_file(folder.path("a.txt"), "1 1\n0 0.5\n0.5 0\n");
-    expect_success({"verify", folder.path("a.txt"), "--radius", "0.7"});
-    const Outcome torus = run({"verify", folder.path("a.txt"), "--radius", "0.7", "--torus"});
-    EXPECT_EQ(torus.exit_code, 1);
-    expect_has(torus.out, {"point 0 at (1, 1) lies outside the domain [0, 1) x [0, 1)"});
 }
 
 TEST(Verify, OfSeveralFilesAndSetsTellsOfEachAndFailsIfOneDoes) {
@@ -173,19 +147,6 @@ TEST(Verify, OfNoPointOrOnePointStillHasAVerdict) {
     expect_has(one.out, {"for want of two points", "0.70710678"});
 }
 
-TEST(Verify, ToleratesGapsAsFarAsItIsToldAndNoFarther) {
-    const Folder folder;
-    const std::string path = folder.path("a.txt");
-    write_file(path, "0 0\n");  // the farthest spot of the unit torus: sqrt(1/2)
-    const auto code_with = [&](const Words& more) {
-        return run(joined({"verify", path, "--torus"}, more)).exit_code;
-    };
-    EXPECT_EQ(code_with({"--radius", "0.707106781"}), 0);  // 1.9e-10 short
-    EXPECT_EQ(code_with({"--radius", "0.707106781", "--tolerance", "0"}), 1);
-    EXPECT_EQ(code_with({"--radius", "0.70710677"}), 1);  // 1.1e-8 short
-    EXPECT_EQ(code_with({"--radius", "0.70710677", "--tolerance", "2e-8"}), 0);
-}
-
 TEST(Verify, ReadsStandardInputAndEveryFormatOfSample) {
     const Folder folder;
     std::string first;
@@ -202,44 +163,6 @@ TEST(Verify, ReadsStandardInputAndEveryFormatOfSample) {
     const std::string verify = "exec " LACUNA_PROGRAM " verify - --radius 0.05 < ";
     const Outcome from_input = run({"-c", verify + folder.path("a.txt")}, shell);
     EXPECT_EQ(from_input.out, first);
-}
-
-TEST(Verify, ProvesWhatSampleMakesByDefaultWhateverTheDomain) {
-    const Folder folder;
-    const std::string path = folder.path("a.npy");
-    for (const Words& domain : {Words{},
-                                {"--torus"},
-                                {"--domain", "2.5x0.7"},
-                                {"--domain", "0.3x1.9", "--torus"},
-                                {"--domain", "7e9x5e9"}}) {
-        const std::string radius = domain.size() == 2 && domain[1] == "7e9x5e9" ? "1e8" : "0.02";
-        for (const std::string seed : {"0", "1"}) {
-            expect_success(joined(
-                {"sample", "--seed", seed, "--quiet", "-o", path, "--radius", radius}, domain));
-            const Outcome outcome = run(joined({"verify", path, "--radius", radius}, domain));
-            EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
-        }
-    }
-}
-
-// Snapped to lines, distances hold, but gaps narrower than a strip remain.
-TEST(Verify, OfASnappedSetFindsItsDistancesKeptAndARealHole) {
-    const Folder folder;
-    const std::string path = folder.path("a.txt");
-    expect_success({"sample", "--mode", "lines", "--radius", "0.02", "--snap", "-o", path});
-    const Outcome outcome = run({"verify", path, "--radius", "0.02"});
-    EXPECT_EQ(outcome.exit_code, 1);
-    expect_has(line_of(outcome.out, "least distance"), {"kept"});
-    const std::string verdict = line_of(outcome.out, "verdict");
-    double x = 0;
-    double y = 0;
-    ASSERT_EQ(std::sscanf(verdict.substr(verdict.find('(')).c_str(), "(%lf, %lf)", &x, &y), 2);
-
-    std::istringstream points(content_of(path));
-    double least = 1;
-    for (double px = 0, py = 0; points >> px >> py;)
-        least = std::min(least, std::hypot(px - x, py - y));
-    EXPECT_GT(least, 0.02);
 }
 
 TEST(Verify, OfAProgressiveOrderProvesEveryLevel) {

@@ -101,7 +101,7 @@ TEST(TheTableOfOptions, HasOneRowForEachOptionOfACommand) {
 
 TEST(TheTableOfOptions, NamesTheDefaults) {
     const auto names = [](Commands command, std::string_view option, const std::string& value) {
-        return find_option(command, option)->help.find("default " + value) != std::string::npos;
+        return help_of(*find_option(command, option)).find("default " + value) != std::string::npos;
     };
     const RelaxOptions relax;
     EXPECT_TRUE(names(kRelax, "iterations", std::to_string(relax.iterations)));

@@ -146,6 +146,30 @@ TEST(Stippling, ForAPenHasTheSameDotsOfEachInkOnAShortPath) {
     EXPECT_LT(path.path_length, path.admitted_length);
 }
 
+// Pixels of a disk of 20 pixels reach at most 20.7 pixels from the middle of 60 x 60.
+TEST(Stippling, KeepsDotsInsideOfShapesWhateverTheirSizesInksAndOrder) {
+    std::string pixels = "P2 60 60 1";
+    for (int i = 0; i < 3600; ++i)
+        pixels += std::hypot(i % 60 - 29.5, i / 60 - 29.5) < 20 ? " 0" : " 1";
+    const Picture disk{pixels, "disk"};
+    const auto farthest = [&](StippleOptions options) {
+        options.request.count = 200;
+        options.paper = Paper{60, 60};
+        const Stippling made = stipple(disk, options);
+        double reach = 0;
+        for (std::size_t i = 0; i < 200; ++i) {
+            const Point& dot = made.result.points[i];
+            reach = std::max(reach, std::hypot(dot.x - 0.5, dot.y - 0.5) + made.diameters[i] / 2);
+        }
+        return 60 * reach;
+    };
+    EXPECT_GT(farthest({.pens = Pens{4, 4}}), 21);
+    EXPECT_LE(farthest({.pens = Pens{4, 4}, .keep_inside = true}), 20.8);
+    EXPECT_LE(farthest({.size_by_tone = 1, .keep_inside = true}), 20.8);
+    EXPECT_LE(farthest({.inks = inks_of("black"), .keep_inside = true}), 20.8);
+    EXPECT_LE(farthest({.keep_inside = true, .pen_path = true}), 20.8);
+}
+
 TEST(Stippling, ReportsItsStagesAndCanBeCancelledInEach) {
     struct Watch : Observer {
         std::vector<Stage> stages{};

@@ -1,4 +1,5 @@
 // The options of `lacuna analyze`, and its run.
+#include "base/number_text.h"
 #include "cli/commands/commands.h"
 
 #include <fmt/core.h>
@@ -18,13 +19,13 @@
 #include "analysis/sheet.h"
 #include "cli/options/common_options.h"
 #include "cli/options/ellipse_options.h"
-#include "cli/options/options.h"
 #include "cli/reports/analysis_report.h"
 #include "cli/reports/output.h"
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/progress_bar.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
+#include "recipes/read.h"
 #include "verify/verify.h"
 
 namespace lacuna::cli {
@@ -239,7 +240,7 @@ Targets targets_of(AnalyzeCommand& all) {
         {"domain",
          [&all](const std::string& text) {
              Sides& sides = all.sides.emplace();
-             read_domain("domain", text, sides.width, sides.height);
+             recipes::read_domain("domain", text, sides.width, sides.height);
          }},
         {"torus", &all.torus},
         {"radius", &all.radius},

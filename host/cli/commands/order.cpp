@@ -14,9 +14,9 @@
 #include "cli/options/domain_options.h"
 #include "cli/options/drawing.h"
 #include "cli/options/given_set.h"
-#include "cli/options/options.h"
 #include "cli/reports/output.h"
 #include "cli/terminal/interruption.h"
+#include "cli/terminal/run_program.h"
 #include "files/point_files.h"
 #include "pictures/importance.h"
 

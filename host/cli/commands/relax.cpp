@@ -17,12 +17,12 @@
 #include "cli/options/domain_options.h"
 #include "cli/options/drawing.h"
 #include "cli/options/given_set.h"
-#include "cli/options/options.h"
 #include "cli/options/picture_field.h"
 #include "cli/options/relaxation.h"
 #include "cli/reports/output.h"
 #include "cli/reports/report.h"
 #include "cli/terminal/interruption.h"
+#include "cli/terminal/run_program.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
 #include "pictures/importance.h"
@@ -132,7 +132,7 @@ Targets targets_of(RelaxCommand& all) {
     targets.merge(targets_of(all.set));
     targets.merge(targets_of(all.common));
     targets.merge(targets_of(all.drawing));
-    targets.merge(cli::targets_of(all.moves));
+    targets.merge(recipes::targets_of(all.moves));
     return targets;
 }
 

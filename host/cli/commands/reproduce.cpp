@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "cli/options/bind.h"
-#include "cli/options/options.h"
 #include "cli/options/picture_field.h"
 #include "cli/reports/output.h"
 #include "cli/terminal/interruption.h"

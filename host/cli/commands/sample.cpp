@@ -1,4 +1,5 @@
 // The options of `lacuna sample`, and its run.
+#include "base/number_text.h"
 #include "cli/commands/commands.h"
 
 #include <fmt/core.h>
@@ -20,7 +21,6 @@
 #include "cli/options/drawing.h"
 #include "cli/options/ellipse_options.h"
 #include "cli/options/given_files.h"
-#include "cli/options/options.h"
 #include "cli/options/relaxation.h"
 #include "cli/options/sample_seeds.h"
 #include "cli/reports/made_set.h"
@@ -135,7 +135,7 @@ Targets targets_of(SampleCommand& all) {
     targets.merge(targets_of(all.common));
     targets.merge(targets_of(all.domain));
     targets.merge(targets_of(all.drawing));
-    targets.merge(cli::targets_of(all.moves));
+    targets.merge(recipes::targets_of(all.moves));
     return targets;
 }
 

@@ -16,7 +16,6 @@
 #include "cli/options/common_options.h"
 #include "cli/options/drawing.h"
 #include "cli/options/ellipse_options.h"
-#include "cli/options/options.h"
 #include "cli/options/picture_field.h"
 #include "cli/options/relaxation.h"
 #include "cli/reports/output.h"
@@ -27,6 +26,7 @@
 #include "cli/terminal/progress_bar.h"
 #include "drawing/picture.h"
 #include "files/point_files.h"
+#include "recipes/read.h"
 
 namespace lacuna::cli {
 namespace {
@@ -83,29 +83,16 @@ dark or too light as a whole use --auto-levels.
 )";
 
 struct StippleCommand {
-    CommonOptions common;
-    Picture picture;
+    CommonOptions common;  // its request is that of `stipple` once that is settled
+    std::string image;     // path
     DrawingOptions drawing;
     StippleOptions stipple;
     bool ellipse_columns = false;
 };
 
-std::vector<std::uint64_t> read_counts(const std::string& text) {
-    std::vector<std::uint64_t> counts;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        read("ink-counts", text.substr(begin, comma - begin), counts.emplace_back());
-        begin = comma + 1;
-    }
-    return counts;
-}
-
 // What the library is to do.
 StippleOptions stipple_options(const StippleCommand& all) {
     StippleOptions options = all.stipple;
-    options.request = all.common.request;
-    options.metric = all.picture.metric;
-    options.tone = all.picture.importance;
     options.pens = all.drawing.pens;
     options.paper = paper_of(all.drawing);
     options.measure = !all.common.report.empty();
@@ -132,9 +119,9 @@ std::vector<Output> checked_outputs(const CommandLine& line, const StippleComman
 }
 
 // Makes the dots under a progress bar.
-Stippling make(const CommonOptions& common, const Picture& source, const StippleOptions& options,
+Stippling make(const CommonOptions& common, const std::string& image, const StippleOptions& options,
                Made& made) {
-    const lacuna::Picture picture = read_picture(source.path);
+    const lacuna::Picture picture = read_picture(image);
     ProgressBar bar(common.quiet);
     DriverAtWork driver(options.request.backend);
     Observers observers({driver, made.stopwatch, bar});
@@ -146,7 +133,7 @@ Stippling make(const CommonOptions& common, const Picture& source, const Stipple
 
 // The options that decide the dots, for files and the report.
 Json json_of(const StippleCommand& all, const StippleOptions& options, const Stippling& made) {
-    Json json{{"image", all.picture.path}};
+    Json json{{"image", all.image}};
     json.update(json_of_importance(options.tone));
     json["relax"] = made.iterations;
     if (!options.inks.empty()) {
@@ -212,7 +199,7 @@ void run(const CommandLine& line, const StippleCommand& all) {
     CommonOptions common = all.common;
     Interruption interruption;
     Made made;
-    const Stippling dots = make(common, all.picture, options, made);
+    const Stippling dots = make(common, all.image, options, made);
     const Request& request = common.request = dots.request;
     if (!common.quiet) warn_of_ink(all.drawing, made.result.points.size(), dots.dots_for_ink);
 
@@ -237,21 +224,12 @@ void run(const CommandLine& line, const StippleCommand& all) {
 
 // Where the value of each option goes.
 Targets targets_of(StippleCommand& all) {
-    StippleOptions& stipple = all.stipple;
-    Targets targets{
-        {"IMAGE", &all.picture.path},
-        {"mode", &stipple.start},
-        {"relax", &stipple.relax},
-        {"inks", [&stipple](const std::string& text) { stipple.inks = inks_of(text); }},
-        {"black-ink", &stipple.black_ink},
-        {"ink-counts",
-         [&stipple](const std::string& text) { stipple.ink_counts = read_counts(text); }},
-        {"size-by-tone", &stipple.size_by_tone},
-        {"keep-inside", &stipple.keep_inside},
-        {"pen-path", &stipple.pen_path},
-        {"ellipse-columns", &all.ellipse_columns}};
-    targets.merge(targets_of(all.common));
-    targets.merge(targets_of(all.picture));
+    Targets targets = recipes::targets_of(all.stipple);
+    targets.merge(Targets{{"IMAGE", &all.image},
+                          {"ellipse-columns", &all.ellipse_columns},
+                          {"report", &all.common.report},
+                          {"quiet", &all.common.quiet}});
+    targets.merge(targets_of(all.common.output));
     targets.merge(targets_of(all.drawing, true));
     return targets;
 }

@@ -18,7 +18,6 @@
 #include "cli/options/common_options.h"
 #include "cli/options/domain_options.h"
 #include "cli/options/given_files.h"
-#include "cli/options/options.h"
 #include "cli/reports/verify_report.h"
 #include "cli/terminal/run_program.h"
 #include "files/point_files.h"
@@ -251,7 +250,7 @@ Targets targets_of(VerifyCommand& all) {
     Targets targets{{"FILE", &all.files},          {"torus", &all.torus},
                     {"tolerance", &all.tolerance}, {"distances-only", &all.distances_only},
                     {"json", &all.json},           {"quiet", &all.quiet}};
-    targets.merge(cli::targets_of(all.request));
+    targets.merge(recipes::targets_of(all.request));
     targets.merge(targets_of(all.domain));
     return targets;
 }

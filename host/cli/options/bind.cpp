@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/number_text.h"
 #include "cli/options/obstacles.h"
-#include "cli/options/options.h"
 #include "files/formats.h"
 
 namespace lacuna::cli {
@@ -17,8 +17,8 @@ namespace {
 using recipes::Kind;
 using recipes::Option;
 
-std::string help_of(const Option& row) {
-    std::string help(row.help);
+std::string full_help_of(const Option& row) {
+    std::string help(recipes::help_of(row));
     for (const auto& [name, extensions] : {std::pair{"{read}", files::read_extensions()},
                                            {"{written}", files::written_extensions()},
                                            {"{pictures}", files::picture_extensions()}})
@@ -35,58 +35,27 @@ std::string names_of(const Option& row) {
     return alias.size() == 1 ? "-" + alias + ",--" + name : "--" + name + ",--" + alias;
 }
 
-void check_word(const Option& row, const std::string& text) {
-    if (row.kind != Kind::word || recipes::is_among(text, row.traits.words)) return;
-    const std::string allowed = "must be " + recipes::listed(row.traits.words);
-    if (row.is_argument()) throw CLI::ValidationError(shown(text) + ": " + allowed);
-    throw BadRequest(std::string(row.name), shown(text), allowed);
+// An argument has no name that a message could begin with.
+void take(const Option& row, const std::string& text, const recipes::Target& target) {
+    if (row.is_argument() && row.kind == Kind::word && !is_among(text, row.traits.words))
+        throw CLI::ValidationError(shown(text) + ": must be " + listed(row.traits.words));
+    recipes::read(row, text, target);
 }
 
-// Reads the text of an option into its target.
-struct Reader {
-    const Option& row;
-    const std::string& text;
-
-    template <class Number>
-    void operator()(Number* number) const {
-        read(std::string(row.name), text, *number);
-    }
-    void operator()(bool* flag) const { *flag = true; }
-    void operator()(Boundary* boundary) const { *boundary = Boundary::torus; }
-    void operator()(std::string* value) const { *value = text; }
-    void operator()(std::vector<std::string>* values) const { values->push_back(text); }
-    void operator()(std::optional<Mode>* mode) const {
-        for (const Mode known : {Mode::exact, Mode::lines, Mode::cells, Mode::stratified})
-            if (text == name_of(known)) *mode = known;
-    }
-    void operator()(std::optional<Metric>* metric) const {
-        for (const Metric known : {Metric::min, Metric::mean, Metric::max})
-            if (text == name_of(known)) *metric = known;
-    }
-    void operator()(const Take& take) const { take(text); }
-};
-
-CLI::Option* add(CLI::App& command, const Option& row, const Target& target) {
-    const std::string help = help_of(row);
+CLI::Option* add(CLI::App& command, const Option& row, const recipes::Target& target) {
+    const std::string help = full_help_of(row);
     if (row.kind == Kind::flag)
         return command
             .add_flag_callback(
-                names_of(row),
-                [&row, target] {
-                    std::visit(Reader{row, ""}, target);
-                },
-                help)
+                names_of(row), [&row, target] { take(row, "", target); }, help)
             ->disable_flag_override();
-    const auto take = [&row, target](const std::string& text) {
-        check_word(row, text);
-        std::visit(Reader{row, text}, target);
-    };
+    const auto take_text = [&row, target](const std::string& text) { take(row, text, target); };
     CLI::Option* option = nullptr;
     if (row.traits.repeats) {
         option = command.add_option_function<std::vector<std::string>>(
             names_of(row),
-            [take](const std::vector<std::string>& texts) {
-                for (const std::string& text : texts) take(text);
+            [take_text](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) take_text(text);
             },
             help);
         // An option takes one value: -o must not take photo.jpg in `-o dots.svg photo.jpg`.
@@ -94,7 +63,7 @@ CLI::Option* add(CLI::App& command, const Option& row, const Target& target) {
             option->expected(1)->allow_extra_args(false)->multi_option_policy(
                 CLI::MultiOptionPolicy::TakeAll);
     } else {
-        option = command.add_option_function<std::string>(names_of(row), take, help);
+        option = command.add_option_function<std::string>(names_of(row), take_text, help);
     }
     if (!row.traits.usual.empty())
         option->expected(0, 1)->default_str(std::string(row.traits.usual));

@@ -11,12 +11,13 @@
 #include <string_view>
 #include <system_error>
 
-#include "cli/options/options.h"
+#include "base/number_text.h"
 #include "drawing/dot_size.h"
 #include "files/parse.h"
 #include "files/read_whole.h"
 #include "files/text_lines.h"
 #include "plan/sheets.h"
+#include "recipes/read.h"
 
 namespace lacuna::cli {
 namespace {
@@ -40,8 +41,8 @@ ClassText read_class(const std::string& text) {
     ClassText read_text{parts.front(), {}, 1};
     if (parts.size() > 3 || read_text.name.empty())
         throw BadRequest("class", shown(text), "must be NAME:RADIUS or NAME:RADIUS:WEIGHT");
-    if (parts.size() > 1 && !parts[1].empty()) read("class", parts[1], read_text.radius);
-    if (parts.size() > 2) read("class", parts[2], read_text.weight);
+    if (parts.size() > 1 && !parts[1].empty()) recipes::read("class", parts[1], read_text.radius);
+    if (parts.size() > 2) recipes::read("class", parts[2], read_text.weight);
     return read_text;
 }
 

@@ -7,36 +7,15 @@
 #include <cstdio>
 
 #include "cli/options/class_options.h"
-#include "cli/options/options.h"
 #include "cli/reports/output.h"
 #include "cli/terminal/driver.h"
 #include "cli/terminal/observers.h"
 #include "cli/terminal/progress_bar.h"
+#include "cli/terminal/run_program.h"
 #include "plan/sheets.h"
+#include "recipes/read.h"
 
 namespace lacuna::cli {
-
-Targets targets_of(Request& request) {
-    return {{"radius", &request.radius},
-            {"count", &request.count},
-            {"scale", &request.scale},
-            {"domain",
-             [&request](const std::string& text) {
-                 read_domain("domain", text, request.width, request.height);
-             }},
-            {"torus", &request.boundary},
-            {"border", &request.border},
-            {"limit", &request.limit},
-            {"seed", &request.seed},
-            {"progressive", &request.progressive},
-            {"lines-per-radius", &request.lines_per_radius},
-            {"uniform-x", &request.uniform_x},
-            {"snap", &request.snap},
-            {"round-size", &request.round_size},
-            {"threads", &request.threads},
-            {"backend", &request.backend},
-            {"device", &request.device}};
-}
 
 Targets targets_of(OutputOptions& output) {
     return {{"output", &output.paths}, {"format", &output.format}};
@@ -44,7 +23,7 @@ Targets targets_of(OutputOptions& output) {
 
 Targets targets_of(CommonOptions& options) {
     Targets targets{{"report", &options.report}, {"quiet", &options.quiet}};
-    targets.merge(targets_of(options.request));
+    targets.merge(recipes::targets_of(options.request));
     targets.merge(targets_of(options.output));
     return targets;
 }

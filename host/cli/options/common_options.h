@@ -20,8 +20,7 @@ struct CommonOptions {
     bool quiet = false;
 };
 
-// The targets of the options of a request, of its outputs, and of both with --report and --quiet.
-Targets targets_of(Request& request);
+// The targets of the options of outputs, and of a request and its outputs.
 Targets targets_of(OutputOptions& output);
 Targets targets_of(CommonOptions& options);
 

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/number_text.h"
 #include "cli/options/obstacles.h"
-#include "cli/options/options.h"
 #include "cli/reports/report.h"
 #include "files/parse.h"
 #include "files/point_files.h"

@@ -9,15 +9,15 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "cli/options/options.h"
+#include "base/number_text.h"
 #include "cli/reports/json.h"
 #include "drawing/dot_count.h"
+#include "recipes/read.h"
 
 namespace lacuna::cli {
 namespace {
 
 constexpr double kMostPixels = 32767;  // that cairo can draw along a side of an image
-constexpr double kLeastDot = 0.001;    // mm
 // Limits of the dots' ink, as a multiple of the picture's ink; beyond them the user is warned. They
 // are one stop of a photograph: 0.5 looks as if it was exposed twice as long, and 2 as if it was
 // exposed half as long. Within these limits it may well be what the user wants.
@@ -27,16 +27,6 @@ constexpr double kLeastInk = 0.5, kMostInk = 2;
 std::uint64_t to_three_digits(double number) {
     const double step = std::pow(10, std::max(0.0, std::floor(std::log10(number)) - 2));
     return static_cast<std::uint64_t>(std::max(1.0, std::round(number / step) * step));
-}
-
-// A diameter, or two with `..` between them.
-Pens read_pens(const std::string& name, const std::string& text, bool has_tones) {
-    const std::size_t dots = has_tones ? text.find("..") : std::string::npos;
-    const double least = read_length(name, text.substr(0, dots), kLeastDot);
-    if (dots == std::string::npos) return {least, least};
-    const double most = read_length(name, text.substr(dots + 2), kLeastDot);
-    if (!(least <= most)) throw BadRequest(name, shown(text), "the first must not be the larger");
-    return {least, most};
 }
 
 // A page without a sheet is a domain whose longer side is as on a domain of 1 x 1.
@@ -70,16 +60,17 @@ Targets targets_of(DrawingOptions& options, bool has_tones) {
     };
     using Text = const std::string&;
     bind("dot-size", [has_tones](DrawingOptions& all, Text name, Text text) {
-        all.pens.reset();
-        if (text != "radius") all.pens = read_pens(name, text, has_tones);
+        all.pens = recipes::read_pens(name, text, has_tones);
     });
-    bind("paper-size",
-         [](DrawingOptions& all, Text name, Text text) { all.paper = read_paper(name, text); });
+    bind("paper-size", [](DrawingOptions& all, Text name, Text text) {
+        all.paper = recipes::read_paper(name, text);
+    });
     bind("margin", [](DrawingOptions& all, Text name, Text text) {
-        all.margin_mm = read_length(name, text, 0);
+        all.margin_mm = recipes::read_length(name, text, 0);
     });
-    bind("dpi",
-         [](DrawingOptions& all, Text name, Text text) { read(name, text, all.pixels_per_inch); });
+    bind("dpi", [](DrawingOptions& all, Text name, Text text) {
+        recipes::read(name, text, all.pixels_per_inch);
+    });
     return targets;
 }
 

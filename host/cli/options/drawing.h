@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "cli/options/bind.h"
-#include "cli/options/options.h"
 #include "cli/reports/output.h"
 #include "drawing/dot_size.h"
 #include "drawing/picture.h"

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include "cli/options/options.h"
+#include "base/number_text.h"
 #include "files/parse.h"
 #include "pictures/ellipses.h"
 

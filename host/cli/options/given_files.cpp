@@ -13,7 +13,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "cli/options/options.h"
+#include "base/number_text.h"
 #include "files/links.h"
 #include "files/point_files.h"
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "cli/options/options.h"
+#include "base/number_text.h"
 #include "files/point_files.h"
 #include "files/read_sets.h"
 #include "files/read_whole.h"

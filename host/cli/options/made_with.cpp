@@ -1,4 +1,5 @@
 // Compares the options of a command with those that a .json says its set was made with.
+#include "base/number_text.h"
 #include "cli/options/domain_options.h"
 
 #include <fmt/core.h>
@@ -9,7 +10,6 @@
 #include <optional>
 #include <system_error>
 
-#include "cli/options/options.h"
 #include "cli/reports/report.h"
 #include "cli/terminal/run_program.h"
 #include "files/parse.h"

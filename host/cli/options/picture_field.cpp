@@ -4,31 +4,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "cli/options/options.h"
 #include "pictures/image.h"
 
 namespace lacuna::cli {
-namespace {
-
-void read_sharpen(const std::string& text, pictures::Importance& importance) {
-    const std::size_t colon = std::min(text.find(':'), text.size());
-    read("sharpen", text.substr(0, colon), importance.sharpen);
-    if (colon != text.size()) read("sharpen", text.substr(colon + 1), importance.sharpen_amount);
-}
-
-}  // namespace
-
 Targets targets_of(Picture& picture) {
-    pictures::Importance& importance = picture.importance;
-    return {{"metric", &picture.metric},
-            {"invert", &importance.invert},
-            {"black", &importance.black},
-            {"white", &importance.white},
-            {"auto-levels", &importance.auto_levels},
-            {"sharpen", [&importance](const std::string& text) { read_sharpen(text, importance); }},
-            {"along", &importance.along},
-            {"gamma", &importance.gamma},
-            {"min-importance", &importance.min_importance}};
+    Targets targets = recipes::targets_of(picture.importance);
+    targets["metric"] = &picture.metric;
+    return targets;
 }
 
 Field read_field(const Picture& picture, Request& request) {

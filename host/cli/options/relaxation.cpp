@@ -37,10 +37,6 @@ std::optional<double> measure_moved(const CommonOptions& common, const std::vect
 
 }  // namespace
 
-Targets targets_of(recipes::Moves& moves) {
-    return {{"gaussian", &moves.gaussian}, {"gaussian-distance", &moves.gaussian_distance}};
-}
-
 Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& outputs,
                         const RelaxOptions& options, const Field* field, Made& made) {
     Relaxation relaxation{options, {}, std::nullopt};

@@ -8,15 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "cli/options/bind.h"
 #include "cli/options/common_options.h"
 #include "cli/reports/output.h"
 #include "recipes/make.h"
 
 namespace lacuna::cli {
-
-// The targets of --gaussian and --gaussian-distance.
-Targets targets_of(recipes::Moves& moves);
 
 // The results of relaxing, besides the points.
 struct Relaxation {

@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/number_text.h"
 #include "cli/options/given_files.h"
-#include "cli/options/options.h"
 #include "cli/reports/made_set.h"
 #include "cli/reports/output.h"
 #include "cli/reports/report.h"
@@ -25,7 +25,9 @@
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/observers.h"
 #include "cli/terminal/progress_bar.h"
+#include "cli/terminal/run_program.h"
 #include "files/point_files.h"
+#include "recipes/read.h"
 
 namespace lacuna::cli {
 namespace {
@@ -126,8 +128,8 @@ SeedRange read_seeds(const std::string& text) {
     if (dots == std::string::npos)
         throw BadRequest("seeds", shown(text), "must be FIRST..LAST, as in 0..99, both included");
     SeedRange seeds{};
-    read("seeds", text.substr(0, dots), seeds.first);
-    read("seeds", text.substr(dots + 2), seeds.last);
+    recipes::read("seeds", text.substr(0, dots), seeds.first);
+    recipes::read("seeds", text.substr(dots + 2), seeds.last);
     if (seeds.last < seeds.first)
         throw BadRequest("seeds", shown(text), "the first must not be greater than the last");
     if (seeds.last - seeds.first >= kMostSeeds)

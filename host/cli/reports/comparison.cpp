@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "cli/options/options.h"
+#include "base/number_text.h"
 #include "cli/reports/peak_memory.h"
 #include "cli/terminal/driver.h"
 #include "cli/terminal/observers.h"

@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "cli/options/options.h"
+#include "base/number_text.h"
 #include "files/links.h"
 
 namespace lacuna::cli {

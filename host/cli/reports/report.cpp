@@ -7,17 +7,23 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 #include "files/point_files.h"
+#include "recipes/describe.h"
 
 namespace lacuna::cli {
 namespace {
 
+Json json_of(const recipes::Description& description) {
+    Json json = Json::object();
+    for (const auto& [name, value] : description)
+        json[name] = std::visit([](const auto& one) { return Json(one); }, value);
+    return json;
+}
+
 Json json_of(const Request& request, const Result& result) {
     Json json = what_decides(request, result);
-    json.update(Json{
-        {"backend", request.backend}, {"device", request.device}, {"threads", request.threads}});
+    json.update(json_of(recipes::describe_place(request)));
     return json;
 }
 
@@ -47,68 +53,10 @@ std::string text_of(const Json& report) {
     return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-// Quotes `word` so that a shell reads it as one word.
-std::string quoted(const std::string& word) {
-    constexpr std::string_view kPlain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./:=,+%@";
-    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-    std::string result = "'";
-    for (const char c : word) {
-        if (c == '\'') {
-            result += "'\\''";
-        } else {
-            result += c;
-        }
-    }
-    return result + "'";
-}
-
-// Arguments without a name first, then options in the order of --help. --seeds becomes the --seed
-// of this set.
-std::string command_line(const CommandLine& line, std::uint64_t seed) {
-    std::string text = "lacuna " + std::string(recipes::name_of_command(line.command));
-    for (const auto& [name_in_table, values] : line.given) {
-        const recipes::Option& option = *recipes::find_option(line.command, name_in_table);
-        const bool is_argument = option.is_argument();
-        const std::string name = is_argument ? "" : " --" + std::string(name_in_table);
-        if (!option.traits.decides_points) continue;
-        if (name_in_table == "seeds") {
-            text += " --seed " + std::to_string(seed);
-            continue;
-        }
-        if (values.empty()) text += name;  // a flag
-        // An option that may be given several times is given with each of its values.
-        for (const std::string& value : values) {
-            const bool looks_like_an_option = is_argument && value.starts_with("-") && value != "-";
-            text += name + " " + quoted(looks_like_an_option ? "./" + value : value);
-        }
-    }
-    return text;
-}
-
 }  // namespace
 
 Json what_decides(const Request& request, const Result& result) {
-    Json json{{"width", request.width},
-              {"height", request.height},
-              {"boundary", request.boundary == Boundary::torus ? "torus" : "box"},
-              {"mode", name_of(request.mode)}};
-    const bool cells = request.mode == Mode::cells;
-    const bool has_field = request.field != nullptr || result.scale > 0;  // stipple keeps no field
-    if (request.mode == Mode::stratified) {
-        json.update({{"count", or_null(request.count)}, {"seed", request.seed}});
-        return json;
-    }
-    if (has_field) json["metric"] = name_of(request.metric);
-    json[has_field ? "scale" : "radius"] = or_null(has_field ? request.scale : request.radius);
-    json["count"] = or_null(request.count);
-    json["lines_per_radius"] = result.lines_per_radius;
-    if (request.progressive) json["progressive"] = true;
-    if (!cells) json.update({{"snap", request.snap}, {"uniform_x", request.uniform_x}});
-    json.update({{"limit", or_null(request.limit)},
-                 {"round_size", request.round_size},
-                 {"seed", request.seed}});
-    return json;
+    return json_of(recipes::describe(request, result));
 }
 
 std::string report_of(const Request& request, const Made& made) {
@@ -190,7 +138,7 @@ files::Origin origin_of(const CommandLine& line, const Request& request, const R
     options.update(more);
     // File names are bytes, which need not be UTF-8.
     return {LACUNA_VERSION,
-            command_line(line, request.seed),
+            line.text(request.seed),
             request.boundary,
             request.mode,
             request.seed,

@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <string_view>
 
-#include "cli/options/options.h"
 #include "cli/reports/json.h"
+#include "cli/terminal/run_program.h"
 #include "verify/verify.h"
 
 namespace lacuna::cli {

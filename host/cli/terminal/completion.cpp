@@ -50,7 +50,8 @@ std::string lines_of_options(std::span<const recipes::Option* const> options) {
     std::string lines = "--help\tPrint the help message\n";
     for (const recipes::Option* option : options)
         if (!option->is_argument())
-            lines += "--" + std::string(option->name) + "\t" + std::string(option->help) + "\n";
+            lines += "--" + std::string(option->name) + "\t" +
+                     std::string(recipes::help_of(*option)) + "\n";
     return lines;
 }
 

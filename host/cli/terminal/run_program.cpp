@@ -21,7 +21,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/options/options.h"
+#include "base/number_text.h"
 #include "cli/terminal/completion.h"
 #include "files/point_files.h"
 
@@ -166,6 +166,23 @@ void check_stack() {
 }
 
 }  // namespace
+
+// Uses fmt's escapes, which know Unicode. fmt would escape quotes and backslashes too, so the text
+// is passed to it in pieces between them.
+std::string printable(std::string_view text) {
+    constexpr std::string_view kMayStay = "\"\\";
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t length = std::min(text.find_first_of(kMayStay), text.size());
+        const std::string quoted = fmt::format("{:?}", text.substr(0, length));
+        result += quoted.substr(1, quoted.size() - 2);
+        text.remove_prefix(length);
+        if (text.empty()) break;
+        result += text.front();
+        text.remove_prefix(1);
+    }
+    return result;
+}
 
 int Program::fail(int code, const std::string& message) const {
     std::fputs(fmt::format("{}: {}\n", name_, printable(message)).c_str(), stderr);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
@@ -28,6 +29,10 @@ class CheckFailed : public std::exception {};
 class BadUsage : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+// Text for a terminal, on one line: control characters, invisible characters and bytes that are not
+// UTF-8 are escaped.
+std::string printable(std::string_view text);
 
 class Program {
 public:

@@ -8,6 +8,7 @@
 #include <functional>
 #include <numeric>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "base/asked.h"
@@ -19,8 +20,8 @@
 #include "pictures/importance.h"
 #include "plan/checked_request.h"
 #include "recipes/make.h"
-#include "recipes/options.h"
 #include "recipes/settle.h"
+#include "recipes/targets.h"
 
 namespace lacuna {
 namespace {
@@ -33,28 +34,15 @@ std::uint64_t sum_of(std::span<const std::uint64_t> counts) {
     return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
-// What was given, by the names of the table of options.
-recipes::CommandLine line_of(const StippleOptions& options) {
-    recipes::CommandLine line{recipes::kStipple, {}};
-    const auto give = [&](const char* name, const auto& value, bool is_given = true) {
-        if (is_given) line.given.push_back({name, {fmt::format("{}", value)}});
-    };
-    const auto give_if = [&](const char* name, const auto& value) {
-        if (value) give(name, *value);
-    };
-    const Request& request = options.request;
-    give_if("count", request.count);
-    give_if("scale", request.scale);
-    give_if("limit", request.limit);
-    give_if("lines-per-radius", request.lines_per_radius);
-    give("round-size", request.round_size, request.round_size != 0);
-    if (options.start) give("mode", name_of(*options.start));
-    if (options.metric) give("metric", name_of(*options.metric));
-    give_if("relax", options.relax);
-    give("along", options.tone.along, has_ellipses(options));
-    if (!options.inks.empty()) give("inks", options.inks.front().name);
-    give_if("black-ink", options.black_ink);
-    if (!options.ink_counts.empty()) give("ink-counts", options.ink_counts.front());
+// What was given, as a command line.
+recipes::CommandLine line_of(StippleOptions options) {
+    StippleOptions usual;
+    recipes::CommandLine line{recipes::kStipple,
+                              recipes::given_in(recipes::kStipple, recipes::targets_of(options),
+                                                recipes::targets_of(usual))};
+    if (!options.inks.empty()) line.given.push_back({"inks", {options.inks.front().name}});
+    if (!options.ink_counts.empty())
+        line.given.push_back({"ink-counts", {std::to_string(options.ink_counts.front())}});
     return line;
 }
 

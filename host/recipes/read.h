@@ -1,4 +1,4 @@
-// Options whose values are read strictly: text that is not a value as a whole is a BadRequest.
+// Values of options from texts, read strictly: a text that is not a value as a whole is refused.
 #pragma once
 
 #include <lacuna/stipple.h>
@@ -6,17 +6,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 
-namespace lacuna::cli {
-
-// A value for an error message: quoted if it is empty or has blanks, and escaped, so that it stays
-// on one line.
-std::string shown(const std::string& text);
-
-// Text for a terminal, on one line: control characters, invisible characters and bytes that are not
-// UTF-8 are escaped.
-std::string printable(std::string_view text);
+namespace lacuna::recipes {
 
 // Each throws BadRequest(option, text, what is allowed). The library checks ranges.
 void read(const std::string& option, const std::string& text, double& value);
@@ -33,13 +24,20 @@ void read(const std::string& option, const std::string& text, std::optional<Valu
 // A domain as WIDTHxHEIGHT.
 void read_domain(const std::string& option, const std::string& text, double& width, double& height);
 
+// R:X, a radius in pixels and how much edges are sharpened; or R alone.
+void read_sharpen(const std::string& text, Tone& tone);
+
 // A length in mm from a number with mm, cm, in or pt behind it. Throws BadRequest(option, text,
 // ...) for anything else, and if the length is under least_mm or over 200 in, PDF's limit.
 double read_length(const std::string& option, const std::string& text, double least_mm);
+
+// The diameter of dots in such a unit; if `has_tones`, two diameters may have `..` between them.
+// Unset for the word "radius".
+std::optional<Pens> read_pens(const std::string& option, const std::string& text, bool has_tones);
 
 // A sheet without margins: WIDTHxHEIGHT with one of these units, or A0 to A6, letter, legal or
 // tabloid in any case. Papers given by name may turn. Throws as read_length does; no side may be
 // under 1 mm.
 Paper read_paper(const std::string& option, const std::string& text);
 
-}  // namespace lacuna::cli
+}  // namespace lacuna::recipes

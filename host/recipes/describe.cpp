@@ -1,0 +1,72 @@
+// Describes requests by the table of options.
+#include "recipes/describe.h"
+
+#include <algorithm>
+
+namespace lacuna::recipes {
+namespace {
+
+// Adds options to a description by their names, each once.
+class Describer {
+public:
+    explicit Describer(const Request& request) : request_(request) {}
+
+    void tell(const char* key, Value value) { told_.emplace_back(key, std::move(value)); }
+    void add(std::string_view option, bool is_told = true) {
+        const auto found = values_.find(option);
+        if (is_told)
+            told_.emplace_back(find_option(kSample, option)->key(), value_of(found->second));
+        values_.erase(found);
+    }
+    // Adds the other options that were given.
+    void add_the_rest() {
+        Request usual;
+        const Targets values = targets_of(usual);
+        for (const Option* option : options_of(kSample))
+            if (option->traits.decides_points && values_.contains(option->name) &&
+                value_of(values_.at(option->name)) != value_of(values.at(option->name)))
+                add(option->name);
+    }
+    Description told() { return std::move(told_); }
+
+private:
+    Request request_;
+    Targets values_ = targets_of(request_);
+    Description told_;
+};
+
+}  // namespace
+
+Description describe(const Request& request, const Result& result) {
+    const bool is_stratified = request.mode == Mode::stratified;
+    const bool is_cells = request.mode == Mode::cells;
+    const bool has_field = request.field != nullptr || result.scale > 0;  // stipple keeps no field
+    Describer all(request);
+    all.tell("width", request.width);
+    all.tell("height", request.height);
+    all.tell("boundary", std::string(request.boundary == Boundary::torus ? "torus" : "box"));
+    all.tell("mode", std::string(name_of(request.mode)));
+    if (has_field && !is_stratified) all.tell("metric", std::string(name_of(request.metric)));
+    all.add("scale", has_field && !is_stratified);
+    all.add("radius", !has_field && !is_stratified);
+    all.add("count");
+    if (!is_stratified) all.tell("lines_per_radius", std::uint64_t{result.lines_per_radius});
+    all.add("progressive", request.progressive);
+    all.add("snap", !is_cells && !is_stratified);
+    all.add("uniform-x", !is_cells && !is_stratified);
+    all.add("limit", !is_stratified);
+    all.add("round-size", !is_stratified);
+    all.add("seed");
+    for (const char* const elsewhere : {"torus", "border", "lines-per-radius"})
+        all.add(elsewhere, false);
+    all.add_the_rest();
+    return all.told();
+}
+
+Description describe_place(const Request& request) {
+    Describer all(request);
+    for (const char* const name : {"backend", "device", "threads"}) all.add(name);
+    return all.told();
+}
+
+}  // namespace lacuna::recipes

@@ -1,0 +1,211 @@
+// Texts become values of options, and values texts again.
+#include "recipes/read.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/number_text.h"
+#include "recipes/describe.h"
+#include "recipes/targets.h"
+#include "refusal.h"
+
+namespace lacuna::recipes {
+namespace {
+
+using tests::refusal_of;
+
+TEST(WholeNumbers, MayBeShortOrInGroupsOfThreeDigits) {
+    const std::map<std::string, std::uint64_t> taken{
+        {"0", 0},
+        {"20000", 20000},
+        {"007", 7},
+        {"2e4", 20000},
+        {"2E4", 20000},
+        {"2e+4", 20000},
+        {"1.5e1", 15},
+        {"20k", 20000},
+        {"20K", 20000},
+        {"1.5M", 1500000},
+        {"2G", 2000000000},
+        {".5k", 500},
+        {"5.k", 5000},
+        {"1.001M", 1001000},
+        {"20,000", 20000},
+        {"1,500,000", 1500000},
+        {"20_000", 20000},
+        {"20'000", 20000},
+        {"20 000", 20000},
+        {"999,999", 999999},
+        {"18446744073709551615", 18446744073709551615U}};
+    for (const auto& [text, number] : taken) {
+        std::uint64_t value = 1;
+        read("seed", text, value);
+        EXPECT_EQ(value, number) << text;
+    }
+    for (const std::string text : {"",        " ",         "k",        ",",
+                                   "20,00",   "2,0000",    "20,000,",  ",000",
+                                   "1,,000",  "1,000_000", "+5",       "1,000k",
+                                   "1,000.0", "1.5",       "1234,567", "1,000.5k",
+                                   "1e-3",    "-1",        "-0",       "-2k",
+                                   "2kk",     "2e3k2",     "2e1k",     "1e40",
+                                   "nan",     "inf",       "0x10",     "5 k",
+                                   " 5",      "1.000.000", "many",     "18446744073709551616"}) {
+        std::uint64_t value = 0;
+        EXPECT_EQ(refusal_of([&] { read("seed", text, value); }),
+                  "seed " + shown(text) +
+                      ": must be a whole number, such as 20000, 20,000 or 20k, at most "
+                      "18446744073709551615");
+    }
+    std::uint32_t value = 0;
+    EXPECT_EQ(refusal_of([&] { read("threads", "4294967296", value); }),
+              "threads 4294967296: must be a whole number, such as 20000, 20,000 or 20k, at most "
+              "4294967295");
+}
+
+TEST(Numbers, AreReadAsAWhole) {
+    double value = 0;
+    read("radius", "-1e-2", value);
+    EXPECT_EQ(value, -0.01);
+    for (const std::string text : {"", "5x", "0x1", " 0.1", "0.1 ", "1\n2", "+1", "1,5"})
+        EXPECT_EQ(refusal_of([&] { read("radius", text, value); }),
+                  "radius " + shown(text) + ": must be a number, such as 0.01 or 1e-2");
+    EXPECT_EQ(refusal_of([&] { read("radius", "1e400", value); }),
+              "radius 1e400: must be a number that a double can hold");
+}
+
+TEST(Domains, HaveACrossBetweenTwoNumbers) {
+    double width = 0, height = 0;
+    read_domain("domain", "2.5X1", width, height);
+    EXPECT_EQ(width, 2.5);
+    EXPECT_EQ(height, 1);
+    for (const std::string text : {"1", "1x1x1", "axb", "", "x", "1x"})
+        EXPECT_EQ(
+            refusal_of([&] { read_domain("domain", text, width, height); }),
+            "domain " + shown(text) + ": must be WIDTHxHEIGHT, two numbers such as 1x1 or 2.5x1");
+}
+
+TEST(Lengths, HaveAUnit) {
+    EXPECT_EQ(read_length("margin", "0.5mm", 0), 0.5);
+    EXPECT_EQ(read_length("margin", "+2cm", 0), 20);
+    EXPECT_EQ(read_length("margin", "1in", 0), 25.4);
+    EXPECT_EQ(read_length("margin", "72pt", 0), 25.4);
+    for (const char* const text : {"3", "mm", "3km", "1 mm", "--1mm"})
+        EXPECT_EQ(refusal_of([&] { read_length("margin", text, 0); }),
+                  "margin " + shown(text) +
+                      ": must be a number and mm, cm, in or pt, such as "
+                      "0.5mm");
+    for (const char* const text : {"-1mm", "201in", "nanmm"})
+        EXPECT_EQ(refusal_of([&] { read_length("margin", text, 0); }),
+                  std::string("margin ") + text + ": must be 0mm to 200in long");
+}
+
+TEST(Pens, AreOneDiameterOrTwoOrNone) {
+    EXPECT_EQ(read_pens("dot-size", "0.5mm", false), (Pens{0.5, 0.5}));
+    EXPECT_EQ(read_pens("dot-size", "0.5mm..1cm", true), (Pens{0.5, 10}));
+    EXPECT_EQ(read_pens("dot-size", "radius", true), std::nullopt);
+    const auto refused = [](const std::string& text, bool has_tones) {
+        return refusal_of([&] { read_pens("dot-size", text, has_tones); });
+    };
+    EXPECT_EQ(refused("2mm..1mm", true), "dot-size 2mm..1mm: the first must not be the larger");
+    EXPECT_EQ(refused("0mm", true), "dot-size 0mm: must be 0.001mm to 200in long");
+    EXPECT_NE(refused("1mm..2mm", false), "accepted");
+}
+
+TEST(Papers, AreASizeOrANameThatMayTurn) {
+    const Paper given = read_paper("paper-size", "210x297mm");
+    EXPECT_EQ(given.width_mm, 210);
+    EXPECT_EQ(given.height_mm, 297);
+    EXPECT_FALSE(given.may_turn);
+    const Paper named = read_paper("paper-size", "LETTER");
+    EXPECT_EQ(named.width_mm, 215.9);
+    EXPECT_EQ(named.height_mm, 279.4);
+    EXPECT_TRUE(named.may_turn);
+    for (const std::string text : {"A9", "20mm", "20x30", "axbmm", ""})
+        EXPECT_EQ(refusal_of([&] { read_paper("paper-size", text); }).substr(0, 10 + 1),
+                  "paper-size ")
+            << text;
+    for (const std::string text : {"0x20mm", "10x201in", "infx20mm"})
+        EXPECT_EQ(refusal_of([&] { read_paper("paper-size", text); }),
+                  "paper-size " + text + ": must be 1mm to 200in long");
+}
+
+// The values of a line of text, after they were read into the library's options.
+StippleOptions options_of(CommandLine& line) {
+    StippleOptions options;
+    line.sort();
+    read(line, targets_of(options));
+    return options;
+}
+
+TEST(ALine, IsReadIntoTheMembersOfItsOptions) {
+    CommandLine line{kStipple,
+                     {{"relax", {"3"}},
+                      {"IMAGE", {"-a b.png"}},
+                      {"torus", {}},
+                      {"inks", {"red,#0000ff"}},
+                      {"ink-counts", {"70,1k"}},
+                      {"sharpen", {"8:2"}},
+                      {"gamma", {"1.5"}},
+                      {"seed", {"20,000"}}}};
+    const StippleOptions options = options_of(line);
+    EXPECT_EQ(options.relax, 3U);
+    EXPECT_EQ(options.request.boundary, Boundary::torus);
+    EXPECT_EQ(options.request.seed, 20000U);
+    EXPECT_EQ(options.inks.size(), 2U);
+    EXPECT_EQ(options.ink_counts, (std::vector<std::uint64_t>{70, 1000}));
+    EXPECT_EQ(options.tone.sharpen, 8U);
+    EXPECT_EQ(options.tone.sharpen_amount, 2);
+    EXPECT_EQ(options.tone.gamma, 1.5);
+    EXPECT_EQ(line.text(0),
+              "lacuna stipple './-a b.png' --sharpen 8:2 --gamma 1.5 --inks 'red,#0000ff' "
+              "--ink-counts 70,1k --torus --seed 20,000 --relax 3");
+}
+
+TEST(ALine, IsRefusedForAWordThatIsNoneAndForAPair) {
+    CommandLine line{kStipple, {{"metric", {"most"}}}};
+    EXPECT_EQ(refusal_of([&] { options_of(line); }), "metric most: must be min, mean or max");
+    line.given = {{"metric", {"max"}}, {"inks", {"cmyk"}}};
+    EXPECT_EQ(refusal_of([&] { options_of(line); }),
+              "metric max with --inks: dots of inks begin stratified");
+    EXPECT_EQ(options_of(*(line.given.pop_back(), &line)).metric, Metric::max);
+}
+
+TEST(GivenOptions, AreThoseWhoseValuesAreNotTheUsual) {
+    Request request{.boundary = Boundary::torus, .radius = 0.1, .seed = 7};
+    Request usual;
+    std::string text;
+    for (const GivenOption& one : given_in(kSample, targets_of(request), targets_of(usual)))
+        text += std::string(one.name) + (one.values.empty() ? "" : "=" + one.values.front()) + " ";
+    EXPECT_EQ(text, "radius=0.1 torus seed=7 ");
+}
+
+TEST(ADescription, HasWhatDecidesTheSetInTheOrderOfReports) {
+    Request request{.width = 2, .radius = 0.1, .limit = 9};
+    Result result;
+    result.lines_per_radius = 6;
+    const auto names_in = [&] {
+        std::string names;
+        for (const auto& [name, value] : describe(request, result)) names += name + " ";
+        return names;
+    };
+    EXPECT_EQ(names_in(),
+              "width height boundary mode radius count lines_per_radius snap uniform_x limit "
+              "round_size seed ");
+    EXPECT_EQ(describe(request, result).front().second, Value(2.0));
+    request.progressive = true;
+    request.radius.reset();
+    result.scale = 0.1;
+    EXPECT_EQ(names_in(),
+              "width height boundary mode metric scale count lines_per_radius progressive snap "
+              "uniform_x limit round_size seed ");
+    request = {.count = 5, .mode = Mode::stratified};
+    EXPECT_EQ(names_in(), "width height boundary mode count seed ");
+}
+
+}  // namespace
+}  // namespace lacuna::recipes
