@@ -132,26 +132,24 @@ def _counts(name: str, value: Any) -> list[int]:
     return [whole(name, count, 0, MOST_64) for count in value]
 
 
-def _range(least: int, most: int) -> Callable[[str, Any], int]:
-    return lambda name, value: whole(name, value, least, most)
+def _whole(name: str, value: Any) -> int:
+    """The library refuses numbers that are too large for the option."""
+    return whole(name, value, 0, MOST_64)
 
 
-# What each argument is converted by.
+_READERS: dict[str, Callable[[str, Any], object]] = {"real": real, "whole": _whole, "flag": flag, "text": text}
+# What each argument is converted by: the kind of its option, or what only Python has.
 _KINDS: dict[str, Callable[[str, Any], object]] = {
-    **dict.fromkeys("radius scale border edge tolerance gaussian_distance black".split(), real),
-    **dict.fromkeys("white gamma min_importance sharpen_amount along size_by_tone".split(), real),
-    **dict.fromkeys("black_ink max_frequency".split(), real),
-    **dict.fromkeys("relax iterations gaussian threads".split(), _range(0, 2**32 - 1)),
-    **dict.fromkeys("sharpen lines_per_radius".split(), _range(0, 2**32 - 1)),
-    **dict.fromkeys("n limit round_size".split(), _range(0, MOST_64)),
-    **dict.fromkeys("torus progressive snap uniform_x measure distances_only".split(), flag),
-    **dict.fromkeys("auto_levels invert keep_inside".split(), flag),
-    **dict.fromkeys("mode metric backend".split(), text),
-    "memory_limit": _range(1, MOST_64),
+    **{name: _READERS[kind] for name, kind in _core.kinds_of_options().items()},
+    "backend": text,
     "device": _device,
     "domain": pair,
-    "seed": _seed,
     "ink_counts": _counts,
+    "measure": flag,
+    "memory_limit": lambda name, value: whole(name, value, 1, MOST_64),
+    "seed": _seed,
+    "sharpen": _whole,
+    "sharpen_amount": real,
 }
 # Arguments that may be None, which means that they are not given.
 _OPTIONAL = set(

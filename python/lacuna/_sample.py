@@ -240,7 +240,6 @@ def sample(
     allowed = None if mask is None else mask_of("mask", mask)
     kept = None if keep is None else points_array("keep", keep)
     kinds = classes_of(classes, between)
-    _check_sizes(bool(kinds), radius=radius, scale=scale)
     places = places_of(inside, outside, avoid, real("border", border))
     if domain is None:
         domain = shape_of(importance, allowed) or around(places)
@@ -252,15 +251,19 @@ def sample(
         threads=threads, memory_limit=memory_limit,
     )  # fmt: skip
     asked.update(kinds)
+    arrays = {
+        "field": field, "ellipses": ellipses, "mask": mask, "inside": inside, "outside": outside,
+        "avoid": avoid, "keep": keep, "class": classes,
+    }  # fmt: skip
+    asked["given"] = [name for name, array in arrays.items() if array is not None]
     sets = sets_on(asked, places)
     own = keep._names_of_points() if isinstance(keep, PointSet) and kinds else None
     of_kept = classes_of_points("keep_classes", keep_classes, own, kinds, kept)
     with watched(progress) as told:
         made = _core.sample(asked, importance, allowed, sets, kept, of_kept, told)
-    arrays: dict[str, object] = {"mask": allowed or sets, "keep": kept is not None}
-    arrays["field" if ellipses is None else "ellipses"] = importance
     # The command names the files of these.
-    said: dict[str, Any] = {name: "an array" for name, given in arrays.items() if given}
+    files = {"keep": keep, "field": field, "ellipses": ellipses, "mask": allowed or sets or None}
+    said: dict[str, Any] = {name: "an array" for name, one in files.items() if one is not None}
     if kept is not None:
         said["kept"] = len(kept)
     if made["relaxed"] is not None:
@@ -268,14 +271,7 @@ def sample(
     if asked["gaussian"]:
         said["gaussian"] = asked["gaussian"]
         said["gaussian_distance"] = asked.get("gaussian_distance", 0.9)
-    return PointSet(**set_attributes(made, asked, **said))
-
-
-def _check_sizes(has_classes: bool, **sizes: SupportsFloat | None) -> None:
-    """Classes have radii of their own."""
-    for name, size in sizes.items():
-        if has_classes and size is not None:
-            raise BadRequest(f"{name} {shown(size)}: is not for classes, which have radii", name)
+    return PointSet(**set_attributes(made, **said))
 
 
 class More(TypedDict, total=False):
@@ -367,11 +363,11 @@ def sample_many(
             raise TypeError(f"sample_many() got an unexpected keyword argument {name!r}")
     kinds = classes_of(more.pop("classes", None), more.pop("between", "sum"))
     progress = more.pop("progress", None)
-    _check_sizes(bool(kinds), radius=radius)
     if isinstance(seeds, (str, bytes)) or not isinstance(seeds, Iterable):
         raise TypeError(f"seeds must be an iterable of int, not {shown(seeds)}")
     usual = {"backend": "auto", "threads": 0, "round_size": 0}
     asked = {**options(radius=radius, n=n, **{**usual, **more}), **kinds}
+    asked["given"] = ["class"] if kinds else []
     expected = None
     if isinstance(seeds, Sized):
         expected = _number_of(seeds)
@@ -408,7 +404,7 @@ def _made(
             total = time.perf_counter() - started
             for made in all_made:
                 made["seconds"] = {"total": total / len(batch)}
-                yield PointSet(**set_attributes(made, asked))
+                yield PointSet(**set_attributes(made))
             done += len(batch)
             points = sum(len(made["points"]) for made in all_made)
             if expected is None and 2 * points <= _MOST_POINTS_AHEAD:

@@ -347,35 +347,12 @@ class Stippling(PointSet):
         return self.radii
 
 
-def set_attributes(
-    made: dict[str, Any], asked: Mapping[str, Any], **more: object
-) -> dict[str, Any]:
+def set_attributes(made: dict[str, Any], **more: object) -> dict[str, Any]:
     """The attributes of a PointSet: what the library has made, and the request, as reports have it.
 
-    ``asked`` are the options of the request, and ``more`` is said of it besides.
+    ``more`` is said of the request besides.
     """
-    request = {
-        "width": made["domain"][0],
-        "height": made["domain"][1],
-        "boundary": "torus" if made["torus"] else "box",
-        "mode": made["mode"],
-        "count": asked.get("n"),
-        "seed": made["seed"],
-        "backend": asked["backend"],
-        "device": asked.get("device", ""),
-        "threads": asked["threads"],
-    }
-    promised = made["_promised"]
-    if made["mode"] != "stratified":
-        size = "radius" if made["scale"] is None else "scale"
-        request |= {size: asked.get(size), "lines_per_radius": made["lines_per_radius"]}
-        request |= {"limit": asked.get("limit"), "round_size": asked["round_size"]}
-        if made["scale"] is not None:
-            request["metric"] = made["metric"]
-        if made["mode"] != "cells":
-            request |= {name: asked.get(name, False) for name in ("snap", "uniform_x")}
-        if asked.get("progressive"):
-            request["progressive"] = True
+    request, promised = made["_request"], made["_promised"]
     if made["distances"] is not None:  # those that the set keeps, not those given
         count = len(made["classes"])
         made["distances"] = made["distances"].reshape(count, count)

@@ -172,7 +172,7 @@ progress
         if isinstance(image, (str, bytes, os.PathLike)):
             raise
         raise BadRequest(str(error), "image") from None
-    iterations, asked["n"] = made.pop("iterations"), made.pop("count")
+    iterations = made.pop("iterations")
     said = {"inks": [ink.name for ink in palette]} if palette else {"field": "an array"}
-    attributes = set_attributes(made, asked, relax=iterations, **said)
+    attributes = set_attributes(made, relax=iterations, **said)
     return Stippling(**attributes, inks={ink.name: ink.hex for ink in palette} or None)

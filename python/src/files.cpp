@@ -18,6 +18,7 @@
 #include "files/formats.h"
 #include "options.h"
 #include "parts.h"
+#include "recipes/words.h"
 #include "watch.h"
 
 namespace nb = nanobind;
@@ -43,7 +44,7 @@ Made made_of(const nb::dict& saved) {
     std::vector<std::pair<double, std::uint64_t>> levels;
     read(saved, "levels", levels);
     for (const auto& [size, points] : levels) origin.levels.push_back({size, points});
-    if (!made.mode.empty()) origin.mode = named<Mode>(made.mode, "mode");
+    if (!made.mode.empty()) origin.mode = recipes::named<Mode>(made.mode).value();
     return made;
 }
 

@@ -34,6 +34,7 @@ NB_MODULE(_core, module) {
     namespace python = lacuna::python;
     module.attr("version") = LACUNA_VERSION;
     python::add_errors(module);
+    python::add_options(module);
     python::add_sampling(module);
     python::add_stippling(module);
     python::add_files(module);

@@ -9,36 +9,39 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "recipes/make.h"
+#include "recipes/targets.h"
 
 namespace lacuna::python {
 
 namespace nb = nanobind;
 
+[[noreturn]] void refuse_number(const char* name, nb::handle value, std::uint64_t most);
+
+// Throws BadRequest for a whole number that is too large for its target.
 template <typename Value>
 void read(const nb::dict& given, const char* name, Value& value) {
-    if (given.contains(name)) value = nb::cast<Value>(given[name]);
-}
-
-// The enum with this name.
-template <typename Enum>
-Enum named(const std::string& name, const char* option) {
-    std::string allowed = "must be one of ";
-    for (int i = 0; !name_of(static_cast<Enum>(i)).empty(); ++i) {
-        if (name_of(static_cast<Enum>(i)) == name) return static_cast<Enum>(i);
-        allowed.append(i == 0 ? "" : ", ").append(name_of(static_cast<Enum>(i)));
+    if (!given.contains(name)) return;
+    if constexpr (std::is_same_v<Value, std::uint32_t> ||
+                  std::is_same_v<Value, std::optional<std::uint32_t>>) {
+        constexpr std::uint32_t kMost = std::numeric_limits<std::uint32_t>::max();
+        const auto number = nb::cast<std::uint64_t>(given[name]);
+        if (number > kMost) refuse_number(name, given[name], kMost);
+        value = static_cast<std::uint32_t>(number);
+    } else {
+        value = nb::cast<Value>(given[name]);
     }
-    throw BadRequest(option, "'" + name + "'", allowed);
 }
 
-template <typename Enum>
-void read_word(const nb::dict& given, const char* name, std::optional<Enum>& value) {
-    if (given.contains(name)) value = named<Enum>(nb::cast<std::string>(given[name]), name);
-}
+// Reads all options that have a target.
+void read(const nb::dict& given, const recipes::Targets& targets);
 
 template <typename Options>
 void read_domain(const nb::dict& given, Options& options) {
@@ -67,5 +70,12 @@ Request request_of(const nb::dict& given);
 
 // The moves of a request.
 recipes::Moves moves_of(const nb::dict& given);
+
+// Throws BadRequest for arguments of sample that exclude or need each other. given["given"] lists
+// those that are arrays.
+void refuse_pairs(const nb::dict& given);
+
+// The request as reports have it.
+nb::dict described(const Request& request, const Result& result);
 
 }  // namespace lacuna::python

@@ -9,6 +9,7 @@
 namespace lacuna::python {
 
 void add_errors(nanobind::module_& module);
+void add_options(nanobind::module_& module);
 void add_sampling(nanobind::module_& module);  // fields, sample, sample_many, relax and order
 void add_stippling(nanobind::module_& module);
 void add_files(nanobind::module_& module);    // point files and pictures

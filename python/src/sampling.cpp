@@ -88,6 +88,7 @@ nb::dict dict_of(Result result, const Request& request, const std::optional<Rela
     Request promise = request;
     if (moved) promise.mode = Mode::stratified;  // moved points keep their least distance alone
     made["_promised"] = promises_of(claim_of(promise, result));
+    made["_request"] = described(request, result);
     made["classes"] = nb::tuple(nb::cast(request.classes.names));
     made["class_of"] = made["distances"] = nb::none();
     if (!request.classes.names.empty()) {
@@ -136,33 +137,6 @@ void read_classes(const nb::dict& given, Classes& classes) {
     read(given, "weights", classes.weights);
 }
 
-Request request_of(const nb::dict& given) {
-    Request request;
-    read_place(given, request);
-    read_classes(given, request.classes);
-    read(given, "radius", request.radius);
-    read(given, "n", request.count);
-    read(given, "scale", request.scale);
-    read(given, "border", request.border);
-    read(given, "lines_per_radius", request.lines_per_radius);
-    read(given, "progressive", request.progressive);
-    read(given, "limit", request.limit);
-    read(given, "snap", request.snap);
-    read(given, "uniform_x", request.uniform_x);
-    read(given, "round_size", request.round_size);
-    read(given, "seed", request.seed);
-    read(given, "memory_limit", request.memory_limit_bytes);
-    return request;
-}
-
-recipes::Moves moves_of(const nb::dict& given) {
-    recipes::Moves moves;
-    read(given, "relax", moves.iterations);
-    read(given, "gaussian", moves.gaussian);
-    read(given, "gaussian_distance", moves.gaussian_distance);
-    return moves;
-}
-
 namespace {
 
 // Decides the mode and the metric of a request that has its field.
@@ -170,8 +144,7 @@ void settle(const nb::dict& given, const recipes::Moves& moves, Request& request
     const bool has_ellipses = request.field != nullptr && !request.field->stretches.empty();
     recipes::Given asked{
         .has_ellipses = has_ellipses, .relax = moves.iterations, .gaussian = moves.gaussian};
-    read_word(given, "mode", asked.mode);
-    read_word(given, "metric", asked.metric);
+    read(given, recipes::Targets{{"mode", &asked.mode}, {"metric", &asked.metric}});
     recipes::settle(asked, request);
 }
 
@@ -198,6 +171,7 @@ double edge_of(const nb::dict& given, const Request& request) {
 nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* mask,
                        const nb::list& polygons, const std::optional<PointArray>& keep,
                        const std::optional<ClassArray>& keep_classes, nb::object progress) {
+    refuse_pairs(given);
     Request request = request_of(given);
     request.field = field;
     request.mask = mask;
@@ -206,9 +180,6 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* ma
     PolygonSets sets(polygons);
     Mask places;
     if (!sets.are_none()) {
-        if (mask != nullptr)
-            throw BadRequest("mask", "with inside, outside or avoid",
-                             "give one of them; draw_mask makes a mask of polygons");
         const double edge = edge_of(given, request);
         const Unlocked unlocked;
         places = draw_places(sets.copy(), request.width, request.height, edge,
@@ -240,6 +211,7 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* ma
 // Returns the attributes of a PointSet for each seed.
 nb::list sample_many_points(const nb::dict& given, const std::vector<std::uint64_t>& seeds,
                             nb::object progress) {
+    refuse_pairs(given);
     Request request = request_of(given);
     settle(given, {}, request);
     Watch watch(std::move(progress));

@@ -33,23 +33,10 @@ Picture read_file(const nb::bytes& path) {
 
 StippleOptions options_of(const nb::dict& given, const std::vector<Ink>& inks) {
     StippleOptions options{.request = request_of(given), .inks = inks};
-    read_word(given, "mode", options.start);
-    read_word(given, "metric", options.metric);
-    read(given, "relax", options.relax);
-    read(given, "black_ink", options.black_ink);
+    read(given, recipes::targets_of(options));
     read(given, "ink_counts", options.ink_counts);
-    read(given, "size_by_tone", options.size_by_tone);
-    read(given, "keep_inside", options.keep_inside);
-    Tone& tone = options.tone;
-    read(given, "black", tone.black);
-    read(given, "white", tone.white);
-    read(given, "auto_levels", tone.auto_levels);
-    read(given, "invert", tone.invert);
-    read(given, "gamma", tone.gamma);
-    read(given, "min_importance", tone.min_importance);
-    read(given, "along", tone.along);
-    read(given, "sharpen", tone.sharpen);
-    read(given, "sharpen_amount", tone.sharpen_amount);
+    read(given, "sharpen", options.tone.sharpen);
+    read(given, "sharpen_amount", options.tone.sharpen_amount);
     return options;
 }
 
@@ -74,7 +61,6 @@ nb::dict stipple_picture(const Picture& picture, const nb::dict& given,
     if (!dots.ellipses.empty()) made["ellipses"] = array_of(std::move(dots.ellipses));
     made["ink"] = dots.layers.empty() ? nb::object(nb::none()) : array_of(std::move(ink));
     made["iterations"] = dots.iterations;
-    made["count"] = dots.request.count;
     made["seconds"] = watch.seconds();
     return made;
 }

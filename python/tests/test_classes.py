@@ -122,7 +122,7 @@ def test_files_are_those_of_the_command(tmp_path: Path) -> None:
         ({"classes": {"a": 1, "b": 1}, "between": "near"}, "between 'near': must be 'sum', "),
         ({"classes": {"a": 1}, "between": [[1]]}, "classes: need no radius, for between has all"),
         ({"classes": {"a": None}, "between": [1]}, r"between of shape \(1,\): must be 1 x 1"),
-        ({"classes": {"a": 1}, "radius": 1}, "radius 1: is not for classes, which have radii"),
+        ({"classes": {"a": 1}, "radius": 1}, "radius 1 with classes: each class has a radius of its own"),
         ({"radius": 1, "between": "union"}, "between 'union': is for classes"),
         ({"radius": 1, "keep_classes": [0]}, "keep_classes: is for points with classes"),
         ({"classes": KINDS, "relax": 1}, "relax 1 with classes: it keeps no distances"),

@@ -54,17 +54,6 @@ def test_dots_are_the_commands(
     assert made.mode == "stratified" and made.radius > 0 and len(made.radii) == len(made)
 
 
-def test_dots_lie_where_their_ink_is_needed() -> None:
-    made = lacuna.stipple(COLOURS, 300, inks="red,blue", seed=1)
-    assert made.inks == {"red": "#e01020", "blue": "#0040c0"}
-    x = made.points[:, 0]
-    assert ((x < 0.25) | (x >= 0.75)).all()
-    assert made.ink is not None
-    assert set(made.ink[x < 0.25]) == {0}
-    assert made.report()["request"]["inks"] == ["red", "blue"]
-    assert made.report()["relax"]["least_distance"] == made.radius
-
-
 def test_files_have_layers_and_plots_have_colours(tmp_path: Path) -> None:
     made = lacuna.stipple(COLOURS, 100, inks="red,blue", seed=1)
     made.save(tmp_path / "a.svg")

@@ -2,26 +2,12 @@
 
 from __future__ import annotations
 
-import math
 import re
 
 import numpy as np
 import pytest
 
 import lacuna
-
-
-@pytest.mark.parametrize("torus", [False, True])
-def test_a_set_of_ours_is_proven_and_one_with_a_hole_is_not(torus: bool) -> None:
-    made = lacuna.sample(0.03, torus=torus, domain=(2, 1), seed=1)
-    verdict = lacuna.verify(made)
-    assert verdict and verdict.maximal and verdict.kept and verdict.covered
-    assert verdict.least_distance >= 0.03
-    missing = made.points[17]
-    refuted = lacuna.verify(np.delete(made.points, 17, axis=0), 0.03, domain=(2, 1), torus=torus)
-    assert not refuted and refuted.kept and not refuted.covered
-    assert refuted.largest_gap is not None
-    assert math.dist(refuted.largest_gap, missing) < 0.03
 
 
 def test_a_verdict_says_why_a_claim_does_not_hold() -> None:
@@ -88,17 +74,6 @@ def test_analyze_of_an_array_is_that_of_the_list() -> None:
     two = lacuna.analyze(list(sets), torus=True)
     assert (one.power == two.power).all() and one.sets == 3
     assert lacuna.analyze([(0.1, 0.1), (0.5, 0.5)]).sets == 1
-
-
-def test_analyze_reaches_as_far_as_it_is_told() -> None:
-    made = lacuna.sample(0.02, torus=True, seed=1)
-    for farthest in (0.5, 2, 5):
-        found = lacuna.analyze(made, max_frequency=farthest, threads=1)
-        assert found.frequency[-1] == pytest.approx(farthest, abs=0.1)
-        assert (found.power == lacuna.analyze(made, max_frequency=farthest).power).all()
-    with pytest.raises(lacuna.BadRequest, match="max_frequency") as error:
-        lacuna.analyze(made, max_frequency=1001)
-    assert error.value.argument == "max_frequency"
 
 
 def test_relaxing_makes_shares_more_equal() -> None:

@@ -11,23 +11,6 @@ import pytest
 import lacuna
 
 
-def test_a_sequence_may_be_cut_anywhere() -> None:
-    all_points = lacuna.sample(n=500, torus=True, progressive=True, seed=3)
-    some = lacuna.sample(n=123, torus=True, progressive=True, seed=3)
-    assert (some.points == all_points.points[:123]).all()
-    assert not all_points.maximal and len(all_points.levels) > 60
-    radius, count = all_points.levels[40]
-    assert lacuna.verify(all_points.points[:count], radius, torus=True).maximal
-    assert not lacuna.verify(all_points.points[: count - 1], radius, torus=True).maximal
-
-
-def test_many_sequences_are_those_of_sample() -> None:
-    made = lacuna.sample_many(range(3), n=60, torus=True, progressive=True)
-    for seed, one in enumerate(made):
-        expected = lacuna.sample(n=60, torus=True, progressive=True, seed=seed)
-        assert (one.points == expected.points).all() and one.levels == expected.levels
-
-
 @pytest.mark.parametrize("has_field", [False, True])
 def test_an_order_is_the_commands(
     command: Callable[..., Any], tmp_path: Path, has_field: bool
@@ -49,3 +32,11 @@ def test_an_order_refuses_points_outside() -> None:
     with pytest.raises(lacuna.BadRequest, match=r"points point 1 at \(2, 0.5\): must lie in"):
         lacuna.order([(0.5, 0.5), (2, 0.5)])
     assert len(lacuna.order(np.empty((0, 2)))) == 0
+
+
+def test_a_progressive_set_has_levels() -> None:
+    made = lacuna.sample(n=60, torus=True, progressive=True, seed=2)
+    (radius, count), *more = made.levels
+    assert len(more) > 20 and more[0][0] < radius and count < more[-1][1] <= 60
+    many = lacuna.sample_many([2], n=60, torus=True, progressive=True)
+    assert many[0].levels == made.levels

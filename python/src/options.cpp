@@ -1,0 +1,140 @@
+// Options of requests from dicts, by the table of options.
+#include "options.h"
+
+#include <nanobind/stl/string_view.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "base/number_text.h"
+#include "parts.h"
+#include "recipes/describe.h"
+#include "recipes/options.h"
+#include "recipes/words.h"
+
+namespace lacuna::python {
+namespace {
+
+using recipes::Kind;
+using recipes::Option;
+
+// Python's name of an option.
+std::string argument_of(const Option& option) {
+    return option.name == "count" ? "n" : option.key();
+}
+
+// Reads a value into its target. Functions are for texts; Python has arrays instead.
+struct Reader {
+    const nb::dict& given;
+    const char* name;
+
+    template <class Value>
+    void operator()(Value* value) const {
+        read(given, name, *value);
+    }
+    void operator()(Boundary* boundary) const {
+        *boundary = nb::cast<bool>(given[name]) ? Boundary::torus : Boundary::box;
+    }
+    void operator()(std::optional<Mode>* mode) const { word(recipes::Words::modes, *mode); }
+    void operator()(std::optional<Metric>* metric) const { word(recipes::Words::metrics, *metric); }
+    void operator()(const recipes::Take&) const {}
+
+    template <class Enum>
+    void word(recipes::Words words, std::optional<Enum>& value) const {
+        const auto text = nb::cast<std::string>(given[name]);
+        value = recipes::named<Enum>(text);
+        if (!value) throw BadRequest(name, "'" + text + "'", "must be " + listed(words));
+    }
+};
+
+std::string text_of(const nb::handle value) {
+    if (nb::isinstance<nb::float_>(value)) return shortest(nb::cast<double>(value));
+    return nb::cast<std::string>(nb::str(value));
+}
+
+// How Python converts the values of options: their kinds in the table.
+nb::dict kinds_of_options() {
+    nb::dict kinds;
+    for (const recipes::Commands command : {recipes::kSample, recipes::kStipple, recipes::kRelax,
+                                            recipes::kVerify, recipes::kAnalyze})
+        for (const Option* option : recipes::options_of(command)) {
+            const nb::str name(argument_of(*option).c_str());
+            if (option->kind == Kind::number) kinds[name] = "real";
+            if (option->kind == Kind::whole) kinds[name] = "whole";
+            if (option->kind == Kind::flag) kinds[name] = "flag";
+            if (option->kind == Kind::word) kinds[name] = "text";
+        }
+    return kinds;
+}
+
+}  // namespace
+
+void refuse_number(const char* name, const nb::handle value, std::uint64_t most) {
+    throw BadRequest(name, text_of(value), "must be 0 to " + std::to_string(most));
+}
+
+void read(const nb::dict& given, const recipes::Targets& targets) {
+    for (const recipes::Commands command : {recipes::kSample, recipes::kStipple})
+        for (const Option* option : recipes::options_of(command)) {
+            const std::string name = argument_of(*option);
+            const auto target = targets.find(option->name);
+            if (target != targets.end() && given.contains(name.c_str()))
+                std::visit(Reader{given, name.c_str()}, target->second);
+        }
+}
+
+Request request_of(const nb::dict& given) {
+    Request request;
+    read(given, recipes::targets_of(request));
+    read_domain(given, request);
+    read_classes(given, request.classes);
+    read(given, "memory_limit", request.memory_limit_bytes);
+    return request;
+}
+
+recipes::Moves moves_of(const nb::dict& given) {
+    recipes::Moves moves;
+    read(given, recipes::targets_of(moves));
+    return moves;
+}
+
+void refuse_pairs(const nb::dict& given) {
+    recipes::CommandLine line{recipes::kSample, {}};
+    const auto arrays = nb::cast<std::vector<std::string>>(given["given"]);
+    for (const Option* option : recipes::options_of(line.command)) {
+        const std::string name = argument_of(*option);
+        const bool is_array = std::find(arrays.begin(), arrays.end(), name) != arrays.end();
+        if (!is_array &&
+            (!given.contains(name.c_str()) || given[name.c_str()].is(nb::handle(Py_False))))
+            continue;
+        line.given.push_back({option->name, {}});
+        if (!is_array && option->kind != Kind::flag)
+            line.given.back().values.push_back(text_of(given[name.c_str()]));
+    }
+    recipes::refuse_pairs(line);
+}
+
+nb::dict described(const Request& request, const Result& result) {
+    nb::dict told;
+    for (const auto& part : {recipes::describe(request, result), recipes::describe_place(request)})
+        for (const auto& [name, value] : part)
+            std::visit(
+                [&, key = nb::str(name.c_str())](const auto& one) {
+                    if constexpr (std::is_same_v<decltype(one), const std::nullptr_t&>)
+                        told[key] = nb::none();
+                    else
+                        told[key] = one;
+                },
+                value);
+    return told;
+}
+
+void add_options(nb::module_& module) {
+    module.def("kinds_of_options", kinds_of_options);
+}
+
+}  // namespace lacuna::python
