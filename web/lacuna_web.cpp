@@ -75,10 +75,8 @@ std::vector<Field> fields_of(const Pixels& pixels, const StippleOptions& options
 Set set_of(const Request& request, Result result) {
     Set set;
     set.points = std::move(result.points);
-    set.width = request.width;
-    set.height = request.height;
+    set.domain = request.domain;
     set.radius = result.radius;
-    set.boundary = request.boundary;
     set.mode = request.mode;
     set.seed = request.seed;
     set.maximal = result.maximal;
@@ -112,16 +110,14 @@ Set sample(Request request, std::uint32_t relax, const Tell& tell) {
 Proof prove(const Set& set, double radius) {
     Claim claim;
     claim.radius = radius;
-    claim.width = set.width;
-    claim.height = set.height;
-    claim.boundary = set.boundary;
+    claim.domain = set.domain;
     return lacuna::prove(set.points, claim);
 }
 
 Spectrum spectrum(const Set& set, double most, const Tell& tell) {
     const auto count = static_cast<double>(set.points.size());
     const int reach = static_cast<int>(std::ceil(most * std::sqrt(count))) + 3;
-    const analysis::Domain domain{set.width, set.height, set.boundary == Boundary::torus};
+    const analysis::Domain domain = verify::domain_of(set.domain);
     analysis::Spectrum found{domain, {reach, reach}, 1, count, {}};
     found.powers = analysis::periodogram(set.points, domain, found.range, [&](double share) {
         tell(share);
@@ -141,11 +137,10 @@ Spectrum spectrum(const Set& set, double most, const Tell& tell) {
 }
 
 std::string encode(const Set& set, const std::string& format, const std::string& command) {
-    const files::Origin origin{LACUNA_VERSION, command,  set.boundary,
-                               set.mode,       set.seed, set.maximal};
+    const files::Origin origin{LACUNA_VERSION, command, set.mode, set.seed, set.maximal};
     drawing::Style style = set.style;
     style.diameters = set.diameters;
-    files::PointSet points{set.points, set.width, set.height, set.radius, &origin};
+    files::PointSet points{set.points, set.domain, set.radius, &origin};
     points.layers = set.layers;
     files::Dots dots;
     if (set.has_columns) {

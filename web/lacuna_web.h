@@ -28,10 +28,8 @@ struct Pixels {
 
 struct Set {
     std::vector<Point> points;
-    double width = 1;
-    double height = 1;
+    Domain domain{};
     double radius = 0;  // 0 if it is not known
-    Boundary boundary = Boundary::box;
     Mode mode = Mode::exact;
     std::uint64_t seed = 0;
     bool maximal = false;

@@ -136,7 +136,7 @@ EMSCRIPTEN_KEEPALIVE bool lacuna_sample(double radius, double count, bool torus,
         Request request;
         if (is_given(radius)) request.radius = radius;
         if (is_given(count)) request.count = whole("count", count);
-        request.boundary = torus ? Boundary::torus : Boundary::box;
+        request.domain.boundary = torus ? Boundary::torus : Boundary::box;
         request.mode = mode == 0 ? Mode::exact : Mode::lines;
         request.seed = whole("seed", seed);
         const auto iterations = static_cast<std::uint32_t>(whole("relax", relax));
@@ -168,10 +168,10 @@ EMSCRIPTEN_KEEPALIVE void lacuna_layers() {
     text += "]";
 }
 EMSCRIPTEN_KEEPALIVE double lacuna_width() {
-    return state().set.width;
+    return state().set.domain.width;
 }
 EMSCRIPTEN_KEEPALIVE double lacuna_height() {
-    return state().set.height;
+    return state().set.domain.height;
 }
 EMSCRIPTEN_KEEPALIVE double lacuna_radius() {
     return state().set.radius;

@@ -6,7 +6,7 @@
 int main() {
     lacuna::Request request;
     request.radius = 0.05;
-    request.boundary = lacuna::Boundary::torus;
+    request.domain.boundary = lacuna::Boundary::torus;
     const lacuna::Result result = lacuna::sample(request);
     const lacuna::Point first = result.points.front();
     std::printf("%zu points\n%.17g %.17g\n", result.points.size(), first.x, first.y);

@@ -213,7 +213,7 @@ void check_radius(double radius) {
 Analysis analyse(std::span<const std::vector<Point>> sets, const Domain& domain,
                  std::span<const std::optional<double>> radii, const KeepGoing& keep_going,
                  const Effort& effort) {
-    verify::check_domain(domain.width, domain.height);
+    verify::check_domain({domain.width, domain.height});
     for (const std::optional<double>& radius : radii)
         if (radius) check_radius(*radius);
     check_effort(effort);

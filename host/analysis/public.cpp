@@ -12,8 +12,8 @@
 namespace lacuna {
 namespace {
 
-void check(std::span<const std::vector<Point>> sets, const analysis::Domain& domain) {
-    verify::check_domain(domain.width, domain.height);
+void check(std::span<const std::vector<Point>> sets, const Domain& domain) {
+    verify::check_domain(domain);
     if (sets.empty()) throw BadRequest("sets", "none", "there must be at least one");
     for (std::size_t i = 0; i < sets.size(); ++i) {
         if (sets[i].empty())
@@ -35,12 +35,11 @@ void check(std::span<const std::vector<Point>> sets, const analysis::Domain& dom
 
 }  // namespace
 
-Statistics analyze(std::span<const std::vector<Point>> sets, double width, double height,
-                   Boundary boundary, const std::function<bool(double share)>& keep_going,
-                   double max_frequency, std::uint32_t threads) {
-    const analysis::Domain domain{width, height, boundary == Boundary::torus};
+Statistics analyze(std::span<const std::vector<Point>> sets, const Domain& domain,
+                   const std::function<bool(double share)>& keep_going, double max_frequency,
+                   std::uint32_t threads) {
     check(sets, domain);
-    const analysis::Analysis found = analysis::analyse(sets, domain, {},
+    const analysis::Analysis found = analysis::analyse(sets, verify::domain_of(domain), {},
                                                        [&](double share) {
                                                            ask();
                                                            return !keep_going || keep_going(share);

@@ -41,14 +41,14 @@ double pixels_along(double length, double edge, double longer) {
     return std::max(1.0, std::ceil(length * std::sqrt(2.0) / (edge - longer * kRounding)));
 }
 
-domains::Canvas canvas_of(double width, double height, double edge) {
+domains::Canvas canvas_of(const Domain& domain, double edge) {
     const auto is_a_side = [](double side) { return side >= 1e-100 && side <= 1e100; };
-    if (!is_a_side(width) || !is_a_side(height))
-        throw BadRequest("domain", fmt::format("{}x{}", width, height),
+    if (!is_a_side(domain.width) || !is_a_side(domain.height))
+        throw BadRequest("domain", fmt::format("{}x{}", domain.width, domain.height),
                          "the sides must lie between 1e-100 and 1e100");
     if (!std::isfinite(edge) || !(edge > 0))
         throw BadRequest("edge", fmt::format("{}", edge), "must be a finite number greater than 0");
-    const double longer = std::max(width, height);
+    const double longer = domain.longer_side();
     if (edge < longer * kLeastEdge)
         throw BadRequest("edge", fmt::format("{}", edge),
                          fmt::format("must be at least {:.2g}, the longer side / 2^24",
@@ -56,7 +56,7 @@ domains::Canvas canvas_of(double width, double height, double edge) {
     const auto along = [&](double length) {
         return static_cast<std::uint32_t>(pixels_along(length, edge, longer));
     };
-    return {width, height, along(width), along(height)};
+    return {domain.width, domain.height, along(domain.width), along(domain.height)};
 }
 
 [[noreturn]] void refuse_memory(double edge, const std::string& what, double most_bytes,
@@ -83,8 +83,8 @@ struct Extent {
         return least.x >= 0 && least.y >= 0 && least.x <= most.x - least.x &&
                least.y <= most.y - least.y;
     }
-    bool meets(double width, double height) const {
-        return least.x < width && most.x >= 0 && least.y < height && most.y >= 0;
+    bool meets(const Domain& domain) const {
+        return least.x < domain.width && most.x >= 0 && least.y < domain.height && most.y >= 0;
     }
     std::string text() const {
         return fmt::format("[{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]", least.x, most.x, least.y,
@@ -118,23 +118,24 @@ void check(const PolygonSet& set) {
                                  fmt::format("({}, {}): {}", point.x, point.y, domains::kFair));
 }
 
-[[noreturn]] void refuse_empty(std::span<const PolygonSet> sets, double width, double height,
+[[noreturn]] void refuse_empty(std::span<const PolygonSet> sets, const Domain& domain,
                                double edge) {
     std::vector<PolygonSet> allowed;
     std::copy_if(sets.begin(), sets.end(), std::back_inserter(allowed), is_allowed);
     const bool has_forbidden = allowed.size() != sets.size();
-    const std::string domain = fmt::format("the domain, [0, {:.6g}) x [0, {:.6g})", width, height);
+    const std::string all =
+        fmt::format("the domain, [0, {:.6g}) x [0, {:.6g})", domain.width, domain.height);
     std::size_t rings = 0;
     for (const PolygonSet& set : allowed.empty() ? sets : allowed) rings += set.rings.size();
     const std::string count = fmt::format("{} ring{}", rings, rings == 1 ? "" : "s");
     if (allowed.empty())
         throw BadRequest(
             option_of(sets.front()), count,
-            fmt::format("must leave some of {} open, wider than twice the edge, {:.3g}", domain,
+            fmt::format("must leave some of {} open, wider than twice the edge, {:.3g}", all,
                         edge));
     throw BadRequest(
         option_of(allowed.front()), fmt::format("{} in {}", count, extent_of(allowed).text()),
-        fmt::format("must enclose some of {}{}, and be wider than twice the edge, {:.3g}", domain,
+        fmt::format("must enclose some of {}{}, and be wider than twice the edge, {:.3g}", all,
                     has_forbidden ? ", that --outside and --avoid leave open" : "", edge));
 }
 
@@ -168,11 +169,11 @@ std::shared_ptr<const DrawnMask> drawn(std::span<const PolygonSet> sets,
 
 }  // namespace
 
-Point domain_around(std::span<const PolygonSet> sets) {
+Domain domain_around(std::span<const PolygonSet> sets) {
     for (const PolygonSet& set : sets) check(set);
     const Extent all = extent_of(sets);
-    if (all.least.x >= 0 && all.least.y >= 0 && all.most.x <= 1 && all.most.y <= 1) return {1, 1};
-    if (all.begins_near_0()) return all.most;
+    if (all.least.x >= 0 && all.least.y >= 0 && all.most.x <= 1 && all.most.y <= 1) return {};
+    if (all.begins_near_0()) return {all.most.x, all.most.y};
     throw BadRequest(
         "domain", "missing",
         fmt::format("the places given lie in {}, far from 0, 0, where a domain begins: subtract "
@@ -180,7 +181,7 @@ Point domain_around(std::span<const PolygonSet> sets) {
                     all.text(), all.least.x, all.least.y));
 }
 
-void check_places(std::span<const PolygonSet> sets, double width, double height) {
+void check_places(std::span<const PolygonSet> sets, const Domain& domain) {
     // The disks of a .csv are sets of one file, and only all of them together must lie there.
     std::map<std::pair<std::string, std::string>, Extent> files;
     for (const PolygonSet& set : sets) {
@@ -188,35 +189,35 @@ void check_places(std::span<const PolygonSet> sets, double width, double height)
         files[{option_of(set), set.name}].add(set, set.forbidden ? set.distance : 0);
     }
     for (const auto& [file, extent] : files)
-        if (!extent.meets(width, height))
+        if (!extent.meets(domain))
             throw BadRequest(file.first, file.second.empty() ? "all of it" : file.second,
                              fmt::format("lies in {}, and must not lie wholly outside of the "
                                          "domain, [0, {:.6g}) x [0, {:.6g})",
-                                         extent.text(), width, height));
+                                         extent.text(), domain.width, domain.height));
 }
 
-Mask draw_places(std::span<const PolygonSet> sets, double width, double height, double edge,
+Mask draw_places(std::span<const PolygonSet> sets, const Domain& domain, double edge,
                  std::uint64_t memory_limit_bytes) {
-    const domains::Canvas canvas = canvas_of(width, height, edge);
-    check_places(sets, width, height);
+    const domains::Canvas canvas = canvas_of(domain, edge);
+    check_places(sets, domain);
     const std::uint64_t most = memory_limit_bytes != 0 ? memory_limit_bytes : files::most_bytes();
     std::optional<MaskTree> tree =
         domains::draw_tree(sets, canvas, static_cast<std::size_t>(most / sizeof(MaskTree::Node)));
     if (!tree) refuse_memory(edge, "more memory", static_cast<double>(most), 2 * edge);
     if (tree->over({0, canvas.columns - 1}, {0, canvas.rows - 1}) == ALLOWED_NONE)
-        refuse_empty(sets, width, height, edge);
+        refuse_empty(sets, domain, edge);
     return {canvas.columns, canvas.rows, {}, drawn(sets, canvas, std::move(*tree))};
 }
 
-Mask draw_mask(std::span<const PolygonRing> rings, double width, double height, double edge,
+Mask draw_mask(std::span<const PolygonRing> rings, const Domain& domain, double edge,
                std::uint64_t memory_limit_bytes) {
     const PolygonSet only{rings};
-    return draw_mask(std::span(&only, 1), width, height, edge, memory_limit_bytes);
+    return draw_mask(std::span(&only, 1), domain, edge, memory_limit_bytes);
 }
 
-Mask draw_mask(std::span<const PolygonSet> sets, double width, double height, double edge,
+Mask draw_mask(std::span<const PolygonSet> sets, const Domain& domain, double edge,
                std::uint64_t memory_limit_bytes) {
-    const domains::Canvas canvas = canvas_of(width, height, edge);
+    const domains::Canvas canvas = canvas_of(domain, edge);
     const auto most =
         static_cast<double>(memory_limit_bytes != 0 ? memory_limit_bytes : files::most_bytes());
     const double bytes = static_cast<double>(canvas.columns) * canvas.rows;
@@ -225,7 +226,7 @@ Mask draw_mask(std::span<const PolygonSet> sets, double width, double height, do
             edge,
             fmt::format("{} x {} pixels, {:.3g} GB", canvas.columns, canvas.rows, bytes / 1e9),
             most, edge * 1.01 * std::sqrt(bytes / most));
-    Mask mask = draw_places(sets, width, height, edge, memory_limit_bytes);
+    Mask mask = draw_places(sets, domain, edge, memory_limit_bytes);
     mask.allowed.resize(std::size_t{mask.columns} * mask.rows);
     mask.drawn->tree.for_each_allowed(
         [&](std::uint32_t column, std::uint32_t row, std::uint32_t columns, std::uint32_t rows) {

@@ -83,11 +83,11 @@ Polygons decode_lines(std::string_view bytes, std::string_view format, const std
     return lines;
 }
 
-std::vector<PolygonRing> fitted(Polygons polygons, double width, double height) {
-    if (polygons.width == 0 || (polygons.width == width && polygons.height == height))
-        return std::move(polygons.rings);
-    const double along = width / polygons.width;
-    const double up = height / polygons.height;
+std::vector<PolygonRing> fitted(Polygons polygons, const Domain& domain) {
+    if (!polygons.page) return std::move(polygons.rings);
+    const double along = domain.width / polygons.page->width;
+    const double up = domain.height / polygons.page->height;
+    if (along == 1 && up == 1) return std::move(polygons.rings);
     for (PolygonRing& ring : polygons.rings)
         for_each_polled(ring.size(), ask, [&](std::size_t i) {
             ring[i] = {ring[i].x * along, ring[i].y * up};

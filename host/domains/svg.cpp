@@ -97,8 +97,8 @@ public:
                 refuse(root, fmt::format("{} {} of the whole drawing: must stand in a group",
                                          name_of(property), files::excerpt(style.of(property))));
         if (is_drawn(root, style)) draw_children(root, here, 0);
-        return {take_ == Take::lines ? std::move(lines_) : join(std::move(polygons_)), page_.width,
-                page_.height};
+        return {take_ == Take::lines ? std::move(lines_) : join(std::move(polygons_)),
+                Domain{page_.width, page_.height}};
     }
 
 private:

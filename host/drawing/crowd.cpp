@@ -15,18 +15,15 @@ std::int64_t cells_along(double side, double least) {
 
 }  // namespace
 
-Crowd::Crowd(std::span<const Point> points, std::span<const double> diameters, double width,
-             double height, Boundary boundary)
+Crowd::Crowd(std::span<const Point> points, std::span<const double> diameters, const Domain& domain)
     : points_(points.begin(), points.end()),
       diameters_(diameters),
-      width_(width),
-      height_(height),
-      is_torus_(boundary == Boundary::torus),
+      domain_(domain),
       next_(points.size(), kNone) {
     const double widest =
-        diameters.empty() ? width : *std::max_element(diameters.begin(), diameters.end());
-    columns_ = cells_along(width, kApart * widest);
-    rows_ = cells_along(height, kApart * widest);
+        diameters.empty() ? domain.width : *std::max_element(diameters.begin(), diameters.end());
+    columns_ = cells_along(domain.width, kApart * widest);
+    rows_ = cells_along(domain.height, kApart * widest);
     first_.assign(static_cast<std::size_t>(columns_ * rows_), kNone);
     for (std::size_t dot = 0; dot < points_.size(); ++dot) {
         std::uint32_t& first = first_in(cell_of(points_[dot]));
@@ -53,8 +50,8 @@ bool Crowd::is_too_near(std::size_t dot, Point to) const {
     for (std::int64_t j = 0; j < up; ++j)
         for (std::int64_t i = 0; i < across; ++i) {
             std::int64_t x = column + i - 1, y = row + j - 1;
-            if (is_torus_ || columns_ < 3) x = (x + columns_) % columns_;
-            if (is_torus_ || rows_ < 3) y = (y + rows_) % rows_;
+            if (domain_.wraps() || columns_ < 3) x = (x + columns_) % columns_;
+            if (domain_.wraps() || rows_ < 3) y = (y + rows_) % rows_;
             if (x < 0 || x >= columns_ || y < 0 || y >= rows_) continue;
             for (std::uint32_t other = first_[static_cast<std::size_t>(y * columns_ + x)];
                  other != kNone; other = next_[other]) {
@@ -75,7 +72,7 @@ Crowd::Cell Crowd::cell_of(Point place) const {
             static_cast<std::int64_t>(std::floor(at / side * static_cast<double>(cells)));
         return std::clamp<std::int64_t>(cell, 0, cells - 1);
     };
-    return {index(place.x, width_, columns_), index(place.y, height_, rows_)};
+    return {index(place.x, domain_.width, columns_), index(place.y, domain_.height, rows_)};
 }
 
 std::uint32_t& Crowd::first_in(Cell cell) {
@@ -84,9 +81,9 @@ std::uint32_t& Crowd::first_in(Cell cell) {
 
 double Crowd::squared_distance(Point a, Point b) const {
     double dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y);
-    if (is_torus_) {
-        dx = std::min(dx, width_ - dx);
-        dy = std::min(dy, height_ - dy);
+    if (domain_.wraps()) {
+        dx = std::min(dx, domain_.width - dx);
+        dy = std::min(dy, domain_.height - dy);
     }
     return dx * dx + dy * dy;
 }

@@ -12,10 +12,8 @@ namespace lacuna::drawing {
 
 class Crowd {
 public:
-    // The domain is width x height. The points must lie in it. `diameters` must outlive this
-    // object.
-    Crowd(std::span<const Point> points, std::span<const double> diameters, double width,
-          double height, Boundary boundary);
+    // The points must lie in the domain. `diameters` must outlive this object.
+    Crowd(std::span<const Point> points, std::span<const double> diameters, const Domain& domain);
 
     Point at(std::size_t dot) const { return points_[dot]; }
     void move(std::size_t dot, Point to);
@@ -40,9 +38,7 @@ private:
 
     std::vector<Point> points_;
     std::span<const double> diameters_;
-    double width_;
-    double height_;
-    bool is_torus_;
+    Domain domain_;
     std::int64_t columns_;
     std::int64_t rows_;
     std::vector<std::uint32_t> first_;  // of each cell, a dot in it, or kNone

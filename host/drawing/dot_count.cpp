@@ -24,27 +24,28 @@ double darkness_of(const Field& field) {
     return sum / static_cast<double>(field.importance.size());
 }
 
-std::uint64_t dot_count(const Field& field, double width, double height) {
+std::uint64_t dot_count(const Field& field, const Domain& domain) {
     constexpr double kPixelsPerDot = 16;  // of black: a dot then covers 4 x 4 pixels
     constexpr double kLeastSide = 512, kMostSide = 2048;
     const double longer =
         std::clamp<double>(std::max(field.columns, field.rows), kLeastSide, kMostSide);
-    return rounded(darkness_of(field) * width * longer * height * longer / kPixelsPerDot);
+    return rounded(darkness_of(field) * domain.width * longer * domain.height * longer /
+                   kPixelsPerDot);
 }
 
-std::uint64_t default_count(const Field& field, double width, double height,
+std::uint64_t default_count(const Field& field, const Domain& domain,
                             const std::optional<Pens>& pens, const Style& style) {
-    return pens ? rounded(dots_for_ink(field, width, height, *pens, style))
-                : dot_count(field, width, height);
+    return pens ? rounded(dots_for_ink(field, domain, *pens, style)) : dot_count(field, domain);
 }
 
-double dots_for_ink(const Field& field, double width, double height, const Pens& pens,
+double dots_for_ink(const Field& field, const Domain& domain, const Pens& pens,
                     const Style& style) {
-    const double scale = millimetres_per_unit(files::PointSet{{}, width, height}, style);
+    const double scale = millimetres_per_unit(files::PointSet{{}, domain}, style);
     const Sizing sizing{.pens = pens};
     if (sizing.varies())
-        return darkness_of(density_of(field, sizing)) * width * scale * height * scale;
-    return darkness_of(field) * width * scale * height * scale / sizing.area_at(1);
+        return darkness_of(density_of(field, sizing)) * domain.width * scale * domain.height *
+               scale;
+    return darkness_of(field) * domain.width * scale * domain.height * scale / sizing.area_at(1);
 }
 
 }  // namespace lacuna::drawing

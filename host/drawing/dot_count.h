@@ -15,17 +15,16 @@ namespace lacuna::drawing {
 double darkness_of(const Field& field);
 
 // One dot for 16 pixels of black, from 1 to kMostDots. A grey pixel counts by its darkness, and the
-// longer side counts as 512 to 2048 pixels. `width` x `height` is the shape; the longer is 1.
+// longer side counts as 512 to 2048 pixels. The domain's longer side is 1.
 constexpr double kMostDots = 1e6;
-std::uint64_t dot_count(const Field& field, double width, double height);
+std::uint64_t dot_count(const Field& field, const Domain& domain);
 
 // The number of dots that pens draw at which their areas sum to the picture's darkness on the page.
-double dots_for_ink(const Field& field, double width, double height, const Pens& pens,
-                    const Style& style);
+double dots_for_ink(const Field& field, const Domain& domain, const Pens& pens, const Style& style);
 
 // The number of dots if the user gives none: with pens dots_for_ink(), from 1 to kMostDots, and
 // without them dot_count().
-std::uint64_t default_count(const Field& field, double width, double height,
+std::uint64_t default_count(const Field& field, const Domain& domain,
                             const std::optional<Pens>& pens, const Style& style);
 
 }  // namespace lacuna::drawing

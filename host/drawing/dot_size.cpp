@@ -64,9 +64,9 @@ double in_steps(double size) {
 
 }  // namespace
 
-double importance_at(Point point, const Field& field, double width, double height) {
-    const std::size_t row = field.rows - 1 - pixel_of(point.y, height, field.rows);
-    return field.importance[row * field.columns + pixel_of(point.x, width, field.columns)];
+double importance_at(Point point, const Field& field, const Domain& domain) {
+    const std::size_t row = field.rows - 1 - pixel_of(point.y, domain.height, field.rows);
+    return field.importance[row * field.columns + pixel_of(point.x, domain.width, field.columns)];
 }
 
 bool Sizing::varies() const {
@@ -88,30 +88,31 @@ Field density_of(const Field& field, const Sizing& sizing) {
     return density;
 }
 
-std::vector<double> dot_diameters(std::span<const Point> points, const Field& field, double width,
-                                  double height, Spread spread, const Sizing& sizing) {
+std::vector<double> dot_diameters(std::span<const Point> points, const Field& field,
+                                  const Domain& domain, Spread spread, const Sizing& sizing) {
     const double mean =
         sizing.varies() ? darkness_of(density_of(field, sizing)) : darkness_of(field);
-    const double area = mean * width * height / static_cast<double>(points.size());
+    const double area = mean * domain.width * domain.height / static_cast<double>(points.size());
     const double diameter = std::sqrt(4 / std::numbers::pi * area);
     std::vector<double> diameters;
     diameters.reserve(points.size());
     for (const Point& point : points) {
         ask_after(4);
-        const double importance = importance_at(point, field, width, height);
+        const double importance = importance_at(point, field, domain);
         diameters.push_back(diameter * in_steps(std::sqrt(sizing.area_at(importance))) *
                             wider_at(importance, spread, sizing.solid_black));
     }
     return diameters;
 }
 
-std::vector<double> pen_diameters(std::span<const Point> points, const Field& field, double width,
-                                  double height, const Pens& pens, double millimetres_per_unit) {
+std::vector<double> pen_diameters(std::span<const Point> points, const Field& field,
+                                  const Domain& domain, const Pens& pens,
+                                  double millimetres_per_unit) {
     std::vector<double> diameters;
     diameters.reserve(points.size());
     for (const Point& point : points) {
         ask_after(4);
-        const double importance = importance_at(point, field, width, height);
+        const double importance = importance_at(point, field, domain);
         const double part = std::round(importance / kSizeStep) * kSizeStep;
         diameters.push_back(std::lerp(pens.least_mm, pens.most_mm, part) / millimetres_per_unit);
     }

@@ -28,8 +28,8 @@ struct Sizing {
     double area_at(double importance) const;
 };
 
-// The importance of the pixel in which a point of width x height lies.
-double importance_at(Point point, const Field& field, double width, double height);
+// The importance of the pixel in which a point of the domain lies.
+double importance_at(Point point, const Field& field, const Domain& domain);
 
 // How densely dots lie: importance over area. For dots of one size it is proportional to the field.
 Field density_of(const Field& field, const Sizing& sizing);
@@ -38,13 +38,14 @@ Field density_of(const Field& field, const Sizing& sizing);
 // paper that the importance says: half where it is 0.5, and 99 % where it is 1. As long as few dots
 // overlap, the areas of all dots sum to the integral of the importance. Above importance 0.55 more
 // dots overlap, so they are up to 1.3 times as wide (1.12 times for Spread::even). `points` fill
-// width x height, and `field` is stretched over it. `sizing` has no pens.
-std::vector<double> dot_diameters(std::span<const Point> points, const Field& field, double width,
-                                  double height, Spread spread = Spread::random,
+// the domain, and `field` is stretched over it. `sizing` has no pens.
+std::vector<double> dot_diameters(std::span<const Point> points, const Field& field,
+                                  const Domain& domain, Spread spread = Spread::random,
                                   const Sizing& sizing = {});
 
 // The diameters, in the domain's units, of dots that pens draw.
-std::vector<double> pen_diameters(std::span<const Point> points, const Field& field, double width,
-                                  double height, const Pens& pens, double millimetres_per_unit);
+std::vector<double> pen_diameters(std::span<const Point> points, const Field& field,
+                                  const Domain& domain, const Pens& pens,
+                                  double millimetres_per_unit);
 
 }  // namespace lacuna::drawing

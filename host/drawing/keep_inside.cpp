@@ -29,12 +29,12 @@ std::optional<Near> nearest_white(const White& white, Point from, double reach) 
 }
 
 Point in_domain(Point point, const White& white) {
-    if (white.boundary != Boundary::torus) return point;
+    if (!white.domain.wraps()) return point;
     const auto wrapped = [](double x, double side) {
         const double in = x - side * std::floor(x / side);
         return in < side ? in : 0;
     };
-    return {wrapped(point.x, white.width), wrapped(point.y, white.height)};
+    return {wrapped(point.x, white.domain.width), wrapped(point.y, white.domain.height)};
 }
 
 double nearest_in_pixel(double from, std::int64_t pixel, double side) {
@@ -45,14 +45,14 @@ double nearest_in_pixel(double from, std::int64_t pixel, double side) {
 // A place on the dark pixel of a dot that lies on its edge, where white begins: half way to the
 // middle of the pixel. Nothing if the pixel is white itself.
 std::optional<Point> off_the_edge(Point from, const White& white) {
-    if (importance_at(from, white.field, white.width, white.height) == 0) return std::nullopt;
+    if (importance_at(from, white.field, white.domain) == 0) return std::nullopt;
     const auto towards_middle = [](double at, double side, std::uint32_t pixels) {
         const double step = side / pixels;
         const double middle = (std::min(std::floor(at / step), pixels - 1.0) + 0.5) * step;
         return (at + middle) / 2;
     };
-    return Point{towards_middle(from.x, white.width, white.field.columns),
-                 towards_middle(from.y, white.height, white.field.rows)};
+    return Point{towards_middle(from.x, white.domain.width, white.field.columns),
+                 towards_middle(from.y, white.domain.height, white.field.rows)};
 }
 
 // Moves a dot of this radius. Each step goes straight away from the nearest white, as far as the
@@ -89,7 +89,8 @@ void pull(std::size_t dot, double radius, const White& white, Crowd& crowd) {
 }  // namespace
 
 std::optional<Point> White::nearest(Point from, double reach) const {
-    const bool torus = boundary == Boundary::torus;
+    const double width = domain.width, height = domain.height;
+    const bool torus = domain.wraps();
     const double step_x = width / field.columns, step_y = height / field.rows;
     std::optional<Point> best;
     double least = reach * reach;
@@ -130,7 +131,7 @@ std::optional<Point> White::nearest(Point from, double reach) const {
 }
 
 void pull_inside(std::span<Point> points, std::span<const double> diameters, const White& white) {
-    Crowd crowd(points, diameters, white.width, white.height, white.boundary);
+    Crowd crowd(points, diameters, white.domain);
     for (std::size_t dot = 0; dot < points.size(); ++dot)
         pull(dot, diameters[dot] / 2, white, crowd);
     for (std::size_t dot = 0; dot < points.size(); ++dot) points[dot] = crowd.at(dot);

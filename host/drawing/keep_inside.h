@@ -8,13 +8,11 @@
 
 namespace lacuna::drawing {
 
-// The parts of a picture of width x height in which no ink is wanted: pixels of importance 0. What
+// The parts of a picture in which no ink is wanted: pixels of importance 0. What
 // lies outside of the picture is white, too, except on a torus.
 struct White {
     const Field& field;
-    double width;
-    double height;
-    Boundary boundary = Boundary::box;
+    Domain domain;
 
     // The point of white that is nearest to `from`, if one is nearer than `reach`. On a torus it
     // may lie outside of the picture, beside `from`.

@@ -17,30 +17,30 @@ constexpr double kLongerSideInPoints = 512;
 
 Page page_of(const files::PointSet& set, const Style& style, double units_per_point) {
     if (!style.sheet) {
-        const double longer = std::max(set.width, set.height);
+        const double longer = set.domain.longer_side();
         const double longer_side = kLongerSideInPoints * units_per_point;
-        const double height = longer_side * (set.height / longer);
-        return {longer_side * (set.width / longer), height, longer_side / longer, 0, height};
+        const double height = longer_side * (set.domain.height / longer);
+        return {longer_side * (set.domain.width / longer), height, longer_side / longer, 0, height};
     }
     const double unit = units_per_point * kPointsPerInch / kMillimetresPerInch;
     const double scale = unit * millimetres_per_unit(set, style);
     const double width = style.sheet->width_mm * unit, height = style.sheet->height_mm * unit;
-    return {width, height, scale, (width - set.width * scale) / 2,
-            (height + set.height * scale) / 2};
+    return {width, height, scale, (width - set.domain.width * scale) / 2,
+            (height + set.domain.height * scale) / 2};
 }
 
 double millimetres_per_unit(const files::PointSet& set, const Style& style) {
     if (!style.sheet)
         return kLongerSideInPoints / kPointsPerInch * kMillimetresPerInch /
-               std::max(set.width, set.height);
+               set.domain.longer_side();
     const Paper& sheet = *style.sheet;
-    return std::min((sheet.width_mm - 2 * sheet.margin_mm) / set.width,
-                    (sheet.height_mm - 2 * sheet.margin_mm) / set.height);
+    return std::min((sheet.width_mm - 2 * sheet.margin_mm) / set.domain.width,
+                    (sheet.height_mm - 2 * sheet.margin_mm) / set.domain.height);
 }
 
-Paper turned(const Paper& paper, double width, double height) {
+Paper turned(const Paper& paper, const Domain& domain) {
     Paper lies = paper;
-    if (paper.may_turn && width > height) std::swap(lies.width_mm, lies.height_mm);
+    if (paper.may_turn && domain.width > domain.height) std::swap(lies.width_mm, lies.height_mm);
     return lies;
 }
 
@@ -65,8 +65,8 @@ double dot_diameter(const files::PointSet& set) {
     constexpr double kMaximalCountTimesSquaredRadius = 0.69656;
     const auto count = static_cast<double>(std::max<std::size_t>(set.points.size(), 1));
     const double radius =
-        std::sqrt(kMaximalCountTimesSquaredRadius * set.width * (set.height / count));
-    return std::min({radius, set.width, set.height}) / 3 * 2;
+        std::sqrt(kMaximalCountTimesSquaredRadius * set.domain.width * (set.domain.height / count));
+    return std::min({radius, set.domain.width, set.domain.height}) / 3 * 2;
 }
 
 }  // namespace lacuna::drawing

@@ -17,7 +17,7 @@ inline constexpr double kPointsPerInch = 72;  // in PostScript and PDF
 
 // The paper on which a domain of this shape is drawn: turned to landscape if the domain is wider
 // than high and the paper may be turned.
-Paper turned(const Paper& paper, double width, double height);
+Paper turned(const Paper& paper, const Domain& domain);
 
 // Throws BadRequest if the margins leave no room.
 void check(const Paper& paper);

@@ -22,10 +22,9 @@ std::vector<double> toned_diameters(const Tones& tones, const files::PointSet& s
     for_each_layer(dots, Style{}, [&](std::size_t k, const auto& part, const Style&) {
         const Field& field = tones.fields[k];
         const std::vector<double> diameters =
-            tones.sizing.pens ? pen_diameters(part.points, field, set.width, set.height,
-                                              *tones.sizing.pens, scale)
-                              : dot_diameters(part.points, field, set.width, set.height,
-                                              tones.spread, tones.sizing);
+            tones.sizing.pens
+                ? pen_diameters(part.points, field, set.domain, *tones.sizing.pens, scale)
+                : dot_diameters(part.points, field, set.domain, tones.spread, tones.sizing);
         all.insert(all.end(), diameters.begin(), diameters.end());
     });
     return all;
@@ -47,9 +46,9 @@ void set_fields(Tones& tones, std::vector<Field> fields, std::span<const Ink> in
         std::transform(sum.begin(), sum.end(), field.importance.begin(), sum.begin(), std::plus());
 }
 
-std::uint64_t suiting_count(const Tones& tones, double width, double height, const Style& style) {
+std::uint64_t suiting_count(const Tones& tones, const Domain& domain, const Style& style) {
     const auto count_of = [&](const Field& field) {
-        return default_count(field, width, height, tones.sizing.pens, style);
+        return default_count(field, domain, tones.sizing.pens, style);
     };
     if (!tones.sizing.pens) return count_of(tones.all());
     std::uint64_t all = 0;
@@ -70,21 +69,20 @@ std::vector<InkPart> parts_of(const Tones& tones) {
     return parts;
 }
 
-std::vector<double> diameters_of(const Tones& tones, const files::PointSet& set, Boundary boundary,
+std::vector<double> diameters_of(const Tones& tones, const files::PointSet& set,
                                  const Style& style) {
     std::vector<double> diameters = toned_diameters(tones, set, style);
     if (!tones.keep_inside) return diameters;
     const double least = tones.sizing.pens ? tones.sizing.pens->least_mm : 0;
-    fit_inside(set.points, diameters, {tones.all(), set.width, set.height, boundary},
+    fit_inside(set.points, diameters, {tones.all(), set.domain},
                least / millimetres_per_unit(set, style));
     return diameters;
 }
 
-void pull_inside(const Tones& tones, const files::PointSet& set, Boundary boundary,
-                 const Style& style, std::span<Point> points) {
+void pull_inside(const Tones& tones, const files::PointSet& set, const Style& style,
+                 std::span<Point> points) {
     if (tones.keep_inside)
-        pull_inside(points, toned_diameters(tones, set, style),
-                    {tones.all(), set.width, set.height, boundary});
+        pull_inside(points, toned_diameters(tones, set, style), {tones.all(), set.domain});
 }
 
 }  // namespace lacuna::drawing

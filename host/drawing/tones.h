@@ -35,7 +35,7 @@ struct Tones {
 void set_fields(Tones& tones, std::vector<Field> fields, std::span<const Ink> inks = {});
 
 // The number of dots that suits the picture, in all. Pens need dots for each ink by itself.
-std::uint64_t suiting_count(const Tones& tones, double width, double height, const Style& style);
+std::uint64_t suiting_count(const Tones& tones, const Domain& domain, const Style& style);
 
 // Gives each ink its share of this number of dots.
 void share_dots(Tones& tones, std::uint64_t dots);
@@ -44,11 +44,11 @@ void share_dots(Tones& tones, std::uint64_t dots);
 std::vector<InkPart> parts_of(const Tones& tones);
 
 // The diameters, in the domain's units, of the dots of a set, which come ink by ink.
-std::vector<double> diameters_of(const Tones& tones, const files::PointSet& set, Boundary boundary,
+std::vector<double> diameters_of(const Tones& tones, const files::PointSet& set,
                                  const Style& style);
 
 // With keep_inside: moves the dots of `set`, whose points these are, away from white.
-void pull_inside(const Tones& tones, const files::PointSet& set, Boundary boundary,
-                 const Style& style, std::span<Point> points);
+void pull_inside(const Tones& tones, const files::PointSet& set, const Style& style,
+                 std::span<Point> points);
 
 }  // namespace lacuna::drawing

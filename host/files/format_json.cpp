@@ -31,15 +31,11 @@ std::string quoted(const std::string& text) {
     return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-const char* word_of(Boundary boundary) {
-    return boundary == Boundary::torus ? "torus" : "box";
-}
-
 void append_origin(std::string& bytes, const Origin& origin) {
     bytes += fmt::format(
-        ",\"boundary\":\"{}\",\"mode\":\"{}\",\"seed\":{},\"maximal\":{},"
+        ",\"mode\":\"{}\",\"seed\":{},\"maximal\":{},"
         "\"options\":{},\"program\":\"lacuna\",\"version\":\"{}\"",
-        word_of(origin.boundary), name_of(origin.mode), origin.seed, origin.maximal,
+        name_of(origin.mode), origin.seed, origin.maximal,
         origin.options.empty() ? "{}" : origin.options, origin.version);
     if (!origin.command.empty()) bytes += ",\"command\":" + quoted(origin.command);
 }
@@ -112,21 +108,20 @@ void append_layers(std::string& bytes, const PointSet& set) {
 
 std::string encode_json(const PointSet& set) {
     std::string bytes = with_room_for("{\"width\":", set.points.size());
-    append_json_number(bytes, set.width);
+    append_json_number(bytes, set.domain.width);
     bytes += ",\"height\":";
-    append_json_number(bytes, set.height);
+    append_json_number(bytes, set.domain.height);
     bytes += ",\"radius\":";
     append_json_number(bytes, set.radius);
     if (set.origin != nullptr && set.origin->scale > 0) {
         bytes += ",\"scale\":";
         append_json_number(bytes, set.origin->scale);
     }
-    if (set.origin != nullptr) {
+    bytes += fmt::format(",\"boundary\":\"{}\"", set.domain.wraps() ? "torus" : "box");
+    if (set.origin != nullptr)
         append_origin(bytes, *set.origin);
-    } else {
-        if (set.boundary) bytes += fmt::format(",\"boundary\":\"{}\"", word_of(*set.boundary));
-        if (set.is_relaxed) bytes += ",\"mode\":\"stratified\"";
-    }
+    else if (set.is_relaxed)
+        bytes += ",\"mode\":\"stratified\"";
     bytes += fmt::format(",\"count\":{},", set.points.size());
     if (set.origin != nullptr && !set.origin->levels.empty()) append_levels(bytes, *set.origin);
     if (set.dots != nullptr) append_dots(bytes, *set.dots);

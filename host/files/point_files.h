@@ -23,7 +23,6 @@ namespace lacuna::files {
 struct Origin {
     std::string version;  // version of the program
     std::string command;  // a command line that makes the same set, if there is one
-    Boundary boundary = Boundary::box;
     Mode mode = Mode::exact;
     std::uint64_t seed = 0;
     bool maximal = false;            // whether no further sample fits
@@ -55,15 +54,13 @@ std::string hex_of(const std::array<std::uint8_t, 3>& colour);
 // A set of points, and what is needed to draw it.
 struct PointSet {
     std::span<const Point> points;
-    double width = 1;  // width of the domain
-    double height = 1;
+    Domain domain{};
     // Least distance; a dot's radius is a third of it. 0 means unknown: then dots are as large as
     // in a maximal set with the same number of points.
     double radius = 0;
-    const Origin* origin = nullptr;  // null: unknown; then these two are written to .json
-    std::optional<Boundary> boundary{};
-    bool is_relaxed = false;     // no least distance was kept
-    const Dots* dots = nullptr;  // null: not wanted
+    const Origin* origin = nullptr;  // null: unknown; then is_relaxed is written to .json
+    bool is_relaxed = false;         // no least distance was kept
+    const Dots* dots = nullptr;      // null: not wanted
     // The ellipse of each point, for sets of ellipses: pictures stretch dots likewise.
     std::span<const Ellipse> ellipses{};
     bool writes_ellipses = false;  // to files with columns, too
@@ -100,8 +97,8 @@ char lower_case(char c);
 //   csv   the same with a header line `x,y`
 //   npy   NumPy 1.0 header, N x 2 float64, little-endian, C order
 //   ply   ASCII, vertex x y z as double, z = 0
-//   json  {"width":..., "height":..., "radius":..., the members of Origin, "count":...,
-//         "points":[[x,y],...]}
+//   json  {"width":..., "height":..., "radius":..., "boundary":..., the members of Origin,
+//         "count":..., "points":[[x,y],...]}
 //   svg, pdf, png   black dots on white, y upwards; longer side 1024 pixels (png) or 512 points
 // With dots, csv, npy and ply have the columns x, y, (z,) radius, x_mm, y_mm and radius_mm, and
 // json has "dots" before the points. With ellipses these have columns a, b and angle (two radii in

@@ -9,7 +9,7 @@ namespace lacuna {
 namespace {
 
 std::string encode(std::span<const Point> points, const files::Format& format, const About& about) {
-    return files::encode({points, about.width, about.height, about.radius}, format);
+    return files::encode({points, about.domain, about.radius}, format);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ namespace {
 template <class Use>
 void for_pixels_at(const Request& request, Point point, std::uint32_t columns, std::uint32_t rows,
                    const Use& use) {
-    lacuna::for_pixels_at(point, {request.width, request.height}, columns, rows, use);
+    lacuna::for_pixels_at(point, request.domain, columns, rows, use);
 }
 
 double greatest_importance_at(const Request& request, Point point) {
@@ -87,9 +87,9 @@ std::string text_of(std::size_t index, Point point) {
 // The shortest way from a to b.
 Point way_between(const Request& request, Point a, Point b) {
     const auto along = [&](double way, double length) {
-        return request.boundary == Boundary::torus ? way - length * std::round(way / length) : way;
+        return request.domain.wraps() ? way - length * std::round(way / length) : way;
     };
-    return {along(b.x - a.x, request.width), along(b.y - a.y, request.height)};
+    return {along(b.x - a.x, request.domain.width), along(b.y - a.y, request.domain.height)};
 }
 
 double length_of(Point way) {
@@ -103,8 +103,8 @@ public:
     Cells(const Request& request, std::span<const double> radii, double least)
         : request_(request),
           radii_(radii),
-          columns_(cells_along(request.width, 2 * least)),
-          rows_(cells_along(request.height, 2 * least)),
+          columns_(cells_along(request.domain.width, 2 * least)),
+          rows_(cells_along(request.domain.height, 2 * least)),
           next_(radii.size()) {}
 
     // A point that was added and is too close to this one.
@@ -132,14 +132,14 @@ private:
         return std::min(static_cast<std::uint64_t>(share * static_cast<double>(cells)), cells - 1);
     }
     std::uint64_t column_of(std::uint32_t index) const {
-        return cell_of(request_.keep[index].x / request_.width, columns_);
+        return cell_of(request_.keep[index].x / request_.domain.width, columns_);
     }
     std::uint64_t row_of(std::uint32_t index) const {
-        return cell_of(request_.keep[index].y / request_.height, rows_);
+        return cell_of(request_.keep[index].y / request_.domain.height, rows_);
     }
     // The cell and its neighbours, each once; on a torus across the edges, too.
     std::set<std::uint64_t> around(std::uint64_t cell, std::uint64_t cells) const {
-        const bool wraps = request_.boundary == Boundary::torus;
+        const bool wraps = request_.domain.wraps();
         std::set<std::uint64_t> near{cell};
         if (cell > 0 || wraps) near.insert((cell + cells - 1) % cells);
         if (cell + 1 < cells || wraps) near.insert((cell + 1) % cells);
@@ -251,18 +251,18 @@ void check_kept_place(const Request& request, std::size_t index, const char* opt
         throw BadRequest(option, text_of(index, point), allowed);
     };
     // On a torus the upper edges are the lower ones, where the same point has the coordinate 0.
-    const bool is_box = request.boundary == Boundary::box;
+    const bool is_box = !request.domain.wraps();
     const auto is_along = [is_box](double at, double length) {
         return at >= 0 && (is_box ? at <= length : at < length);
     };
-    if (!is_along(point.x, request.width) || !is_along(point.y, request.height)) {
+    if (!is_along(point.x, request.domain.width) || !is_along(point.y, request.domain.height)) {
         const std::string end = is_box ? "]" : ")";
-        refuse("must lie in the domain, [0, " + shortest(request.width) + end + " x [0, " +
-               shortest(request.height) + end);
+        refuse("must lie in the domain, [0, " + shortest(request.domain.width) + end + " x [0, " +
+               shortest(request.domain.height) + end);
     }
     const double border = request.border;
-    if (point.x < border || request.width - point.x < border || point.y < border ||
-        request.height - point.y < border)
+    if (point.x < border || request.domain.width - point.x < border || point.y < border ||
+        request.domain.height - point.y < border)
         refuse("must be at least the border, " + shortest(border) + ", from the domain's edges");
     if (request.mask != nullptr && !is_allowed(request, point))
         refuse(request.mask->drawn ? "must lie where --inside, --outside and --avoid allow it"

@@ -32,8 +32,8 @@ void check_enums(const Request& request) {
         refuse("mode", request.mode, "must be Mode::exact, lines, cells or stratified");
     if (name_of(request.metric).empty())
         refuse("metric", request.metric, "must be Metric::min, mean or max");
-    if (request.boundary != Boundary::box && request.boundary != Boundary::torus)
-        refuse("boundary", request.boundary, "must be Boundary::box or torus");
+    if (request.domain.boundary != Boundary::box && request.domain.boundary != Boundary::torus)
+        refuse("boundary", request.domain.boundary, "must be Boundary::box or torus");
 }
 
 void check_round_size(const Request& request) {
@@ -150,10 +150,12 @@ void check_importance(const Field& field) {
 
 void check_request(const Request& request) {
     check_enums(request);
-    const double shorter = std::min(request.width, request.height);
-    const double longer = std::max(request.width, request.height);
-    const std::string domain = shortest(request.width) + "x" + shortest(request.height);
-    if (!std::isfinite(request.width) || !std::isfinite(request.height) || !(shorter > 0))
+    const double shorter = request.domain.shorter_side();
+    const double longer = request.domain.longer_side();
+    const std::string domain =
+        shortest(request.domain.width) + "x" + shortest(request.domain.height);
+    if (!std::isfinite(request.domain.width) || !std::isfinite(request.domain.height) ||
+        !(shorter > 0))
         throw BadRequest("domain", domain, "both sides must be finite numbers greater than 0");
     if (longer > kLargestAspect * shorter)
         throw BadRequest(

@@ -26,13 +26,13 @@ void check_mask(const Mask& mask) {
 }
 
 void check_border(const Request& request) {
-    const double half = std::min(request.width, request.height) / 2;
+    const double half = request.domain.shorter_side() / 2;
     const std::string value = shortest(request.border);
     if (!(request.border >= 0 && request.border < half))
         throw BadRequest(
             "border", value,
             "must be at least 0 and under half of the domain's shorter side, " + shortest(half));
-    if (request.border > 0 && request.boundary == Boundary::torus)
+    if (request.border > 0 && request.domain.wraps())
         throw BadRequest("border", value, "is not for a torus, which has no edges");
 }
 

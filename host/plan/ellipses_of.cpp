@@ -12,7 +12,7 @@
 namespace lacuna {
 
 std::vector<Ellipse> ellipses_of(std::span<const Point> points, const Field& field, double scale,
-                                 double width, double height) {
+                                 const Domain& domain) {
     std::vector<Ellipse> ellipses;
     if (field.stretches.empty()) return ellipses;
     ellipses.reserve(points.size());
@@ -20,7 +20,7 @@ std::vector<Ellipse> ellipses_of(std::span<const Point> points, const Field& fie
         const Point& point = points[i];
         std::size_t found = 0;
         double greatest = -1;
-        for_pixels_at(point, {width, height}, field.columns, field.rows, [&](std::size_t pixel) {
+        for_pixels_at(point, domain, field.columns, field.rows, [&](std::size_t pixel) {
             if (field.importance[pixel] <= greatest) return;
             greatest = field.importance[pixel];
             found = pixel;

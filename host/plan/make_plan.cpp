@@ -40,15 +40,15 @@ double memory_limit(const Request& request) {
 // with the growth of their vectors.
 double memory_needed(const Request& request, double radius, double points) {
     constexpr double kBytesPerSpan = 8, kBytesPerPoint = 48;
-    const double lines = std::ceil(lines_per_radius(request) * request.width / radius);
-    const double spans = most_spans(request.height / radius);
-    const double all = expected_count(request.width, request.height, request.boundary, radius);
+    const double lines = std::ceil(lines_per_radius(request) * request.domain.width / radius);
+    const double spans = most_spans(request.domain.height / radius);
+    const double all = expected_count(request.domain, radius);
     if (!request.limit) return lines * spans * kBytesPerSpan + points * kBytesPerPoint;
     // Each sample adds at most one span to a line. Exact also has the sample grid, whose cells have
     // a radius as their diagonal, whatever the limit.
     constexpr double kBytesPerCell = 8;
     const double fewer = std::min(spans, static_cast<double>(*request.limit) + 8);
-    const double cells = 2 * (request.width / radius) * (request.height / radius);
+    const double cells = 2 * (request.domain.width / radius) * (request.domain.height / radius);
     const double grid = request.mode == Mode::exact ? cells * kBytesPerCell : 0;
     return std::min(lines * spans * kBytesPerSpan + all * kBytesPerPoint,
                     lines * fewer * kBytesPerSpan + grid + points * kBytesPerPoint);
@@ -60,26 +60,25 @@ void refuse_if_too_large(const Request& request, const std::string& option,
 }
 
 double largest_radius(const Request& request) {
-    return request.boundary == Boundary::torus ? std::min(request.width, request.height)
-                                               : std::hypot(request.width, request.height);
+    return request.domain.wraps() ? request.domain.shorter_side()
+                                  : std::hypot(request.domain.width, request.domain.height);
 }
 
 void check_radius(const Request& request) {
     const double radius = *request.radius;
-    const double longer = std::max(request.width, request.height);
+    const double longer = request.domain.longer_side();
     if (!std::isfinite(radius) || radius <= 0)
         throw BadRequest("radius", shortest(radius), "must be a finite number greater than 0");
     if (radius > largest_radius(request))
-        throw BadRequest(
-            "radius", shortest(radius),
-            "must be at most " + shortest(largest_radius(request)) +
-                (request.boundary == Boundary::torus ? ", the shorter side of the torus"
+        throw BadRequest("radius", shortest(radius),
+                         "must be at most " + shortest(largest_radius(request)) +
+                             (request.domain.wraps() ? ", the shorter side of the torus"
                                                      : ", the diagonal of the domain"));
     if (radius < longer * kSmallestRadius)
         throw BadRequest("radius", shortest(radius),
                          "must be at least " + shortest(longer * kSmallestRadius) +
                              ", the longer side / 2^20, or the grid's units run out");
-    double points = expected_count(request.width, request.height, request.boundary, radius);
+    double points = expected_count(request.domain, radius);
     if (request.limit) points = std::min(points, static_cast<double>(*request.limit));
     refuse_if_too_large(request, "radius", shortest(radius), radius, points);
 }
@@ -116,18 +115,25 @@ std::uint64_t machine_memory_bytes() {
            static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-double expected_count(double width, double height, Boundary boundary, double radius) {
-    if (boundary == Boundary::torus) return kTorusDensity * (width / radius) * (height / radius);
-    return kBoxDensity * (width / radius + kBoxEdge) * (height / radius + kBoxEdge);
+Domain domain_like(std::uint32_t columns, std::uint32_t rows, Boundary boundary) {
+    const double longer = std::max(columns, rows);
+    return {columns / longer, rows / longer, boundary};
+}
+
+double expected_count(const Domain& domain, double radius) {
+    const double across = domain.width / radius, up = domain.height / radius;
+    if (domain.wraps()) return kTorusDensity * across * up;
+    return kBoxDensity * (across + kBoxEdge) * (up + kBoxEdge);
 }
 
 // Solves density * (W q + edge) (H q + edge) = count for q = 1 / r and takes the larger root.
 double radius_expecting(const Request& request, double count) {
     const double most = largest_radius(request);
-    if (request.boundary == Boundary::torus)
-        return std::min(most, std::sqrt(kTorusDensity * request.width * request.height / count));
-    const double a = request.width * request.height;
-    const double b = kBoxEdge * (request.width + request.height);
+    if (request.domain.wraps())
+        return std::min(
+            most, std::sqrt(kTorusDensity * request.domain.width * request.domain.height / count));
+    const double a = request.domain.width * request.domain.height;
+    const double b = kBoxEdge * (request.domain.width + request.domain.height);
     const double c = kBoxEdge * kBoxEdge - count / kBoxDensity;
     return c >= 0 ? most : std::min(most, 2 * a / (std::sqrt(b * b - 4 * a * c) - b));
 }
@@ -135,7 +141,7 @@ double radius_expecting(const Request& request, double count) {
 void check_radius_for_count(const Request& request, double radius) {
     const auto count = static_cast<double>(*request.count);
     refuse_if_too_large(request, "count", std::to_string(*request.count), radius, count);
-    const double longer = std::max(request.width, request.height);
+    const double longer = request.domain.longer_side();
     if (radius < longer * kSmallestRadius)
         throw BadRequest("count", std::to_string(*request.count),
                          "needs a radius under the longer side / 2^20: the grid's units run out");
@@ -158,22 +164,24 @@ Plan make_plan(const CheckedRequest& checked) {
     }
     check_radius(request);
     const double radius = *request.radius;
-    const double longer = std::max(request.width, request.height);
+    const double longer = request.domain.longer_side();
 
     // Section 4.1: L = ceil(m W / r) lines. Strips are equally wide, their centres are whole
     // numbers.
-    const double lines = std::ceil(lines_per_radius(request) * request.width / radius);
-    const double strip = kLongerSideUnits * (request.width / longer) / lines;
+    const double lines = std::ceil(lines_per_radius(request) * request.domain.width / radius);
+    const double strip = kLongerSideUnits * (request.domain.width / longer) / lines;
     const std::uint32_t even = 2 * static_cast<std::uint32_t>(strip / 2);
     const bool is_exact = request.mode == Mode::exact;
     Plan plan;
     plan.lines = static_cast<std::uint32_t>(lines);
     plan.strip_width = is_exact ? std::bit_floor(even) : even;
     plan.width = plan.lines * plan.strip_width;
-    plan.height = static_cast<std::uint32_t>(request.height * (plan.width / request.width));
+    plan.height =
+        static_cast<std::uint32_t>(request.domain.height * (plan.width / request.domain.width));
 
     // The radius is rounded up by at least 2^-10 units: more than doubles lose when converted back.
-    const double unit = std::min(request.width / plan.width, request.height / plan.height);
+    const double unit =
+        std::min(request.domain.width / plan.width, request.domain.height / plan.height);
     plan.radius = static_cast<std::uint32_t>(radius / unit + 1.0 / 1024) + 1;
     if (is_exact)
         plan.of_mode = ExactPlan{.grid = grid_of(plan.width, plan.height, plan.radius), .halo = {}};
@@ -182,7 +190,7 @@ Plan make_plan(const CheckedRequest& checked) {
     plan.user_radius = radius;
     const std::uint64_t most = request.count.value_or(std::numeric_limits<std::uint64_t>::max());
     finish_plan(plan, request, std::min(most, request.limit.value_or(most)),
-                expected_count(request.width, request.height, request.boundary, radius));
+                expected_count(request.domain, radius));
     if (request.uniform_x) plan.round_size = 1;
     return plan;
 }
@@ -193,11 +201,11 @@ GridShape grid_of(std::uint32_t width, std::uint32_t height, std::uint32_t radiu
 }
 
 void finish_plan(Plan& plan, const Request& request, std::uint64_t limit, double expected) {
-    const bool torus = request.boundary == Boundary::torus;
+    const bool torus = request.domain.wraps();
     plan.period_x = torus ? plan.width : 0;
     plan.period_y = torus ? plan.height : 0;
-    plan.unit_x = request.width / plan.width;
-    plan.unit_y = request.height / plan.height;
+    plan.unit_x = request.domain.width / plan.width;
+    plan.unit_y = request.domain.height / plan.height;
     plan.radius_squared = std::uint64_t{plan.radius} * plan.radius;
     plan.lines_per_radius = lines_per_radius(request);
     plan.seed = request.seed;

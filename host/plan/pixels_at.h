@@ -12,19 +12,19 @@ namespace lacuna {
 
 // Calls `use` with the index of every pixel on which the point may be said to lie, as samples are
 // rounded: those within 2^-28 of the longer side, a little over the rounding. The picture is
-// stretched over the domain; `corner` is the domain's upper right corner.
+// stretched over the domain.
 template <class Use>
-void for_pixels_at(Point point, Point corner, std::uint32_t columns, std::uint32_t rows,
+void for_pixels_at(Point point, const Domain& domain, std::uint32_t columns, std::uint32_t rows,
                    const Use& use) {
-    const double near = 0x1p-28 * std::max(corner.x, corner.y);
+    const double near = 0x1p-28 * domain.longer_side();
     const auto pixel_of = [](double share, std::uint32_t pixels) {
         const double last = pixels - 1.0;
         return static_cast<std::uint32_t>(std::clamp(std::floor(share * pixels), 0.0, last));
     };
-    const std::uint32_t left = pixel_of((point.x - near) / corner.x, columns);
-    const std::uint32_t right = pixel_of((point.x + near) / corner.x, columns);
-    const std::uint32_t low = pixel_of((point.y - near) / corner.y, rows);
-    const std::uint32_t high = pixel_of((point.y + near) / corner.y, rows);
+    const std::uint32_t left = pixel_of((point.x - near) / domain.width, columns);
+    const std::uint32_t right = pixel_of((point.x + near) / domain.width, columns);
+    const std::uint32_t low = pixel_of((point.y - near) / domain.height, rows);
+    const std::uint32_t high = pixel_of((point.y + near) / domain.height, rows);
     for (std::uint32_t up = low; up <= high; ++up)
         for (std::uint32_t column = left; column <= right; ++column)
             use(std::size_t{rows - 1 - up} * columns + column);

@@ -39,11 +39,11 @@ struct LatticeOfPlan {
 // number of steps. If the height is less than half a step, steps are as long as the height.
 LatticeOfPlan lattice_of(const Request& request, const FieldSums& sums, double scale) {
     LatticeOfPlan lattice{scale / std::sqrt(sums.greatest), 0, 0};
-    lattice.lines =
-        std::max(1.0, std::ceil(lines_per_radius(request) * request.width / lattice.least_radius));
-    lattice.height = std::round(lattice.lines * request.height / request.width);
+    lattice.lines = std::max(
+        1.0, std::ceil(lines_per_radius(request) * request.domain.width / lattice.least_radius));
+    lattice.height = std::round(lattice.lines * request.domain.height / request.domain.width);
     if (lattice.height < 1) {
-        lattice.lines = std::ceil(request.width / request.height);
+        lattice.lines = std::ceil(request.domain.width / request.domain.height);
         lattice.height = 1;
     }
     return lattice;
@@ -81,7 +81,7 @@ double samples_at_radius_one(const Request& request, const FieldSums& sums) {
     const double sum =
         sums.shares - kLatticeLoss / lines_per_radius(request) * sums.shares_and_half;
     return kTorusDensity * sum / static_cast<double>(request.field->importance.size()) *
-           request.width * request.height;
+           request.domain.width * request.domain.height;
 }
 
 void check_scale_for_count(const Request& request, const FieldSums& sums, double scale) {
@@ -107,13 +107,14 @@ Plan make_cells_plan(const CheckedRequest& checked, const FieldSums& sums, const
     const double expected =
         samples_at_radius_one(request, sums) / (lattice.least_radius * lattice.least_radius);
     check_lattice(request, "scale", shortest(scale), lattice, expected);
-    const bool torus = request.boundary == Boundary::torus;
+    const bool torus = request.domain.wraps();
 
     Plan plan;
     plan.lines = plan.width = static_cast<std::uint32_t>(lattice.lines);
     plan.height = static_cast<std::uint32_t>(lattice.height);
     plan.strip_width = 1;
-    const double step = std::min(request.width / lattice.lines, request.height / lattice.height);
+    const double step =
+        std::min(request.domain.width / lattice.lines, request.domain.height / lattice.height);
     plan.of_mode = CellsPlan{
         .radii = std::make_shared<const RadiusMap>(*request.field, scale, request.metric,
                                                    plan.lines, plan.height, step, torus, poll),

@@ -26,8 +26,8 @@ namespace {
 double share_of(const Request& request, double greatest, const Poll& poll) {
     const Field* const field = request.field;
     const Mask* const mask = request.mask;
-    const double inside = (request.width - 2 * request.border) / request.width *
-                          (request.height - 2 * request.border) / request.height;
+    const double inside = (request.domain.width - 2 * request.border) / request.domain.width *
+                          (request.domain.height - 2 * request.border) / request.domain.height;
     double sum = 0;
     if (mask == nullptr) {
         if (field == nullptr) return inside;
@@ -103,8 +103,8 @@ double greatest_of(const Request& request) {
 RadiusField::Shape shape_of(const Request& request, std::uint32_t width, std::uint32_t height,
                             std::uint32_t last_on_sheet) {
     const double border = request.border;
-    const double unit_x = request.width / width;
-    const double unit_y = request.height / height;
+    const double unit_x = request.domain.width / width;
+    const double unit_y = request.domain.height / height;
     const auto low = [&](double unit) {
         auto at = static_cast<std::uint32_t>(border / unit);
         while (at * unit < border) ++at;
@@ -121,9 +121,9 @@ RadiusField::Shape shape_of(const Request& request, std::uint32_t width, std::ui
             unit_x,
             unit_y,
             low(unit_x),
-            high(unit_x, width, request.width),
+            high(unit_x, width, request.domain.width),
             low(unit_y),
-            high(unit_y, height, request.height),
+            high(unit_y, height, request.domain.height),
             !request.keep.empty(),
             last_on_sheet};
 }
@@ -159,8 +159,8 @@ std::vector<Sized> kept_on(const RadiusField& radius_field, const Sheets& sheets
         const auto along = [](double at, double unit, std::uint32_t units) {
             return std::min(static_cast<std::uint32_t>(at / unit), units - 1);
         };
-        const Sample low{along(point.x, request.width / width, width),
-                         along(point.y, request.height / height, height)};
+        const Sample low{along(point.x, request.domain.width / width, width),
+                         along(point.y, request.domain.height / height, height)};
         const std::uint32_t right = std::min(low.x + 1, width - 1);
         const std::uint32_t up = std::min(low.y + 1, height - 1);
         Sample found = low;
@@ -191,7 +191,7 @@ void check_size(const Request& request, const std::string& option, const std::st
                 double least_radius, double samples) {
     constexpr double kBytesPerSample = 250, kBytesPerPixel = 12, kBytesPerMaskPixel = 4. / 3;
     constexpr double kBytesPerEllipse = sizeof(portable::Ellipse);
-    const double longer = std::max(request.width, request.height);
+    const double longer = request.domain.longer_side();
     if (!(least_radius >= longer * kSmallestRadius))
         throw BadRequest(option, value,
                          "makes the least radius " + shortest(least_radius) +
@@ -214,7 +214,7 @@ void check_size(const Request& request, const std::string& option, const std::st
 void check_lengths(const Request& request, const RadiusField& radius_field) {
     const auto& [width, height] =
         std::pair(radius_field.shape().width, radius_field.shape().height);
-    if (request.boundary == Boundary::box || !radius_field.has_ellipses()) return;
+    if (!request.domain.wraps() || !radius_field.has_ellipses()) return;
     const std::uint64_t length =
         2 * std::uint64_t{radius_field.under({0, width, 0, height}).greatest};
     if (length > std::min(width, height))
@@ -222,7 +222,7 @@ void check_lengths(const Request& request, const RadiusField& radius_field) {
                          "with an ellipse of length " +
                              rounded(static_cast<double>(length) * radius_field.shape().unit(), 6),
                          "must be at most the domain's shorter side, " +
-                             shortest(std::min(request.width, request.height)));
+                             shortest(request.domain.shorter_side()));
 }
 
 // The expected number of samples in all classes, if each were alone, over the number of a class
@@ -253,15 +253,14 @@ double radius_field_scale_for_count(const Request& request, double count, const 
         throw BadRequest("count", std::to_string(*request.count),
                          "has no room: the field is 0 where the mask allows samples");
     // Limit for an importance so low that a single sample covers the whole domain.
-    const double most = 2 * std::hypot(request.width, request.height);
-    const double radius =
-        std::min(most, std::sqrt(kTorusDensity * share * request.width * request.height / count));
+    const double most = 2 * std::hypot(request.domain.width, request.domain.height);
+    const double radius = std::min(most, std::sqrt(kTorusDensity * share * request.domain.width *
+                                                   request.domain.height / count));
     const double size = radius * std::sqrt(greatest) * std::sqrt(crowd_of(request));
     // Small islands have more points than the formula says. So if it asks for a little less than
     // the least radius, that one is tried.
     constexpr double kLittle = 0.8;
-    const double least =
-        std::max(request.width, request.height) * kSmallestRadius * std::sqrt(greatest);
+    const double least = request.domain.longer_side() * kSmallestRadius * std::sqrt(greatest);
     return size > kLittle * least ? std::max(size, least) : size;
 }
 
@@ -275,7 +274,8 @@ FieldSize check_radius_field_size(const Request& request, double size, const Pol
     const double greatest = greatest_of(request);
     const double least_radius = size / std::sqrt(greatest);
     const double samples = kTorusDensity * share_of(request, greatest, poll) *
-                           (request.width / least_radius) * (request.height / least_radius);
+                           (request.domain.width / least_radius) *
+                           (request.domain.height / least_radius);
     check_size(request, option, value, least_radius, samples);
     return {least_radius, samples * crowd_of(request)};
 }
@@ -286,13 +286,13 @@ Plan make_radius_field_plan(const CheckedRequest& checked, const Poll& poll,
     const bool has_field = request.field != nullptr;
     const double scale = has_field ? *request.scale : *request.radius;
     const auto [least_radius, expected] = check_radius_field_size(request, scale, poll);
-    const double longer = std::max(request.width, request.height);
+    const double longer = request.domain.longer_side();
     FieldPlan field;
     field.sheets = sheets_of(request);
     const double units = units_of(field.sheets);
     Plan plan;
-    plan.width = static_cast<std::uint32_t>(units * (request.width / longer));
-    plan.height = static_cast<std::uint32_t>(units * (request.height / longer));
+    plan.width = static_cast<std::uint32_t>(units * (request.domain.width / longer));
+    plan.height = static_cast<std::uint32_t>(units * (request.domain.height / longer));
     plan.lines = 1;
     plan.strip_width = plan.width;
     const RadiusField::Shape shape =

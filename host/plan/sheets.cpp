@@ -175,7 +175,7 @@ void check_classes(const Request& request) {
     check_distances(classes);
     // Without a size of its own the request has the classes' least distance as its radius.
     const double least = least_distance_of(classes);
-    const double smallest = std::max(request.width, request.height) * kSmallestRadius;
+    const double smallest = request.domain.longer_side() * kSmallestRadius;
     if (request.field == nullptr && !request.count && request.radius.value_or(least) == least &&
         least < smallest)
         throw BadRequest("class", classes.names.front(),

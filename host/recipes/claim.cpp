@@ -14,9 +14,7 @@ double kept_distance(const Request& request, const Result& result) {
 
 Claim claim_of(const Request& request, const Result& result) {
     Claim claim;
-    claim.width = request.width;
-    claim.height = request.height;
-    claim.boundary = request.boundary;
+    claim.domain = request.domain;
     claim.radius = kept_distance(request, result);
     claim.distances_only = !result.maximal || request.mode != Mode::exact;
     if (request.mode == Mode::stratified) return claim;

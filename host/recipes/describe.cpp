@@ -42,9 +42,9 @@ Description describe(const Request& request, const Result& result) {
     const bool is_cells = request.mode == Mode::cells;
     const bool has_field = request.field != nullptr || result.scale > 0;  // stipple keeps no field
     Describer all(request);
-    all.tell("width", request.width);
-    all.tell("height", request.height);
-    all.tell("boundary", std::string(request.boundary == Boundary::torus ? "torus" : "box"));
+    all.tell("width", request.domain.width);
+    all.tell("height", request.domain.height);
+    all.tell("boundary", std::string(request.domain.wraps() ? "torus" : "box"));
     all.tell("mode", std::string(name_of(request.mode)));
     if (has_field && !is_stratified) all.tell("metric", std::string(name_of(request.metric)));
     all.add("scale", has_field && !is_stratified);

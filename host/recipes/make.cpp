@@ -13,9 +13,7 @@ namespace lacuna::recipes {
 
 RelaxOptions relax_options_of(const Request& request, const Moves& moves) {
     RelaxOptions options;
-    options.width = request.width;
-    options.height = request.height;
-    options.boundary = request.boundary;
+    options.domain = request.domain;
     options.iterations = moves.iterations;
     options.gaussian = moves.gaussian;
     options.gaussian_distance = moves.gaussian_distance.value_or(options.gaussian_distance);
@@ -30,7 +28,7 @@ void note_moves(const Request& request, Result& result) {
     result.maximal = false;
     result.radius = 0;
     if (result.points.size() < 2) return;
-    result.radius = least_distance(result.points, request.width, request.height, request.boundary);
+    result.radius = least_distance(result.points, request.domain);
 }
 
 namespace {

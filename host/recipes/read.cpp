@@ -155,13 +155,12 @@ void read(const std::string& option, const std::string& text, std::uint32_t& val
     read_whole_number(option, text, value);
 }
 
-void read_domain(const std::string& option, const std::string& text, double& width,
-                 double& height) {
+void read_domain(const std::string& option, const std::string& text, Domain& domain) {
     const std::string_view view = text;
     const std::size_t cross = view.find_first_of("xX");
     if (cross == std::string_view::npos ||
-        parse_whole_text(view.substr(0, cross), width) != std::errc{} ||
-        parse_whole_text(view.substr(cross + 1), height) != std::errc{})
+        parse_whole_text(view.substr(0, cross), domain.width) != std::errc{} ||
+        parse_whole_text(view.substr(cross + 1), domain.height) != std::errc{})
         throw BadRequest(option, shown(text),
                          "must be WIDTHxHEIGHT, two numbers such as 1x1 or 2.5x1");
 }

@@ -21,8 +21,8 @@ void read(const std::string& option, const std::string& text, std::optional<Valu
     read(option, text, value.emplace());
 }
 
-// A domain as WIDTHxHEIGHT.
-void read_domain(const std::string& option, const std::string& text, double& width, double& height);
+// The sides of a domain as WIDTHxHEIGHT.
+void read_domain(const std::string& option, const std::string& text, Domain& domain);
 
 // R:X, a radius in pixels and how much edges are sharpened; or R alone.
 void read_sharpen(const std::string& text, Tone& tone);

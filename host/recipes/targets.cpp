@@ -65,10 +65,8 @@ Targets targets_of(Request& request) {
             {"count", &request.count},
             {"scale", &request.scale},
             {"domain",
-             [&request](const std::string& text) {
-                 read_domain("domain", text, request.width, request.height);
-             }},
-            {"torus", &request.boundary},
+             [&request](const std::string& text) { read_domain("domain", text, request.domain); }},
+            {"torus", &request.domain.boundary},
             {"border", &request.border},
             {"limit", &request.limit},
             {"seed", &request.seed},

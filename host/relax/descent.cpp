@@ -54,8 +54,8 @@ void descend(std::vector<Point>& points, const GaussianField& field, const Relax
         poll();
     }
     const std::vector<Spot> spots = backend->spots();
-    const double unit_x = options.width / field.domain.width;
-    const double unit_y = options.height / field.domain.height;
+    const double unit_x = options.domain.width / field.domain.width;
+    const double unit_y = options.domain.height / field.domain.height;
     for (std::size_t i = 0; i < points.size(); ++i)
         points[i] = {spots[i].x * unit_x, spots[i].y * unit_y};
 }

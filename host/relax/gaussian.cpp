@@ -131,9 +131,10 @@ void refuse_crowds(std::span<const Point> points, const std::vector<Spot>& spots
 }  // namespace
 
 GaussianField make_gaussian(std::size_t points, const RelaxOptions& options) {
-    const double area_of_one = options.width * options.height / static_cast<double>(points);
+    const double area_of_one =
+        options.domain.width * options.domain.height / static_cast<double>(points);
     const double spacing = std::sqrt(area_of_one);
-    const double longer = std::max(options.width, options.height) / spacing;
+    const double longer = options.domain.longer_side() / spacing;
     std::uint32_t bits = kMostBits;
     while (bits >= kLeastBits && longer * (1u << bits) > kMostUnitsOfSide) --bits;
     if (points > kMostSamples || bits < kLeastBits)
@@ -143,9 +144,11 @@ GaussianField make_gaussian(std::size_t points, const RelaxOptions& options) {
     portable::GaussianDomain& domain = field.domain;
     domain.bits = bits;
     domain.samples = static_cast<std::uint32_t>(points);
-    domain.width = static_cast<std::uint32_t>(std::floor(options.width / spacing * (1u << bits)));
-    domain.height = static_cast<std::uint32_t>(std::floor(options.height / spacing * (1u << bits)));
-    domain.wraps = options.boundary == Boundary::torus ? 1 : 0;
+    domain.width =
+        static_cast<std::uint32_t>(std::floor(options.domain.width / spacing * (1u << bits)));
+    domain.height =
+        static_cast<std::uint32_t>(std::floor(options.domain.height / spacing * (1u << bits)));
+    domain.wraps = options.domain.wraps() ? 1 : 0;
     field.weights = make_weights(options.gaussian_distance);
     field.edge_pulls = along_edge([](double x) { return exp_of_minus(x * x / 2); });
     field.edge_areas = along_edge(area_to);
@@ -161,8 +164,8 @@ std::vector<Spot> spots_of(std::span<const Point> points, const GaussianField& f
     std::vector<Site> sites(points.size());
     for_each_polled(points.size(), poll, [&](std::size_t i) {
         check_in_domain(i, points[i], options);
-        sites[i] = {unit_of(points[i].x, options.width, domain.width, wraps),
-                    unit_of(points[i].y, options.height, domain.height, wraps), 0};
+        sites[i] = {unit_of(points[i].x, options.domain.width, domain.width, wraps),
+                    unit_of(points[i].y, options.domain.height, domain.height, wraps), 0};
     });
     portable::RelaxLattice numbers{};
     numbers.columns = domain.width;

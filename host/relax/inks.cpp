@@ -70,9 +70,7 @@ Field density_of(std::span<const InkPart> inks) {
 Request request_of(const Field& density, std::span<const InkPart> inks, std::uint64_t seed,
                    const RelaxOptions& options) {
     Request request;
-    request.width = options.width;
-    request.height = options.height;
-    request.boundary = options.boundary;
+    request.domain = options.domain;
     request.mode = Mode::stratified;
     request.field = &density;
     request.count = 0;

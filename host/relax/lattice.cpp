@@ -112,9 +112,9 @@ portable::RelaxLattice numbers_of(const Field& field, const Cut& cut, const Rela
     portable::RelaxLattice numbers{};
     numbers.columns = static_cast<std::uint32_t>(columns);
     numbers.rows = static_cast<std::uint32_t>(rows);
-    numbers.step_x = step_of(options.width / columns, options.height / rows);
-    numbers.step_y = step_of(options.height / rows, options.width / columns);
-    const bool wraps = options.boundary == Boundary::torus;
+    numbers.step_x = step_of(options.domain.width / columns, options.domain.height / rows);
+    numbers.step_y = step_of(options.domain.height / rows, options.domain.width / columns);
+    const bool wraps = options.domain.wraps();
     numbers.period_x = wraps ? numbers.columns * numbers.step_x : 0;
     numbers.period_y = wraps ? numbers.rows * numbers.step_y : 0;
     numbers.cut_x = static_cast<std::uint32_t>(cut.x);
@@ -135,16 +135,17 @@ std::uint32_t unit_of(double coordinate, double side, std::uint32_t length, bool
 
 void check_in_domain(std::size_t number, const Point& point, const RelaxOptions& options) {
     // This condition is also false for NaN.
-    if (!(point.x >= 0 && point.x <= options.width && point.y >= 0 && point.y <= options.height))
+    if (!(point.x >= 0 && point.x <= options.domain.width && point.y >= 0 &&
+          point.y <= options.domain.height))
         throw BadRequest("points",
                          "point " + std::to_string(number) + " at (" + shortest(point.x) + ", " +
                              shortest(point.y) + ")",
-                         "must lie in the domain, [0, " + shortest(options.width) + "] x [0, " +
-                             shortest(options.height) + "]");
+                         "must lie in the domain, [0, " + shortest(options.domain.width) +
+                             "] x [0, " + shortest(options.domain.height) + "]");
 }
 
 void check_options(const RelaxOptions& options) {
-    verify::check_domain(options.width, options.height);
+    verify::check_domain(options.domain);
     if (options.iterations > kMostIterations)
         throw BadRequest("iterations", std::to_string(options.iterations),
                          "must be at most " + std::to_string(kMostIterations));
@@ -175,13 +176,14 @@ Lattice make_lattice(std::size_t points, const Field* field, const RelaxOptions&
                      const Poll& poll) {
     const Field& importance = field_or_even(field);
     const double pixels = static_cast<double>(pixels_of_importance(importance));
-    const double aspect = options.width / importance.columns / (options.height / importance.rows);
+    const double aspect =
+        options.domain.width / importance.columns / (options.domain.height / importance.rows);
     const double wanted = points_of_sample(field, pixels);
     const Cut cut = possible_cut(importance, aspect, wanted * static_cast<double>(points) / pixels);
 
     Lattice lattice{numbers_of(importance, cut, options), 0, {}, 0, 0};
-    lattice.unit_x = options.width / (lattice.numbers.columns * lattice.numbers.step_x);
-    lattice.unit_y = options.height / (lattice.numbers.rows * lattice.numbers.step_y);
+    lattice.unit_x = options.domain.width / (lattice.numbers.columns * lattice.numbers.step_x);
+    lattice.unit_y = options.domain.height / (lattice.numbers.rows * lattice.numbers.step_y);
     return with_field(std::move(lattice), points, importance, poll);
 }
 
@@ -203,13 +205,13 @@ Lattice with_field(Lattice lattice, std::size_t points, const Field& field, cons
 std::vector<Site> sites_of(std::span<const Point> points, const Lattice& lattice,
                            const RelaxOptions& options, const Poll& poll) {
     const portable::RelaxLattice& numbers = lattice.numbers;
-    const bool wraps = options.boundary == Boundary::torus;
+    const bool wraps = options.domain.wraps();
     std::vector<Site> sites(points.size());
     for_each_polled(points.size(), poll, [&](std::size_t i) {
         const Point& point = points[i];
         check_in_domain(i, point, options);
-        sites[i] = {unit_of(point.x, options.width, numbers.columns * numbers.step_x, wraps),
-                    unit_of(point.y, options.height, numbers.rows * numbers.step_y, wraps),
+        sites[i] = {unit_of(point.x, options.domain.width, numbers.columns * numbers.step_x, wraps),
+                    unit_of(point.y, options.domain.height, numbers.rows * numbers.step_y, wraps),
                     portable::even_weight(numbers.farthest)};
     });
     take_apart(sites, numbers, poll);

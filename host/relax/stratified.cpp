@@ -29,7 +29,8 @@ struct Cells {
     Cells(const Request& request, const Field& the_field, const Poll& poll)
         : field(the_field), masses(masses_of(field, poll)) {
         constexpr double kMostCells = 1 << 28;
-        const double aspect = request.width / field.columns / (request.height / field.rows);
+        const double aspect =
+            request.domain.width / field.columns / (request.domain.height / field.rows);
         const double most = kMostCells / static_cast<double>(masses.size());
         const auto cut = [&](double wanted) {
             return static_cast<std::uint32_t>(std::max(1.0, std::round(std::min(wanted, most))));
@@ -110,8 +111,8 @@ private:
         const auto scaled = [](std::int64_t cell, std::uint32_t in_cell, std::uint32_t cells) {
             return (static_cast<double>(cell) + (in_cell + 0.5) * 0x1p-16) / cells;
         };
-        points_.push_back({request_.width * scaled(cell_.x, at.x, cells_.columns()),
-                           request_.height * scaled(cell_.y, at.y, cells_.rows())});
+        points_.push_back({request_.domain.width * scaled(cell_.x, at.x, cells_.columns()),
+                           request_.domain.height * scaled(cell_.y, at.y, cells_.rows())});
     }
     // The rank of the next point: at random in the middle half of its interval of the cdf. In the
     // middle itself the points of a uniform domain would be a square lattice, and anywhere in the

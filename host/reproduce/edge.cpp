@@ -15,8 +15,8 @@ Request request_of(const Step& step, Metric metric, const Field& field) {
     Request request;
     request.mode = Mode::cells;
     request.field = &field;
-    request.width = 2;
-    request.boundary = Boundary::torus;
+    request.domain.width = 2;
+    request.domain.boundary = Boundary::torus;
     request.scale = step.dense_radius;
     request.lines_per_radius = step.m;
     request.metric = metric;

@@ -44,7 +44,7 @@ Rows make(const Setting& setting) {
     };
     Request request;
     request.radius = kFig4Radius;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.backend = "cpu";
     Rows rows;
     rows.darts = {fmt::format("Dart throwing, {}", kDarts),

@@ -100,7 +100,7 @@ Request lines_request(double radius, Boundary boundary) {
     Request request;
     request.mode = Mode::lines;
     request.radius = radius;
-    request.boundary = boundary;
+    request.domain.boundary = boundary;
     request.snap = true;
     request.backend = "cpu";
     return request;

@@ -8,18 +8,11 @@
 
 namespace lacuna::reproduce {
 
-Sides sides_of(const Field& image) {
-    const double longer = std::max(image.columns, image.rows);
-    return {image.columns / longer, image.rows / longer};
-}
-
 Sets stipple(const Field& image, std::uint64_t dots, Metric metric, Work& work, double cost) {
     Request request;
     request.mode = Mode::cells;
     request.field = &image;
-    const Sides sides = sides_of(image);
-    request.width = sides.width;
-    request.height = sides.height;
+    request.domain = domain_like(image.columns, image.rows);
     request.count = dots;
     request.metric = metric;
     request.lines_per_radius = 30;
@@ -28,7 +21,7 @@ Sets stipple(const Field& image, std::uint64_t dots, Metric metric, Work& work, 
 }
 
 double tone_error(const Field& image, std::span<const Point> dots, std::uint32_t across) {
-    const Sides sides = sides_of(image);
+    const Domain domain = domain_like(image.columns, image.rows);
     std::vector<double> shares(std::size_t{across} * across);
     // Squares outside the domain stay 0 and add nothing.
     const auto add = [&](double x, double y, double share) {
@@ -41,8 +34,8 @@ double tone_error(const Field& image, std::span<const Point> dots, std::uint32_t
     const double all = std::accumulate(image.importance.begin(), image.importance.end(), 0.0);
     for (std::uint32_t row = 0; row < image.rows; ++row)
         for (std::uint32_t column = 0; column < image.columns; ++column)
-            add((column + 0.5) / image.columns * sides.width,
-                (1 - (row + 0.5) / image.rows) * sides.height,
+            add((column + 0.5) / image.columns * domain.width,
+                (1 - (row + 0.5) / image.rows) * domain.height,
                 -image.importance[std::size_t{row} * image.columns + column] / all);
     return std::accumulate(shares.begin(), shares.end(), 0.0,
                            [](double sum, double share) { return sum + std::abs(share); }) /

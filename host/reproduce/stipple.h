@@ -12,13 +12,6 @@ namespace lacuna::reproduce {
 
 inline constexpr std::uint64_t kDots = 20'000;
 
-// The sides of the domain, which has the image's shape. The longer side is 1.
-struct Sides {
-    double width;
-    double height;
-};
-Sides sides_of(const Field& image);
-
 // One set with `dots` dots, and m = 30 as in the paper's experiments.
 Sets stipple(const Field& image, std::uint64_t dots, Metric metric, Work& work, double cost);
 

@@ -61,7 +61,7 @@ Measurements measure(const Setting& setting, Boundary boundary, std::size_t radi
     constexpr std::array kWays{Way::cdf, Way::uniform_x, Way::exact};
     const auto runs_of = [&](std::size_t i) { return setting.runs.value_or(kTableRuns[i]); };
     const auto cost_at = [&](Way way, std::size_t i) {
-        return cost_of(way) * expected_count(1, 1, boundary, kRadii[i]);
+        return cost_of(way) * expected_count({1, 1, boundary}, kRadii[i]);
     };
     double total = 0;
     for (std::size_t i = 0; i < radii; ++i)

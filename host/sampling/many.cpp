@@ -34,9 +34,9 @@ bool is_small(const Request& request) {
     if (request.field != nullptr) return false;
     if (request.count) return static_cast<double>(*request.count) <= kSmallSet;
     // Invalid requests are left to sample(), which refuses them.
-    return request.radius && *request.radius > 0 && request.width > 0 && request.height > 0 &&
-           expected_count(request.width, request.height, request.boundary, *request.radius) <=
-               kSmallSet;
+    return request.radius && *request.radius > 0 && request.domain.width > 0 &&
+           request.domain.height > 0 &&
+           expected_count(request.domain, *request.radius) <= kSmallSet;
 }
 
 Request with_seed(const Request& request, std::uint64_t seed) {

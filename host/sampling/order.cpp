@@ -28,8 +28,8 @@ public:
         : points_(points),
           options_(options),
           side_(side_of(points.size(), options)),
-          columns_(cells_along(options.width)),
-          rows_(cells_along(options.height)),
+          columns_(cells_along(options.domain.width)),
+          rows_(cells_along(options.domain.height)),
           begins_(std::size_t{columns_} * rows_ + 1),
           members_(points.size()) {
         for_each_polled(points.size(), ask,
@@ -45,24 +45,27 @@ public:
     // a torus is narrow.
     template <class Visit>
     void for_each_near(Point from, double reach, Visit visit) const {
-        for_each_cell(from.y, reach, options_.height, rows_, [&](std::size_t row, double up) {
-            for_each_cell(
-                from.x, reach, options_.width, columns_, [&](std::size_t column, double right) {
-                    const std::size_t cell = row * columns_ + column;
-                    ask_after(1 + begins_[cell + 1] - begins_[cell]);
-                    for (std::uint32_t k = begins_[cell]; k < begins_[cell + 1]; ++k) {
-                        const Point& point = points_[members_[k]];
-                        const double dx = point.x + right - from.x, dy = point.y + up - from.y;
-                        const double squared = dx * dx + dy * dy;
-                        if (squared < reach * reach) visit(members_[k], squared);
-                    }
-                });
-        });
+        for_each_cell(
+            from.y, reach, options_.domain.height, rows_, [&](std::size_t row, double up) {
+                for_each_cell(
+                    from.x, reach, options_.domain.width, columns_,
+                    [&](std::size_t column, double right) {
+                        const std::size_t cell = row * columns_ + column;
+                        ask_after(1 + begins_[cell + 1] - begins_[cell]);
+                        for (std::uint32_t k = begins_[cell]; k < begins_[cell + 1]; ++k) {
+                            const Point& point = points_[members_[k]];
+                            const double dx = point.x + right - from.x, dy = point.y + up - from.y;
+                            const double squared = dx * dx + dy * dy;
+                            if (squared < reach * reach) visit(members_[k], squared);
+                        }
+                    });
+            });
     }
 
 private:
     static double side_of(std::size_t points, const OrderOptions& options) {
-        return std::sqrt(options.width * options.height / static_cast<double>(points));
+        return std::sqrt(options.domain.width * options.domain.height /
+                         static_cast<double>(points));
     }
     std::uint32_t cells_along(double length) const {
         return static_cast<std::uint32_t>(std::clamp(std::floor(length / side_), 1.0, 0x1p16));
@@ -71,8 +74,8 @@ private:
         const auto along = [](double share, std::uint32_t cells) {
             return std::min(static_cast<std::uint32_t>(share * cells), cells - 1);
         };
-        return along(point.y / options_.height, rows_) * columns_ +
-               along(point.x / options_.width, columns_);
+        return along(point.y / options_.domain.height, rows_) * columns_ +
+               along(point.x / options_.domain.width, columns_);
     }
 
     // Calls visit(cell, shift) for the cells within reach along an axis. On a torus `shift` moves
@@ -85,7 +88,7 @@ private:
         const auto number = static_cast<std::int64_t>(cells);
         auto first = static_cast<std::int64_t>(std::floor((at - reach) * scale));
         auto last = static_cast<std::int64_t>(std::floor((at + reach) * scale));
-        if (options_.boundary == Boundary::box) {
+        if (!options_.domain.wraps()) {
             first = std::max<std::int64_t>(first, 0);
             last = std::min(last, number - 1);
         }
@@ -120,9 +123,7 @@ std::vector<std::uint32_t> shuffled(std::size_t count, std::uint64_t seed) {
 Request checked_request(std::span<const Point> points, const Field* field,
                         const OrderOptions& options) {
     Request request;
-    request.width = options.width;
-    request.height = options.height;
-    request.boundary = options.boundary;
+    request.domain = options.domain;
     request.field = field;
     request.count = 1;
     check_request(request);
@@ -190,7 +191,7 @@ std::vector<std::uint32_t> progressive_order(std::span<const Point> points, cons
     if (field != nullptr) check_disks(*field, "orders");
     if (points.empty()) return {};
     const std::vector<double> radii = radii_of_kept(request);
-    const double smallest = kSmallestRadius * std::max(options.width, options.height) /
+    const double smallest = kSmallestRadius * options.domain.longer_side() /
                             *std::max_element(radii.begin(), radii.end());
     Order order(points, radii, options);
     std::vector<std::uint32_t> waiting = shuffled(points.size(), options.seed);

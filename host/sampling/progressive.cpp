@@ -65,7 +65,7 @@ CheckedRequest at_size(const CheckedRequest& request, double size) {
 // The length of the longest ellipse of a torus at a scale of 1; 0 if any length fits.
 double longest_ellipse(const Request& request) {
     double longest = 0;
-    if (request.boundary == Boundary::box || request.field == nullptr) return longest;
+    if (!request.domain.wraps() || request.field == nullptr) return longest;
     const Field& field = *request.field;
     for (std::size_t i = 0; i < field.stretches.size(); ++i)
         if (field.importance[i] > 0)
@@ -78,9 +78,9 @@ double longest_ellipse(const Request& request) {
 // close together. Throws BadRequest if these are at the last level, or at the smallest radius that
 // there can be.
 int first_level(const CheckedRequest& request, const Sizes& sizes) {
-    const double smallest = kSmallestRadius * std::max(request->width, request->height);
+    const double smallest = kSmallestRadius * request->domain.longer_side();
     const double longest = longest_ellipse(request);
-    const double most = std::min(request->width, request->height) * (1 - 1e-6);  // they are rounded
+    const double most = request->domain.shorter_side() * (1 - 1e-6);  // they are rounded
     for (int level = 0;; ++level) {
         const bool is_last = sizes.is_last(level) || sizes.at(level) < smallest;
         if (!is_last && longest * sizes.at(level) > most) continue;

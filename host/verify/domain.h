@@ -72,4 +72,8 @@ struct Domain {
     }
 };
 
+inline Domain domain_of(const lacuna::Domain& domain) {
+    return {domain.width, domain.height, domain.wraps()};
+}
+
 }  // namespace lacuna::verify

@@ -160,7 +160,7 @@ Proof prove(std::span<const Point> points, const Claim& claim,
     proof.tolerance = tolerance;
     proof.moved = first_moved(points, claim.keep);
     if (proof.moved) return proof;
-    const Domain domain{claim.width, claim.height, claim.boundary == Boundary::torus};
+    const verify::Domain domain = domain_of(claim.domain);
     const Field one_pixel{1, 1, {1}};
     const verify::RadiusField radius_field(
         domain, {.field = claim.field != nullptr ? claim.field : &one_pixel,
@@ -185,15 +185,14 @@ Proof prove(std::span<const Point> points, const Claim& claim,
     return proof;
 }
 
-double least_distance(std::span<const Point> points, double width, double height,
-                      Boundary boundary) {
-    verify::check_domain(width, height);
-    const verify::Domain domain{width, height, boundary == Boundary::torus};
-    if (const auto outside = verify::first_outside(points, domain))
+double least_distance(std::span<const Point> points, const Domain& domain) {
+    verify::check_domain(domain);
+    const verify::Domain its = verify::domain_of(domain);
+    if (const auto outside = verify::first_outside(points, its))
         throw BadRequest("points", std::to_string(*outside),
                          "is the number of a point outside of "
                          "the domain");
-    return verify::closest_pair(domain, points).distance;
+    return verify::closest_pair(its, points).distance;
 }
 
 }  // namespace lacuna

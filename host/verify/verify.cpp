@@ -83,16 +83,16 @@ std::string text(double value) {
     return {digits.data(), end};
 }
 
-void check_domain(double width, double height) {
-    const std::string domain = text(width) + "x" + text(height);
-    const double shorter = std::min(width, height);
-    const double longer = std::max(width, height);
-    if (!std::isfinite(width) || !std::isfinite(height) || shorter <= 0)
-        throw BadRequest("domain", domain, "both sides must be finite numbers greater than 0");
+void check_domain(const lacuna::Domain& domain) {
+    const std::string sides = text(domain.width) + "x" + text(domain.height);
+    const double shorter = domain.shorter_side();
+    const double longer = domain.longer_side();
+    if (!std::isfinite(domain.width) || !std::isfinite(domain.height) || shorter <= 0)
+        throw BadRequest("domain", sides, "both sides must be finite numbers greater than 0");
     if (shorter < kSmallestSide || longer > kLargestSide)
-        throw BadRequest("domain", domain, "the sides must lie between 1e-100 and 1e100");
+        throw BadRequest("domain", sides, "the sides must lie between 1e-100 and 1e100");
     if (longer > kLargestAspect * shorter)
-        throw BadRequest("domain", domain, "the longer side may be at most 1000 times the shorter");
+        throw BadRequest("domain", sides, "the longer side may be at most 1000 times the shorter");
 }
 
 namespace {
@@ -146,7 +146,7 @@ std::vector<double> shares_of(const Claim& claim) {
 }
 
 void check_claim(const Claim& claim, std::size_t points, double tolerance) {
-    check_domain(claim.width, claim.height);
+    check_domain(claim.domain);
     const bool has_classes = !claim.classes.names.empty();
     if (claim.field != nullptr) {
         check_field(*claim.field);
@@ -164,12 +164,12 @@ void check_claim(const Claim& claim, std::size_t points, double tolerance) {
         check_pixels("mask", claim.mask->columns, claim.mask->rows, claim.mask->allowed.size());
     check_polygons(claim);
     check_at_least_0("border", claim.border);
-    if (claim.border > 0 && claim.boundary == Boundary::torus)
+    if (claim.border > 0 && claim.domain.wraps())
         throw BadRequest("border", text(claim.border), "is not for a torus, which has no edges");
 }
 
 void check_least_radius(const Claim& claim, double least_radius) {
-    const double smallest = std::max(claim.width, claim.height) * kSmallestRadius;
+    const double smallest = claim.domain.longer_side() * kSmallestRadius;
     if (least_radius >= smallest) return;
     const std::string found =
         is_uniform(claim) ? "" : "gives a least radius of " + text(least_radius) + ", but it ";
@@ -180,9 +180,9 @@ void check_least_radius(const Claim& claim, double least_radius) {
 }
 
 void check_longest_ellipse(const Claim& claim, double longest_radius) {
-    const double shorter_side = std::min(claim.width, claim.height);
+    const double shorter_side = claim.domain.shorter_side();
     constexpr double kSlack = 1 + 1e-12;  // for the rounding of the radius
-    if (claim.boundary == Boundary::box || 2 * longest_radius <= shorter_side * kSlack) return;
+    if (!claim.domain.wraps() || 2 * longest_radius <= shorter_side * kSlack) return;
     throw BadRequest("torus", "with an ellipse of length " + text(2 * longest_radius),
                      "must be at most the domain's shorter side, " + text(shorter_side));
 }
@@ -193,7 +193,7 @@ bool is_uniform(const Claim& claim) {
 }
 
 double tolerance_of(const Claim& claim) {
-    const double units = std::max(claim.width, claim.height) * 0x1p-28;
+    const double units = claim.domain.longer_side() * 0x1p-28;
     if (!claim.tolerance && !claim.classes.distances.empty()) {
         const std::vector<double> shares = shares_of(claim);
         const std::size_t count = claim.classes.names.size();

@@ -29,7 +29,7 @@ std::string text(double value);
 
 // Throws BadRequest("domain", ...) unless both sides lie between 1e-100 and 1e100 and neither is
 // over 1000 times the other.
-void check_domain(double width, double height);
+void check_domain(const lacuna::Domain& domain);
 
 // Throws BadRequest for a domain, field, scale, radius, tolerance, mask, polygons, border or
 // classes that make no sense.

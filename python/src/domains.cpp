@@ -45,25 +45,26 @@ nb::dict polygons_of(const nb::bytes& bytes, bool as_lines) {
     nb::dict found;
     found["rings"] = nb::tuple(rings);
     found["domain"] = nb::none();
-    if (polygons.width > 0) found["domain"] = nb::make_tuple(polygons.width, polygons.height);
+    if (polygons.page)
+        found["domain"] = nb::make_tuple(polygons.page->width, polygons.page->height);
     return found;
 }
 
 Mask mask_of(const nb::list& polygons, const nb::dict& given) {
     PolygonSets sets(polygons);
-    Request options;
+    const Domain domain = domain_in(given);
     double edge = 0;
-    read_domain(given, options);
+    std::uint64_t memory_limit_bytes = 0;
     read(given, "edge", edge);
-    read(given, "memory_limit", options.memory_limit_bytes);
+    read(given, "memory_limit", memory_limit_bytes);
     const Unlocked unlocked;
-    return draw_mask(sets.copy(), options.width, options.height, edge, options.memory_limit_bytes);
+    return draw_mask(sets.copy(), domain, edge, memory_limit_bytes);
 }
 
 nb::tuple domain_of(const nb::list& given) {
     PolygonSets sets(given);
-    const Point corner = domain_around(sets.copy());
-    return nb::make_tuple(corner.x, corner.y);
+    const Domain domain = domain_around(sets.copy());
+    return nb::make_tuple(domain.width, domain.height);
 }
 
 }  // namespace

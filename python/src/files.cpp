@@ -65,8 +65,7 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, const nb::d
                const std::optional<RadiusArray>& radii, const std::optional<ClassArray>& class_of,
                const std::optional<EllipseArray>& ellipse_array) {
     const std::string path(path_bytes.c_str(), path_bytes.size());
-    Request domain;
-    read_domain(saved, domain);
+    const Domain domain = domain_in(saved);
     double radius = 0;
     double least_radius = 0;
     bool is_relaxed = false;
@@ -78,14 +77,12 @@ void write_set(const nb::bytes& path_bytes, const PointArray& array, const nb::d
     read(saved, "layers", layers);
     read(saved, "classes", classes);
     Made made = made_of(saved);
-    made.origin.boundary = domain.boundary;
     const Unlocked unlocked;
     const files::Format& format = files::format_of(path);
     const std::vector<Point> points = points_of(array);
     std::vector<files::Layer> its_layers;
     for (const auto& [ink, dots] : layers) its_layers.push_back({ink, dots});
-    files::PointSet set{points, domain.width, domain.height, radius};
-    set.boundary = domain.boundary;
+    files::PointSet set{points, domain, radius};
     set.is_relaxed = is_relaxed;
     if (format.name() == "json") {
         set.radius = least_radius;

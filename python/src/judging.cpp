@@ -51,7 +51,7 @@ const char* name_of(Proof::Closed closed) {
 
 Claim asked_claim(const nb::dict& given) {
     Claim claim;
-    read_domain(given, claim);
+    claim.domain = domain_in(given);
     read_classes(given, claim.classes);
     read(given, "radius", claim.radius);
     read(given, "scale", claim.scale);
@@ -146,8 +146,7 @@ void add_rings(nb::dict& found, const std::vector<Ring>& rings) {
 
 // The attributes of an Analysis.
 nb::dict analyze_sets(const nb::list& arrays, const nb::dict& given_options, nb::object progress) {
-    Claim domain;
-    read_domain(given_options, domain);
+    const Domain domain = domain_in(given_options);
     double max_frequency = 2;
     std::uint32_t threads = 0;
     read(given_options, "max_frequency", max_frequency);
@@ -165,8 +164,7 @@ nb::dict analyze_sets(const nb::list& arrays, const nb::dict& given_options, nb:
             watch.look(static_cast<std::uint64_t>(share * static_cast<double>(kWhole)), kWhole);
             return true;
         };
-        statistics = analyze(sets, domain.width, domain.height, domain.boundary, look,
-                             max_frequency, threads);
+        statistics = analyze(sets, domain, look, max_frequency, threads);
     }
     nb::dict found;
     add_rings(found, statistics.rings);

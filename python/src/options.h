@@ -13,6 +13,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -43,21 +44,20 @@ void read(const nb::dict& given, const char* name, Value& value) {
 // Reads all options that have a target.
 void read(const nb::dict& given, const recipes::Targets& targets);
 
-template <typename Options>
-void read_domain(const nb::dict& given, Options& options) {
-    if (given.contains("domain")) {
-        const auto [width, height] = nb::cast<std::pair<double, double>>(given["domain"]);
-        options.width = width;
-        options.height = height;
-    }
+inline Domain domain_in(const nb::dict& given) {
+    Domain domain;
+    if (given.contains("domain"))
+        std::tie(domain.width, domain.height) =
+            nb::cast<std::pair<double, double>>(given["domain"]);
     if (given.contains("torus") && nb::cast<bool>(given["torus"]))
-        options.boundary = Boundary::torus;
+        domain.boundary = Boundary::torus;
+    return domain;
 }
 
 // Reads where the work is done, too.
 template <typename Options>
 void read_place(const nb::dict& given, Options& options) {
-    read_domain(given, options);
+    options.domain = domain_in(given);
     read(given, "backend", options.backend);
     read(given, "device", options.device);
     read(given, "threads", options.threads);

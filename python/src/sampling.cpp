@@ -97,8 +97,8 @@ nb::dict dict_of(Result result, const Request& request, const std::optional<Rela
     }
     made["relaxed"] = moved ? nb::object(dict_of(*moved)) : nb::none();
     made["points"] = array_of(std::move(result.points));
-    made["domain"] = nb::make_tuple(request.width, request.height);
-    made["torus"] = request.boundary == Boundary::torus;
+    made["domain"] = nb::make_tuple(request.domain.width, request.domain.height);
+    made["torus"] = request.domain.wraps();
     made["mode"] = name_of(request.mode);
     made["metric"] = name_of(request.metric);
     made["seed"] = request.seed;
@@ -162,9 +162,8 @@ double edge_of(const nb::dict& given, const Request& request) {
         *size /= std::sqrt(
             *std::max_element(request.field->importance.begin(), request.field->importance.end()));
     // If the radius is invalid, the check of the request refuses it.
-    return size && *size > 0 && std::isfinite(*size)
-               ? *size / 16
-               : std::max(request.width, request.height) / 1000;
+    return size && *size > 0 && std::isfinite(*size) ? *size / 16
+                                                     : request.domain.longer_side() / 1000;
 }
 
 // Samples, and moves the points if that is asked for. Returns the attributes of a PointSet.
@@ -182,8 +181,7 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* ma
     if (!sets.are_none()) {
         const double edge = edge_of(given, request);
         const Unlocked unlocked;
-        places = draw_places(sets.copy(), request.width, request.height, edge,
-                             request.memory_limit_bytes);
+        places = draw_places(sets.copy(), {request.domain, edge}, request.memory_limit_bytes);
         request.mask = &places;
     }
     Watch watch(std::move(progress));
@@ -199,8 +197,7 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* ma
         request.keep_classes = of_kept;
         set = recipes::make(request, moves, watch);
         if (field != nullptr && !field->stretches.empty())
-            ellipses = ellipses_of(set.result.points, *field, set.result.scale, request.width,
-                                   request.height);
+            ellipses = ellipses_of(set.result.points, *field, set.result.scale, request.domain);
     }
     nb::dict made = dict_of(std::move(set.result), request, set.relaxed);
     if (!ellipses.empty()) made["ellipses"] = array_of(std::move(ellipses));
@@ -255,7 +252,7 @@ nb::dict relax_points(const PointArray& array, const Field* field, const nb::dic
 // The indices of the points in a progressive order.
 nb::object order_points(const PointArray& array, const Field* field, const nb::dict& given) {
     OrderOptions options;
-    read_domain(given, options);
+    options.domain = domain_in(given);
     read(given, "seed", options.seed);
     const std::vector<Point> points = points_of(array);
     std::vector<std::uint32_t> order;

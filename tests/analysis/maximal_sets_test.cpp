@@ -67,7 +67,7 @@ TEST(SampledSets, HaveTheKnownSpectrum) {
     Sets sets;
     Request request;
     request.radius = kRadius;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     for (request.seed = 0; request.seed < kSets; ++request.seed)
         sets.push_back(sample(request).points);
     expect_known_spectrum(analysis_of(sets), 0.05);

@@ -12,7 +12,7 @@ using namespace lacuna;
 std::vector<Point> maximal_set(std::uint64_t seed) {
     Request request;
     request.radius = 0.03;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.backend = "cpu";
     request.seed = seed;
     return sample(request).points;
@@ -20,7 +20,7 @@ std::vector<Point> maximal_set(std::uint64_t seed) {
 
 TEST(Analyze, OfMaximalSetsFindsWhatTheyAreKnownFor) {
     const std::vector<std::vector<Point>> sets{maximal_set(1), maximal_set(2)};
-    const Statistics statistics = analyze(sets, 1, 1, Boundary::torus);
+    const Statistics statistics = analyze(sets, {1, 1, Boundary::torus});
     EXPECT_NEAR(statistics.mean_count, 774, 20);  // 0.69656 / r^2
     ASSERT_TRUE(statistics.least_distance && statistics.mean_distance);
     EXPECT_GE(*statistics.least_distance, 0.03);
@@ -41,7 +41,7 @@ TEST(Analyze, RefusesSetsThatMakeNoSenseAndCanBeEnded) {
     sets[0] = {{0.5, 1.5}};
     EXPECT_THROW(analyze(sets), BadRequest);
     sets[0] = maximal_set(1);
-    EXPECT_THROW(analyze(sets, 1, 1, Boundary::torus, [](double) { return false; }), Cancelled);
+    EXPECT_THROW(analyze(sets, {1, 1, Boundary::torus}, [](double) { return false; }), Cancelled);
 }
 
 }  // namespace

@@ -29,12 +29,12 @@ inline CellsRequest cells_request(std::string name, Field field, double count, s
     CellsRequest made{std::move(name), std::make_shared<const Field>(std::move(field)), {}};
     made.request.mode = Mode::cells;
     made.request.field = made.field.get();
-    made.request.width = width;
-    made.request.height = height;
+    made.request.domain.width = width;
+    made.request.domain.height = height;
     made.request.scale = scale_of(*made.field, width * height, count);
     made.request.lines_per_radius = m;
     made.request.metric = metric;
-    made.request.boundary = boundary;
+    made.request.domain.boundary = boundary;
     return made;
 }
 

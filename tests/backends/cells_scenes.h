@@ -21,9 +21,9 @@ inline Plan cells_plan(const Field& field, double least, std::uint32_t m, Metric
         least * std::sqrt(*std::max_element(field.importance.begin(), field.importance.end()));
     request.lines_per_radius = m;
     request.metric = metric;
-    request.boundary = boundary;
-    request.width = width;
-    request.height = height;
+    request.domain.boundary = boundary;
+    request.domain.width = width;
+    request.domain.height = height;
     return make_plan(request);
 }
 

@@ -42,7 +42,7 @@ Request crowded(Mode mode, double radius, std::uint64_t round_size, Boundary bou
     request.mode = mode;
     request.radius = radius;
     request.round_size = round_size;
-    request.boundary = boundary;
+    request.domain.boundary = boundary;
     request.seed = round_size;
     return request;
 }
@@ -65,7 +65,7 @@ TEST_P(Crowd, OfPlacesThatAreAlmostFullIsServedAsByTheReference) {
         request.lines_per_radius = m;
         expect_as_the_reference(request);
         request.mode = Mode::lines;
-        request.width = 30;
+        request.domain.width = 30;
         expect_as_the_reference(request);
     }
 }

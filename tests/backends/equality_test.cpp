@@ -128,7 +128,7 @@ Request large_request(Mode mode, double radius) {
     Request request;
     request.mode = mode;
     request.radius = radius;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     return request;
 }
 

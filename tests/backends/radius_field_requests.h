@@ -33,9 +33,9 @@ inline FieldRequest radius_field_request(std::string name, Field field, double c
     made.name = std::move(name);
     made.field = std::make_shared<const Field>(std::move(field));
     made.request.field = made.field.get();
-    made.request.width = width;
-    made.request.height = height;
-    made.request.boundary = boundary;
+    made.request.domain.width = width;
+    made.request.domain.height = height;
+    made.request.domain.boundary = boundary;
     made.request.scale = scale_of(*made.field, width * height, count);
     return made;
 }
@@ -82,9 +82,9 @@ inline FieldRequest uniform(std::string name, double radius, Boundary boundary, 
     FieldRequest made;
     made.name = std::move(name);
     made.request.radius = radius;
-    made.request.width = width;
-    made.request.height = height;
-    made.request.boundary = boundary;
+    made.request.domain.width = width;
+    made.request.domain.height = height;
+    made.request.domain.boundary = boundary;
     return made;
 }
 

@@ -14,8 +14,8 @@ namespace lacuna::tests {
 
 inline std::string describe(const Request& request) {
     std::ostringstream out;
-    out << name_of(request.mode) << ", " << request.width << "x" << request.height
-        << (request.boundary == Boundary::torus ? " torus" : " box");
+    out << name_of(request.mode) << ", " << request.domain.width << "x" << request.domain.height
+        << (request.domain.wraps() ? " torus" : " box");
     if (request.mode == Mode::cells)
         out << ", scale " << *request.scale << ", metric " << name_of(request.metric) << ", limit "
             << request.limit.value_or(0);
@@ -33,11 +33,9 @@ inline std::vector<Request> special_requests(Mode mode) {
                                 Boundary boundary) {
         Request made;
         made.mode = mode;
-        made.width = width;
-        made.height = height;
+        made.domain = {width, height, boundary};
         made.radius = radius;
         made.lines_per_radius = m;
-        made.boundary = boundary;
         return made;
     };
     return {
@@ -66,9 +64,9 @@ inline std::vector<Request> equality_requests(Mode mode) {
     while (requests.size() < 220) {
         Request request;
         request.mode = mode;
-        request.width = pick({1, 1, 0.5, 1.7, 3});
-        request.height = pick({1, 1, 0.4, 2.1});
-        request.boundary = random() % 2 == 0 ? Boundary::torus : Boundary::box;
+        request.domain.width = pick({1, 1, 0.5, 1.7, 3});
+        request.domain.height = pick({1, 1, 0.4, 2.1});
+        request.domain.boundary = random() % 2 == 0 ? Boundary::torus : Boundary::box;
         request.radius = pick({0.4, 0.2, 0.1, 0.05, 0.02, 0.013});
         request.lines_per_radius = static_cast<std::uint32_t>(1 + random() % 60);
         request.snap = random() % 2 == 0 && mode == Mode::lines;

@@ -31,11 +31,11 @@ inline Plan plan_of(double radius, std::uint32_t m, Boundary boundary, double wi
                     double height = 1, Mode mode = Mode::lines) {
     Request request;
     request.mode = mode;
-    request.width = width;
-    request.height = height;
+    request.domain.width = width;
+    request.domain.height = height;
     request.radius = radius;
     request.lines_per_radius = m;
-    request.boundary = boundary;
+    request.domain.boundary = boundary;
     return make_plan(request);
 }
 

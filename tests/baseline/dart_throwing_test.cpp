@@ -13,8 +13,8 @@ using namespace lacuna;
 Plan plan_of(double radius, Boundary boundary, double width = 1) {
     Request request;
     request.radius = radius;
-    request.boundary = boundary;
-    request.width = width;
+    request.domain.boundary = boundary;
+    request.domain.width = width;
     request.seed = 7;
     return make_plan(request);
 }
@@ -39,7 +39,7 @@ TEST(DartThrowing, KeepsEveryDistance) {
 
 TEST(DartThrowing, ComesNearAMaximalSetButNotThere) {
     const Plan plan = plan_of(0.01, Boundary::torus);
-    const double maximal = expected_count(1, 1, Boundary::torus, 0.01);
+    const double maximal = expected_count({1, 1, Boundary::torus}, 0.01);
     const auto count = static_cast<double>(baseline::throw_darts(plan, 10'000).samples.size());
     EXPECT_GT(count, 0.90 * maximal);
     EXPECT_LT(count, 0.96 * maximal);

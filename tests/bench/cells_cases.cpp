@@ -37,8 +37,8 @@ void add(const std::string& backend, std::uint64_t count, std::uint32_t m, Metri
          std::uint32_t threads) {
     Request request;
     request.mode = Mode::cells;
-    request.width = 4;
-    request.height = 3;
+    request.domain.width = 4;
+    request.domain.height = 3;
     request.count = count;
     request.lines_per_radius = m;
     request.metric = metric;

@@ -25,7 +25,7 @@ Request torus(Mode mode, const std::string& backend, double radius, std::uint32_
     Request request;
     request.mode = mode;
     request.radius = radius;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.backend = backend;
     request.threads = threads;
     return request;
@@ -70,7 +70,7 @@ void verify_one_set(benchmark::State& state, const Request& request) {
     const std::vector<Point> points = sample(request).points;
     Claim claim;
     claim.radius = *request.radius;
-    claim.boundary = request.boundary;
+    claim.domain.boundary = request.domain.boundary;
     bool is_proven = false;
     for (auto _ : state) is_proven = prove(points, claim).maximal;
     state.counters["points"] = static_cast<double>(points.size());

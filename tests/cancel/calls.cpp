@@ -192,21 +192,21 @@ void add_others(const Shared& given, std::size_t size, std::vector<Call>& all) {
     add("progressive_order", [](const Given& g) { progressive_order(g.points, nullptr, {}); });
     add("progressive_order on a field",
         [](const Given& g) { progressive_order(g.points, &g.dark, {}); });
-    add("ellipses_of", [](const Given& g) { ellipses_of(g.points, g.stretched, 1, 1, 1); });
+    add("ellipses_of", [](const Given& g) { ellipses_of(g.points, g.stretched, 1, {1, 1}); });
     add("ellipse_field", [](const Given& g) { ellipse_field(g.side, g.side, g.ellipses); });
     add("prove", [=](const Given& g) { prove(g.points, {.radius = 0.006 * length}); });
     add("least_distance", [](const Given& g) { least_distance(g.points); });
     add("analyze", [](const Given& g) { analyze(std::vector<std::vector<Point>>{g.points}); });
-    add("draw_mask", [=](const Given& g) { draw_mask(g.rings, 1, 1, 0.0015 * length); });
+    add("draw_mask", [=](const Given& g) { draw_mask(g.rings, {1, 1}, 0.0015 * length); });
     add("draw_places", [=](const Given& g) {
         const std::vector<PolygonSet> sets{{g.rings}};
-        draw_places(sets, 1, 1, 0.0015 * length);
+        draw_places(sets, {1, 1}, 0.0015 * length);
     });
     add("draw_mask with a distance", [=](const Given& g) {
         const std::vector<PolygonSet> sets{{g.rings, true, 0.001}};
-        draw_mask(sets, 1, 1, 0.0015 * length);
+        draw_mask(sets, {1, 1}, 0.0015 * length);
     });
-    add("fitted", [](const Given& g) { fitted({g.rings, 2, 2}, 1, 1); });
+    add("fitted", [](const Given& g) { fitted({g.rings, Domain{2, 2}}, {1, 1}); });
 }
 
 void add_files(const Shared& given, std::vector<Call>& all) {

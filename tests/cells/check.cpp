@@ -49,7 +49,7 @@ private:
     // On the torus it goes past both ends, because the last bucket is shorter; at most all buckets.
     std::pair<std::int64_t, std::int64_t> stretch(std::int64_t at, double steps,
                                                   std::int64_t length, std::int64_t count) const {
-        const bool wraps = check_.request_.boundary == Boundary::torus;
+        const bool wraps = check_.request_.domain.wraps();
         if (2 * steps + 3 * static_cast<double>(side_) >= static_cast<double>(length))
             return {0, count - 1};
         const auto reach = static_cast<std::int64_t>(steps) + 1;
@@ -73,21 +73,23 @@ CellsCheck::CellsCheck(const Request& request, std::vector<Point> points)
     const std::vector<double>& importance = request.field->importance;
     least_radius_ =
         *request.scale / std::sqrt(*std::max_element(importance.begin(), importance.end()));
-    const double across = std::ceil(*request.lines_per_radius * request.width / least_radius_);
+    const double across =
+        std::ceil(*request.lines_per_radius * request.domain.width / least_radius_);
     columns_ = std::max(static_cast<std::int64_t>(across), std::int64_t{1});
-    rows_ = std::llround(static_cast<double>(columns_) * request.height / request.width);
+    rows_ =
+        std::llround(static_cast<double>(columns_) * request.domain.height / request.domain.width);
     if (rows_ < 1) {
-        columns_ = std::llround(std::ceil(request.width / request.height));
+        columns_ = std::llround(std::ceil(request.domain.width / request.domain.height));
         rows_ = 1;
     }
-    step_ = std::min(request.width / static_cast<double>(columns_),
-                     request.height / static_cast<double>(rows_));
+    step_ = std::min(request.domain.width / static_cast<double>(columns_),
+                     request.domain.height / static_cast<double>(rows_));
     for (const Point point : points_) places_.push_back(place_of(point));
 }
 
 CellsCheck::Place CellsCheck::place_of(Point point) const {
-    return {std::llround(point.x / request_.width * static_cast<double>(columns_) - 0.5),
-            std::llround(point.y / request_.height * static_cast<double>(rows_) - 0.5)};
+    return {std::llround(point.x / request_.domain.width * static_cast<double>(columns_) - 0.5),
+            std::llround(point.y / request_.domain.height * static_cast<double>(rows_) - 0.5)};
 }
 
 // The pixel under the middle of the cell; row 0 of the field is the top. On the border between two
@@ -116,11 +118,11 @@ double CellsCheck::metric_of(double a, double b) const {
 }
 
 double CellsCheck::distance(Point a, Point b) const {
-    const bool wraps = request_.boundary == Boundary::torus;
+    const bool wraps = request_.domain.wraps();
     double dx = std::abs(a.x - b.x);
     double dy = std::abs(a.y - b.y);
-    if (wraps) dx = std::min(dx, request_.width - dx);
-    if (wraps) dy = std::min(dy, request_.height - dy);
+    if (wraps) dx = std::min(dx, request_.domain.width - dx);
+    if (wraps) dy = std::min(dy, request_.domain.height - dy);
     return std::sqrt(dx * dx + dy * dy);
 }
 
@@ -128,8 +130,8 @@ testing::AssertionResult CellsCheck::is_on_the_lattice() const {
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const Point point = points_[i];
         const Place place = places_[i];
-        const double x = point.x / request_.width * static_cast<double>(columns_);
-        const double y = point.y / request_.height * static_cast<double>(rows_);
+        const double x = point.x / request_.domain.width * static_cast<double>(columns_);
+        const double y = point.y / request_.domain.height * static_cast<double>(rows_);
         const bool is_inside =
             place.x >= 0 && place.x < columns_ && place.y >= 0 && place.y < rows_;
         if (!is_inside || std::abs(x - 0.5 - static_cast<double>(place.x)) > 1e-9 ||
@@ -174,8 +176,8 @@ testing::AssertionResult CellsCheck::keeps_its_distances(By by) const {
 bool CellsCheck::blocks(Place sample, Place other) const {
     const auto along = [&](std::int64_t a, std::int64_t b, std::int64_t count) {
         const std::int64_t straight = std::abs(a - b);
-        return static_cast<double>(
-            request_.boundary == Boundary::torus ? std::min(straight, count - straight) : straight);
+        return static_cast<double>(request_.domain.wraps() ? std::min(straight, count - straight)
+                                                           : straight);
     };
     const double reach = metric_of(radius_at(sample), radius_at(other)) / step_ + kRounding;
     const double dx = along(sample.x, other.x, columns_);
@@ -190,7 +192,7 @@ testing::AssertionResult CellsCheck::not_blocked(Place place) const {
 
 // The lattice points that each point blocks in its own disk: all with min, some with mean and max.
 std::vector<bool> CellsCheck::blocked_within_own_radius() const {
-    const bool wraps = request_.boundary == Boundary::torus;
+    const bool wraps = request_.domain.wraps();
     std::vector<bool> blocked(static_cast<std::size_t>(columns_ * rows_), false);
     for (const Place sample : places_) {
         const double radius = radius_at(sample) / step_ + 1;

@@ -41,8 +41,8 @@ Request count_request(const Field& field, std::uint64_t count) {
     Request request;
     request.mode = Mode::cells;
     request.field = &field;
-    request.width = 4;
-    request.height = 3;
+    request.domain.width = 4;
+    request.domain.height = 3;
     request.count = count;
     return request;
 }

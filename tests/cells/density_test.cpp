@@ -42,7 +42,7 @@ Request torus_request(const Field& field, double scale, std::uint32_t m) {
     request.mode = Mode::cells;
     request.field = &field;
     request.scale = scale;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.lines_per_radius = m;
     return request;
 }
@@ -130,7 +130,7 @@ void divide(Side& side, double radius) {
 Profile profile(Metric metric, std::uint32_t m) {
     const Field field = tests::step_field(2, 1);
     Request request = torus_request(field, kDenseRadius, m);
-    request.width = 2;
+    request.domain.width = 2;
     request.metric = metric;
     Profile found;
     for (request.seed = 0; request.seed < kSeeds; ++request.seed) {

@@ -25,7 +25,7 @@ Request cells_request(const Field& field, double scale, Metric metric, Boundary 
     request.field = &field;
     request.scale = scale;
     request.metric = metric;
-    request.boundary = boundary;
+    request.domain.boundary = boundary;
     request.lines_per_radius = 10;
     return request;
 }
@@ -60,10 +60,10 @@ RC_GTEST_PROP(CellsSets, KeepEveryPromiseByBruteForce, ()) {
     Request request =
         cells_request(field, 0, *rc::gen::element(Metric::min, Metric::mean, Metric::max),
                       *rc::gen::element(Boundary::box, Boundary::torus));
-    request.width = *rc::gen::inRange(50, 301) / 100.0;
-    request.height = *rc::gen::inRange(50, 301) / 100.0;
+    request.domain.width = *rc::gen::inRange(50, 301) / 100.0;
+    request.domain.height = *rc::gen::inRange(50, 301) / 100.0;
     request.lines_per_radius = *rc::gen::inRange(1u, 21u);
-    request.scale = tests::scale_of(field, request.width * request.height,
+    request.scale = tests::scale_of(field, request.domain.width * request.domain.height,
                                     *rc::gen::element(0.5, 5.0, 30.0, 120.0));
     request.round_size = *rc::gen::element(0u, 1u, 7u);
     request.seed = *rc::gen::arbitrary<std::uint64_t>();
@@ -126,8 +126,8 @@ TEST(CellsSets, KeepEveryPromiseOnThePhotograph) {
         SCOPED_TRACE(std::string(name_of(metric)));
         Request request =
             cells_request(field, tests::scale_of(field, 12, 20'000), metric, Boundary::box);
-        request.width = 4;
-        request.height = 3;
+        request.domain.width = 4;
+        request.domain.height = 3;
         expect_all_promises(request, By::grid);
     }
 }
@@ -167,7 +167,7 @@ TEST(CellsSets, ARowOfPixelsIsFilledToItsEnds) {
     Request request;
     request.mode = Mode::cells;
     request.field = &field;
-    request.width = 1000;
+    request.domain.width = 1000;
     request.scale = 125;
     for (request.seed = 0; request.seed < 20; ++request.seed) {
         std::vector<double> places;
@@ -191,8 +191,8 @@ TEST(CellsSets, NoPointLiesWhereImportanceIsZero) {
     for (const Metric metric : {Metric::min, Metric::mean, Metric::max}) {
         Request request =
             cells_request(field, tests::scale_of(field, 20, 300), metric, Boundary::torus);
-        request.width = 5;
-        request.height = 4;
+        request.domain.width = 5;
+        request.domain.height = 4;
         const std::vector<Point> points = sample(request).points;
         EXPECT_GT(points.size(), 250u);
         for (const Point point : points) {
@@ -218,7 +218,7 @@ TEST(CellsSets, RowZeroIsTheTop) {
 TEST(CellsSets, TheLatticeHasCeilMOverTheLeastRadiusColumns) {
     const Field field = tests::constant_field(1, 1, 4);
     Request request = cells_request(field, 0.0666, Metric::min, Boundary::torus);
-    request.width = 2;
+    request.domain.width = 2;
     request.lines_per_radius = 7;
     const Result result = sample(request);
     EXPECT_EQ(result.radius, 0.0333);

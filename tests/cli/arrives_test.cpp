@@ -41,15 +41,19 @@ TEST(OptionsOfSample, ThatNamePicturesAndPointsArriveInTheRequest) {
     write_file(keep, "x,y\n0.75,0.30000000000000004\n");
     const Mask allowed{2, 1, {0, 1}};
     const std::vector<Point> kept{{0.75, 0.30000000000000004}};
-    EXPECT_EQ(
-        points_by(folder, {"sample"},
-                  {"--mask", mask, "--border", "0.02", "--keep", keep, "--radius", "0.05"}),
-        sample({.height = 0.5, .radius = 0.05, .mask = &allowed, .border = 0.02, .keep = kept})
-            .points);
+    EXPECT_EQ(points_by(folder, {"sample"},
+                        {"--mask", mask, "--border", "0.02", "--keep", keep, "--radius", "0.05"}),
+              sample({.domain = {.height = 0.5},
+                      .radius = 0.05,
+                      .mask = &allowed,
+                      .border = 0.02,
+                      .keep = kept})
+                  .points);
     const Folder other;
     const std::string picture = gradient(other);
     const Field field = importance_of(read_picture(picture), {.invert = true, .gamma = 1.7});
-    Request request{.height = 2.0 / 3, .boundary = Boundary::torus, .count = 300, .seed = 5};
+    Request request{
+        .domain = {.height = 2.0 / 3, .boundary = Boundary::torus}, .count = 300, .seed = 5};
     request.field = &field;
     EXPECT_EQ(points_by(folder, {"sample"},
                         {"--field", picture, "--count", "300", "--invert", "--gamma", "1.7",
@@ -76,7 +80,7 @@ TEST(OptionsOfSample, ThatNamePlacesArriveInTheRequest) {
                                        {.rings = rings[1], .distance = 0.01},
                                        {.rings = rings[2], .forbidden = true, .distance = 0.01},
                                        {.rings = rings[3], .forbidden = true, .distance = 0.1}};
-    const Mask mask = draw_places(sets, 1, 1, 0.003);
+    const Mask mask = draw_places(sets, {1, 1}, 0.003);
     EXPECT_EQ(points_by(folder, {"sample"},
                         {"--inside", low, "--inside", high, "--outside", pond, "--avoid",
                          folder.path("rocks.csv"), "--border", "0.01", "--edge", "0.003",
@@ -99,7 +103,7 @@ TEST(OptionsOfStipple, ArriveInTheLibrary) {
                    .sharpen_amount = 3}}},
         {{"--scale", "0.03", "--mode", "cells", "--metric", "max", "--relax", "0", "--torus",
           "--limit", "80", "--lines-per-radius", "5", "--round-size", "7", "--auto-levels"},
-         {.request = {.boundary = Boundary::torus,
+         {.request = {.domain = {.boundary = Boundary::torus},
                       .scale = 0.03,
                       .lines_per_radius = 5,
                       .limit = 80,

@@ -33,7 +33,7 @@ Request request_of(Boundary boundary, std::uint64_t round_size) {
     Request request;
     request.mode = Mode::exact;
     request.radius = kRadius;
-    request.boundary = boundary;
+    request.domain.boundary = boundary;
     request.round_size = round_size;
     request.backend = "cpu";
     return request;
@@ -165,8 +165,8 @@ TEST(ExactCountsInTheBox, FollowTheirFormula) {
     constexpr std::uint64_t kSeeds = 100;
     for (const Box box : {Box{1, 1, 0.01}, Box{1, 1, 0.05}, Box{2, 0.3, 0.02}, Box{0.2, 1, 0.01}}) {
         Request request = request_of(Boundary::box, 0);
-        request.width = box.width;
-        request.height = box.height;
+        request.domain.width = box.width;
+        request.domain.height = box.height;
         request.radius = box.radius;
         const double expected =
             0.69655 * (box.width / box.radius + 0.666) * (box.height / box.radius + 0.666);

@@ -34,8 +34,8 @@ Request request_of(const Field& field, double scale, double width = 1) {
     Request request;
     request.field = &field;
     request.scale = scale;
-    request.width = width;
-    request.boundary = Boundary::torus;
+    request.domain.width = width;
+    request.domain.boundary = Boundary::torus;
     request.backend = "cpu";
     return request;
 }
@@ -215,7 +215,7 @@ Request request_of_two_classes() {
     Request request;
     request.classes.names = {"one", "other"};
     request.classes.distances = distances_by_union(std::vector{0.03, 0.03});
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.backend = "cpu";
     return request;
 }

@@ -118,7 +118,7 @@ TEST(DistancesFromOutlines, AreKeptAndTheRestIsFull) {
         const double edge = *request.radius / 16;
         Mask mask;
         try {
-            mask = draw_mask(shapes.sets, 1, 1, edge);
+            mask = draw_mask(shapes.sets, {1, 1}, edge);
         } catch (const BadRequest&) {
             continue;
         }
@@ -161,7 +161,7 @@ TEST(DistancesFromOutlines, AreKeptAndTheRestIsFull) {
 TEST(DistancesFromOutlines, AreDrawnAroundPointsLinesAndPolygons) {
     const auto open_share = [](const std::vector<PolygonRing>& rings) {
         const PolygonSet set{rings, true, 0.1};
-        const Mask mask = draw_mask(std::span(&set, 1), 1, 1, 0.0005);
+        const Mask mask = draw_mask(std::span(&set, 1), {1, 1}, 0.0005);
         return static_cast<double>(
                    std::count(mask.allowed.begin(), mask.allowed.end(), std::uint8_t{1})) /
                static_cast<double>(mask.allowed.size());

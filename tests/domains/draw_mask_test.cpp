@@ -29,7 +29,7 @@ std::uint8_t merge(std::uint8_t a, std::uint8_t b) {
 std::string refusal_of(const std::vector<PolygonRing>& rings, double width, double height,
                        double edge, std::uint64_t memory = 0) {
     try {
-        draw_mask(rings, width, height, edge, memory);
+        draw_mask(rings, {width, height}, edge, memory);
     } catch (const BadRequest& error) {
         return error.what();
     }
@@ -98,7 +98,7 @@ bool is_allowed(const std::vector<PolygonSet>& sets, Point low, Point high, doub
 
 TEST(ADrawnMask, HasThePixelsThatLieInsideWholly) {
     const std::vector<PolygonRing> rings{{{0.9, 0.9}, {5.2, 0.9}, {0.9, 5.2}}};
-    EXPECT_EQ(tests::picture_of(draw_mask(rings, 6, 6, kPixel)),
+    EXPECT_EQ(tests::picture_of(draw_mask(rings, {6, 6}, kPixel)),
               "......\n"
               "......\n"
               ".#....\n"
@@ -119,12 +119,12 @@ TEST(ADrawnMask, LeavesOutHolesAndWhatIsEnclosedTwice) {
         "#.....#\n"
         "#.....#\n"
         "#######\n";
-    EXPECT_EQ(tests::picture_of(draw_mask(std::vector{outer, hole, island}, 7, 7, kPixel)),
+    EXPECT_EQ(tests::picture_of(draw_mask(std::vector{outer, hole, island}, {7, 7}, kPixel)),
               expected);
-    EXPECT_EQ(tests::picture_of(draw_mask(std::vector{island, outer, hole}, 7, 7, kPixel)),
+    EXPECT_EQ(tests::picture_of(draw_mask(std::vector{island, outer, hole}, {7, 7}, kPixel)),
               expected);
     EXPECT_EQ(
-        tests::picture_of(draw_mask(std::vector{island, outer, hole, hole, hole}, 7, 7, kPixel)),
+        tests::picture_of(draw_mask(std::vector{island, outer, hole, hole, hole}, {7, 7}, kPixel)),
         expected);
 }
 
@@ -153,7 +153,7 @@ TEST(ADrawnMask, IsRightPixelByPixelForRandomSets) {
         }
         Mask mask;
         try {
-            mask = draw_mask(sets, width, height, kPixel);
+            mask = draw_mask(sets, {width, height}, kPixel);
         } catch (const BadRequest&) {
             continue;
         }
@@ -179,7 +179,7 @@ TEST(ADrawnMask, IsRightPixelByPixelForRandomSets) {
 TEST(ADrawnMask, IsFineEnoughForItsEdge) {
     const std::vector<PolygonRing> rings{{{0.1, 0.1}, {1.9, 0.1}, {1, 0.9}}};
     for (const double edge : {0.3, 0.07, 0.01, 0.0033}) {
-        const Mask mask = draw_mask(rings, 2, 1, edge);
+        const Mask mask = draw_mask(rings, {2, 1}, edge);
         EXPECT_LE(std::hypot(2.0 / mask.columns, 1.0 / mask.rows), edge);
         EXPECT_GT(std::hypot(2.0 / (mask.columns - 1), 1.0 / (mask.rows - 1)), edge * (1 - 1e-4));
     }
@@ -188,14 +188,14 @@ TEST(ADrawnMask, IsFineEnoughForItsEdge) {
 TEST(ADrawnMask, TakesWhatIsWithinTheDomainOfRingsThatReachFarBeyond) {
     const std::vector<PolygonRing> rings{
         {{-1e100, -1e100}, {1e100, -1e100}, {1e100, 2.1}, {-1e100, 2.1}}};
-    EXPECT_EQ(tests::picture_of(draw_mask(rings, 2, 3, kPixel)), "..\n##\n##\n");
+    EXPECT_EQ(tests::picture_of(draw_mask(rings, {2, 3}, kPixel)), "..\n##\n##\n");
 }
 
 TEST(ADrawnMask, HasNothingOfRingsThatCoincide) {
     const PolygonRing ring{{0.1, 0.2}, {0.77, 0.31}, {0.5, 0.9}};
     const std::vector<PolygonRing> three{ring, ring, ring};
-    EXPECT_EQ(draw_mask(three, 1, 1, 0.01).allowed,
-              draw_mask(std::vector<PolygonRing>{ring}, 1, 1, 0.01).allowed);
+    EXPECT_EQ(draw_mask(three, {1, 1}, 0.01).allowed,
+              draw_mask(std::vector<PolygonRing>{ring}, {1, 1}, 0.01).allowed);
     EXPECT_EQ(refusal_of({ring, ring}, 1, 1, 0.01),
               "inside 2 rings in [0.1, 0.77] x [0.2, 0.9]: must enclose some of the domain, [0, 1) "
               "x [0, 1), and be wider than twice the edge, 0.01");
@@ -235,7 +235,7 @@ TEST(ADrawnMask, IsRefusedForNumbersThatMakeNoSense) {
 TEST(ADrawnMask, TakesAHundredThousandCrossingsARow) {
     PolygonRing zigzag{{0.5, 1.5}, {0.5, 2}, {-1, 2}, {-1, -1}, {2, -1}};
     for (int i = 100'000; i > 0; --i) zigzag.push_back({0.6 + i / 1e5, i % 2 == 0 ? -0.5 : 1.5});
-    const Mask mask = draw_mask(std::vector<PolygonRing>{zigzag}, 1, 1, 0.005);
+    const Mask mask = draw_mask(std::vector<PolygonRing>{zigzag}, {1, 1}, 0.005);
     EXPECT_EQ(mask.columns, 283U);
     EXPECT_EQ(mask.allowed[0], 1);
     EXPECT_EQ(mask.allowed[282], 0);
@@ -248,9 +248,9 @@ TEST(DrawnPlaces, HaveThePixelsOfAMaskInATree) {
                                          {{0.8, 0.7}, {0.97, 0.9}, {0.7, 0.95}}};
     const PolygonSet set{rings};
     for (const double height : {1.0, 0.97}) {
-        const Mask dense = draw_mask(std::span(&set, 1), 1, height, 0.004);
+        const Mask dense = draw_mask(std::span(&set, 1), {1, height}, 0.004);
         const MaskTree tree(dense);
-        const Mask places = draw_places(std::span(&set, 1), 1, height, 0.004);
+        const Mask places = draw_places(std::span(&set, 1), {1, height}, 0.004);
         const MaskTree& drawn = places.drawn->tree;
         EXPECT_EQ(tree.nodes().size(), drawn.nodes().size());
         EXPECT_LT(drawn.nodes().size() * 40, dense.allowed.size());
@@ -283,7 +283,7 @@ TEST(DrawnPlaces, CostByTheirOutlinesWhateverTheExtent) {
         for (const double at : {0.0, extent - 6})
             rings.push_back({{at, at}, {at + 6, at}, {at + 6, at + 6}, {at, at + 6}});
         const PolygonSet set{rings};
-        const Mask mask = draw_places(std::span(&set, 1), extent, extent, 0.0625);
+        const Mask mask = draw_places(std::span(&set, 1), {extent, extent}, 0.0625);
         EXPECT_LT(mask.drawn->tree.nodes().size(), 1200U);
         EXPECT_NEAR(mask.drawn->tree.allowed_share() * extent * extent, 72, 3);
     }
@@ -295,9 +295,9 @@ TEST(TheDomainAroundPlaces, ReachesAsFarAsTheyDo) {
         const PolygonSet set{.rings = rings, .distance = distance, .option = "lake"};
         return domain_around(std::span(&set, 1));
     };
-    EXPECT_EQ(around({0.3, 0.9}), (Point{1, 1}));
-    EXPECT_EQ(around({3, 0.9}), (Point{3, 0.9}));
-    EXPECT_EQ(domain_around({}), (Point{1, 1}));
+    EXPECT_EQ(around({0.3, 0.9}), Domain{});
+    EXPECT_EQ(around({3, 0.9}), (Domain{3, 0.9}));
+    EXPECT_EQ(domain_around({}), Domain{});
     EXPECT_EQ(tests::refusal_of([&] {
                   around({0.3, std::nan("")});
               }).substr(0, 12),
@@ -308,7 +308,9 @@ TEST(TheDomainAroundPlaces, ReachesAsFarAsTheyDo) {
 TEST(ADrawnMask, WithoutAPixelIsRefusedByTheNameOfItsOption) {
     const std::vector<PolygonRing> rings{{{0.2, 0.1}, {0.5, 0.1}, {0.5, 0.1001}}};
     const PolygonSet set{.rings = rings, .option = "lake"};
-    EXPECT_EQ(tests::refusal_of([&] { draw_mask(std::span(&set, 1), 1, 1, 0.01); }).substr(0, 11),
+    EXPECT_EQ(tests::refusal_of([&] {
+                  draw_mask(std::span(&set, 1), {1, 1}, 0.01);
+              }).substr(0, 11),
               "lake 1 ring");
 }
 

@@ -112,7 +112,7 @@ TEST(JoinedPolygons, HaveABorderAroundAllTogether) {
     const Polygons read = decode_polygons(
         svg("<rect y='1' width='4' height='2'/><rect x='3' width='3' height='4'/>"), "svg", "file");
     const PolygonSet set{.rings = read.rings, .distance = 0.5};
-    const Mask mask = draw_mask(std::span(&set, 1), 6, 4, 0.7072 / 8);
+    const Mask mask = draw_mask(std::span(&set, 1), {6, 4}, 0.7072 / 8);
     // Within the border of the left one alone, and of the right one.
     for (const Point at : {Point{3.7, 2}, Point{3.2, 2}}) {
         const auto column = static_cast<std::size_t>(at.x / 6 * mask.columns);

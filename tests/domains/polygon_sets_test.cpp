@@ -28,7 +28,7 @@ TEST(SetsOfPolygons, AreJoinedAndTheForbiddenTakenAway) {
     const std::vector<PolygonRing> high{rectangle(1.9, 6.1, 1.9, 5.1),
                                         rectangle(4.1, 4.9, 3.1, 3.9)};
     const std::vector<PolygonRing> gone{rectangle(1.1, 2.9, 1.1, 3.9)};
-    EXPECT_EQ(tests::picture_of(draw_mask(std::vector<PolygonSet>{{low}, {high}}, 6, 5, kPixel)),
+    EXPECT_EQ(tests::picture_of(draw_mask(std::vector<PolygonSet>{{low}, {high}}, {6, 5}, kPixel)),
               "..####\n"
               "..##.#\n"
               "######\n"
@@ -41,12 +41,12 @@ TEST(SetsOfPolygons, AreJoinedAndTheForbiddenTakenAway) {
         "#..#..\n"
         "####..\n";
     EXPECT_EQ(tests::picture_of(
-                  draw_mask(std::vector<PolygonSet>{{low}, {high}, {gone, true}}, 6, 5, kPixel)),
+                  draw_mask(std::vector<PolygonSet>{{low}, {high}, {gone, true}}, {6, 5}, kPixel)),
               left);
     EXPECT_EQ(tests::picture_of(
-                  draw_mask(std::vector<PolygonSet>{{gone, true}, {high}, {low}}, 6, 5, kPixel)),
+                  draw_mask(std::vector<PolygonSet>{{gone, true}, {high}, {low}}, {6, 5}, kPixel)),
               left);
-    EXPECT_EQ(tests::picture_of(draw_mask(std::vector<PolygonSet>{{gone, true}}, 3, 2, kPixel)),
+    EXPECT_EQ(tests::picture_of(draw_mask(std::vector<PolygonSet>{{gone, true}}, {3, 2}, kPixel)),
               "#..\n"
               "###\n");
 }
@@ -55,7 +55,7 @@ TEST(SetsOfPolygons, ThatLeaveNothingAreRefused) {
     const std::vector<PolygonRing> all{rectangle(0, 1, 0, 1)}, part{rectangle(0, 0.5, 0, 0.5)};
     const auto refusal = [](const std::vector<PolygonSet>& sets) -> std::string {
         try {
-            draw_mask(sets, 1, 1, 0.1);
+            draw_mask(sets, {1, 1}, 0.1);
         } catch (const BadRequest& error) {
             return error.what();
         }
@@ -118,7 +118,7 @@ TEST(SetsOfPolygons, AreFilledAndProvenFull) {
         const double edge = *request.radius / 16;
         Mask mask;
         try {
-            mask = draw_mask(sets, 1, 1, edge);
+            mask = draw_mask(sets, {1, 1}, edge);
         } catch (const BadRequest&) {
             continue;
         }

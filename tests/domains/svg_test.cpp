@@ -50,8 +50,8 @@ double area_of(const PolygonRing& ring) {
 TEST(AnSvg, IsReadAsItIsSeen) {
     const Polygons read =
         decode_polygons(svg(R"(<polygon points="0,0 8,0 0,10"/>)"), "svg", "file");
-    EXPECT_EQ(read.width, 8);
-    EXPECT_EQ(read.height, 10);
+    EXPECT_EQ(read.page->width, 8);
+    EXPECT_EQ(read.page->height, 10);
     EXPECT_EQ(read.rings, (Rings{{{0, 10}, {8, 10}, {0, 0}}}));
 }
 
@@ -60,7 +60,8 @@ TEST(AnSvg, HasThePageOfItsViewBoxOrOfItsSize) {
         const Polygons read = decode_polygons(
             "<svg fill-rule='evenodd' " + attributes + "><rect width='1' height='1'/></svg>", "svg",
             "file");
-        return std::vector<double>{read.width, read.height, read.rings[0][0].x, read.rings[0][0].y};
+        return std::vector<double>{read.page->width, read.page->height, read.rings[0][0].x,
+                                   read.rings[0][0].y};
     };
     EXPECT_EQ(page("viewBox='-2 -3 8 10' width='800' height='5mm'"),
               (std::vector<double>{8, 10, 2, 7}));
@@ -75,9 +76,9 @@ TEST(AnSvg, HasThePageOfItsViewBoxOrOfItsSize) {
 }
 
 TEST(AnSvg, IsStretchedWithItsPageOverTheDomain) {
-    EXPECT_EQ(fitted({{{{0, 10}, {8, 10}, {0, 0}}}, 8, 10}, 1, 20),
+    EXPECT_EQ(fitted({{{{0, 10}, {8, 10}, {0, 0}}}, Domain{8, 10}}, {1, 20}),
               (Rings{{{0, 20}, {1, 20}, {0, 0}}}));
-    EXPECT_EQ(fitted({{{{0, 10}, {8, 10}, {0, 0}}}, 0, 0}, 1, 20),
+    EXPECT_EQ(fitted({{{{0, 10}, {8, 10}, {0, 0}}}, {}}, {1, 20}),
               (Rings{{{0, 10}, {8, 10}, {0, 0}}}));
 }
 

@@ -20,7 +20,7 @@ std::vector<Point> maximal_set(const Field& field, double scale) {
     request.mode = Mode::cells;
     request.field = &field;
     request.scale = scale;
-    request.boundary = Boundary::torus;  // a box has more dots along its edges
+    request.domain.boundary = Boundary::torus;  // a box has more dots along its edges
     return sample(request).points;
 }
 
@@ -55,7 +55,7 @@ TEST_P(AnImportance, IsTheShareOfThePaperThatIsCovered) {
     const double importance = GetParam();
     const Field field{1, 1, {importance}};
     const std::vector<Point> points = maximal_set(field, 0.02 * std::sqrt(importance));
-    const double share = covered(points, drawing::dot_diameters(points, field, 1, 1), {0.1, 0.9});
+    const double share = covered(points, drawing::dot_diameters(points, field, {1, 1}), {0.1, 0.9});
     EXPECT_NEAR(share, importance, 0.03) << points.size() << " dots";
 }
 
@@ -66,11 +66,11 @@ TEST_P(AnImportance, IsTheShareThatRelaxedDotsCover) {
     const double importance = GetParam();
     const Field field{1, 1, {importance}};
     RelaxOptions options;
-    options.boundary = Boundary::torus;
+    options.domain.boundary = Boundary::torus;
     const std::vector<Point> points =
         relax(maximal_set(field, 0.02 * std::sqrt(importance)), nullptr, options).points;
     const double share = covered(
-        points, drawing::dot_diameters(points, field, 1, 1, drawing::Spread::even), {0.1, 0.9});
+        points, drawing::dot_diameters(points, field, {1, 1}, drawing::Spread::even), {0.1, 0.9});
     EXPECT_NEAR(share, importance, 0.015) << points.size() << " dots";
 }
 
@@ -78,20 +78,21 @@ TEST(SolidBlack, HasNoGaps) {
     const Field field{1, 1, {1.0}};
     const drawing::Sizing sizing{.solid_black = true};
     const std::vector<Point> points = maximal_set(field, 0.02);
-    EXPECT_GE(covered(points,
-                      drawing::dot_diameters(points, field, 1, 1, drawing::Spread::random, sizing),
-                      {0.1, 0.9}),
-              0.9999);
+    EXPECT_GE(
+        covered(points,
+                drawing::dot_diameters(points, field, {1, 1}, drawing::Spread::random, sizing),
+                {0.1, 0.9}),
+        0.9999);
     RelaxOptions options;
-    options.boundary = Boundary::torus;
+    options.domain.boundary = Boundary::torus;
     const std::vector<Point> even = relax(points, nullptr, options).points;
     EXPECT_GE(
-        covered(even, drawing::dot_diameters(even, field, 1, 1, drawing::Spread::even, sizing),
+        covered(even, drawing::dot_diameters(even, field, {1, 1}, drawing::Spread::even, sizing),
                 {0.1, 0.9}),
         0.9999);
     const Field grey{1, 1, {0.9}};
-    EXPECT_EQ(drawing::dot_diameters(even, grey, 1, 1, drawing::Spread::even, sizing),
-              drawing::dot_diameters(even, grey, 1, 1, drawing::Spread::even));
+    EXPECT_EQ(drawing::dot_diameters(even, grey, {1, 1}, drawing::Spread::even, sizing),
+              drawing::dot_diameters(even, grey, {1, 1}, drawing::Spread::even));
 }
 
 // Ten bands from light to dark, relaxed.
@@ -104,7 +105,7 @@ TEST_P(ABandOfGrey, IsCoveredAsMuchAsItIsDark) {
     Request request;
     request.mode = Mode::stratified;
     request.field = &density;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     constexpr double kMillimetres = 150;  // the domain's side
     request.count =
         GetParam().pens
@@ -113,12 +114,12 @@ TEST_P(ABandOfGrey, IsCoveredAsMuchAsItIsDark) {
                   kMillimetres * kMillimetres))
             : 20'000;
     RelaxOptions options;
-    options.boundary = Boundary::torus;
+    options.domain.boundary = Boundary::torus;
     const std::vector<Point> points = relax(sample(request).points, &density, options).points;
     const std::vector<double> diameters =
         GetParam().pens
-            ? drawing::pen_diameters(points, tone, 1, 1, *GetParam().pens, kMillimetres)
-            : drawing::dot_diameters(points, tone, 1, 1, drawing::Spread::even, GetParam());
+            ? drawing::pen_diameters(points, tone, {1, 1}, *GetParam().pens, kMillimetres)
+            : drawing::dot_diameters(points, tone, {1, 1}, drawing::Spread::even, GetParam());
     for (int band = 0; band < 10; ++band) {
         // With pens dots are not made wider where they overlap.
         if (GetParam().pens && band > 5) break;
@@ -136,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(BySize, ABandOfGrey,
 TEST(DotDiameters, GivenTwoTonesSideBySideThenEachIsReproduced) {
     const Field field{2, 1, {0.95, 0.25}};
     const std::vector<Point> points = maximal_set(field, 0.025);
-    const std::vector<double> diameters = drawing::dot_diameters(points, field, 1, 1);
+    const std::vector<double> diameters = drawing::dot_diameters(points, field, {1, 1});
     EXPECT_NEAR(covered(points, diameters, {0.1, 0.4}), 0.95, 0.03);
     EXPECT_NEAR(covered(points, diameters, {0.6, 0.9}), 0.25, 0.03);
 }
@@ -145,7 +146,7 @@ TEST(DotDiameters, GivenALightPictureThenTheDotsAreAsLargeAsItIsDarkInAll) {
     const Field field{2, 2, {0.1, 0.3, 0.2, 0.0}};
     const std::vector<Point> points(50, Point{1.5, 0.5});
     double area = 0;
-    for (const double diameter : drawing::dot_diameters(points, field, 2, 1))
+    for (const double diameter : drawing::dot_diameters(points, field, {2, 1}))
         area += std::numbers::pi / 4 * diameter * diameter;
     EXPECT_NEAR(area, 0.15 * 2 * 1, 1e-12);
 }
@@ -153,7 +154,7 @@ TEST(DotDiameters, GivenALightPictureThenTheDotsAreAsLargeAsItIsDarkInAll) {
 TEST(DotDiameters, GivenADarkTopThenDotsThereAreLargerAndYGoesUpwards) {
     const Field field{1, 2, {1.0, 0.3}};
     const std::vector<Point> points{{0.5, 0.75}, {0.5, 0.25}, {0.5, 0.999}, {0.5, 0}};
-    const std::vector<double> diameters = drawing::dot_diameters(points, field, 1, 1);
+    const std::vector<double> diameters = drawing::dot_diameters(points, field, {1, 1});
     EXPECT_NEAR(diameters[0] / diameters[1], 1.3, 0.01);
     EXPECT_EQ(diameters[2], diameters[0]);
     EXPECT_EQ(diameters[3], diameters[1]);
@@ -166,7 +167,7 @@ TEST(DotDiameters, GivenAllTonesThenThereAreFewSizes) {
         field.importance.push_back(i / 255.0);
         points.push_back({(i + 0.5) / 256, 0.5});
     }
-    std::vector<double> diameters = drawing::dot_diameters(points, field, 1, 1);
+    std::vector<double> diameters = drawing::dot_diameters(points, field, {1, 1});
     EXPECT_TRUE(std::is_sorted(diameters.begin(), diameters.end()));
     diameters.erase(std::unique(diameters.begin(), diameters.end()), diameters.end());
     EXPECT_GT(diameters.size(), 10U);

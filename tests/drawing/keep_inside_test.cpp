@@ -15,17 +15,19 @@ namespace lacuna::drawing {
 namespace {
 
 Point in_white(const White& white, std::uint32_t column, std::uint32_t row) {
-    return {(column + 0.5) / white.field.columns * white.width,
-            (white.field.rows - row - 0.5) / white.field.rows * white.height};
+    return {(column + 0.5) / white.field.columns * white.domain.width,
+            (white.field.rows - row - 0.5) / white.field.rows * white.domain.height};
 }
 
 // The distance to the nearest white pixel, all of which are asked, or to the edge of a box.
 double distance_to_white(Point from, const White& white) {
-    const bool torus = white.boundary == Boundary::torus;
+    const bool torus = white.domain.wraps();
     double least =
-        torus ? INFINITY : std::min({from.x, white.width - from.x, from.y, white.height - from.y});
-    const double half_x = white.width / white.field.columns / 2;
-    const double half_y = white.height / white.field.rows / 2;
+        torus
+            ? INFINITY
+            : std::min({from.x, white.domain.width - from.x, from.y, white.domain.height - from.y});
+    const double half_x = white.domain.width / white.field.columns / 2;
+    const double half_y = white.domain.height / white.field.rows / 2;
     for (std::uint32_t row = 0; row < white.field.rows; ++row)
         for (std::uint32_t column = 0; column < white.field.columns; ++column) {
             if (white.field.importance[row * white.field.columns + column] != 0) continue;
@@ -34,8 +36,9 @@ double distance_to_white(Point from, const White& white) {
                 if (torus) d = std::min(std::abs(d), side - std::abs(d));
                 return std::max(0.0, std::abs(d) - half);
             };
-            least = std::min(least, std::hypot(gap(from.x - middle.x, white.width, half_x),
-                                               gap(from.y - middle.y, white.height, half_y)));
+            least =
+                std::min(least, std::hypot(gap(from.x - middle.x, white.domain.width, half_x),
+                                           gap(from.y - middle.y, white.domain.height, half_y)));
         }
     return least;
 }
@@ -50,7 +53,7 @@ Dots random_dots(const White& white, std::mt19937_64& random) {
     std::uniform_real_distribution<double> unit;
     Dots dots;
     for (int i = 0; i < 200; ++i) {
-        const Point point{unit(random) * white.width, unit(random) * white.height};
+        const Point point{unit(random) * white.domain.width, unit(random) * white.domain.height};
         if (distance_to_white(point, white) == 0) continue;
         dots.points.push_back(point);
         dots.diameters.push_back(0.5 * unit(random) * unit(random));
@@ -71,7 +74,7 @@ TEST_P(KeepInside, LeavesNoDotOnWhite) {
         const double share = 0.4 * unit(random);
         for (std::uint32_t k = 0; k < field.columns * field.rows; ++k)
             field.importance.push_back(unit(random) < share ? 0 : 0.1 + unit(random));
-        const White white{field, 1, 0.5 + unit(random), GetParam()};
+        const White white{field, {1, 0.5 + unit(random), GetParam()}};
         const Dots before = random_dots(white, random);
         Dots dots = before;
         pull_inside(dots.points, dots.diameters, white);
@@ -102,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Boundaries, KeepInside, testing::Values(Boundary::box, 
 
 // The left half is dark.
 const Field kHalf{2, 1, {1, 0}};
-const White kHalfWhite{kHalf, 1, 1};
+const White kHalfWhite{kHalf, {1, 1}};
 
 TEST(KeepInsideDots, MoveAsFarAsTheyOverhang) {
     std::vector<Point> points{{0.46, 0.5}, {0.3, 0.97}, {0.2, 0.5}};
@@ -151,7 +154,7 @@ TEST(KeepInsideDots, DoNotMeetOnOneSpot) {
             if (column >= kSide / 2 - row / 4 - 1 && column <= kSide / 2 + row / 4)
                 field.importance[row * kSide + column] = 1;
     for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
-        const White white{field, 1, 1, boundary};
+        const White white{field, {1, 1, boundary}};
         std::mt19937_64 random(1);
         std::uniform_real_distribution<double> unit;
         std::vector<Point> before;

@@ -65,7 +65,7 @@ private:
 
 std::string picture(const std::vector<Point>& points, Medium medium, double radius = 0.1,
                     double width = 1, double height = 1) {
-    return drawing::draw({points, width, height, radius}, medium);
+    return drawing::draw({points, {width, height}, radius}, medium);
 }
 
 // How many pixels are darker than half.
@@ -102,7 +102,7 @@ TEST(Png, GivenARadiusThenADotsRadiusIsAThirdOfIt) {
 std::string stretched_dot(Medium medium, double angle) {
     const std::vector<Point> points{{0.5, 0.5}};
     const std::vector<Ellipse> ellipses{{0.6, 0.15, angle}};
-    PointSet set{points, 1, 1, 0.3};
+    PointSet set{points, {1, 1}, 0.3};
     set.ellipses = ellipses;
     return drawing::draw(set, medium);
 }
@@ -199,9 +199,9 @@ TEST(Svg, GivenATinyDotThenItsLineIsShorterThanItIsWide) {
 
 TEST(Svg, GivenAPenThenThereIsNoBackgroundThatAPlotterWouldDraw) {
     drawing::Style style;
-    EXPECT_TRUE(contains(drawing::draw({{}, 1, 1, 0.1}, Medium::svg, style), "<rect"));
+    EXPECT_TRUE(contains(drawing::draw({{}, {1, 1}, 0.1}, Medium::svg, style), "<rect"));
     style.for_a_pen = true;
-    EXPECT_FALSE(contains(drawing::draw({{}, 1, 1, 0.1}, Medium::svg, style), "<rect"));
+    EXPECT_FALSE(contains(drawing::draw({{}, {1, 1}, 0.1}, Medium::svg, style), "<rect"));
 }
 
 // The content of the chunk pHYs, which must stand before the first IDAT: pixels a metre, across and
@@ -218,7 +218,7 @@ TEST(Png, GivenItsResolutionThenTheFileTellsIt) {
     EXPECT_EQ(resolution_of(picture({}, Medium::png)), "\0\0\x16\x25\0\0\x16\x25\1"s);
     drawing::Style style;
     style.pixels_per_inch = 300;
-    EXPECT_EQ(resolution_of(drawing::draw({{}, 1, 1, 0.1}, Medium::png, style)),
+    EXPECT_EQ(resolution_of(drawing::draw({{}, {1, 1}, 0.1}, Medium::png, style)),
               "\0\0\x2e\x23\0\0\x2e\x23\1"s);
 }
 
@@ -248,7 +248,7 @@ std::string on_a_sheet(const std::vector<Point>& points, Medium medium,
     style.sheet = Paper{100, 80, 10};
     style.pixels_per_inch = 254;
     style.diameters = diameters;
-    return drawing::draw({points, 2, 1, 0.3}, medium, style);
+    return drawing::draw({points, {2, 1}, 0.3}, medium, style);
 }
 
 TEST(ASheet, GivenSvgThenLengthsAreMillimetresAndTheDomainIsInTheMiddle) {
@@ -280,8 +280,8 @@ TEST(ASheet, GivenPngThenItHasAsManyPixelsAsTheResolutionSays) {
 TEST(ASheet, GivenATallDomainThenTheHeightDecidesItsSize) {
     drawing::Style style;
     style.sheet = Paper{100, 80, 10};
-    EXPECT_DOUBLE_EQ(drawing::millimetres_per_unit({{}, 2, 1}, style), 40);
-    EXPECT_DOUBLE_EQ(drawing::millimetres_per_unit({{}, 1, 4}, style), 15);
+    EXPECT_DOUBLE_EQ(drawing::millimetres_per_unit({{}, {2, 1}}, style), 40);
+    EXPECT_DOUBLE_EQ(drawing::millimetres_per_unit({{}, {1, 4}}, style), 15);
 }
 
 TEST(Diameters, GivenPngThenEachDotHasItsOwn) {
@@ -299,14 +299,14 @@ TEST(Diameters, GivenSvgThenDotsOfASizeAreOnePathUnlessTheirOrderIsKept) {
     drawing::Style style;
     style.sheet = Paper{20, 10};
     style.diameters = diameters;
-    const std::string sizes = drawing::draw({points, 2, 1}, Medium::svg, style);
+    const std::string sizes = drawing::draw({points, {2, 1}}, Medium::svg, style);
     EXPECT_TRUE(contains(sizes,
                          "<path stroke-width=\"1\" d=\"M10.0000 10.0000h0.01\nM0.0000 "
                          "0.0000h0.01\n\"/>\n<path stroke-width=\"2\" d=\"M0.0000 "
                          "10.0000h0.01\nM20.0000 10.0000h0.01\n\"/>"))
         << sizes;
     style.for_a_pen = true;
-    const std::string ordered = drawing::draw({points, 2, 1}, Medium::svg, style);
+    const std::string ordered = drawing::draw({points, {2, 1}}, Medium::svg, style);
     EXPECT_EQ(occurrences(ordered, "<path"), 4U);
     EXPECT_LT(ordered.find("M0.0000 10.0000"), ordered.find("M10.0000 10.0000"));
     EXPECT_LT(ordered.find("M10.0000 10.0000"), ordered.find("M20.0000 10.0000"));

@@ -16,7 +16,7 @@ Request request_of(double radius, Boundary boundary, Mode mode = Mode::lines) {
     Request request;
     request.mode = mode;
     request.radius = radius;
-    request.boundary = boundary;
+    request.domain.boundary = boundary;
     request.backend = "reference";
     return request;
 }
@@ -28,7 +28,7 @@ TEST(Pinned, Torus) {
 
 TEST(Pinned, RectangularBoxOnTheLines) {
     Request request = request_of(0.07, Boundary::box);
-    request.width = 2.5;
+    request.domain.width = 2.5;
     request.snap = true;
     request.seed = 1;
     EXPECT_EQ(hash_of(request), "7eb075153dc967a65b533f1ab589e0da22c968d77360c9ca7e44b60d2015d5ca");
@@ -55,7 +55,7 @@ TEST(Pinned, ExactTorus) {
 
 TEST(Pinned, ExactRectangularBox) {
     Request request = request_of(0.07, Boundary::box, Mode::exact);
-    request.width = 2.5;
+    request.domain.width = 2.5;
     request.seed = 1;
     EXPECT_EQ(hash_of(request), "94881e5f8418912158604aec6dba0a099e3e8fa0e58ec6c42b7b2864e7046086");
 }

@@ -19,7 +19,7 @@ namespace lacuna::files {
 namespace {
 
 PointSet set_of(const std::vector<Point>& points) {
-    return {points, 2.0, 1.5, 0.1};
+    return {points, {2.0, 1.5}, 0.1};
 }
 
 std::vector<std::string> lines_of(const std::string& bytes) {
@@ -116,7 +116,8 @@ void expect_json_round_trip(const std::vector<Point>& points) {
     EXPECT_EQ(json.at("height").get<double>(), 1.5);
     EXPECT_EQ(json.at("radius").get<double>(), 0.1);
     EXPECT_EQ(json.at("count").get<std::size_t>(), points.size());
-    EXPECT_EQ(json.size(), 5U);
+    EXPECT_EQ(json.at("boundary"), "box");
+    EXPECT_EQ(json.size(), 6U);
     std::vector<Point> read;
     for (const nlohmann::json& point : json.at("points")) {
         ASSERT_EQ(point.size(), 2U);

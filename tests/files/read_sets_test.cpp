@@ -49,14 +49,14 @@ const Points kThree{{0.25, 0.5}, {0.125, 1e-3}, {0.75, 0.875}};
 
 TEST_F(ReadSets, OfThisProgramsFormatsAreWhatWasWritten) {
     for (const std::string name : {"a.txt", "a.csv", "a.npy", "a.ply", "a.json", "A.TXT"}) {
-        const auto file = read(name, encode({kThree, 1, 1, 0.1}, format_of(name)));
+        const auto file = read(name, encode({kThree, {1, 1}, 0.1}, format_of(name)));
         ASSERT_EQ(file.sets.size(), 1U) << name;
         EXPECT_EQ(file.sets[0], kThree) << name;
     }
 }
 
 TEST_F(ReadSets, OfAJsonFileComeWithItsDomainAndRadius) {
-    const auto file = read("a.json", encode({kThree, 2.5, 1, 0.125}, format_of("a.json")));
+    const auto file = read("a.json", encode({kThree, {2.5, 1}, 0.125}, format_of("a.json")));
     EXPECT_EQ(file.width, 2.5);
     EXPECT_EQ(file.height, 1);
     EXPECT_EQ(file.radius, 0.125);

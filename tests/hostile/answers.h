@@ -41,9 +41,7 @@ constexpr std::size_t kMostToMove = 200;
 inline std::vector<Point> moved_some(const Made& made, const Request& request,
                                      std::span<const Point> points) {
     RelaxOptions options = made.moves;
-    options.width = request.width;
-    options.height = request.height;
-    options.boundary = request.boundary;
+    options.domain = request.domain;
     options.backend = request.backend;
     options.threads = request.threads;
     return relax(points.first(std::min(points.size(), kMostToMove)),

@@ -74,8 +74,9 @@ inline void add_hard_points(Chooser& choose, Made& made) {
     const Request& request = made.request;
     made.keep.resize(1 + choose.below(static_cast<std::uint32_t>(made.keep.size())));
     for (int tries = 40; tries != 0; --tries) {
-        Point at{hard_place(choose, made, request.width, made.field.columns, made.mask.columns),
-                 hard_place(choose, made, request.height, made.field.rows, made.mask.rows)};
+        Point at{
+            hard_place(choose, made, request.domain.width, made.field.columns, made.mask.columns),
+            hard_place(choose, made, request.domain.height, made.field.rows, made.mask.rows)};
         const auto there = radius_of_kept(made, at);
         if (there && choose.one_in(4)) {
             at = made.keep[choose.below(static_cast<std::uint32_t>(made.keep.size()))];

@@ -31,9 +31,7 @@ struct Set {
 inline Claim claim_of(const Made& made, const Set& set) {
     const Request& request = made.request;
     Claim claim;
-    claim.width = request.width;
-    claim.height = request.height;
-    claim.boundary = request.boundary;
+    claim.domain = request.domain;
     claim.field = request.field;
     (request.field != nullptr ? claim.scale : claim.radius) = set.size;
     claim.mask = request.mask;

@@ -38,16 +38,15 @@ struct Made {
         return is_level(row, capability, level);
     }
     bool is_moved() const { return moves.iterations != 0 || moves.gaussian != 0; }
-    verify::Domain domain() const {
-        return {request.width, request.height, request.boundary == Boundary::torus};
-    }
+    verify::Domain domain() const { return verify::domain_of(request.domain); }
 };
 
 // The levels that a request has, which must be those of its row.
 inline Row levels_of(const Made& made) {
     const Request& request = made.request;
     const auto level = [](auto number) { return static_cast<std::uint8_t>(number); };
-    const double aspect = std::max(request.width / request.height, request.height / request.width);
+    const double aspect = std::max(request.domain.width / request.domain.height,
+                                   request.domain.height / request.domain.width);
     Row row{};
     row[kMode] = level(request.mode);
     row[kRadii] = request.field == nullptr ? 0 : request.field->stretches.empty() ? 1 : 2;
@@ -58,7 +57,7 @@ inline Row levels_of(const Made& made) {
     row[kAvoid] = made.avoided.empty() ? 0 : 1;
     row[kBorder] = request.border > 0 ? 1 : 0;
     row[kKeep] = request.keep.empty() ? 0 : 1;
-    row[kEdges] = request.boundary == Boundary::torus ? 1 : 0;
+    row[kEdges] = request.domain.wraps() ? 1 : 0;
     row[kDomain] = aspect > 3.1 ? 1 : 0;
     row[kSize] = request.count ? 1 : request.radius || request.scale ? 0 : 2;
     row[kOrder] = request.progressive ? 1 : 0;
@@ -82,7 +81,8 @@ inline std::string describe(const Made& made) {
     const Request& request = made.request;
     std::ostringstream out;
     out.precision(std::numeric_limits<double>::max_digits10);
-    out << tests::describe(made.row) << "; " << request.width << "x" << request.height;
+    out << tests::describe(made.row) << "; " << request.domain.width << "x"
+        << request.domain.height;
     if (request.radius) out << ", radius " << *request.radius;
     if (request.scale) out << ", scale " << *request.scale;
     if (request.count) out << ", count " << *request.count;

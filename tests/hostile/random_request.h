@@ -50,7 +50,7 @@ private:
         constexpr std::array kMetrics{Metric::min, Metric::mean, Metric::max};
         request.mode = kModes[row_[kMode]];
         request.metric = kMetrics[row_[kMetric]];
-        request.boundary = is(kEdges, "torus") ? Boundary::torus : Boundary::box;
+        request.domain.boundary = is(kEdges, "torus") ? Boundary::torus : Boundary::box;
         request.snap = is(kPlacing, "snap");
         request.uniform_x = is(kPlacing, "uniform-x");
         request.progressive = is(kOrder, "progressive");
@@ -70,19 +70,19 @@ private:
         }
         if (has_polygons() && !choose_polygons(made)) return false;
         if (is(kBorder, "yes"))
-            request.border = std::min(request.width, request.height) / 2 *
+            request.border = request.domain.shorter_side() / 2 *
                              std::array{1e-9, choose_.in(0, 0.5), 1 - 1e-3}[choose_.below(3)];
         choose_moves(made);
         Result trial;
         if (is_refused) {
-            trial.points = {{request.width / 2, request.height / 2}};
+            trial.points = {{request.domain.width / 2, request.domain.height / 2}};
             if (!is(kClasses, "none")) trial.classes = {0};
         } else {
             trial = trial_of(request);
         }
         if (trial.points.empty()) return false;
         // A count of fewer points than this trial has would need ellipses that are too long.
-        if (request.count && has_ellipses() && request.boundary == Boundary::torus)
+        if (request.count && has_ellipses() && request.domain.wraps())
             request.count = std::max<std::uint64_t>(*request.count, 2 * trial.points.size());
         if (is(kKeep, "yes")) choose_kept(made, trial);
         if (is(kLimit, "yes")) request.limit = 1 + choose_.below(most_points());
@@ -111,21 +111,21 @@ private:
 
     // On a torus a radius of at most the shorter side leaves no fewer points than its aspect.
     void choose_domain(Request& request) {
-        const bool is_torus = request.boundary == Boundary::torus;
+        const bool is_torus = request.domain.wraps();
         const double most = !is_torus ? 1000 : has_ellipses() ? 9 : most_points() / 1.5;
         const double aspect = is(kDomain, "long") ? choose_.power(3.2, most) : choose_.power(1, 3);
         const double side = choose_.power(1e-6, 1e6);
-        request.width = choose_.one_in(2) ? side : side * aspect;
-        request.height = request.width == side ? side * aspect : side;
+        request.domain.width = choose_.one_in(2) ? side : side * aspect;
+        request.domain.height = request.domain.width == side ? side * aspect : side;
     }
 
     void choose_radii(Made& made) {
         Request& request = made.request;
-        const bool is_torus = request.boundary == Boundary::torus;
+        const bool is_torus = request.domain.wraps();
         const bool is_cells = is(kMode, "cells");
-        const double shorter = std::min(request.width, request.height);
+        const double shorter = request.domain.shorter_side();
         const double points = choose_.power(0.3, most_points());
-        double radius = std::sqrt(0.7 * request.width * request.height / points);
+        double radius = std::sqrt(0.7 * request.domain.width * request.domain.height / points);
         if (is(kLines, "given"))
             request.lines_per_radius = choose_.some(is(kMode, "lines") ? 1000 : is_cells ? 12 : 60);
         if (!is(kRadii, "one")) {
@@ -135,8 +135,9 @@ private:
             if (has_ellipses()) radius = choose_stretches(made.field, radius, is_torus, shorter);
             request.field = &made.field;
         } else {
-            radius =
-                std::min(radius, is_torus ? shorter : std::hypot(request.width, request.height));
+            radius = std::min(
+                radius,
+                is_torus ? shorter : std::hypot(request.domain.width, request.domain.height));
         }
         if (!is(kClasses, "none")) {
             // docs/placement.md: distances may differ by 4,000; progressive orders of such take
@@ -157,7 +158,8 @@ private:
     }
 
     static double points_of(const Made& made, double scale) {
-        return 0.7 * made.request.width * made.request.height * mean_of(made.field) / scale / scale;
+        return 0.7 * made.request.domain.width * made.request.domain.height * mean_of(made.field) /
+               scale / scale;
     }
 
     // The points of all classes, if each were alone, over those of one that keeps a distance of 1.
@@ -202,7 +204,7 @@ private:
         if (is(kAvoid, "yes"))
             made.polygons.push_back({made.avoided, true, typical * choose_.power(0.1, 2)});
         try {
-            made.mask = draw_mask(made.polygons, domain.width, domain.height, made.edge);
+            made.mask = draw_mask(made.polygons, request.domain, made.edge);
         } catch (const BadRequest& error) {
             if (error.option() != "inside" && error.option() != "outside") throw;
             return false;
@@ -220,13 +222,14 @@ private:
         request.metric = Metric::min;
         if (!request.count) return sample(request);
         request.count.reset();
-        const bool is_torus = request.boundary == Boundary::torus;
+        const bool is_torus = request.domain.wraps();
         const double size = has_ellipses() && is_torus ? size_ : 2 * size_;
         if (request.field != nullptr)
             request.scale = size;
         else
-            request.radius = is_torus ? std::min(size, std::min(request.width, request.height))
-                                      : std::min(size, std::hypot(request.width, request.height));
+            request.radius =
+                is_torus ? std::min(size, request.domain.shorter_side())
+                         : std::min(size, std::hypot(request.domain.width, request.domain.height));
         return sample(request);
     }
 

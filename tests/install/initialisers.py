@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 include, scratch, *compilers = sys.argv[1:]
-MEMBER = re.compile(r"    [\w:<>, *]+[ >](\w+)(?: = [^()]+|\{[^()]*\})?;")
+MEMBER = re.compile(r"    [\w:<>, *]+[ >](\w+)(?: = [^()]+(?:\(\))?|\{[^()]*\})?;")
 
 lines = ["#include <lacuna/%s>" % path.name for path in sorted(pathlib.Path(include, "lacuna").glob("*.h"))]
 structs = 0
@@ -25,7 +25,7 @@ for path in sorted(pathlib.Path(include, "lacuna").glob("*.h")):
 assert structs >= 20, "only %d structs were found" % structs
 lines += [
     "auto set() { return lacuna::sample({.radius = .05, .seed = 3}); }",
-    "auto proof() { return lacuna::prove({}, {.radius = .05, .width = 2}); }",
+    "auto proof() { return lacuna::prove({}, {.radius = .05, .domain = {.width = 2}}); }",
 ]
 source = pathlib.Path(scratch, "initialisers.cpp")
 source.parent.mkdir(parents=True, exist_ok=True)

@@ -51,8 +51,8 @@ bool is_same(const Request& request, const std::string& path, int& ranks_used) {
                    made.outcome.samples == expected.points.size() &&
                    made.outcome.maximal == expected.maximal && made.radius == expected.radius;
             // Compares the whole file, including its header.
-            const std::string whole = files::encode(
-                {expected.points, request.width, request.height}, *files::find_format("npy"));
+            const std::string whole =
+                files::encode({expected.points, request.domain}, *files::find_format("npy"));
             same = same && files::read_whole(path) == whole;
         }
     }

@@ -22,9 +22,9 @@ inline std::vector<Request> requests_for_ranks() {
         for (const Boundary boundary : {Boundary::torus, Boundary::box})
             for (const std::uint64_t kind : {0u, 1u, 2u, 3u, 4u}) {
                 Request request;
-                request.width = width;
-                request.height = height;
-                request.boundary = boundary;
+                request.domain.width = width;
+                request.domain.height = height;
+                request.domain.boundary = boundary;
                 request.seed = 1000 * kind + requests.size();
                 request.radius = radius;
                 request.threads = 1;

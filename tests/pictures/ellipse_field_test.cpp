@@ -14,7 +14,7 @@ TEST(EllipseField, HasTheRadiiAtScaleOneAndTheLongerOneFirst) {
     const std::vector<Ellipse> wanted{{0.4, 0.1, 0.25}, {0.1, 0.4, 0.25}, {0, 0, 7}};
     const Field field = ellipse_field(3, 1, wanted);
     const std::vector<Point> points{{0.5, 0.5}, {1.5, 0.5}};
-    const std::vector<Ellipse> found = ellipses_of(points, field, 1, 3, 1);
+    const std::vector<Ellipse> found = ellipses_of(points, field, 1, {3, 1});
     for (const Ellipse& ellipse : found) {
         EXPECT_DOUBLE_EQ(ellipse.a, 0.4);
         EXPECT_DOUBLE_EQ(ellipse.b, 0.1);

@@ -39,7 +39,7 @@ Light printed(const std::vector<Ink>& inks, const std::vector<double>& amounts) 
     for (std::size_t k = 0; k < inks.size(); ++k)
         if (counts[k] != 0) parts.push_back({&fields[k], counts[k]});
     RelaxOptions options;
-    options.boundary = Boundary::torus;
+    options.domain.boundary = Boundary::torus;
     const std::vector<Point> dots = place_inks(parts, 0, options).points;
 
     std::vector<Light> sheet(std::size_t{kSide} * kSide, {1, 1, 1});
@@ -49,7 +49,7 @@ Light printed(const std::vector<Ink>& inks, const std::vector<double>& amounts) 
         const auto its = std::span(dots).subspan(first, counts[k]);
         first += counts[k];
         const double radius =
-            drawing::dot_diameters(its, fields[k], 1, 1, drawing::Spread::even)[0] / 2 * kSide;
+            drawing::dot_diameters(its, fields[k], {1, 1}, drawing::Spread::even)[0] / 2 * kSide;
         std::vector<bool> covered(sheet.size());
         for (const Point& dot : its) {
             const double x = dot.x * kSide;

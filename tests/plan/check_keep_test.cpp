@@ -39,7 +39,7 @@ TEST(KeptPoints, AreComparedAroundTheEdgesOfATorus) {
     const std::vector<Point> keep{{0.0625, 0.5}, {0.9375, 0.5}};
     request.keep = keep;
     EXPECT_EQ(refusal_of(request), "accepted");
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     EXPECT_EQ(
         refusal_of(request),
         "keep point 0 at (0.0625, 0.5) and point 1 at (0.9375, 0.5): are 0.125 apart: must be "
@@ -92,7 +92,7 @@ TEST(KeptPoints, AreRefusedWhereAnyPairIsTooClose) {
         Request request;
         request.field = &field;
         request.scale = 0.004;
-        request.boundary = turn % 2 == 0 ? Boundary::box : Boundary::torus;
+        request.domain.boundary = turn % 2 == 0 ? Boundary::box : Boundary::torus;
         std::vector<Point> keep;
         for (int i = 2 + turn % 6; i > 0; --i) keep.push_back({anywhere(random), anywhere(random)});
         request.keep = keep;

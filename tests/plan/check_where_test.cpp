@@ -52,7 +52,7 @@ TEST(AMask, IsForModeExact) {
 
 TEST(ABorder, LeavesRoomWithinIt) {
     Request request = of_radius(0.1);
-    request.width = 3;
+    request.domain.width = 3;
     const std::string allowed =
         ": must be at least 0 and under half of the domain's shorter side, 0.5";
     for (const auto& [border, text] :
@@ -66,16 +66,16 @@ TEST(ABorder, LeavesRoomWithinIt) {
 TEST(ABorder, IsForBoxesInModeExact) {
     Request request = of_radius(0.1);
     request.border = 0.1;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     EXPECT_EQ(refusal_of(request), "border 0.1: is not for a torus, which has no edges");
-    request.boundary = Boundary::box;
+    request.domain.boundary = Boundary::box;
     request.mode = Mode::lines;
     EXPECT_EQ(refusal_of(request), "border with mode lines: is for mode exact only");
 }
 
 TEST(AKeptPoint, LiesInTheDomain) {
     Request request = of_radius(0.1);
-    request.width = 2;
+    request.domain.width = 2;
     const auto refusal_at = [&](Point outside) {
         const std::vector<Point> keep{{0.5, 0.5}, outside};
         request.keep = keep;
@@ -91,9 +91,9 @@ TEST(AKeptPoint, LiesInTheDomain) {
         EXPECT_EQ(refusal_at(outside), message(outside, "[0, 2] x [0, 1]"));
     // The upper edges belong to a box, but on a torus they are the lower ones.
     for (const Point corner : {Point{2, 0.5}, Point{1, 1}, Point{2, 1}}) {
-        request.boundary = Boundary::box;
+        request.domain.boundary = Boundary::box;
         EXPECT_EQ(refusal_at(corner), "accepted");
-        request.boundary = Boundary::torus;
+        request.domain.boundary = Boundary::torus;
         EXPECT_EQ(refusal_at(corner), message(corner, "[0, 2) x [0, 1)"));
     }
 }

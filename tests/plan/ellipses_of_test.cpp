@@ -11,7 +11,7 @@ TEST(EllipsesOf, AreThoseOfThePixels) {
     // A pixel at the left, and one at the right where no sample may lie.
     const Field field{2, 1, {4, 0}, {{9, 0.5}, {1, 0}}};
     const std::vector<Point> points{{0.1, 0.9}, {1, 0.2}};  // the second one is on the border
-    const std::vector<Ellipse> ellipses = ellipses_of(points, field, 0.2, 2, 1);
+    const std::vector<Ellipse> ellipses = ellipses_of(points, field, 0.2, {2, 1});
     ASSERT_EQ(ellipses.size(), 2U);
     for (const Ellipse& ellipse : ellipses) {
         EXPECT_DOUBLE_EQ(ellipse.a, 0.3);
@@ -22,7 +22,7 @@ TEST(EllipsesOf, AreThoseOfThePixels) {
 
 TEST(EllipsesOf, AreNoneOnAFieldOfDisks) {
     const std::vector<Point> points{{0.5, 0.5}};
-    EXPECT_TRUE(ellipses_of(points, {1, 1, {1}}, 1, 1, 1).empty());
+    EXPECT_TRUE(ellipses_of(points, {1, 1, {1}}, 1, {1, 1}).empty());
 }
 
 }  // namespace

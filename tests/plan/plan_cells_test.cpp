@@ -127,7 +127,7 @@ TEST(CellsPlan, RefusesALatticeOfTooManyStepsByTheNameOfTheOptionGiven) {
         << message;
     // The height counts too.
     request = cells_request(field);
-    request.height = 1000;
+    request.domain.height = 1000;
     request.scale = 0.1;
     EXPECT_NE(refusal(request).find(" steps long, of at most 131072"), std::string::npos);
 }
@@ -174,12 +174,15 @@ TEST(CellsPlan, HasStepsAlikeAtEveryAspect) {
         for (const double scale : {0.2, 0.9, 8.0, 60.0, 125.0, 900.0, 5000.0}) {
             for (const bool is_wide : {true, false}) {
                 Request request = cells_request(field);
-                (is_wide ? request.width : request.height) = aspect;
+                (is_wide ? request.domain.width : request.domain.height) = aspect;
                 request.scale = scale;
                 const Plan plan = make_plan(request);
-                EXPECT_LE(std::abs(plan.lines * request.height / request.width - plan.height), 0.5)
-                    << request.width << "x" << request.height << " at scale " << scale;
-                EXPECT_GE(plan.lines, 10 * request.width / scale);
+                EXPECT_LE(std::abs(plan.lines * request.domain.height / request.domain.width -
+                                   plan.height),
+                          0.5)
+                    << request.domain.width << "x" << request.domain.height << " at scale "
+                    << scale;
+                EXPECT_GE(plan.lines, 10 * request.domain.width / scale);
             }
         }
     }
@@ -190,7 +193,7 @@ TEST(CellsPlan, TakesNumbersOfAnySize) {
         for (const double importance : {1e-300, 1e-12, 1e12, 1e300}) {
             const Field field = tests::constant_field(3, 2, importance);
             Request request = cells_request(field);
-            request.width = request.height = size;
+            request.domain.width = request.domain.height = size;
             request.scale.reset();
             request.count = 100;
             const Result result = sample(request);

@@ -33,7 +33,7 @@ TEST(Plan, HasTheNumberOfLinesOfThePaper) {
     EXPECT_EQ(make_plan(in_mode(Mode::lines, 0.01)).lines, 3000u);
     EXPECT_EQ(make_plan(in_mode(Mode::lines, 0.001)).lines, 30000u);
     Request wide = in_mode(Mode::lines, 0.3);
-    wide.width = 2;
+    wide.domain.width = 2;
     wide.lines_per_radius = 1;
     EXPECT_EQ(make_plan(wide).lines, 7u);
 }
@@ -50,12 +50,12 @@ TEST(Plan, HasFewerLinesInExactUnlessToldHowMany) {
 RC_GTEST_PROP(Plan, KeepsEveryPromiseOfItsFields, ()) {
     Request request;
     request.mode = *rc::gen::element(Mode::exact, Mode::lines);
-    request.width = *rc::gen::inRange(1, 1000) / 100.0;
-    request.height = *rc::gen::inRange(1, 1000) / 100.0;
-    request.boundary = *rc::gen::element(Boundary::box, Boundary::torus);
+    request.domain.width = *rc::gen::inRange(1, 1000) / 100.0;
+    request.domain.height = *rc::gen::inRange(1, 1000) / 100.0;
+    request.domain.boundary = *rc::gen::element(Boundary::box, Boundary::torus);
     request.lines_per_radius = *rc::gen::inRange(1u, 1001u);
-    const double longer = std::max(request.width, request.height);
-    const double shorter = std::min(request.width, request.height);
+    const double longer = request.domain.longer_side();
+    const double shorter = request.domain.shorter_side();
     request.radius = std::max(shorter * *rc::gen::inRange(1, 10001) / 10000, longer * 2e-5);
     request.limit = 1;
     request.memory_limit_bytes = std::uint64_t{1} << 50;
@@ -75,19 +75,19 @@ RC_GTEST_PROP(Plan, KeepsEveryPromiseOfItsFields, ()) {
     // A radius has m strips, or a few thousandths more.
     RC_ASSERT(plan.strip_width * std::uint64_t{*request.lines_per_radius} <= plan.radius);
     const Point last = plan.to_user({plan.width - 1, plan.height - 1});
-    RC_ASSERT(last.x < request.width && last.y < request.height);
+    RC_ASSERT(last.x < request.domain.width && last.y < request.domain.height);
 }
 
 // A user's check in double never finds less than the radius, for samples exactly plan.radius apart.
 RC_GTEST_PROP(Plan, RoundsDistancesInTheUsersFavour, ()) {
     Request request;
     request.mode = *rc::gen::element(Mode::exact, Mode::lines);
-    request.width = *rc::gen::inRange(1, 100000) / 7919.0;
-    request.height = request.width * *rc::gen::inRange(1, 1000) / 997.0;
-    if (request.height * 1000 < request.width) return;
-    request.radius = std::min(request.width, request.height) / *rc::gen::inRange(2, 2000);
+    request.domain.width = *rc::gen::inRange(1, 100000) / 7919.0;
+    request.domain.height = request.domain.width * *rc::gen::inRange(1, 1000) / 997.0;
+    if (request.domain.height * 1000 < request.domain.width) return;
+    request.radius = request.domain.shorter_side() / *rc::gen::inRange(2, 2000);
     // Less is refused.
-    if (*request.radius < std::ldexp(std::max(request.width, request.height), -20)) return;
+    if (*request.radius < std::ldexp(request.domain.longer_side(), -20)) return;
     request.memory_limit_bytes = std::uint64_t{1} << 50;
     const Plan plan = make_plan(request);
     const auto x = *rc::gen::inRange<std::uint32_t>(0, plan.width - plan.radius);
@@ -126,7 +126,7 @@ TEST(Plan, RefusesARadiusLargerThanTheDomain) {
               "radius 1.5: must be at most 1.4142135623730951, the diagonal of the domain");
     EXPECT_EQ(refusal(with_radius(1.2)), "accepted");
     Request torus = with_radius(1.2);
-    torus.boundary = Boundary::torus;
+    torus.domain.boundary = Boundary::torus;
     EXPECT_EQ(refusal(torus), "radius 1.2: must be at most 1, the shorter side of the torus");
 }
 
@@ -166,7 +166,7 @@ TEST(Plan, RefusesEnumsOutOfRange) {
     request.mode = static_cast<Mode>(7);
     EXPECT_EQ(refusal(request), "mode 7: must be Mode::exact, lines, cells or stratified");
     request = with_radius(0.1);
-    request.boundary = static_cast<Boundary>(2);
+    request.domain.boundary = static_cast<Boundary>(2);
     EXPECT_EQ(refusal(request), "boundary 2: must be Boundary::box or torus");
     request = with_radius(0.1);
     request.metric = static_cast<Metric>(-1);
@@ -184,12 +184,12 @@ TEST(Plan, SaysWhenTheUnitsRunOut) {
 
 TEST(Plan, RefusesDomainsThatAreNone) {
     Request request = with_radius(0.1);
-    request.width = 0;
+    request.domain.width = 0;
     EXPECT_EQ(refusal(request), "domain 0x1: both sides must be finite numbers greater than 0");
-    request.width = 1e6;
+    request.domain.width = 1e6;
     EXPECT_EQ(refusal(request),
               "domain 1e+06x1: the longer side may be at most 1000 times the shorter");
-    request.width = 1000;
+    request.domain.width = 1000;
     EXPECT_EQ(refusal(request), "accepted");
 }
 

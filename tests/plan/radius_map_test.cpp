@@ -73,9 +73,9 @@ TEST(RadiusMap, NoConflictIsFartherThanTheReachOfEitherPlace) {
         Request request = cells_request(field);
         if (*std::max_element(field.importance.begin(), field.importance.end()) == 0) continue;
         request.metric = static_cast<Metric>(below(3));
-        request.boundary = i % 4 == 0 ? Boundary::box : Boundary::torus;
-        request.height = 0.1 + 0.01 * below(30);
-        if (i % 2 == 0) std::swap(request.width, request.height);
+        request.domain.boundary = i % 4 == 0 ? Boundary::box : Boundary::torus;
+        request.domain.height = 0.1 + 0.01 * below(30);
+        if (i % 2 == 0) std::swap(request.domain.width, request.domain.height);
         if (i % 2 == 0) std::swap(field.columns, field.rows);
         request.lines_per_radius = 1 + below(3);
         request.scale = 0.01 + 0.001 * below(60);

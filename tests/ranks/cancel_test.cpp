@@ -26,7 +26,7 @@ private:
 TEST(Cancelled, OnAllRanksWhereOneIsToldToStop) {
     Request request;
     request.radius = 0.02;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     const Plan plan = make_plan(request);
     tests::Ring ring(3);
     tests::SharedSink shared;

@@ -43,10 +43,10 @@ std::uint64_t whole_looks(const tests::MadeOnRanks& made) {
 
 Request small_request(double width, double height, double radius, Boundary boundary) {
     Request request;
-    request.width = width;
-    request.height = height;
+    request.domain.width = width;
+    request.domain.height = height;
     request.radius = radius;
-    request.boundary = boundary;
+    request.domain.boundary = boundary;
     request.seed = 20;
     return request;
 }

@@ -56,7 +56,7 @@ TEST(Strip, IsTwoRadiiWideWithAHaloOfOneAndNoWiderThanTheDomain) {
 TEST(Strip, SamplesLieWhereTheDomainHasThem) {
     Request request;
     request.radius = 0.01;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     const Plan plan = make_plan(request);
     for (std::uint32_t rank = 0; rank < 5; ++rank) {
         const Strip strip = strip_of(plan, rank, 5);

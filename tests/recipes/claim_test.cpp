@@ -35,23 +35,24 @@ void check_promise(const Change& change, bool promises_no_gaps) {
 }
 
 TEST(Claims, OfMaximalSetsAreDistancesAndNoGaps) {
-    const std::vector<Change> all{[](Request&) {},
-                                  [](Request& request) { request.boundary = Boundary::torus; },
-                                  [](Request& request) { request.height = 0.5; },
-                                  [](Request& request) {
-                                      request.radius.reset();
-                                      request.scale = 0.04;
-                                      request.field = &kField;
-                                  },
-                                  [](Request& request) {
-                                      request.mask = &kMask;
-                                      request.border = 0.1;
-                                      request.keep = kKept;
-                                  },
-                                  [](Request& request) {
-                                      request.radius.reset();
-                                      request.classes = {{"a", "b"}, {0.2, 0.1, 0.1, 0.05}, {}};
-                                  }};
+    const std::vector<Change> all{
+        [](Request&) {},
+        [](Request& request) { request.domain.boundary = Boundary::torus; },
+        [](Request& request) { request.domain.height = 0.5; },
+        [](Request& request) {
+            request.radius.reset();
+            request.scale = 0.04;
+            request.field = &kField;
+        },
+        [](Request& request) {
+            request.mask = &kMask;
+            request.border = 0.1;
+            request.keep = kKept;
+        },
+        [](Request& request) {
+            request.radius.reset();
+            request.classes = {{"a", "b"}, {0.2, 0.1, 0.1, 0.05}, {}};
+        }};
     for (const Change& one : all) check_promise(one, true);
 }
 

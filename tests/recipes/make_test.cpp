@@ -29,7 +29,7 @@ Made make(const Request& request, const Moves& moves) {
 Request counted(std::uint64_t count) {
     Request request;
     request.count = count;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     return request;
 }
 
@@ -49,7 +49,7 @@ TEST(Making, WithMovesIsSamplingAndRelaxing) {
         request.mode = mode;
         const Made made = make(
             request, {.iterations = 3, .gaussian = 2, .gaussian_distance = 0.5, .measure = true});
-        RelaxOptions options{.boundary = Boundary::torus, .iterations = 3, .gaussian = 2};
+        RelaxOptions options{.domain = {1, 1, Boundary::torus}, .iterations = 3, .gaussian = 2};
         options.gaussian_distance = 0.5;
         const std::vector<Point>& points = made.result.points;
         EXPECT_EQ(points, relax(sample(request).points, nullptr, options).points);
@@ -73,10 +73,12 @@ TEST(Making, OfOnePointHasNoLeastDistance) {
     const std::vector<Point> pair{{0.1, 0.5}, {0.9, 0.5}};
     EXPECT_TRUE(std::isinf(least_distance(std::span(pair).first(1))));
     EXPECT_DOUBLE_EQ(least_distance(pair), 0.8);
-    EXPECT_DOUBLE_EQ(least_distance(pair, 1, 1, Boundary::torus), 0.2);
-    EXPECT_EQ(refusal_of([&] { least_distance(pair, 0.5, 1); }),
+    EXPECT_DOUBLE_EQ(least_distance(pair, {1, 1, Boundary::torus}), 0.2);
+    EXPECT_EQ(refusal_of([&] {
+                  least_distance(pair, {0.5, 1});
+              }),
               "points 1: is the number of a point outside of the domain");
-    EXPECT_EQ(refusal_of([&] { least_distance(pair, 0, 1); }).substr(0, 6), "domain");
+    EXPECT_EQ(refusal_of([&] { least_distance(pair, {0, 1}); }).substr(0, 6), "domain");
 }
 
 TEST(Making, CanBeCancelledWhileItRelaxes) {

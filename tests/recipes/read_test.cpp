@@ -79,13 +79,12 @@ TEST(Numbers, AreReadAsAWhole) {
 }
 
 TEST(Domains, HaveACrossBetweenTwoNumbers) {
-    double width = 0, height = 0;
-    read_domain("domain", "2.5X1", width, height);
-    EXPECT_EQ(width, 2.5);
-    EXPECT_EQ(height, 1);
+    Domain domain;
+    read_domain("domain", "2.5X1", domain);
+    EXPECT_EQ(domain, (Domain{2.5, 1}));
     for (const std::string text : {"1", "1x1x1", "axb", "", "x", "1x"})
         EXPECT_EQ(
-            refusal_of([&] { read_domain("domain", text, width, height); }),
+            refusal_of([&] { read_domain("domain", text, domain); }),
             "domain " + shown(text) + ": must be WIDTHxHEIGHT, two numbers such as 1x1 or 2.5x1");
 }
 
@@ -154,7 +153,7 @@ TEST(ALine, IsReadIntoTheMembersOfItsOptions) {
                       {"seed", {"20,000"}}}};
     const StippleOptions options = options_of(line);
     EXPECT_EQ(options.relax, 3U);
-    EXPECT_EQ(options.request.boundary, Boundary::torus);
+    EXPECT_EQ(options.request.domain.boundary, Boundary::torus);
     EXPECT_EQ(options.request.seed, 20000U);
     EXPECT_EQ(options.inks.size(), 2U);
     EXPECT_EQ(options.ink_counts, (std::vector<std::uint64_t>{70, 1000}));
@@ -176,7 +175,7 @@ TEST(ALine, IsRefusedForAWordThatIsNoneAndForAPair) {
 }
 
 TEST(GivenOptions, AreThoseWhoseValuesAreNotTheUsual) {
-    Request request{.boundary = Boundary::torus, .radius = 0.1, .seed = 7};
+    Request request{.domain = {.boundary = Boundary::torus}, .radius = 0.1, .seed = 7};
     Request usual;
     std::string text;
     for (const GivenOption& one : given_in(kSample, targets_of(request), targets_of(usual)))
@@ -185,7 +184,7 @@ TEST(GivenOptions, AreThoseWhoseValuesAreNotTheUsual) {
 }
 
 TEST(ADescription, HasWhatDecidesTheSetInTheOrderOfReports) {
-    Request request{.width = 2, .radius = 0.1, .limit = 9};
+    Request request{.domain = {.width = 2}, .radius = 0.1, .limit = 9};
     Result result;
     result.lines_per_radius = 6;
     const auto names_in = [&] {

@@ -57,7 +57,7 @@ TEST(Stippling, HasTheNumberOfDotsAskedForAndASizeForEach) {
     EXPECT_EQ(made.diameters.size(), 300U);
     EXPECT_EQ(made.request.mode, Mode::stratified);
     EXPECT_EQ(made.iterations, 15U);
-    EXPECT_EQ(made.request.height, 0.75);
+    EXPECT_EQ(made.request.domain.height, 0.75);
     EXPECT_EQ(made.request.field, nullptr);
     EXPECT_EQ(made.columns, 4U);
     double least = 1;

@@ -128,18 +128,17 @@ double low_power(const std::vector<Point>& points, double width) {
 Relaxed evened(std::uint64_t count, const RelaxOptions& options, std::uint64_t seed) {
     Request request;
     request.mode = Mode::stratified;
-    request.width = options.width;
-    request.height = options.height;
-    request.boundary = options.boundary;
+    request.domain = options.domain;
     request.count = count;
     request.seed = seed;
     return relax(sample(request).points, nullptr, options);
 }
 
 double relative_radius(const std::vector<Point>& points, const RelaxOptions& options) {
-    const double area = options.width * options.height / static_cast<double>(points.size());
-    return lacuna::tests::least_distance(points, options.width, options.height,
-                                         options.boundary == Boundary::torus) /
+    const double area =
+        options.domain.width * options.domain.height / static_cast<double>(points.size());
+    return lacuna::tests::least_distance(points, options.domain.width, options.domain.height,
+                                         options.domain.wraps()) /
            std::sqrt(area * 2 / std::sqrt(3.0));
 }
 

@@ -48,9 +48,9 @@ std::ostream& operator<<(std::ostream& out, const Picture& picture) {
 
 RelaxOptions options_of(double width, double height, Boundary boundary, std::uint32_t iterations) {
     RelaxOptions options;
-    options.width = width;
-    options.height = height;
-    options.boundary = boundary;
+    options.domain.width = width;
+    options.domain.height = height;
+    options.domain.boundary = boundary;
     options.iterations = iterations;
     return options;
 }
@@ -106,8 +106,9 @@ TEST(InkDots, AreAsManyAsAskedForAndWhereTheirInkIsWanted) {
                     return static_cast<std::size_t>(x / side * pixels);
                 };
                 const std::size_t column =
-                    pixel(points[at].x, picture.options.width, field.columns);
-                const std::size_t row = pixel(points[at].y, picture.options.height, field.rows);
+                    pixel(points[at].x, picture.options.domain.width, field.columns);
+                const std::size_t row =
+                    pixel(points[at].y, picture.options.domain.height, field.rows);
                 ASSERT_LT(column, field.columns);
                 ASSERT_LT(row, field.rows);
                 EXPECT_GT(field.importance[(field.rows - 1 - row) * field.columns + column], 0)
@@ -132,7 +133,7 @@ TEST(InkDots, OfOneInkAreThePointsOfRelax) {
     const std::vector<InkPart> inks{{&field, 256}};
     Request request;
     request.mode = Mode::stratified;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.field = &field;
     request.count = 256;
     EXPECT_EQ(place_inks(inks, 0, options).points,

@@ -21,28 +21,30 @@ namespace {
 using lacuna::tests::refusal_of;
 
 double importance_under(const Field& field, const Point& point, const RelaxOptions& options) {
-    const auto column = static_cast<std::size_t>(point.x / options.width * field.columns);
-    const auto row = static_cast<std::size_t>(point.y / options.height * field.rows);
+    const auto column = static_cast<std::size_t>(point.x / options.domain.width * field.columns);
+    const auto row = static_cast<std::size_t>(point.y / options.domain.height * field.rows);
     return field.importance[(field.rows - 1 - row) * field.columns + column];
 }
 
 double least_distance(const std::vector<Point>& points, const RelaxOptions& options) {
     double least = std::numeric_limits<double>::max();
-    const bool wraps = options.boundary == Boundary::torus;
+    const bool wraps = options.domain.wraps();
     const auto along = [&](double a, double b, double side) {
         const double straight = std::abs(a - b);
         return wraps ? std::min(straight, side - straight) : straight;
     };
     for (std::size_t i = 0; i < points.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            least = std::min(least, std::hypot(along(points[i].x, points[j].x, options.width),
-                                               along(points[i].y, points[j].y, options.height)));
+            least =
+                std::min(least, std::hypot(along(points[i].x, points[j].x, options.domain.width),
+                                           along(points[i].y, points[j].y, options.domain.height)));
     return least;
 }
 
 // The least distance, in units of the hexagonal lattice with as many points.
 double relative_least_distance(const std::vector<Point>& points, const RelaxOptions& options) {
-    const double area = options.width * options.height / static_cast<double>(points.size());
+    const double area =
+        options.domain.width * options.domain.height / static_cast<double>(points.size());
     return least_distance(points, options) / std::sqrt(area * 2 / std::sqrt(3.0));
 }
 
@@ -69,8 +71,8 @@ TEST_P(Relax, leaves_no_point_outside_of_the_domain_or_on_white) {
             const Relaxed relaxed = relax(scene.points, scene.field_or_null(), scene.options);
             ASSERT_EQ(relaxed.points.size(), scene.points.size()) << scene;
             for (const Point& point : relaxed.points) {
-                EXPECT_TRUE(point.x >= 0 && point.x < scene.options.width && point.y >= 0 &&
-                            point.y < scene.options.height)
+                EXPECT_TRUE(point.x >= 0 && point.x < scene.options.domain.width && point.y >= 0 &&
+                            point.y < scene.options.domain.height)
                     << scene << " (" << point.x << ", " << point.y << ")";
                 if (scene.field) {
                     EXPECT_GT(importance_under(*scene.field, point, scene.options), 0)
@@ -94,7 +96,7 @@ TEST_P(Relax, takes_points_on_one_spot_apart) {
 TEST_P(Relax, evens_shares_out_on_a_torus) {
     Request request;
     request.count = 1024;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     RelaxOptions options = on(1, 1, Boundary::torus);
     options.backend = GetParam();
     options.measure = true;
@@ -157,10 +159,10 @@ Relaxed relaxed_from_shares(const Field& field, std::uint64_t count, std::uint32
     Request request;
     request.mode = Mode::stratified;
     request.field = &field;
-    request.width = 1;
-    request.height = static_cast<double>(field.rows) / field.columns;
+    request.domain.width = 1;
+    request.domain.height = static_cast<double>(field.rows) / field.columns;
     request.count = count;
-    RelaxOptions options = on(request.width, request.height, Boundary::box);
+    RelaxOptions options = on(request.domain.width, request.domain.height, Boundary::box);
     options.iterations = iterations;
     options.measure = true;
     return relax(sample(request).points, &field, options);
@@ -259,7 +261,7 @@ TEST(RelaxOptionsGiven, are_refused_when_they_cannot_be_met) {
     EXPECT_EQ(refusal_of([&] { relax(points, nullptr, options); }),
               "iterations 10001: must be at most 10000");
     options = {};
-    options.width = -1;
+    options.domain.width = -1;
     EXPECT_NE(refusal_of([&] { relax(points, nullptr, options); }).find("domain"),
               std::string::npos);
     options = {};

@@ -36,9 +36,9 @@ inline std::ostream& operator<<(std::ostream& out, const Scene& scene) {
 
 inline RelaxOptions on(double width, double height, Boundary boundary) {
     RelaxOptions options;
-    options.width = width;
-    options.height = height;
-    options.boundary = boundary;
+    options.domain.width = width;
+    options.domain.height = height;
+    options.domain.boundary = boundary;
     return options;
 }
 

@@ -35,8 +35,8 @@ Request stratified(std::uint64_t count, const Field& field) {
     Request request = stratified(count);
     request.field = &field;
     const double longer = std::max(field.columns, field.rows);
-    request.width = field.columns / longer;
-    request.height = field.rows / longer;
+    request.domain.width = field.columns / longer;
+    request.domain.height = field.rows / longer;
     return request;
 }
 
@@ -125,8 +125,10 @@ TEST(AStratifiedStart, HasTheCountAskedForOnEveryShapeOfPictureAndNoPointOnWhite
                 const std::vector<Point> points = sample(request).points;
                 ASSERT_EQ(points.size(), count);
                 for (const Point& point : points) {
-                    const auto column = static_cast<std::size_t>(point.x / request.width * columns);
-                    const auto row = static_cast<std::size_t>(point.y / request.height * rows);
+                    const auto column =
+                        static_cast<std::size_t>(point.x / request.domain.width * columns);
+                    const auto row =
+                        static_cast<std::size_t>(point.y / request.domain.height * rows);
                     ASSERT_GT(field.importance[(rows - 1 - row) * columns + column], 0);
                 }
             }
@@ -135,7 +137,7 @@ TEST(AStratifiedStart, HasTheCountAskedForOnEveryShapeOfPictureAndNoPointOnWhite
 // One pixel may hold all points, and pixels may be far from square.
 TEST(AStratifiedStart, DividesAWidePixelEvenly) {
     Request request = stratified(1000);
-    request.width = 100;
+    request.domain.width = 100;
     std::vector<int> squares(100);
     for (const Point& point : sample(request).points)
         ++squares.at(static_cast<std::size_t>(point.x));
@@ -189,8 +191,8 @@ TEST_P(FairShares, AreWhatEveryShapeHasBeforeAndAfterRelaxing) {
     const Request request = stratified(GetParam(), shapes.field);
     const std::vector<Point> start = sample(request).points;
     RelaxOptions options;
-    options.width = request.width;
-    options.height = request.height;
+    options.domain.width = request.domain.width;
+    options.domain.height = request.domain.height;
     const double all = std::reduce(shapes.areas.begin(), shapes.areas.end());
     for (const auto& points : {start, relax(start, &shapes.field, options).points}) {
         const std::vector<int> counts = shapes.counts(points);

@@ -87,7 +87,7 @@ TEST(Tables, GiveTheMeanOfAllRuns) {
     Request request;
     request.mode = Mode::exact;
     request.radius = 0.05;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     double samples = 0;
     for (request.seed = 0; request.seed < 3; ++request.seed)
         samples += static_cast<double>(sample(request).points.size()) / 3;

@@ -51,9 +51,9 @@ public:
     double distance(Point a, Point b) const {
         double dx = std::abs(a.x - b.x);
         double dy = std::abs(a.y - b.y);
-        if (request_.boundary == Boundary::torus) {
-            dx = std::min(dx, request_.width - dx);
-            dy = std::min(dy, request_.height - dy);
+        if (request_.domain.wraps()) {
+            dx = std::min(dx, request_.domain.width - dx);
+            dy = std::min(dy, request_.domain.height - dy);
         }
         return std::hypot(dx, dy);
     }
@@ -96,7 +96,8 @@ public:
         const std::vector<double>& weights = request_.classes.weights;
         int gaps = 0;
         for (int k = 0; k < spots; ++k) {
-            const Point spot{share(random) * request_.width, share(random) * request_.height};
+            const Point spot{share(random) * request_.domain.width,
+                             share(random) * request_.domain.height};
             for (std::size_t kind = 0; kind < request_.classes.names.size(); ++kind)
                 if (weights.empty() || weights[kind] != 0) gaps += has_room(spot, kind, 1e-6);
         }
@@ -109,8 +110,9 @@ private:
         const auto along = [](double at, std::uint32_t count) {
             return static_cast<std::uint32_t>(std::clamp(std::floor(at * count), 0.0, count - 1.0));
         };
-        const std::uint32_t column = along(p.x / request_.width, pixels.columns);
-        const std::uint32_t row = pixels.rows - 1 - along(p.y / request_.height, pixels.rows);
+        const std::uint32_t column = along(p.x / request_.domain.width, pixels.columns);
+        const std::uint32_t row =
+            pixels.rows - 1 - along(p.y / request_.domain.height, pixels.rows);
         return static_cast<double>(values[std::size_t{row} * pixels.columns + column]);
     }
 
@@ -142,8 +144,8 @@ FieldRequest hostile_request(Random& random) {
         for (std::size_t i = 1; i < count; ++i) weights[i] = random() % 4 == 0 ? 0 : share(random);
     request = request_of(std::move(distances), std::move(weights));
     request.seed = random();
-    request.boundary = random() % 2 == 0 ? Boundary::torus : Boundary::box;
-    if (random() % 2 == 0) request.width = 1.7;
+    request.domain.boundary = random() % 2 == 0 ? Boundary::torus : Boundary::box;
+    if (random() % 2 == 0) request.domain.width = 1.7;
     const auto side = [&] { return 1 + static_cast<std::uint32_t>(random() % 6); };
     if (random() % 3 == 0) {
         Field field{side(), side(), {}};
@@ -218,13 +220,13 @@ TEST(Classes, KeepByUnionTheRadiusOfEachAndTheDistanceOfAll) {
 
     // The points of each class, as a share of a set of its own: 0.73, 0.70 and 0.86 in 40 sets.
     Request request = request_of(distances);
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     std::vector<double> counts(3);
     constexpr int kSets = 8;
     for (request.seed = 0; request.seed < kSets; ++request.seed)
         for (const std::uint8_t one : sample(request).classes) counts[one] += 1.0 / kSets;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double alone = expected_count(1, 1, Boundary::torus, radii[i]);
+        const double alone = expected_count({1, 1, Boundary::torus}, radii[i]);
         EXPECT_GT(counts[i], 0.65 * alone) << i;
         EXPECT_LT(counts[i], 0.95 * alone) << i;
     }
@@ -236,7 +238,7 @@ TEST(Classes, AreDrawnByTheirWeights) {
     std::vector<double> shares;
     for (const double weight : {1.0, 9.0}) {
         Request request = request_of(same, {1, weight});
-        request.boundary = Boundary::torus;
+        request.domain.boundary = Boundary::torus;
         double second = 0, all = 0;
         for (request.seed = 0; request.seed < 20; ++request.seed) {
             const Result result = sample(request);
@@ -282,7 +284,7 @@ TEST(Classes, AreTheFirstPointsOfTheSameSetWithALimit) {
 
 TEST(Classes, FillTheSpaceAroundKeptPointsOfTheirClass) {
     Request request = request_of(distances_by_union(std::vector{0.06, 0.02}));
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     Result first = sample(request);
     first.points.resize(100);
     first.classes.resize(100);
@@ -313,7 +315,7 @@ TEST(Classes, HaveACountAtDistancesInProportion) {
 
 TEST(Classes, AreProgressive) {
     Request request = request_of(distances_by_union(std::vector{0.06, 0.02}));
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.progressive = true;
     const Result result = sample(request);
     ASSERT_GE(result.levels.size(), 9U);

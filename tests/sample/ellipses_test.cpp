@@ -42,8 +42,8 @@ public:
         const auto along = [](double share, std::uint32_t pixels) {
             return std::min(static_cast<std::uint32_t>(share * pixels), pixels - 1);
         };
-        const std::size_t row = field.rows - 1 - along(at.y / request_.height, field.rows);
-        return row * field.columns + along(at.x / request_.width, field.columns);
+        const std::size_t row = field.rows - 1 - along(at.y / request_.domain.height, field.rows);
+        return row * field.columns + along(at.x / request_.domain.width, field.columns);
     }
     bool is_allowed(Point at) const { return request_.field->importance[pixel_of(at)] > 0; }
 
@@ -51,9 +51,9 @@ public:
     // that direction: the greater of both. Below 1 they are in conflict.
     double apart(Point a, Point b) const {
         double dx = b.x - a.x, dy = b.y - a.y;
-        if (request_.boundary == Boundary::torus) {
-            dx -= request_.width * std::round(dx / request_.width);
-            dy -= request_.height * std::round(dy / request_.height);
+        if (request_.domain.wraps()) {
+            dx -= request_.domain.width * std::round(dx / request_.domain.width);
+            dy -= request_.domain.height * std::round(dy / request_.domain.height);
         }
         return std::max(length_in(pixel_of(a), dx, dy), length_in(pixel_of(b), dx, dy));
     }
@@ -108,18 +108,18 @@ void make_hostile(Random& random, Made& made) {
                                    : tests::stretched_at_random(plain, ratio, random());
     Request& request = made.request;
     request.field = &made.field;
-    request.width = between(random, 0.3, 2);
-    request.boundary = random() % 2 == 0 ? Boundary::torus : Boundary::box;
-    const double shorter = std::min(request.width, request.height);
-    request.scale = tests::scale_of(made.field, request.width * request.height,
+    request.domain.width = between(random, 0.3, 2);
+    request.domain.boundary = random() % 2 == 0 ? Boundary::torus : Boundary::box;
+    const double shorter = request.domain.shorter_side();
+    request.scale = tests::scale_of(made.field, request.domain.width * request.domain.height,
                                     std::exp(between(random, 0, 5.5)));
-    if (request.boundary == Boundary::box && random() % 6 == 0) request.scale = 3 * shorter;
+    if (!request.domain.wraps() && random() % 6 == 0) request.scale = 3 * shorter;
     double longest = 0;
     for (std::size_t i = 0; i < made.field.importance.size(); ++i)
         if (made.field.importance[i] > 0)
             longest = std::max(longest, *request.scale * std::sqrt(made.field.stretches[i].ratio /
                                                                    made.field.importance[i]));
-    if (request.boundary == Boundary::torus)
+    if (request.domain.wraps())
         request.scale = *request.scale * std::min(1.0, 0.49 * shorter / longest);
     request.seed = random();
     request.round_size = random() % 3 == 0 ? 1 + random() % 100 : 0;
@@ -142,8 +142,8 @@ TEST(EllipsesOfHostileFields, KeepTheirDistancesAndLeaveNoRoom) {
         for (const Point point : result.points) ASSERT_TRUE(judge.is_allowed(point)) << i;
         const Point last = result.points.back();
         for (int k = 0; k < 200; ++k) {
-            const Point spot{between(random, 0, made.request.width),
-                             between(random, 0, made.request.height)};
+            const Point spot{between(random, 0, made.request.domain.width),
+                             between(random, 0, made.request.domain.height)};
             if (!judge.is_allowed(spot)) continue;
             ++probes;
             ASSERT_LT(room_at(judge, result.points, spot), 1 + 1e-5) << "case " << i;
@@ -219,7 +219,7 @@ TEST(Ellipses, ComeInProgressiveOrder) {
 TEST(Ellipses, BeginTheirOrderAtALevelWhereTheyFitOnATorus) {
     const Field field = tests::swirled(tests::constant_field(12, 12), 25);
     Request request = request_of(field);
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.scale = 0.09;
     request.progressive = true;
     const Result result = sample(request);
@@ -244,12 +244,12 @@ TEST(Ellipses, AreRefusedByNumberAndPlace) {
     request.mode = Mode::cells;
     EXPECT_EQ(refused(), "stretches with mode cells: are for mode exact");
     request.mode = Mode::exact;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.scale = 0.3;
     EXPECT_EQ(refused(),
               "torus with an ellipse of length 1.34164: must be at most the domain's shorter side, "
               "1");
-    request.boundary = Boundary::box;
+    request.domain.boundary = Boundary::box;
     field.stretches.pop_back();
     EXPECT_EQ(refused(),
               "stretches 143 values: there must be one for each pixel of the field, 144");

@@ -52,7 +52,7 @@ TEST(ALargeExactSet, KeepsTheRadiusInDoubleAndComesCloseToIt) {
     for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
         for (const std::uint32_t m : {1u, 3u, 6u, 30u}) {
             Request request = request_of(0.005);
-            request.boundary = boundary;
+            request.domain.boundary = boundary;
             request.lines_per_radius = m;
             const double least =
                 tests::least_distance(sample(request).points, 1, 1, boundary == Boundary::torus);
@@ -74,21 +74,21 @@ TEST(AnyExactSet, KeepsTheRadiusInDoubleAndItsPointsInTheDomain) {
     for (int i = 0; i < kSets; ++i) {
         Request request;
         request.backend = "cpu";
-        request.width = side(random) / 7919;
-        request.height = side(random) / 7919;
-        request.radius = std::min(request.width, request.height) * share(random) * share(random);
-        request.boundary = random() % 2 == 0 ? Boundary::box : Boundary::torus;
+        request.domain.width = side(random) / 7919;
+        request.domain.height = side(random) / 7919;
+        request.radius = request.domain.shorter_side() * share(random) * share(random);
+        request.domain.boundary = random() % 2 == 0 ? Boundary::box : Boundary::torus;
         request.lines_per_radius = static_cast<std::uint32_t>(1 + random() % 60);
         request.seed = random();
-        const bool torus = request.boundary == Boundary::torus;
+        const bool torus = request.domain.wraps();
         const Result result = sample(request);
-        const double least =
-            tests::least_distance(result.points, request.width, request.height, torus);
+        const double least = tests::least_distance(result.points, request.domain.width,
+                                                   request.domain.height, torus);
         ASSERT_GE(least, *request.radius) << "set " << i;
         closest = std::min(closest, least / *request.radius);
         for (const Point point : result.points) {
-            ASSERT_TRUE(point.x >= 0 && point.x < request.width) << "set " << i;
-            ASSERT_TRUE(point.y >= 0 && point.y < request.height) << "set " << i;
+            ASSERT_TRUE(point.x >= 0 && point.x < request.domain.width) << "set " << i;
+            ASSERT_TRUE(point.y >= 0 && point.y < request.domain.height) << "set " << i;
         }
     }
     EXPECT_LT(closest, 1.0001);
@@ -99,7 +99,7 @@ TEST(ATorus, AsWideAsTheRadiusHoldsOnePointAtAnyM) {
     for (const Mode mode : {Mode::exact, Mode::lines}) {
         for (const std::uint32_t m : {1u, 2u, 3u, 60u}) {
             Request request = request_of(1, mode);
-            request.boundary = Boundary::torus;
+            request.domain.boundary = Boundary::torus;
             request.lines_per_radius = m;
             EXPECT_EQ(sample(request).points.size(), 1u) << name_of(mode) << ", m " << m;
         }

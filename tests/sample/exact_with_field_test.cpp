@@ -26,22 +26,22 @@ using tests::FieldRequest;
 class Plane {
 public:
     explicit Plane(const Request& request)
-        : request_(request), blur_(std::max(request.width, request.height) * 0x1p-28) {}
+        : request_(request), blur_(request.domain.longer_side() * 0x1p-28) {}
 
     double distance(Point a, Point b) const {
         double dx = std::abs(a.x - b.x);
         double dy = std::abs(a.y - b.y);
-        if (request_.boundary == Boundary::torus) {
-            dx = std::min(dx, request_.width - dx);
-            dy = std::min(dy, request_.height - dy);
+        if (request_.domain.wraps()) {
+            dx = std::min(dx, request_.domain.width - dx);
+            dy = std::min(dy, request_.domain.height - dy);
         }
         return std::hypot(dx, dy);
     }
     // 0 where no sample may be.
     double radius_at(Point p) const {
         const double border = request_.border;
-        if (p.x < border || p.y < border || request_.width - p.x < border ||
-            request_.height - p.y < border)
+        if (p.x < border || p.y < border || request_.domain.width - p.x < border ||
+            request_.domain.height - p.y < border)
             return 0;
         if (request_.mask != nullptr && value_at(*request_.mask, request_.mask->allowed, p) == 0)
             return 0;
@@ -61,8 +61,9 @@ private:
             return static_cast<std::uint32_t>(
                 std::clamp(std::floor(share * count), 0.0, count - 1.0));
         };
-        const std::uint32_t column = along(p.x / request_.width, pixels.columns);
-        const std::uint32_t row = pixels.rows - 1 - along(p.y / request_.height, pixels.rows);
+        const std::uint32_t column = along(p.x / request_.domain.width, pixels.columns);
+        const std::uint32_t row =
+            pixels.rows - 1 - along(p.y / request_.domain.height, pixels.rows);
         return static_cast<double>(values[std::size_t{row} * pixels.columns + column]);
     }
     double of_corners(Point p, bool least) const {
@@ -97,13 +98,14 @@ void expect_that_promises_are_kept(const FieldRequest& made, const Result& resul
     std::mt19937_64 random(11);
     std::uniform_real_distribution<double> share(0, 1);
     for (int k = 0; k < 3000; ++k) {
-        Point spot{share(random) * request.width, share(random) * request.height};
+        Point spot{share(random) * request.domain.width, share(random) * request.domain.height};
         if (k % 3 == 1 && !points.empty()) {
             const Point near = points[random() % points.size()];
             const double angle = 6.2831853 * share(random);
             const double radius = 1.0001 * plane.radius_at(near);
             spot = {near.x + radius * std::cos(angle), near.y + radius * std::sin(angle)};
-            if (spot.x < 0 || spot.x >= request.width || spot.y < 0 || spot.y >= request.height)
+            if (spot.x < 0 || spot.x >= request.domain.width || spot.y < 0 ||
+                spot.y >= request.domain.height)
                 continue;
         }
         const double radius = plane.least_radius_at(spot);

@@ -18,7 +18,7 @@ using Seeds = std::vector<std::uint64_t>;
 Request request_of(double radius, std::uint32_t threads = 0) {
     Request request;
     request.radius = radius;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.backend = "cpu";
     request.threads = threads;
     return request;

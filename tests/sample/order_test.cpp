@@ -17,12 +17,12 @@
 namespace lacuna {
 namespace {
 
-constexpr OrderOptions kTorus{.boundary = Boundary::torus};
+constexpr OrderOptions kTorus{.domain = {1, 1, Boundary::torus}};
 
 std::vector<Point> maximal_set(std::uint64_t count) {
     Request request;
     request.count = count;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     return sample(request).points;
 }
 
@@ -94,7 +94,7 @@ TEST(AnOrder, TakesPointsAtDistancesThatShrink) {
                 return 1 / std::sqrt(field.importance[row * 4 + column]);
             };
             const auto ordered =
-                in_order(points, progressive_order(points, given, {.boundary = boundary}));
+                in_order(points, progressive_order(points, given, {.domain = {1, 1, boundary}}));
             double least = INFINITY;
             for (std::size_t i = 1; i < ordered.size(); ++i) {
                 double own = INFINITY;

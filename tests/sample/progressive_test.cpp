@@ -20,7 +20,7 @@ namespace progressive_test {
 Request progressive(std::uint64_t count, std::uint64_t seed = 0) {
     Request request;
     request.progressive = true;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.count = count;
     request.seed = seed;
     return request;
@@ -28,9 +28,9 @@ Request progressive(std::uint64_t count, std::uint64_t seed = 0) {
 
 double distance(Point a, Point b, const Request& request) {
     double dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y);
-    if (request.boundary == Boundary::torus) {
-        dx = std::min(dx, request.width - dx);
-        dy = std::min(dy, request.height - dy);
+    if (request.domain.wraps()) {
+        dx = std::min(dx, request.domain.width - dx);
+        dy = std::min(dy, request.domain.height - dy);
     }
     return std::hypot(dx, dy);
 }
@@ -42,7 +42,8 @@ std::vector<double> relative_distances(std::span<const Point> points, const Requ
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k)
             least = std::min(least, distance(points[i], points[k], request));
-        const double area = request.width * request.height / static_cast<double>(i + 1);
+        const double area =
+            request.domain.width * request.domain.height / static_cast<double>(i + 1);
         relative.push_back(least / std::sqrt(2 / std::sqrt(3.0) * area));
     }
     return relative;
@@ -87,9 +88,9 @@ struct Kinds {
         plain.radius = 0.04;
         plain.seed = 5;
         Request torus = plain;
-        torus.boundary = Boundary::torus;
+        torus.domain.boundary = Boundary::torus;
         Request wide = plain;
-        wide.width = 7;
+        wide.domain.width = 7;
         Request within = plain;
         within.border = 0.1;
         within.mask = &mask;
@@ -118,9 +119,7 @@ TEST(Progressive, IsMaximalAtTheEndOfEveryLevel) {
         EXPECT_EQ(result.levels.back().size, request.field ? *request.scale : *request.radius);
         for (const Level& level : result.levels) {
             Claim claim;
-            claim.width = request.width;
-            claim.height = request.height;
-            claim.boundary = request.boundary;
+            claim.domain = request.domain;
             claim.border = request.border;
             claim.mask = request.mask;
             claim.field = request.field;

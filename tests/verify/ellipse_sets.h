@@ -26,9 +26,9 @@ namespace lacuna::verify {
 struct EllipseCase : FieldCase {
     Request request(std::uint64_t seed) const {
         Request request;
-        request.width = domain.width;
-        request.height = domain.height;
-        request.boundary = domain.torus ? Boundary::torus : Boundary::box;
+        request.domain.width = domain.width;
+        request.domain.height = domain.height;
+        request.domain.boundary = domain.torus ? Boundary::torus : Boundary::box;
         request.field = &field;
         request.scale = scale;
         if (mask) request.mask = &*mask;

@@ -33,19 +33,21 @@ inline Request small_exact_request(std::uint64_t seed) {
     request.mode = Mode::exact;
     request.backend = "cpu";
     request.seed = random();
-    request.boundary = pick(random, {Boundary::box, Boundary::torus});
+    request.domain.boundary = pick(random, {Boundary::box, Boundary::torus});
     const double scale = pick(random, {1.0, 1.0, 1e-7, 3e8});
-    request.width = scale * pick(random, {1.0, 1.0, random_in(random, 0.2, 5)});
-    request.height = scale * pick(random, {1.0, 1.0, random_in(random, 0.2, 5)});
+    request.domain.width = scale * pick(random, {1.0, 1.0, random_in(random, 0.2, 5)});
+    request.domain.height = scale * pick(random, {1.0, 1.0, random_in(random, 0.2, 5)});
     // Some domains are strips, as narrow or as long as is allowed.
-    if (random() % 20 == 0) request.height = request.width / 999;
-    if (random() % 20 == 0) request.width = request.height / 999;
+    if (random() % 20 == 0) request.domain.height = request.domain.width / 999;
+    if (random() % 20 == 0) request.domain.width = request.domain.height / 999;
 
-    const double shorter = std::min(request.width, request.height);
-    const double fewest = request.boundary == Boundary::torus
-                              ? shorter
-                              : std::hypot(request.width, request.height) * (1 - 1e-9);
-    const double finest = std::max(std::sqrt(request.width * request.height) / 10, fewest / 1000);
+    const double shorter = request.domain.shorter_side();
+    const double fewest =
+        request.domain.wraps()
+            ? shorter
+            : std::hypot(request.domain.width, request.domain.height) * (1 - 1e-9);
+    const double finest =
+        std::max(std::sqrt(request.domain.width * request.domain.height) / 10, fewest / 1000);
     const double share = random() % 6 == 0 ? 0 : random_in(random, 0, 1);
     request.radius = std::min(fewest, fewest * std::pow(std::min(1.0, finest / fewest), share));
     request.lines_per_radius = static_cast<std::uint32_t>(1 + random() % 60);
@@ -55,7 +57,7 @@ inline Request small_exact_request(std::uint64_t seed) {
 }
 
 inline Domain domain_of(const Request& request) {
-    return {request.width, request.height, request.boundary == Boundary::torus};
+    return {request.domain.width, request.domain.height, request.domain.wraps()};
 }
 
 // The largest gap where a point of a maximal set was moved away, computed without the search of

@@ -184,7 +184,7 @@ TEST(ASmallExactSet, OfAtLeast60PointsIsRefutedWhenOneOfTheClosestMovesTowardsTh
 TEST(ALargeExactSet, IsMaximalAndLessOneOfItsPointsIsNot) {
     Request request;
     request.radius = 0.001;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.backend = "cpu";
     std::vector<Point> points = sample(request).points;
     std::printf("seed %lu, %zu points\n", request.seed, points.size());

@@ -112,13 +112,12 @@ TEST(AnOnlyPixel, ProvesWhatTheUniformProofProves) {
     for (const Boundary boundary : {Boundary::box, Boundary::torus}) {
         Request request;
         request.radius = 0.02;
-        request.width = 1.3;
-        request.boundary = boundary;
+        request.domain.width = 1.3;
+        request.domain.boundary = boundary;
         std::vector<Point> points = sample(request).points;
         Claim uniform;
         uniform.radius = 0.02;
-        uniform.width = 1.3;
-        uniform.boundary = boundary;
+        uniform.domain = request.domain;
         const Field field{1, 1, {4}};
         Claim claim = uniform;
         claim.field = &field;

@@ -35,9 +35,9 @@ struct FieldCase {
 
     Claim claim() const {
         Claim claim;
-        claim.width = domain.width;
-        claim.height = domain.height;
-        claim.boundary = domain.torus ? Boundary::torus : Boundary::box;
+        claim.domain.width = domain.width;
+        claim.domain.height = domain.height;
+        claim.domain.boundary = domain.torus ? Boundary::torus : Boundary::box;
         claim.field = &field;
         claim.scale = scale;
         if (mask) claim.mask = &*mask;

@@ -12,12 +12,12 @@ using namespace lacuna;
 TEST(Prove, OfAMaximalSetOfTheSamplersFindsAllThatIsPromised) {
     Request request;
     request.radius = 0.05;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.backend = "cpu";
     const Result result = sample(request);
     Claim claim;
     claim.radius = 0.05;
-    claim.boundary = Boundary::torus;
+    claim.domain.boundary = Boundary::torus;
     const Proof proof = prove(result.points, claim);
     EXPECT_TRUE(proof.kept && proof.covered && proof.maximal);
     EXPECT_GE(proof.least_distance, 0.05);
@@ -63,7 +63,7 @@ TEST(Prove, TellsOfAPointOutsideAndRefusesNonsense) {
     Claim claim;
     claim.radius = 0.1;
     EXPECT_EQ(prove(points, claim).outside, 1U);
-    claim.boundary = Boundary::torus;
+    claim.domain.boundary = Boundary::torus;
     EXPECT_EQ(prove(points, claim).outside, 0U);
     EXPECT_THROW(prove(points, Claim{}), BadRequest);  // has no radius
 }

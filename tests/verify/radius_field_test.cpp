@@ -62,8 +62,8 @@ TEST(Polygons, LeaveAThinDomainBareWhereItIsFarFromTheirEdges) {
                                               {2.94, 0.6 * height},
                                               {1.01, 0.6 * height}}};
         Claim claim = unit_claim(0.33);
-        claim.width = 3.16;
-        claim.height = height;
+        claim.domain.width = 3.16;
+        claim.domain.height = height;
         claim.polygons = polygons_of(rings);
         claim.edge_tolerance = 1.7 * height;
         claim.border = std::uniform_real_distribution<double>(0.2, 0.25)(random) * height;
@@ -91,8 +91,8 @@ TEST(TheLargestGap, OnTheBorderOfTwoPixelsHasTheRadiusOfItsOwn) {
                                           {18.769732270695686, 1.8980313417909066},
                                           {36.939464541391372, 1.8980313417909066}}};
     Claim claim;
-    claim.width = 20.056026015478047;
-    claim.height = 25.960626835818132;
+    claim.domain.width = 20.056026015478047;
+    claim.domain.height = 25.960626835818132;
     claim.field = &field;
     claim.scale = 5.8205682657952513;
     claim.polygons = polygons_of(rings);
@@ -260,7 +260,7 @@ TEST(AClaim, OfPlacesThatMakeNoSenseIsABadRequestThatNamesTheOption) {
     }
     EXPECT_EQ(option_refused([](Claim& claim) {
                   claim.border = 0.1;
-                  claim.boundary = Boundary::torus;
+                  claim.domain.boundary = Boundary::torus;
               }),
               "border");
     EXPECT_EQ(option_refused([](Claim& claim) {

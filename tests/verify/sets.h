@@ -41,9 +41,9 @@ inline Proof check(std::span<const Point> points, double width, double height, b
                    double radius, std::optional<double> tolerance = std::nullopt) {
     Claim claim;
     claim.radius = radius;
-    claim.width = width;
-    claim.height = height;
-    claim.boundary = torus ? Boundary::torus : Boundary::box;
+    claim.domain.width = width;
+    claim.domain.height = height;
+    claim.domain.boundary = torus ? Boundary::torus : Boundary::box;
     claim.tolerance = tolerance;
     return prove(points, claim);
 }

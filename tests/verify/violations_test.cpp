@@ -111,7 +111,7 @@ TEST(ASnappedSet, KeepsItsDistancesAndWhereItHasAHoleTheHoleIsReal) {
         request.mode = Mode::lines;
         request.radius = 0.02;
         request.snap = true;
-        request.boundary = boundary;
+        request.domain.boundary = boundary;
         request.backend = "cpu";
         const bool torus = boundary == Boundary::torus;
         const std::vector<Point> points = sample(request).points;

@@ -57,16 +57,10 @@ Exit code: 0 done, 2 bad usage, 3 a file cannot be read or written, 4 the system
 130 interrupted (143 by SIGTERM).
 )";
 
-struct Sides {
-    double width;
-    double height;
-    friend bool operator==(const Sides&, const Sides&) = default;
-};
-
 struct AnalyzeCommand {
     std::vector<std::string> files;
     OutputOptions output;
-    std::optional<Sides> sides;
+    std::optional<Domain> sides;
     std::optional<double> radius;
     std::optional<Ellipse> ellipse;
     analysis::Effort effort;
@@ -80,7 +74,7 @@ struct Input {
     std::vector<std::vector<Point>> sets;
     std::vector<std::optional<double>> radii;  // one for each set
     std::vector<std::string> names;            // one for each set, for messages
-    std::optional<Sides> sides;
+    std::optional<Domain> sides;
     std::string sides_from;  // the file that gives them
     std::optional<Boundary> boundary;
     std::string boundary_from;
@@ -88,7 +82,7 @@ struct Input {
 
 // Checks the options and files before the work starts.
 std::vector<Output> check(const CommandLine& line, const AnalyzeCommand& options) {
-    if (options.sides) verify::check_domain(options.sides->width, options.sides->height);
+    if (options.sides) verify::check_domain(*options.sides);
     if (options.radius) analysis::check_radius(*options.radius);
     analysis::check_effort(options.effort);
     OutputOptions asked = options.output;
@@ -102,9 +96,9 @@ std::vector<Output> check(const CommandLine& line, const AnalyzeCommand& options
 
 void add_sides(Input& input, const files::SetsOfFile& file, const std::string& name) {
     if (!file.width) return;
-    const Sides sides{*file.width, *file.height};
+    const Domain sides{*file.width, *file.height};
     try {
-        verify::check_domain(sides.width, sides.height);
+        verify::check_domain(sides);
     } catch (const BadRequest& error) {
         throw files::FileError(name + ": " + error.what());
     }
@@ -215,7 +209,7 @@ void run(const CommandLine& line, const AnalyzeCommand& options) {
     const std::vector<Output> outputs = check(line, options);
     Interruption interruption;
     Input input = read_input(options);
-    const Sides sides = options.sides.value_or(input.sides.value_or(Sides{1, 1}));
+    const Domain sides = options.sides.value_or(input.sides.value_or(Domain{}));
     analysis::Domain domain{sides.width, sides.height,
                             options.torus || input.boundary == Boundary::torus};
     check_inside(input, domain);
@@ -239,8 +233,7 @@ Targets targets_of(AnalyzeCommand& all) {
         {"FILE", &all.files},
         {"domain",
          [&all](const std::string& text) {
-             Sides& sides = all.sides.emplace();
-             recipes::read_domain("domain", text, sides.width, sides.height);
+             recipes::read_domain("domain", text, all.sides.emplace());
          }},
         {"torus", &all.torus},
         {"radius", &all.radius},

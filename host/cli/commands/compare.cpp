@@ -175,7 +175,7 @@ void run(const CommandLine& line, const CompareCommand& given, const Sampler& sa
         field = read_field(options.picture, request);
         request.field = &field;
         if (!request.count && !request.scale)
-            request.count = drawing::dot_count(field, request.width, request.height);
+            request.count = drawing::dot_count(field, request.domain);
     }
     Interruption interruption;
     const Comparison comparison = compared(options, request, sampler);

@@ -58,20 +58,17 @@ void run(const CommandLine& line, const OrderCommand& options) {
     GivenColumns columns(options.set, given, options.drawing, outputs, true);
     if (given.field) request.field = &*given.field;
     const std::vector<std::uint32_t> order = naming_points(options.set, [&] {
-        return progressive_order(given.points, request.field,
-                                 {request.width, request.height, request.boundary, request.seed});
+        return progressive_order(given.points, request.field, {request.domain, request.seed});
     });
     std::vector<Point> points;
     points.reserve(order.size());
     for (const std::uint32_t index : order) points.push_back(given.points[index]);
     columns.put_in_order(order);
 
-    files::PointSet set{points, request.width, request.height};
-    set.boundary = request.boundary;
+    files::PointSet set{points, request.domain};
     columns.add_to(set);
     Writing writing(interruption);
-    write_set(writing, options.drawing, outputs, set,
-              style_of(options.drawing, request.width, request.height),
+    write_set(writing, options.drawing, outputs, set, style_of(options.drawing, request.domain),
               [&] { return dots_of(request, points, drawing::Spread::even); });
     if (options.common.quiet || has_standard_output(outputs)) return;
     const std::string summary =

@@ -72,9 +72,9 @@ Json json_of(const RelaxCommand& options, const Request& request) {
     Json json{{"points", options.set.points},
               {"image",
                options.set.picture.path.empty() ? Json(nullptr) : Json(options.set.picture.path)},
-              {"width", request.width},
-              {"height", request.height},
-              {"boundary", request.boundary == Boundary::torus ? "torus" : "box"}};
+              {"width", request.domain.width},
+              {"height", request.domain.height},
+              {"boundary", request.domain.wraps() ? "torus" : "box"}};
     json.update(json_of_importance(options.set.picture.importance));
     json["backend"] = request.backend;
     json["device"] = request.device;
@@ -109,11 +109,10 @@ void run(const CommandLine& line, const RelaxCommand& options) {
     const Relaxation relaxation = naming_points(
         options.set, [&] { return relax_points(common, outputs, moves, request.field, made); });
 
-    files::PointSet set{made.result.points, request.width, request.height, made.result.radius};
-    set.boundary = request.boundary;
+    files::PointSet set{made.result.points, request.domain, made.result.radius};
     set.is_relaxed = true;
     columns.add_to(set);
-    const drawing::Style style = style_of(options.drawing, request.width, request.height);
+    const drawing::Style style = style_of(options.drawing, request.domain);
     if (!common.quiet)
         warn_of_ink(options.drawing, request, request.field, set.points.size(), style);
     Writing writing(interruption);

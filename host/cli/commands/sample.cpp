@@ -95,7 +95,7 @@ void run(const CommandLine& line, SampleCommand all) {
                      {json_of(all.domain, request, files), showing});
         return;
     }
-    const drawing::Style style = style_of(all.drawing, request.width, request.height);
+    const drawing::Style style = style_of(all.drawing, request.domain);
     const RelaxOptions moves = recipes::relax_options_of(request, all.moves);
     const bool moves_points = all.moves.are_asked_for();
     relaxing::check_gaussian(request.field, moves);

@@ -205,10 +205,9 @@ void run(const CommandLine& line, const StippleCommand& all) {
 
     const Json asked = json_of(all, options, dots);
     const files::Origin origin = origin_of(line, request, made.result, asked);
-    drawing::Style style = style_of(all.drawing, request.width, request.height);
+    drawing::Style style = style_of(all.drawing, request.domain);
     style.for_a_pen = dots.is_for_a_pen;
-    files::PointSet set{made.result.points, request.width, request.height, made.result.radius,
-                        &origin};
+    files::PointSet set{made.result.points, request.domain, made.result.radius, &origin};
     set.layers = dots.layers;
     set.ellipses = dots.ellipses;
     set.writes_ellipses = all.ellipse_columns;

@@ -95,11 +95,9 @@ Request request_of(const CommandLine& line, const VerifyCommand& options, const 
     Request request = given.request;
     ask_for_files(line, options.domain, options.distances_only, file, name);
     claim.own_field = use_values(line, file, request, claim.options.edge);
-    if (!line.has("domain") && file.width) {
-        request.width = *file.width;
-        request.height = *file.height;
-    }
-    if (file.boundary == Boundary::torus) request.boundary = Boundary::torus;
+    if (!line.has("domain") && file.width)
+        request.domain = {*file.width, *file.height, request.domain.boundary};
+    if (file.boundary == Boundary::torus) request.domain.boundary = Boundary::torus;
     if (request.classes.names.empty() && !file.distances.empty())
         request.classes = {file.classes.names, file.distances, file.weights};
     if (request.field != nullptr && !request.scale && request.classes.names.empty())
@@ -143,9 +141,7 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& 
     claim.meant_to_be_maximal = file.maximal.value_or(true);
     claim.radii = radii_of(request);
     claim.radius = request.radius.value_or(0);
-    claim.width = request.width;
-    claim.height = request.height;
-    claim.boundary = request.boundary;
+    claim.domain = request.domain;
     claim.field = request.field;
     claim.scale = request.scale.value_or(0);
     claim.mask = request.mask;
@@ -160,7 +156,7 @@ SetClaim claim_of(const CommandLine& line, const VerifyCommand& options, Given& 
         claim.kinds[i].distance = request.border;
     if (!claim.rings.empty()) {
         const std::vector<PolygonSet> sets = sets_of(claim.kinds, claim.rings);
-        check_places(sets, request.width, request.height);
+        check_places(sets, request.domain);
         claim.edge_tolerance = given.files.edge =
             edge_of(claim.options, request, sets, given.files);
     }
@@ -188,8 +184,7 @@ void check(const CommandLine& line, const VerifyCommand& options) {
     if (!request.radius) return;
     Claim claim;
     claim.radius = *request.radius;
-    claim.width = request.width;
-    claim.height = request.height;
+    claim.domain = request.domain;
     claim.tolerance = options.tolerance;
     prove({}, claim);
 }
@@ -217,7 +212,7 @@ std::string fault_in_levels(const SetClaim& claim) {
 void run(const CommandLine& line, const VerifyCommand& options) {
     check(line, options);
     Given given{options.request, {}};
-    if (options.torus) given.request.boundary = Boundary::torus;
+    if (options.torus) given.request.domain.boundary = Boundary::torus;
     read_given_files(line, options.domain, given.request, given.files);
     std::vector<files::SetsOfFile> all;
     for (const std::string& path : options.files) all.push_back(files::read_sets(path));

@@ -165,10 +165,10 @@ std::vector<double> class_diameters(const Request& request, const Result& result
     diameters.reserve(result.points.size());
     for (std::size_t i = 0; i < result.points.size(); ++i) {
         const double own = request.classes.distances[result.classes[i] * (count + 1)] * scale;
-        const double importance = request.field == nullptr
-                                      ? 1
-                                      : drawing::importance_at(result.points[i], *request.field,
-                                                               request.width, request.height);
+        const double importance =
+            request.field == nullptr
+                ? 1
+                : drawing::importance_at(result.points[i], *request.field, request.domain);
         diameters.push_back(2. / 3 * own / std::sqrt(importance));
     }
     return diameters;

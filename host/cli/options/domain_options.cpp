@@ -42,7 +42,7 @@ double greatest_of(const DomainFiles& files) {
 // along their outlines, whatever the extent of the domain.
 double coarse_edge(const Request& request, std::span<const PolygonSet> sets) {
     constexpr double kSteps = 8192;
-    const double longer = std::max(request.width, request.height);
+    const double longer = request.domain.longer_side();
     double length = 0;
     for (const PolygonSet& set : sets)
         for (const PolygonRing& ring : set.rings)
@@ -56,15 +56,15 @@ double coarse_edge(const Request& request, std::span<const PolygonSet> sets) {
 // The places with a coarse outline. Where nothing is wide enough for it, with a finer one.
 Mask coarse_places(const Request& request, std::span<const PolygonSet> sets) {
     constexpr double kLeast = 0x1p-22;  // of the longer side
-    const double longer = std::max(request.width, request.height);
+    const double longer = request.domain.longer_side();
     double edge = coarse_edge(request, sets);
     for (; edge >= longer * kLeast; edge /= 4) {
         try {
-            return draw_places(sets, request.width, request.height, edge);
+            return draw_places(sets, request.domain, edge);
         } catch (const BadRequest&) {  // finer places may be left
         }
     }
-    return draw_places(sets, request.width, request.height, edge);
+    return draw_places(sets, request.domain, edge);
 }
 
 // The least radius of the set. For a count it is the radius of a maximal set of this size.
@@ -73,8 +73,7 @@ double least_radius(const Request& request, std::span<const PolygonSet> sets,
     const double greatest = greatest_of(files);
     if (request.radius) return *request.radius;
     if (request.scale) return *request.scale / std::sqrt(greatest);
-    if (!request.count || *request.count == 0)
-        return std::max(request.width, request.height) / 1000;
+    if (!request.count || *request.count == 0) return request.domain.longer_side() / 1000;
     const Mask mask = coarse_places(request, sets);
     Request trial = request;
     trial.mask = &mask;
@@ -110,7 +109,8 @@ void repeat(const Request& request, std::vector<PolygonRing>& rings) {
                 if (across == 0 && up == 0) continue;
                 PolygonRing& image = rings.emplace_back(ring);
                 for (Point& point : image)
-                    point = {point.x + across * request.width, point.y + up * request.height};
+                    point = {point.x + across * request.domain.width,
+                             point.y + up * request.domain.height};
             }
 }
 
@@ -136,24 +136,20 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
                       DomainFiles& files) {
     request.classes = read_classes(options.classes);
     bool has_shape = line.has("domain");
-    const auto give_shape = [&](double width, double height) {
-        if (!has_shape) {
-            request.width = width;
-            request.height = height;
-        }
+    const auto give_shape = [&](const Domain& shape) {
+        if (!has_shape) request.domain = {shape.width, shape.height, request.domain.boundary};
         has_shape = true;
     };
     if (!options.field.path.empty()) {
         Request shape;
         files.field = read_field(options.field, shape);
-        give_shape(shape.width, shape.height);
+        give_shape(shape.domain);
         request.field = &*files.field;
     }
     if (options.ellipses.are_given()) {
         files.field = read_ellipses(options.ellipses);
-        const double longer = std::max(files.field->columns, files.field->rows);
         if (!options.ellipses.path.empty())
-            give_shape(files.field->columns / longer, files.field->rows / longer);
+            give_shape(domain_like(files.field->columns, files.field->rows));
         request.field = &*files.field;
         if (!request.scale && !request.count) request.scale = 1;
     }
@@ -166,12 +162,11 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
                                    .distance = request.border,
                                    .option = option,
                                    .name = shown(path)});
-            if (polygons.width > 0) give_shape(polygons.width, polygons.height);
+            if (polygons.page) give_shape(*polygons.page);
         }
     for (const std::string& text : options.avoid)
         for (Obstacles& obstacles : read_obstacles(text)) {
-            if (obstacles.lines.width > 0)
-                give_shape(obstacles.lines.width, obstacles.lines.height);
+            if (obstacles.lines.page) give_shape(*obstacles.lines.page);
             files.polygons.push_back(std::move(obstacles.lines));
             files.kinds.push_back({.forbidden = true,
                                    .distance = obstacles.distance,
@@ -181,13 +176,11 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
     if (!has_shape && !files.polygons.empty()) {
         std::vector<PolygonSet> sets = files.kinds;
         for (std::size_t i = 0; i < sets.size(); ++i) sets[i].rings = files.polygons[i].rings;
-        const Point corner = domain_around(sets);
-        give_shape(corner.x, corner.y);
+        give_shape(domain_around(sets));
     }
     if (!options.mask.empty()) {
         files.mask = read_mask(options.mask);
-        const double longer = std::max(files.mask->columns, files.mask->rows);
-        give_shape(files.mask->columns / longer, files.mask->rows / longer);
+        give_shape(domain_like(files.mask->columns, files.mask->rows));
     }
     if (files.mask) request.mask = &*files.mask;
     give_size_of_classes(request);
@@ -208,9 +201,9 @@ void read_given_files(const CommandLine& line, const DomainOptions& options, Req
 std::vector<std::vector<PolygonRing>> rings_of(const Request& request, const DomainFiles& files) {
     std::vector<std::vector<PolygonRing>> rings;
     for (const Polygons& polygons : files.polygons) {
-        rings.push_back(fitted(polygons, request.width, request.height));
+        rings.push_back(fitted(polygons, request.domain));
         const bool is_obstacle = files.kinds[rings.size() - 1].distance > 0;
-        if (is_obstacle && request.boundary == Boundary::torus) repeat(request, rings.back());
+        if (is_obstacle && request.domain.wraps()) repeat(request, rings.back());
     }
     return rings;
 }
@@ -228,7 +221,7 @@ double edge_of(const DomainOptions& options, const Request& request,
     const double edge = kEdge * least_radius(request, sets, files);
     // If the edge is invalid, so is the radius, and the check of the request will refuse that.
     if (edge > 0 && std::isfinite(edge)) return edge;
-    return std::max(request.width, request.height) / 1000;
+    return request.domain.longer_side() / 1000;
 }
 
 void read_domain_files(const CommandLine& line, const DomainOptions& options, Request& request,
@@ -238,8 +231,7 @@ void read_domain_files(const CommandLine& line, const DomainOptions& options, Re
     const std::vector<std::vector<PolygonRing>> rings = rings_of(request, files);
     const std::vector<PolygonSet> sets = sets_of(files.kinds, rings);
     files.edge = edge_of(options, request, sets, files);
-    files.mask =
-        draw_places(sets, request.width, request.height, files.edge, request.memory_limit_bytes);
+    files.mask = draw_places(sets, request.domain, files.edge, request.memory_limit_bytes);
     request.mask = &*files.mask;
 }
 
@@ -268,7 +260,7 @@ Json json_of(const DomainOptions& options, const Request& request, const DomainF
 std::vector<double> dots_of(const Request& request, std::span<const Point> points,
                             drawing::Spread spread) {
     if (request.field == nullptr) return {};
-    return drawing::dot_diameters(points, *request.field, request.width, request.height, spread);
+    return drawing::dot_diameters(points, *request.field, request.domain, spread);
 }
 
 }  // namespace lacuna::cli

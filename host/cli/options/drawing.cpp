@@ -102,10 +102,10 @@ std::optional<Paper> paper_of(const DrawingOptions& options) {
     return paper;
 }
 
-drawing::Style style_of(const DrawingOptions& options, double width, double height) {
+drawing::Style style_of(const DrawingOptions& options, const Domain& domain) {
     drawing::Style style;
     if (const std::optional<Paper> paper = paper_of(options))
-        style.sheet = drawing::turned(*paper, width, height);
+        style.sheet = drawing::turned(*paper, domain);
     style.pixels_per_inch = options.pixels_per_inch;
     return style;
 }
@@ -131,8 +131,7 @@ void warn_of_ink(const DrawingOptions& options, std::size_t count, double suits)
 void warn_of_ink(const DrawingOptions& options, const Request& request, const Field* tone,
                  std::size_t count, const drawing::Style& style) {
     if (!options.pens || tone == nullptr) return;
-    warn_of_ink(options, count,
-                drawing::dots_for_ink(*tone, request.width, request.height, *options.pens, style));
+    warn_of_ink(options, count, drawing::dots_for_ink(*tone, request.domain, *options.pens, style));
 }
 
 Json json_of_pens(const std::optional<Pens>& pens) {

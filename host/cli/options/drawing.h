@@ -42,7 +42,7 @@ void check_drawing(const DrawingOptions& options, const std::vector<Output>& out
 std::optional<Paper> paper_of(const DrawingOptions& options);
 
 // The style for a domain of this shape, without the dots' sizes.
-drawing::Style style_of(const DrawingOptions& options, double width, double height);
+drawing::Style style_of(const DrawingOptions& options, const Domain& domain);
 
 // Prints a line on standard error if --dot-size gives `count` dots less than half of the ink of
 // `suits` dots, or more than twice as much. Without pens, and if `suits` is 0, it prints nothing.

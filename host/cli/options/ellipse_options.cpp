@@ -48,8 +48,7 @@ void check_ellipse_columns(bool is_given, const std::vector<Output>& outputs) {
 
 std::vector<Ellipse> ellipses_of(const Request& request, const Result& result) {
     if (request.field == nullptr || request.field->stretches.empty()) return {};
-    return lacuna::ellipses_of(result.points, *request.field, result.scale, request.width,
-                               request.height);
+    return lacuna::ellipses_of(result.points, *request.field, result.scale, request.domain);
 }
 
 nlohmann::ordered_json json_of(const EllipseOptions& options) {

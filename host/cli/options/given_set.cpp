@@ -67,18 +67,13 @@ SetAndField read_given_set(const CommandLine& line, const GivenSet& set, Request
     files::SetsOfFile file = read_one_set(set.points);
     SetAndField read{std::move(file.sets.front()), {}, {}};
     if (!set.picture.path.empty()) {
-        Request shape;
+        Request shape{.domain = request.domain};
         read.field = read_field(set.picture, shape);
-        if (!has_domain) {
-            request.width = shape.width;
-            request.height = shape.height;
-        }
+        if (!has_domain) request.domain = shape.domain;
     }
-    if (!has_domain && file.width) {
-        request.width = *file.width;
-        request.height = *file.height;
-    }
-    if (file.boundary == Boundary::torus) request.boundary = Boundary::torus;
+    if (!has_domain && file.width)
+        request.domain = {*file.width, *file.height, request.domain.boundary};
+    if (file.boundary == Boundary::torus) request.domain.boundary = Boundary::torus;
     read.file = std::move(file);
     return read;
 }

@@ -70,7 +70,7 @@ std::vector<Obstacles> read_disks(const FileAndWidth& given) {
     }
     std::vector<Obstacles> all;
     all.reserve(by_radius.size());
-    for (auto& [width, rings] : by_radius) all.push_back({{std::move(rings), 0, 0}, width});
+    for (auto& [width, rings] : by_radius) all.push_back({{std::move(rings)}, width});
     return all;
 }
 

@@ -15,9 +15,7 @@ Targets targets_of(Picture& picture) {
 
 Field read_field(const Picture& picture, Request& request) {
     pictures::Image image = pictures::read_image(picture.path, pictures::kLargestAspect);
-    const double longer = std::max(image.columns, image.rows);
-    request.width = image.columns / longer;
-    request.height = image.rows / longer;
+    request.domain = domain_like(image.columns, image.rows, request.domain.boundary);
     return pictures::importance_of(std::move(image), picture.importance);
 }
 

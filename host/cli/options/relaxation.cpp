@@ -20,7 +20,7 @@ namespace {
 // becomes the least distance if a report or a .json needs it, and otherwise 0, which means not
 // known. Returns the least distance if it is known.
 std::optional<double> measure_moved(const CommonOptions& common, const std::vector<Output>& outputs,
-                                    const RelaxOptions& domain, Made& made) {
+                                    const Domain& domain, Made& made) {
     made.result.maximal = false;
     made.result.radius = 0;
     const bool is_told = !common.report.empty() ||
@@ -29,9 +29,7 @@ std::optional<double> measure_moved(const CommonOptions& common, const std::vect
                          });
     if (!is_told || made.result.points.size() < 2) return std::nullopt;
     made.result.radius =
-        verify::closest_pair({domain.width, domain.height, domain.boundary == Boundary::torus},
-                             made.result.points)
-            .distance;
+        verify::closest_pair(verify::domain_of(domain), made.result.points).distance;
     return made.result.radius;
 }
 
@@ -51,7 +49,7 @@ Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& 
     made.result.points = std::move(relaxation.relaxed.points);
     made.result.backend = relaxation.relaxed.backend;  // a stratified start has none
     made.result.device = relaxation.relaxed.device;
-    relaxation.least_distance = measure_moved(common, outputs, options, made);
+    relaxation.least_distance = measure_moved(common, outputs, options.domain, made);
     return relaxation;
 }
 

@@ -167,7 +167,7 @@ std::vector<Output> checked_outputs(const CommonOptions& options, SeedRange seed
 void sample_seeds(const CommandLine& line, const CommonOptions& options,
                   const DrawingOptions& drawing, const std::vector<Output>& outputs,
                   SeedRange seeds, const AllSets& all_sets) {
-    const drawing::Style style = style_of(drawing, options.request.width, options.request.height);
+    const drawing::Style style = style_of(drawing, options.request.domain);
     std::vector<std::uint64_t> all(seeds.last - seeds.first + 1);
     std::iota(all.begin(), all.end(), seeds.first);
 

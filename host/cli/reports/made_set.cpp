@@ -16,7 +16,7 @@ MadeSet::MadeSet(const Request& request, const Result& result, const files::Orig
       layers_(layers_of(request.classes, result)),
       ellipses_(ellipses_of(request, result)),
       is_sized_by_radii_(showing.is_sized_by_radii),
-      set_{result.points, request.width, request.height, result.radius, &origin} {
+      set_{result.points, request.domain, result.radius, &origin} {
     set_.ellipses = ellipses_;
     set_.writes_ellipses = showing.ellipse_columns;
     set_.layers = layers_;

@@ -137,15 +137,10 @@ files::Origin origin_of(const CommandLine& line, const Request& request, const R
     Json options = what_decides(request, result);
     options.update(more);
     // File names are bytes, which need not be UTF-8.
-    return {LACUNA_VERSION,
-            line.text(request.seed),
-            request.boundary,
-            request.mode,
-            request.seed,
-            result.maximal,
-            options.dump(-1, ' ', false, Json::error_handler_t::replace),
-            result.levels,
-            result.scale};
+    return {LACUNA_VERSION, line.text(request.seed),
+            request.mode,   request.seed,
+            result.maximal, options.dump(-1, ' ', false, Json::error_handler_t::replace),
+            result.levels,  result.scale};
 }
 
 }  // namespace lacuna::cli

@@ -17,7 +17,7 @@ namespace lacuna::cli {
 namespace {
 
 bool is_torus(const Claim& claim) {
-    return claim.boundary == Boundary::torus;
+    return claim.domain.wraps();
 }
 
 std::string text(const Point& point) {
@@ -108,7 +108,8 @@ std::string refusal(const SetClaim& claim) {
     if (proof.outside) {
         const char end = is_torus(claim) ? ')' : ']';
         return fmt::format("refused: point {} lies outside the domain [0, {}{} x [0, {}{}",
-                           numbered(claim, *proof.outside), claim.width, end, claim.height, end);
+                           numbered(claim, *proof.outside), claim.domain.width, end,
+                           claim.domain.height, end);
     }
     if (proof.moved)
         return fmt::format("refused: the set does not have point {} of {}, at {}, in its place",
@@ -154,9 +155,9 @@ std::string text_of_one(const SetClaim& claim) {
     constexpr std::string_view kRow = "{:<18}{}\n";
     constexpr std::string_view kVerdictRow = "{:<18}{:<{}}   {}\n";
     std::string lines = fmt::format(kRow, "points", claim.points.size());
-    lines += fmt::format(
-        kRow, "domain",
-        fmt::format("{} x {}, {}", claim.width, claim.height, is_torus(claim) ? "torus" : "box"));
+    lines += fmt::format(kRow, "domain",
+                         fmt::format("{} x {}, {}", claim.domain.width, claim.domain.height,
+                                     is_torus(claim) ? "torus" : "box"));
     lines += fmt::format(kRow, "radius", radius(claim)) + places(claim);
     if (!claim.distances_only) lines += fmt::format(kRow, "tolerance", *claim.tolerance);
     if (refusal(claim).empty()) {
@@ -200,8 +201,8 @@ Json json_of_one(const SetClaim& claim) {
     Json json{{"file", claim.name},
               {"points", claim.points.size()},
               {"domain",
-               {{"width", claim.width},
-                {"height", claim.height},
+               {{"width", claim.domain.width},
+                {"height", claim.domain.height},
                 {"boundary", is_torus(claim) ? "torus" : "box"}}},
               {"radius", claim.field != nullptr ? Json(nullptr) : Json(claim.radius)},
               {"tolerance", claim.distances_only ? Json(nullptr) : Json(*claim.tolerance)},

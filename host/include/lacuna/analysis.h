@@ -48,8 +48,7 @@ struct Statistics {
 // time and memory grow with its square. `threads`: at most 1024; 0 is one for each core. Throws
 // BadRequest for arguments that are not as said here, Unavailable where the system refuses threads,
 // and Cancelled.
-Statistics analyze(std::span<const std::vector<Point>> sets, double width = 1, double height = 1,
-                   Boundary boundary = Boundary::box,
+Statistics analyze(std::span<const std::vector<Point>> sets, const Domain& domain = {},
                    const std::function<bool(double share)>& keep_going = {},
                    double max_frequency = 2, std::uint32_t threads = 0);
 

@@ -16,7 +16,7 @@ namespace lacuna {
 //
 //     std::atomic<bool> stop = false;  // set by another thread
 //     const lacuna::CancelScope scope([&] { return !stop; });
-//     const lacuna::Mask mask = lacuna::draw_mask(rings, 1, 1, 1e-5);
+//     const lacuna::Mask mask = lacuna::draw_mask(rings, {1, 1}, 1e-5);
 //
 // It is not asked while a library that Lacuna uses parses or joins all of a file at once, which may
 // take a second for each 50 MB.

@@ -12,11 +12,9 @@
 //
 //     const lacuna::Polygons lakes = lacuna::read_polygons("lakes.svg");
 //     lacuna::Request request;
-//     request.width = lakes.width;    // an .svg has a page size, other formats have none
-//     request.height = lakes.height;
+//     request.domain = *lakes.page;  // an .svg has a page, other formats have none
 //     request.radius = 2;
-//     const lacuna::Mask mask =
-//         lacuna::draw_mask(lakes.rings, lakes.width, lakes.height, 2.0 / 16);
+//     const lacuna::Mask mask = lacuna::draw_mask(lakes.rings, request.domain, 2.0 / 16);
 //     request.mask = &mask;
 #pragma once
 
@@ -24,6 +22,7 @@
 #include <lacuna/lacuna.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,9 +32,7 @@ namespace lacuna {
 
 struct Polygons {
     std::vector<PolygonRing> rings{};  // of at least three points each, or lines; y upwards
-    // The page is [0, width) x [0, height). Both are 0 for files without a page.
-    double width = 0;
-    double height = 0;
+    std::optional<Domain> page{};      // a box; only an .svg has one
 };
 
 // Reads a mask from a picture file, or from standard input for "-". Samples are allowed on pixels
@@ -78,34 +75,34 @@ Polygons read_lines(const std::string& path);
 // The same for bytes that have been read.
 Polygons decode_lines(std::string_view bytes, std::string_view format, const std::string& name);
 
-// The rings of `polygons` for a domain of this size. A page is stretched over the domain; without a
-// page the coordinates do not change.
-std::vector<PolygonRing> fitted(Polygons polygons, double width, double height);
+// The rings of `polygons` for this domain. A page is stretched over it; without a page the
+// coordinates do not change.
+std::vector<PolygonRing> fitted(Polygons polygons, const Domain& domain);
 
-// The upper right corner of the domain of sets that have no page: (1, 1), or their farthest corner
-// if they reach beyond it. Throws BadRequest if they lie far from (0, 0), where a domain begins,
-// and for coordinates and distances that are not finite.
-Point domain_around(std::span<const PolygonSet> sets);
+// The box of sets that have no page: 1 x 1, or up to their farthest corner if they reach beyond it.
+// Throws BadRequest if they lie far from (0, 0), where a domain begins, and for coordinates and
+// distances that are not finite.
+Domain domain_around(std::span<const PolygonSet> sets);
 
 // Throws BadRequest for sets of an option, or of one of its files, that lie wholly outside of the
-// domain [0, width) x [0, height), and for coordinates and distances that are not finite.
-// draw_places() and draw_mask() do this.
-void check_places(std::span<const PolygonSet> sets, double width, double height);
+// domain, and for coordinates and distances that are not finite. draw_places() and draw_mask() do
+// this.
+void check_places(std::span<const PolygonSet> sets, const Domain& domain);
 
-// The mask of the inside of `rings` for a domain [0, width) x [0, height): a pixel is allowed if
-// all of it is inside, with 2^-27 of the longer side to spare. No two points of a pixel are farther
-// apart than `edge`. So no sample lies outside, and every spot is allowed that is farther than
-// `edge` from the rings. Throws BadRequest for invalid numbers, for rings that leave no pixel
-// allowed, and for a mask of more bytes than the limit (0: a quarter of the machine's memory).
-Mask draw_mask(std::span<const PolygonRing> rings, double width, double height, double edge,
+// The mask of the inside of `rings` for this domain: a pixel is allowed if all of it is inside,
+// with 2^-27 of the longer side to spare. No two points of a pixel are farther apart than `edge`.
+// So no sample lies outside, and every spot is allowed that is farther than `edge` from the rings.
+// Throws BadRequest for invalid numbers, for rings that leave no pixel allowed, and for a mask of
+// more bytes than the limit (0: a quarter of the machine's memory).
+Mask draw_mask(std::span<const PolygonRing> rings, const Domain& domain, double edge,
                std::uint64_t memory_limit_bytes = 0);
 // The same for several sets of polygons: a pixel is allowed if samples may lie on all of it. With a
 // distance, every spot is allowed that is farther than this and `edge` from the rings.
-Mask draw_mask(std::span<const PolygonSet> sets, double width, double height, double edge,
+Mask draw_mask(std::span<const PolygonSet> sets, const Domain& domain, double edge,
                std::uint64_t memory_limit_bytes = 0);
 // The same pixels as Mask::drawn. Time and memory are in proportion to the length of the outlines,
 // whatever the extent of the domain.
-Mask draw_places(std::span<const PolygonSet> sets, double width, double height, double edge,
+Mask draw_places(std::span<const PolygonSet> sets, const Domain& domain, double edge,
                  std::uint64_t memory_limit_bytes = 0);
 
 }  // namespace lacuna

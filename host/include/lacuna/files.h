@@ -32,8 +32,7 @@ class ClosedPipe : public FileError {
 
 // What a file says about a set besides its points. Pictures need it.
 struct About {
-    double width = 1;  // of the domain, as in Request
-    double height = 1;
+    Domain domain{};
     double radius = 0;  // least distance; a dot's radius is a third of it. 0: not known; a maximal
                         // set with this number of points then gives the size of the dots
 };

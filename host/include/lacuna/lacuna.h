@@ -5,7 +5,8 @@
 //     and any number of threads.
 //   - Points come in the order in which they were admitted; any prefix of a set is an unbiased
 //     Poisson-disk set of the same radius. But a prefix is not maximal: it leaves gaps.
-//   - Every point lies in [0, width) x [0, height), or was kept on an upper edge of a box.
+//   - Every point lies in the domain, [0, width) x [0, height), or was kept on an upper edge of a
+//     box.
 //   - Mode::exact: no two points are closer than the radius, computed in double from the points
 //     returned. Every spot of the domain has a point within the radius plus 2^-28 of the longer
 //     side. The set is distributed as if darts were thrown until no room is left.
@@ -49,6 +50,21 @@ struct Point {
 // What happens at the edges of the domain: they wrap (torus) or they do not (box).
 enum class Boundary { box, torus };
 
+// The rectangle [0, width) x [0, height), in the user's unit of length. Sides are over 0, neither
+// over 1000 times the other.
+struct Domain {
+    double width = 1;
+    double height = 1;
+    Boundary boundary = Boundary::box;
+
+    bool wraps() const { return boundary == Boundary::torus; }
+    double longer_side() const { return width < height ? height : width; }
+    double shorter_side() const { return height < width ? height : width; }
+    friend bool operator==(const Domain&, const Domain&) = default;
+};
+// The domain of a picture's shape, with a longer side of 1.
+Domain domain_like(std::uint32_t columns, std::uint32_t rows, Boundary boundary = Boundary::box);
+
 // How a disk is stretched to an ellipse of the same area: its longer radius over its shorter one,
 // and the angle from the x axis to the longer one, counterclockwise in radians.
 struct Stretch {
@@ -76,10 +92,10 @@ struct Field {
     std::vector<Stretch> stretches{};
 };
 
-// The ellipses of points of width x height on a field that has stretches: r = scale / sqrt(I) is
-// the root of a b. On the border of two pixels, the ellipse of either one.
+// The ellipses of points of the domain on a field that has stretches: r = scale / sqrt(I) is the
+// root of a b. On the border of two pixels, the ellipse of either one.
 std::vector<Ellipse> ellipses_of(std::span<const Point> points, const Field& field, double scale,
-                                 double width, double height);
+                                 const Domain& domain);
 
 struct DrawnMask;  // internal: plan/mask_tree.h
 
@@ -155,12 +171,10 @@ std::string_view name_of(Metric metric);
 // What sample() is to make. Exactly one of radius, scale and count must be given; with classes,
 // none or one.
 struct Request {
-    double width = 1.0;   // of the domain, > 0
-    double height = 1.0;  // of the domain, > 0; neither side over 1000 times the other
-    Boundary boundary = Boundary::box;
+    Domain domain{};
 
-    // Least distance between two points, in the unit of width and height; not with a field. At
-    // least 2^-20 of the longer side, at most the shorter side of a torus or the diagonal of a box.
+    // Least distance between two points, in the domain's unit; not with a field. At least 2^-20 of
+    // the longer side, at most the shorter side of a torus or the diagonal of a box.
     std::optional<double> radius{};
     // Exactly this many points, at a radius that has room for a few more: the set is not maximal.
     std::optional<std::uint64_t> count{};
@@ -169,8 +183,8 @@ struct Request {
     // In modes exact and cells: importance, stretched over the domain. It must outlive the call. In
     // exact the radius is constant on a pixel, and the metric min.
     const Field* field = nullptr;
-    // The paper's g (section 4.2): the radius at a point is g / sqrt(importance there), in the unit
-    // of width and height. Where the importance is 1 it is the radius itself.
+    // The paper's g (section 4.2): the radius at a point is g / sqrt(importance there), in the
+    // domain's unit. Where the importance is 1 it is the radius itself.
     std::optional<double> scale{};
     Metric metric = Metric::min;
     // The paper's m, 1 to 1000. Default: 6 in exact, where it changes only the speed; 30, the
@@ -185,8 +199,8 @@ struct Request {
     // The next three work in mode exact only. Together they say where samples may lie, and the set
     // is maximal there. Samples lie on pixels of the mask that are not 0. It must outlive the call.
     const Mask* mask = nullptr;
-    // Least distance of samples to each edge of the domain, in the unit of width and height; in a
-    // box only, and under half of its shorter side. 0: samples lie up to the edges.
+    // Least distance of samples to each edge of the domain, in its unit; in a box only, and under
+    // half of its shorter side. 0: samples lie up to the edges.
     double border = 0;
     // In mode exact: classes of points. No two points are closer than the distance of their
     // classes, and no spot is left where a point of any class has room. With a radius, scale or
@@ -299,9 +313,7 @@ Result sample(const Request& request, Observer& observer);
 
 // How points are relaxed: see relax.
 struct RelaxOptions {
-    double width = 1.0;  // of the domain, as in Request
-    double height = 1.0;
-    Boundary boundary = Boundary::box;
+    Domain domain{};
 
     std::uint32_t iterations = 15;  // 0 to 10,000; 0 leaves the points as they are
     // After the iterations, this many steps of descent on the Gaussian energy, 0 to 10,000; 150 are
@@ -372,7 +384,7 @@ std::vector<Device> devices();
 // The expected number of points of a maximal set, all lengths in one unit: 0.69656 * area /
 // radius^2 on the torus (the jamming limit of random sequential adsorption), with an edge term on
 // the box (docs/design.md, section 5). The standard deviation of counts is 0.244 sqrt(count).
-double expected_count(double width, double height, Boundary boundary, double radius);
+double expected_count(const Domain& domain, double radius);
 
 // ---------------------------------------------------------------------------------------- errors
 

@@ -11,9 +11,7 @@
 namespace lacuna {
 
 struct OrderOptions {
-    double width = 1.0;  // of the domain, as in Request
-    double height = 1.0;
-    Boundary boundary = Boundary::box;
+    Domain domain{};
     std::uint64_t seed = 0;  // decides the order of points that are equally good
 };
 

@@ -14,7 +14,7 @@
 //     lacuna::Request request;
 //     request.mode = lacuna::Mode::cells;
 //     request.field = &field;
-//     request.width = double(field.columns) / field.rows;  // the picture's shape
+//     request.domain = lacuna::domain_like(field.columns, field.rows);
 //     request.count = 20000;
 #pragma once
 

@@ -51,9 +51,7 @@ struct Claim {
     // Least distance between two points, > 0; ignored if there is a field. With classes it may be
     // 0.
     double radius = 0;
-    double width = 1;  // of the domain, as in Request
-    double height = 1;
-    Boundary boundary = Boundary::box;
+    Domain domain{};
 
     // How far over the radius a gap may be. If unset, it is 2^-28 of the longer side, which is more
     // than sample() may lose by rounding the radius up. With a field, mask, polygons, border or
@@ -142,7 +140,6 @@ Claim claim_of(const Request& request, const Result& result);
 
 // The least distance of two points, as prove() computes it; infinite for fewer than two points.
 // Throws BadRequest for a domain that makes no sense and for a point outside of it.
-double least_distance(std::span<const Point> points, double width = 1, double height = 1,
-                      Boundary boundary = Boundary::box);
+double least_distance(std::span<const Point> points, const Domain& domain = {});
 
 }  // namespace lacuna

@@ -89,28 +89,24 @@ public:
              Observer& observer)
         : made_(made), tones_(tones), options_(options), observer_(observer) {
         const Field& all = tones.all();
-        const double longer = std::max(all.columns, all.rows);
-        request().width = all.columns / longer;
-        request().height = all.rows / longer;
+        request().domain = domain_like(all.columns, all.rows, request().domain.boundary);
         request().field = tones.has_inks() ? &tones.sum : &tones.densities().front();
         made.columns = all.columns;
         made.rows = all.rows;
-        if (options.paper)
-            made.paper = drawing::turned(*options.paper, request().width, request().height);
+        if (options.paper) made.paper = drawing::turned(*options.paper, request().domain);
         style_.sheet = made.paper;
     }
 
     void run() {
         choose_count();
         place();
-        if (options_.keep_inside)
-            drawing::pull_inside(tones_, dots(), request().boundary, style_, made_.result.points);
+        if (options_.keep_inside) drawing::pull_inside(tones_, dots(), style_, made_.result.points);
         if (tones_.has_inks() || options_.keep_inside) recipes::note_moves(request(), made_.result);
         if (options_.pen_path) order_for_a_pen();
         find_sizes();
         if (!request().field->stretches.empty())
             made_.ellipses = ellipses_of(made_.result.points, *request().field, made_.result.scale,
-                                         request().width, request().height);
+                                         request().domain);
         made_.layers = tones_.layers;
         request().field = nullptr;
     }
@@ -119,7 +115,7 @@ private:
     Request& request() { return made_.request; }
 
     files::PointSet dots() {
-        files::PointSet set{made_.result.points, request().width, request().height};
+        files::PointSet set{made_.result.points, request().domain};
         set.layers = tones_.layers;
         return set;
     }
@@ -130,8 +126,7 @@ private:
         if (!counts.empty())
             request().count = sum_of(counts);
         else if (!request().count && !request().scale)
-            request().count =
-                drawing::suiting_count(tones_, request().width, request().height, style_);
+            request().count = drawing::suiting_count(tones_, request().domain, style_);
         if (!tones_.has_inks()) return;
         check_request(request());
         if (counts.empty()) return drawing::share_dots(tones_, *request().count);
@@ -189,9 +184,9 @@ private:
         const std::optional<Pens>& pens = options_.pens;
         // Inks whose dots differ in size have no one number.
         if (pens && !(tones_.has_inks() && tones_.sizing.varies()))
-            made_.dots_for_ink = drawing::dots_for_ink(tones_.all(), request().width,
-                                                       request().height, *pens, style_);
-        made_.diameters = drawing::diameters_of(tones_, dots(), request().boundary, style_);
+            made_.dots_for_ink =
+                drawing::dots_for_ink(tones_.all(), request().domain, *pens, style_);
+        made_.diameters = drawing::diameters_of(tones_, dots(), style_);
     }
 
     Stippling& made_;

@@ -10,9 +10,7 @@ namespace lacuna {
 void write_stippling(const std::string& path, const Stippling& stippling) {
     const files::Format& format = files::format_of(path);
     const Request& request = stippling.request;
-    files::PointSet set{stippling.result.points, request.width, request.height,
-                        stippling.result.radius};
-    set.boundary = request.boundary;
+    files::PointSet set{stippling.result.points, request.domain, stippling.result.radius};
     set.is_relaxed = stippling.iterations != 0;
     set.layers = stippling.layers;
     set.ellipses = stippling.ellipses;

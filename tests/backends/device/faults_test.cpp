@@ -145,7 +145,7 @@ Plan radius_field_plan(Boundary boundary, double part) {
     for (const std::size_t i : {3u, 11u, 12u, 30u, 31u, 50u}) mask.allowed[i] = 0;
     const std::vector<Point> keep = {{0.3, 0.35}};
     Request request;
-    request.boundary = boundary;
+    request.domain.boundary = boundary;
     request.field = &field;
     request.scale = 0.025;
     request.mask = &mask;
@@ -189,7 +189,7 @@ TEST_P(Faults, WithClassesAreNoticed) {
     request.field = &field;
     request.classes.names = {"one", "two", "three"};
     request.classes.distances = distances_by_union(std::vector{0.12, 0.06, 0.03});
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.round_size = 128;
     Plan plan = make_plan(request);
     plan.limit = plan.expected_samples / 2;
@@ -210,7 +210,7 @@ TEST_P(Faults, WithEllipsesAreNoticed) {
     Request request;
     request.field = &field;
     request.scale = 0.05;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.round_size = 128;
     // Some faults leave boxes that nothing covers, and with them a set would never be full.
     Plan plan = make_plan(request);

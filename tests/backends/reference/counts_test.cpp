@@ -38,7 +38,7 @@ protected:
         Request request;
         request.mode = Mode::lines;
         request.radius = row.radius;
-        request.boundary = row.boundary;
+        request.domain.boundary = row.boundary;
         request.uniform_x = row.uniform_x;
         request.snap = snap;
         request.round_size = 1;

@@ -50,9 +50,9 @@ bool every_line_is_covered(const Plan& plan, const std::vector<Sample>& samples)
 Request small_request() {
     Request request;
     request.mode = Mode::lines;
-    request.width = *rc::gen::inRange(50, 201) / 100.0;
-    request.height = *rc::gen::inRange(50, 201) / 100.0;
-    request.boundary = *rc::gen::element(Boundary::box, Boundary::torus);
+    request.domain.width = *rc::gen::inRange(50, 201) / 100.0;
+    request.domain.height = *rc::gen::inRange(50, 201) / 100.0;
+    request.domain.boundary = *rc::gen::element(Boundary::box, Boundary::torus);
     request.lines_per_radius = *rc::gen::inRange(1u, 61u);
     request.snap = *rc::gen::arbitrary<bool>();
     request.uniform_x = *rc::gen::arbitrary<bool>();
@@ -71,8 +71,8 @@ RC_GTEST_PROP(Reference, KeepsItsDistancesAndCoversEveryLine, ()) {
     RC_ASSERT(every_line_is_covered(plan, samples));
 
     const double kept = request.snap ? 1 : 1 - 0.5 / *request.lines_per_radius;
-    const double least = tests::least_distance(sample(request).points, request.width,
-                                               request.height, plan.period_x != 0);
+    const double least = tests::least_distance(sample(request).points, request.domain.width,
+                                               request.domain.height, plan.period_x != 0);
     RC_ASSERT(least >= *request.radius * kept);
     if (!request.snap) return;
     for (std::size_t i = 0; i < samples.size(); ++i)
@@ -101,7 +101,7 @@ TEST(Reference, KeepsItsDistancesInALargeSet) {
             Request request;
             request.mode = Mode::lines;
             request.radius = 0.005;
-            request.boundary = boundary;
+            request.domain.boundary = boundary;
             request.snap = snap;
             request.backend = "reference";
             const double least =
@@ -158,7 +158,7 @@ TEST_P(ReferenceInMode, ACountIsMetExactly) {
                 Request request;
                 request.mode = GetParam();
                 request.count = count;
-                request.boundary = boundary;
+                request.domain.boundary = boundary;
                 request.lines_per_radius = m;
                 request.snap = request.mode == Mode::lines;
                 request.backend = "reference";
@@ -169,7 +169,7 @@ TEST_P(ReferenceInMode, ACountIsMetExactly) {
                 EXPECT_GE(least, result.radius);
                 // Not too small: within a tenth of the maximal set's density.
                 if (count > 1000 && (m == 30 || request.mode == Mode::exact)) {
-                    EXPECT_LT(expected_count(1, 1, boundary, result.radius),
+                    EXPECT_LT(expected_count({1, 1, boundary}, result.radius),
                               1.1 * static_cast<double>(count));
                 }
             }
@@ -180,7 +180,7 @@ TEST_P(ReferenceInMode, ACountIsMetExactly) {
 TEST_P(ReferenceInMode, ARadiusOfTheWholeDomainGivesOneSample) {
     Request request = request_of(GetParam(), 1.41421);
     EXPECT_EQ(sample(request).points.size(), 1u);
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     request.radius = 1;
     EXPECT_EQ(sample(request).points.size(), 1u);
 }

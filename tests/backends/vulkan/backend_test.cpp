@@ -22,7 +22,7 @@ Request torus(double radius, Mode mode = Mode::exact) {
     Request request;
     request.mode = mode;
     request.radius = radius;
-    request.boundary = Boundary::torus;
+    request.domain.boundary = Boundary::torus;
     return request;
 }
 

@@ -87,7 +87,7 @@ protected:
     static Plan make() {
         Request request;
         request.radius = 0.9;
-        request.boundary = Boundary::torus;
+        request.domain.boundary = Boundary::torus;
         request.lines_per_radius = 1;
         return make_plan(request);
     }

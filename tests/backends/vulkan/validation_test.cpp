@@ -73,7 +73,7 @@ TEST_P(ValidatedAnyhow, MakesSetsWithoutAMessage) {
             Request request;
             request.mode = mode;
             request.radius = 0.07;
-            request.boundary = boundary;
+            request.domain.boundary = boundary;
             const Plan plan = make_plan(request);
             vulkan::Trial trial;
             trial.validation = &validation_;
