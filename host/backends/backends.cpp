@@ -95,12 +95,12 @@ std::string names() {
     return all;
 }
 
-const Entry& entry_for(const Request& request) {
-    const std::string wanted = wanted_backend(request.backend);
+const Entry& entry_for(const Place& place) {
+    const std::string wanted = wanted_backend(place.backend);
     for (const Entry& entry : kBackends) {
         if (wanted != "auto" && wanted != entry.name) continue;
-        if (!request.device.empty() && !entry.has_devices)
-            throw BadRequest("device", request.device,
+        if (!place.device.empty() && !entry.has_devices)
+            throw BadRequest("device", place.device,
                              "backend " + std::string(entry.name) +
                                  " has no devices to choose from; opencl and vulkan have");
         return entry;
@@ -129,12 +129,12 @@ std::vector<Device> devices() {
     return all;
 }
 
-ReadyBackend make_backend(const Request& request, const Plan& plan, Observer& observer) {
-    const Entry& entry = entry_for(request);
+ReadyBackend make_backend(const Place& place, const Plan& plan, Observer& observer) {
+    const Entry& entry = entry_for(place);
     if (entry.make == nullptr) return {nullptr, std::string(entry.name)};
     // A device's kernels are built here, at first use.
     observer.begin(Verb::first_use);
-    std::unique_ptr<Backend> backend = entry.make(plan, {request.device, request.threads});
+    std::unique_ptr<Backend> backend = entry.make(plan, {place.device, place.threads});
     observer.end(Verb::first_use);
     return {std::move(backend), std::string(entry.name)};
 }

@@ -17,12 +17,12 @@ std::string wanted_backend(const std::string& asked);
 // The error for a backend that does not exist. All builds know the same names.
 BadRequest no_such_backend(const std::string& wanted);
 
-// The backend that the request asks for. The plan may be of one strip (ranks/strip.h). The
+// The backend of this place. The plan may be of one strip (ranks/strip.h). The
 // reference has a loop instead of verbs: its backend is null. Throws Unavailable, DeviceError.
 struct ReadyBackend {
     std::unique_ptr<Backend> backend;
     std::string name;
 };
-ReadyBackend make_backend(const Request& request, const Plan& plan, Observer& observer);
+ReadyBackend make_backend(const Place& place, const Plan& plan, Observer& observer);
 
 }  // namespace lacuna

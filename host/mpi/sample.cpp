@@ -112,7 +112,8 @@ void check_same_everywhere(const MpiSample& all, const MpiRanks& ranks) {
 class Watch {
 public:
     Watch(const MpiSample& all, bool speaks)
-        : driver_(all.common.request.backend), bar_(all.common.quiet || !speaks, all.progress) {}
+        : driver_(all.common.request.place.backend),
+          bar_(all.common.quiet || !speaks, all.progress) {}
     cli::Observers& observers() { return observers_; }
     const cli::Stopwatch& stopwatch() const { return stopwatch_; }
 
@@ -176,8 +177,9 @@ void run(const MpiSample& all, const MpiProgram& program) {
     MpiRanks ranks(MPI_COMM_WORLD);
     const Machine machine = look_at_machines(ranks.communicator());
     Request request = all.common.request;
-    if (request.threads == 0) request.threads = threads_for(machine);
-    if (request.memory_limit_bytes == 0) request.memory_limit_bytes = machine.memory_bytes;
+    if (request.place.threads == 0) request.place.threads = threads_for(machine);
+    if (request.place.memory_limit_bytes == 0)
+        request.place.memory_limit_bytes = machine.memory_bytes;
     check_same_everywhere(all, ranks);
     check(all, request, ranks);
     program.join();

@@ -44,7 +44,7 @@ void check_round_size(const Request& request) {
                          "must be 1 with uniform-x, whose draws cannot be thinned");
     if (request.round_size > kMostRoundSize)
         throw BadRequest("round-size", value, "must be at most " + std::to_string(kMostRoundSize));
-    if (request.backend == "reference") return;  // the reference takes one draw at a time
+    if (request.place.backend == "reference") return;  // the reference takes one draw at a time
     refuse_more_memory(request, "round-size", value,
                        kBytesPerDraw * static_cast<double>(request.round_size));
 }
@@ -187,8 +187,8 @@ void check_request(const Request& request) {
     if (!given && !request.count && request.classes.names.empty())
         throw BadRequest(size, "missing", "give either a " + size + " or a count");
     if (request.count && *request.count == 0) throw BadRequest("count", "0", "must be at least 1");
-    if (request.threads > kMostThreads)
-        throw BadRequest("threads", std::to_string(request.threads),
+    if (request.place.threads > kMostThreads)
+        throw BadRequest("threads", std::to_string(request.place.threads),
                          "must be at most " + std::to_string(kMostThreads));
     check_round_size(request);
 }

@@ -32,7 +32,8 @@ std::string gigabytes(double bytes) {
 }
 
 double memory_limit(const Request& request) {
-    if (request.memory_limit_bytes != 0) return static_cast<double>(request.memory_limit_bytes);
+    if (request.place.memory_limit_bytes != 0)
+        return static_cast<double>(request.place.memory_limit_bytes);
     return static_cast<double>(machine_memory_bytes());
 }
 

@@ -17,9 +17,7 @@ RelaxOptions relax_options_of(const Request& request, const Moves& moves) {
     options.iterations = moves.iterations;
     options.gaussian = moves.gaussian;
     options.gaussian_distance = moves.gaussian_distance.value_or(options.gaussian_distance);
-    options.backend = request.backend;
-    options.device = request.device;
-    options.threads = request.threads;
+    options.place = request.place;
     options.measure = moves.measure;
     return options;
 }

@@ -75,9 +75,9 @@ Targets targets_of(Request& request) {
             {"uniform-x", &request.uniform_x},
             {"snap", &request.snap},
             {"round-size", &request.round_size},
-            {"threads", &request.threads},
-            {"backend", &request.backend},
-            {"device", &request.device}};
+            {"threads", &request.place.threads},
+            {"backend", &request.place.backend},
+            {"device", &request.place.device}};
 }
 
 Targets targets_of(Moves& moves) {

@@ -43,7 +43,7 @@ void descend(std::vector<Point>& points, const GaussianField& field, const Relax
     };
     observer.begin(Verb::first_use);
     const auto backend =
-        make_gaussian_backend(options, field, spots_of(points, field, options, poll), poll);
+        make_gaussian_backend(options.place, field, spots_of(points, field, options, poll), poll);
     observer.end(Verb::first_use);
     backend->watch(may_go_on);
     for (std::uint32_t step = 0; step < options.gaussian; ++step) {

@@ -168,8 +168,8 @@ public:
         : lattices_(lattices) {
         std::size_t first = 0;
         const auto add = [&](const Lattice& lattice, std::size_t dots) {
-            relaxing::Chosen chosen =
-                relaxing::make_relax_backend(options, lattice, sites.subspan(first, dots), poll);
+            relaxing::Chosen chosen = relaxing::make_relax_backend(
+                options.place, lattice, sites.subspan(first, dots), poll);
             name_ = chosen.name;
             groups_.push_back({first, std::move(chosen.backend)});
             first += dots;

@@ -138,7 +138,8 @@ Relaxed relax(std::span<const Point> points, const Field* field, const RelaxOpti
     const Lattice lattice = relaxing::make_lattice(points.size(), field, options, ask);
     const std::vector<Site> start = relaxing::sites_of(points, lattice, options, ask);
     observer.begin(Verb::first_use);
-    const relaxing::Chosen chosen = relaxing::make_relax_backend(options, lattice, start, ask);
+    const relaxing::Chosen chosen =
+        relaxing::make_relax_backend(options.place, lattice, start, ask);
     observer.end(Verb::first_use);
     relaxed.backend = chosen.name;
     relaxed.device = chosen.backend->device();

@@ -81,8 +81,8 @@ constexpr Entry kBackends[] = {
     {"reference", reference::make_backend, reference::make_gaussian_backend},
 };
 
-const Entry& chosen(const RelaxOptions& options) {
-    const std::string wanted = wanted_backend(options.backend);
+const Entry& chosen(const Place& place) {
+    const std::string wanted = wanted_backend(place.backend);
     for (const Entry& entry : kBackends)
         if (wanted == "auto" || wanted == entry.name) return entry;
     throw no_such_backend(wanted);
@@ -90,18 +90,18 @@ const Entry& chosen(const RelaxOptions& options) {
 
 }  // namespace
 
-Chosen make_relax_backend(const RelaxOptions& options, const Lattice& lattice,
-                          std::span<const Site> sites, const Poll& poll) {
-    const Entry& entry = chosen(options);
+Chosen make_relax_backend(const Place& place, const Lattice& lattice, std::span<const Site> sites,
+                          const Poll& poll) {
+    const Entry& entry = chosen(place);
     return {std::string(entry.name),
-            entry.make(lattice, sites, {options.device, options.threads}, poll)};
+            entry.make(lattice, sites, {place.device, place.threads}, poll)};
 }
 
-std::unique_ptr<GaussianBackend> make_gaussian_backend(const RelaxOptions& options,
+std::unique_ptr<GaussianBackend> make_gaussian_backend(const Place& place,
                                                        const GaussianField& field,
                                                        std::span<const Spot> spots,
                                                        const Poll& poll) {
-    return chosen(options).make_gaussian(field, spots, {options.device, options.threads}, poll);
+    return chosen(place).make_gaussian(field, spots, {place.device, place.threads}, poll);
 }
 
 }  // namespace lacuna::relaxing

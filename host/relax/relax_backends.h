@@ -15,13 +15,13 @@ struct Chosen {
     std::unique_ptr<RelaxBackend> backend;
 };
 
-// The backend that options.backend names; "auto" means LACUNA_BACKEND of the environment, otherwise
+// The backend that Place::backend names; "auto" means LACUNA_BACKEND of the environment, otherwise
 // cpu. The lattice must outlive the backend. Throws BadRequest and Unavailable.
-Chosen make_relax_backend(const RelaxOptions& options, const Lattice& lattice,
-                          std::span<const Site> sites, const Poll& poll = nobody_asks);
+Chosen make_relax_backend(const Place& place, const Lattice& lattice, std::span<const Site> sites,
+                          const Poll& poll = nobody_asks);
 
 // The same backend for the descent of the Gaussian energy. The field must outlive it.
-std::unique_ptr<GaussianBackend> make_gaussian_backend(const RelaxOptions& options,
+std::unique_ptr<GaussianBackend> make_gaussian_backend(const Place& place,
                                                        const GaussianField& field,
                                                        std::span<const Spot> spots,
                                                        const Poll& poll = nobody_asks);

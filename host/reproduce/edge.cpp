@@ -20,7 +20,7 @@ Request request_of(const Step& step, Metric metric, const Field& field) {
     request.scale = step.dense_radius;
     request.lines_per_radius = step.m;
     request.metric = metric;
-    request.backend = "cpu";
+    request.place.backend = "cpu";
     return request;
 }
 

@@ -37,7 +37,7 @@ std::string draw(const Field& field, Work& work, drawing::Medium medium) {
         request.scale = kScale;
         request.lines_per_radius = 30;
         request.metric = kMetrics[i];
-        request.backend = "cpu";
+        request.place.backend = "cpu";
         const Sets sets = make_sets(request, 1, work);
         const Rectangle box = box_of(i + 1);
         draw_title(*canvas, box,

@@ -16,7 +16,7 @@ Sets stipple(const Field& image, std::uint64_t dots, Metric metric, Work& work, 
     request.count = dots;
     request.metric = metric;
     request.lines_per_radius = 30;
-    request.backend = "cpu";
+    request.place.backend = "cpu";
     return make_sets(request, 1, work, cost);
 }
 

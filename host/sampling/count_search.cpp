@@ -98,8 +98,8 @@ private:
         return at_size(request_, scale_, kFar * kFar * *request_->count).with([&](Request& pilot) {
             pilot.lines_per_radius = corrections_ == 0 ? std::min(own, kCoarse) : own;
             pilot.round_size = 0;
-            pilot.backend = "cpu";
-            pilot.device.clear();
+            pilot.place.backend = "cpu";
+            pilot.place.device.clear();
         });
     }
 

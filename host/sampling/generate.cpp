@@ -79,7 +79,7 @@ void cut_points(std::size_t count, Result& result) {
 }
 
 Run run_on_backend(const Request& request, const Plan& plan, Observer& observer) {
-    const ReadyBackend ready = make_backend(request, plan, observer);
+    const ReadyBackend ready = make_backend(request.place, plan, observer);
     if (ready.backend == nullptr)
         return {reference::sample(plan, observer), ready.name, "1 thread"};
     return {generate(plan, *ready.backend, observer), ready.name, ready.backend->device()};

@@ -28,7 +28,7 @@ constexpr std::size_t kSetsAThread = 64;
 
 // Whether sets are small: one set on each thread is then faster than one set on all threads.
 bool is_small(const Request& request) {
-    const std::string backend = wanted_backend(request.backend);
+    const std::string backend = wanted_backend(request.place.backend);
     if (backend != "auto" && backend != "cpu") return false;
     if (request.round_size != 0 || request.uniform_x) return false;
     if (request.field != nullptr) return false;
@@ -95,12 +95,12 @@ void one_by_one(const Request& request, std::span<const std::uint64_t> seeds, co
 
 void in_batches(const Request& request, std::span<const std::uint64_t> seeds, const TakeSet& take,
                 OfAll& all) {
-    const int threads =
-        request.threads == 0 ? tbb::info::default_concurrency() : static_cast<int>(request.threads);
+    const int threads = request.place.threads == 0 ? tbb::info::default_concurrency()
+                                                   : static_cast<int>(request.place.threads);
     make_sure_of_threads(threads);
     tbb::task_arena arena(threads);
     Request single = request;
-    single.threads = 1;
+    single.place.threads = 1;
     const std::size_t batch = kSetsAThread * static_cast<std::size_t>(threads);
     std::vector<std::optional<Result>> results(std::min(batch, seeds.size()));
     for (std::size_t begin = 0; begin < seeds.size(); begin += batch) {
@@ -134,7 +134,7 @@ void sample_many(const Request& request, std::span<const std::uint64_t> seeds, c
     check_request(request);  // also if there are no seeds yet
     OfAll all(observer, seeds.size());
     // The threads are checked by sample() itself, which would come too late here.
-    const bool can_share = request.threads != 1 && request.threads <= kMostThreads;
+    const bool can_share = request.place.threads != 1 && request.place.threads <= kMostThreads;
     (can_share && is_small(request) ? in_batches : one_by_one)(request, seeds, take, all);
 }
 

@@ -90,9 +90,9 @@ void read(const nb::dict& given, const recipes::Targets& targets) {
 Request request_of(const nb::dict& given) {
     Request request;
     read(given, recipes::targets_of(request));
-    read_domain(given, request);
+    request.domain = domain_in(given);
     read_classes(given, request.classes);
-    read(given, "memory_limit", request.memory_limit_bytes);
+    request.place = place_in(given);
     return request;
 }
 

@@ -54,13 +54,13 @@ inline Domain domain_in(const nb::dict& given) {
     return domain;
 }
 
-// Reads where the work is done, too.
-template <typename Options>
-void read_place(const nb::dict& given, Options& options) {
-    options.domain = domain_in(given);
-    read(given, "backend", options.backend);
-    read(given, "device", options.device);
-    read(given, "threads", options.threads);
+inline Place place_in(const nb::dict& given) {
+    Place place;
+    read(given, "backend", place.backend);
+    read(given, "device", place.device);
+    read(given, "threads", place.threads);
+    read(given, "memory_limit", place.memory_limit_bytes);
+    return place;
 }
 
 void read_classes(const nb::dict& given, Classes& classes);

@@ -181,7 +181,7 @@ nb::dict sample_points(const nb::dict& given, const Field* field, const Mask* ma
     if (!sets.are_none()) {
         const double edge = edge_of(given, request);
         const Unlocked unlocked;
-        places = draw_places(sets.copy(), {request.domain, edge}, request.memory_limit_bytes);
+        places = draw_places(sets.copy(), request.domain, edge, request.place.memory_limit_bytes);
         request.mask = &places;
     }
     Watch watch(std::move(progress));
@@ -232,7 +232,8 @@ nb::list sample_many_points(const nb::dict& given, const std::vector<std::uint64
 nb::dict relax_points(const PointArray& array, const Field* field, const nb::dict& given,
                       nb::object progress) {
     RelaxOptions options;
-    read_place(given, options);
+    options.domain = domain_in(given);
+    options.place = place_in(given);
     read(given, "iterations", options.iterations);
     read(given, "gaussian", options.gaussian);
     read(given, "gaussian_distance", options.gaussian_distance);

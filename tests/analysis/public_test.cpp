@@ -13,7 +13,7 @@ std::vector<Point> maximal_set(std::uint64_t seed) {
     Request request;
     request.radius = 0.03;
     request.domain.boundary = Boundary::torus;
-    request.backend = "cpu";
+    request.place.backend = "cpu";
     request.seed = seed;
     return sample(request).points;
 }

@@ -26,9 +26,9 @@ protected:
         SCOPED_TRACE(tests::describe(request));
         const Plan plan = make_plan(request);
         Observer nobody;
-        request.backend = "reference";
+        request.place.backend = "reference";
         const Outcome expected = run_on_backend(request, plan, nobody).outcome;
-        request.backend = GetParam();
+        request.place.backend = GetParam();
         const Outcome got = run_on_backend(request, plan, nobody).outcome;
         EXPECT_EQ(got.rounds, expected.rounds);
         EXPECT_EQ(got.draws, expected.draws);
@@ -88,7 +88,7 @@ TEST_P(Crowd, OfALightPlaceBesideADarkOneIsServedAsByTheReference) {
 TEST_P(Crowd, OfAMillionEnds) {
     for (const Mode mode : {Mode::exact, Mode::lines}) {
         Request request = crowded(mode, 0.5, 1'000'000, Boundary::box);
-        request.backend = GetParam();
+        request.place.backend = GetParam();
         const Result result = sample(request);
         EXPECT_TRUE(result.maximal);
         EXPECT_GE(result.points.size(), 2u);

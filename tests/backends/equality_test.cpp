@@ -48,7 +48,7 @@ testing::AssertionResult same(const Request& request, const Plan& plan, const Ou
 
 Outcome run(Request request, const Plan& plan, const std::string& backend) {
     Observer nobody;
-    request.backend = backend;
+    request.place.backend = backend;
     return run_on_backend(request, plan, nobody).outcome;
 }
 
@@ -155,7 +155,7 @@ TEST_P(Equality, OnALargeSetInCells) {
 TEST_P(Equality, IsTheOneThatRan) {
     Request request;
     request.radius = 0.1;
-    request.backend = GetParam();
+    request.place.backend = GetParam();
     EXPECT_EQ(sample(request).backend, GetParam());
 }
 
@@ -164,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(Backend, Equality, tests::kParallelBackends, tests::nam
 TEST(Backends, UnknownNameIsRefusedWithTheKnownOnes) {
     Request request;
     request.radius = 0.1;
-    request.backend = "gpu";
+    request.place.backend = "gpu";
     const std::string what = tests::refusal_of([&] { sample(request); });
     EXPECT_TRUE(what.starts_with("backend gpu: must be one of auto, cpu, ")) << what;
 }
@@ -172,9 +172,9 @@ TEST(Backends, UnknownNameIsRefusedWithTheKnownOnes) {
 TEST(Backends, WithoutDevicesRefuseTheNameOfOne) {
     Request request;
     request.radius = 0.1;
-    request.device = "GeForce";
+    request.place.device = "GeForce";
     for (const char* const backend : {"cpu", "reference", "auto"}) {
-        request.backend = backend;
+        request.place.backend = backend;
         EXPECT_THROW(sample(request), BadRequest) << backend;
     }
 }
@@ -184,10 +184,10 @@ TEST(Backends, TheEnvironmentChoosesWhenTheRequestDoesNot) {
     request.radius = 0.1;
     setenv("LACUNA_BACKEND", "reference", 1);
     EXPECT_EQ(sample(request).backend, "reference");
-    request.backend = "cpu";
+    request.place.backend = "cpu";
     EXPECT_EQ(sample(request).backend, "cpu");
     unsetenv("LACUNA_BACKEND");
-    request.backend = "auto";
+    request.place.backend = "auto";
     EXPECT_EQ(sample(request).backend, "cpu");
 }
 

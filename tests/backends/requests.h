@@ -23,7 +23,7 @@ inline std::string describe(const Request& request) {
         out << ", radius " << *request.radius << (request.snap ? ", snap" : ", interpolated")
             << (request.uniform_x ? ", uniform-x" : ", cdf");
     out << ", m " << request.lines_per_radius.value_or(0) << ", round size " << request.round_size
-        << ", seed " << request.seed << ", threads " << request.threads;
+        << ", seed " << request.seed << ", threads " << request.place.threads;
     return out.str();
 }
 
@@ -76,7 +76,7 @@ inline std::vector<Request> equality_requests(Mode mode) {
         // Small rounds need many launches, so these sets have few points.
         if (request.round_size != 0)
             request.radius = std::max(*request.radius, request.round_size < 7 ? 0.1 : 0.05);
-        request.threads = static_cast<std::uint32_t>(pick({1, 2, 5}));
+        request.place.threads = static_cast<std::uint32_t>(pick({1, 2, 5}));
         request.seed = random();
         requests.push_back(request);
     }

@@ -28,7 +28,7 @@ Request small_request(const std::string& backend, std::uint64_t seed) {
     Request request;
     request.radius = 0.05;
     request.seed = seed;
-    request.backend = backend;
+    request.place.backend = backend;
     return request;
 }
 
@@ -54,7 +54,8 @@ TEST_P(Threads, ThatSampleFirstAllGetTheirSets) {
             const int seed = thread * kCalls + call;
             try {
                 Request request = small_request(GetParam(), static_cast<std::uint64_t>(seed));
-                if (GetParam() == "cpu") request.threads = static_cast<std::uint32_t>(1 + seed % 4);
+                if (GetParam() == "cpu")
+                    request.place.threads = static_cast<std::uint32_t>(1 + seed % 4);
                 got[static_cast<std::size_t>(seed)] = sample(request).points;
             } catch (const std::exception& error) {
                 errors[static_cast<std::size_t>(thread)] = error.what();
@@ -92,7 +93,8 @@ TEST(Threads, OfAllBackendsAtOnceAllGetTheirSets) {
             const Request request = small_request(backends[turn % backends.size()], seed);
             try {
                 if (!are_equal(sample(request).points, expected[seed]))
-                    errors[static_cast<std::size_t>(thread)] = "other points: " + request.backend;
+                    errors[static_cast<std::size_t>(thread)] =
+                        "other points: " + request.place.backend;
                 ++made;
             } catch (const Unavailable&) {
             } catch (const std::exception& error) {
@@ -116,7 +118,7 @@ TEST(Threads, OfOtherNumbersAreNoWordOnStandardError) {
         for (int call = 0; call < 20; ++call) {
             Request request = small_request("cpu", 1);
             request.radius = 0.01;
-            request.threads = static_cast<std::uint32_t>(2 + 2 * thread);
+            request.place.threads = static_cast<std::uint32_t>(2 + 2 * thread);
             sample(request);
         }
     });

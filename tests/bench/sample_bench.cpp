@@ -26,8 +26,8 @@ Request torus(Mode mode, const std::string& backend, double radius, std::uint32_
     request.mode = mode;
     request.radius = radius;
     request.domain.boundary = Boundary::torus;
-    request.backend = backend;
-    request.threads = threads;
+    request.place.backend = backend;
+    request.place.threads = threads;
     return request;
 }
 

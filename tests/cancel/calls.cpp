@@ -148,12 +148,12 @@ void add_samples(const Shared& given, std::size_t size, std::vector<Call>& all) 
     });
     for (const char* const backend : {"opencl", "vulkan"})
         add((std::string(" on ") + backend).c_str(), [=](Request& r, const Given&) {
-            r.backend = backend;
+            r.place.backend = backend;
             r.radius = 0.02 * length;
         });
     const auto slowly = [&](const char* what, auto change) {
         add(what, [=](Request& r, const Given& g) {
-            r.backend = "reference";
+            r.place.backend = "reference";
             change(r, g);
         });
     };
@@ -182,7 +182,7 @@ void add_others(const Shared& given, std::size_t size, std::vector<Call>& all) {
     add("relax", [](const Given& g) { relax(g.points, &g.field, {.iterations = 2}); });
     add("relax on reference", [](const Given& g) {
         relax(std::span(g.points).first(g.points.size() / 100), nullptr,
-              {.iterations = 1, .backend = "reference"});
+              {.iterations = 1, .place = {.backend = "reference"}});
     });
     add("place_inks", [=](const Given& g) {
         const std::vector<InkPart> inks{{&g.field, 2000 * size}, {&g.field, 1000 * size}};

@@ -67,7 +67,7 @@ RC_GTEST_PROP(CellsSets, KeepEveryPromiseByBruteForce, ()) {
                                     *rc::gen::element(0.5, 5.0, 30.0, 120.0));
     request.round_size = *rc::gen::element(0u, 1u, 7u);
     request.seed = *rc::gen::arbitrary<std::uint64_t>();
-    request.backend = *rc::gen::element<std::string>("cpu", "reference");
+    request.place.backend = *rc::gen::element<std::string>("cpu", "reference");
 
     const std::vector<Point> points = sample(request).points;
     const CellsCheck check(request, points);

@@ -113,7 +113,7 @@ TEST(OptionsOfStipple, ArriveInTheLibrary) {
           .relax = 0,
           .tone = {.auto_levels = true}}},
         {{"--count", "200", "--mode", "exact", "--along", "4", "--backend", "reference"},
-         {.request = {.count = 200, .backend = "reference"},
+         {.request = {.count = 200, .place = {.backend = "reference"}},
           .start = Mode::exact,
           .tone = {.along = 4}}},
         {{"--inks", "red,#0000ff", "--black-ink", "0.5", "--ink-counts", "70,50", "--relax", "1"},

@@ -35,7 +35,7 @@ Request request_of(Boundary boundary, std::uint64_t round_size) {
     request.radius = kRadius;
     request.domain.boundary = boundary;
     request.round_size = round_size;
-    request.backend = "cpu";
+    request.place.backend = "cpu";
     return request;
 }
 

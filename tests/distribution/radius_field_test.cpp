@@ -36,7 +36,7 @@ Request request_of(const Field& field, double scale, double width = 1) {
     request.scale = scale;
     request.domain.width = width;
     request.domain.boundary = Boundary::torus;
-    request.backend = "cpu";
+    request.place.backend = "cpu";
     return request;
 }
 
@@ -216,7 +216,7 @@ Request request_of_two_classes() {
     request.classes.names = {"one", "other"};
     request.classes.distances = distances_by_union(std::vector{0.03, 0.03});
     request.domain.boundary = Boundary::torus;
-    request.backend = "cpu";
+    request.place.backend = "cpu";
     return request;
 }
 

@@ -17,7 +17,7 @@ Request request_of(double radius, Boundary boundary, Mode mode = Mode::lines) {
     request.mode = mode;
     request.radius = radius;
     request.domain.boundary = boundary;
-    request.backend = "reference";
+    request.place.backend = "reference";
     return request;
 }
 
@@ -71,7 +71,7 @@ TEST(Pinned, Count) {
     Request request;
     request.mode = Mode::lines;
     request.count = 1000;
-    request.backend = "reference";
+    request.place.backend = "reference";
     EXPECT_EQ(hash_of(request), "ff23fa2a80379ce0e4659fbd8a059b2ce7acafdb4094cf28244c992909f8069f");
 }
 

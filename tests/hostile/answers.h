@@ -42,8 +42,7 @@ inline std::vector<Point> moved_some(const Made& made, const Request& request,
                                      std::span<const Point> points) {
     RelaxOptions options = made.moves;
     options.domain = request.domain;
-    options.backend = request.backend;
-    options.threads = request.threads;
+    options.place = request.place;
     return relax(points.first(std::min(points.size(), kMostToMove)),
                  made.sparse.importance.empty() ? nullptr : &made.sparse, options)
         .points;
@@ -52,8 +51,8 @@ inline std::vector<Point> moved_some(const Made& made, const Request& request,
 // sample() makes the sets of the reference, and sample_many() the others where there are several.
 inline Answer answer_of(const Made& made, const std::string& backend, std::uint32_t threads) {
     Request request = made.request;
-    request.backend = backend;
-    request.threads = threads;
+    request.place.backend = backend;
+    request.place.threads = threads;
     Answer answer;
     try {
         if (made.seeds.size() > 1 && backend != "reference") {
@@ -107,8 +106,8 @@ inline Answer answer_of_all(const Made& made, const std::vector<std::string>& na
                             told(got) + "\n  " + names.front() + " answers: " + told(expected));
         ++counts.comparisons;
     };
-    for (std::size_t i = 1; i < names.size(); ++i) compare(names[i], made.request.threads);
-    if (made.request.threads > 1) compare("cpu", 1);
+    for (std::size_t i = 1; i < names.size(); ++i) compare(names[i], made.request.place.threads);
+    if (made.request.place.threads > 1) compare("cpu", 1);
     return expected;
 }
 

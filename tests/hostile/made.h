@@ -63,7 +63,7 @@ inline Row levels_of(const Made& made) {
     row[kOrder] = request.progressive ? 1 : 0;
     row[kLimit] = request.limit ? 1 : 0;
     row[kSeeds] = made.seeds.size() > 1 ? 1 : 0;
-    row[kThreads] = request.threads > 1 ? 1 : 0;
+    row[kThreads] = request.place.threads > 1 ? 1 : 0;
     row[kRounds] = request.round_size == 0    ? 0
                    : request.round_size == 1  ? 1
                    : request.round_size <= 42 ? 2
@@ -93,7 +93,7 @@ inline std::string describe(const Made& made) {
     out << ", border " << request.border << ", " << made.keep.size() << " kept, limit "
         << request.limit.value_or(0) << ", round size " << request.round_size << ", m "
         << request.lines_per_radius.value_or(0) << ", seed " << request.seed << ", threads "
-        << request.threads;
+        << request.place.threads;
     return out.str();
 }
 

@@ -57,7 +57,7 @@ private:
         request.seed = choose_.random()();
         made.seeds = {request.seed};
         if (is(kSeeds, "several")) made.seeds.push_back(choose_.random()());
-        request.threads = is(kThreads, "one") ? 1 : 2 + choose_.below(3);
+        request.place.threads = is(kThreads, "one") ? 1 : 2 + choose_.below(3);
         if (is(kRounds, "of one")) request.round_size = 1;
         if (is(kRounds, "small")) request.round_size = 2 + choose_.below(40);
         if (is(kRounds, "large"))
@@ -215,7 +215,7 @@ private:
 
     // A set of mode exact with fewer points than the one that is asked for, or of the same size.
     Result trial_of(Request request) {
-        request.backend = "cpu";
+        request.place.backend = "cpu";
         request.mode = Mode::exact;
         request.seed = choose_.random()();
         request.progressive = request.snap = request.uniform_x = false;
@@ -259,7 +259,7 @@ private:
     }
 
     static bool is_fair(Request request) {
-        request.backend = "cpu";
+        request.place.backend = "cpu";
         try {
             sample(request);
         } catch (const BadRequest& error) {

@@ -58,7 +58,7 @@ RC_GTEST_PROP(Plan, KeepsEveryPromiseOfItsFields, ()) {
     const double shorter = request.domain.shorter_side();
     request.radius = std::max(shorter * *rc::gen::inRange(1, 10001) / 10000, longer * 2e-5);
     request.limit = 1;
-    request.memory_limit_bytes = std::uint64_t{1} << 50;
+    request.place.memory_limit_bytes = std::uint64_t{1} << 50;
     if (*request.radius > shorter) return;
 
     const Plan plan = make_plan(request);
@@ -88,7 +88,7 @@ RC_GTEST_PROP(Plan, RoundsDistancesInTheUsersFavour, ()) {
     request.radius = request.domain.shorter_side() / *rc::gen::inRange(2, 2000);
     // Less is refused.
     if (*request.radius < std::ldexp(request.domain.longer_side(), -20)) return;
-    request.memory_limit_bytes = std::uint64_t{1} << 50;
+    request.place.memory_limit_bytes = std::uint64_t{1} << 50;
     const Plan plan = make_plan(request);
     const auto x = *rc::gen::inRange<std::uint32_t>(0, plan.width - plan.radius);
     const auto y = *rc::gen::inRange<std::uint32_t>(0, plan.height);
@@ -132,7 +132,7 @@ TEST(Plan, RefusesARadiusLargerThanTheDomain) {
 
 TEST(Plan, SaysHowMuchMemoryASmallRadiusNeeds) {
     Request request = with_radius(1e-5);
-    request.memory_limit_bytes = 1'000'000'000;
+    request.place.memory_limit_bytes = 1'000'000'000;
     const std::string message = refusal(request);
     EXPECT_NE(message.find("radius 1e-05: needs about "), std::string::npos) << message;
     EXPECT_NE(message.find(" GB of memory, more than the 1 GB there is"), std::string::npos);
@@ -141,11 +141,11 @@ TEST(Plan, SaysHowMuchMemoryASmallRadiusNeeds) {
 
 TEST(Plan, NeedsLessMemoryForFewPoints) {
     Request request = with_radius(2e-5);
-    request.memory_limit_bytes = 100'000'000'000;
+    request.place.memory_limit_bytes = 100'000'000'000;
     EXPECT_NE(refusal(request).find("needs about"), std::string::npos);
     request.limit = 1000;
     EXPECT_EQ(refusal(request), "accepted");
-    request.memory_limit_bytes = 1'000'000'000;  // a grid of 5e9 cells does not fit
+    request.place.memory_limit_bytes = 1'000'000'000;  // a grid of 5e9 cells does not fit
     EXPECT_NE(refusal(request).find("needs about 4"), std::string::npos) << refusal(request);
 }
 
@@ -154,10 +154,10 @@ TEST(Plan, RefusesRoundsThatNoMemoryHolds) {
     request.round_size = std::uint64_t{1} << 32;
     EXPECT_EQ(refusal(request), "round-size 4294967296: must be at most 2147483648");
     request.round_size = 100'000'000;
-    request.memory_limit_bytes = 1'000'000'000;
+    request.place.memory_limit_bytes = 1'000'000'000;
     EXPECT_EQ(refusal(request).find("round-size 100000000: needs about 9.6 GB of memory"), 0u)
         << refusal(request);
-    request.memory_limit_bytes = 10'000'000'000;
+    request.place.memory_limit_bytes = 10'000'000'000;
     EXPECT_EQ(refusal(request), "accepted");
 }
 
@@ -176,7 +176,7 @@ TEST(Plan, RefusesEnumsOutOfRange) {
 TEST(Plan, SaysWhenTheUnitsRunOut) {
     Request request = with_radius(1e-7);
     request.limit = 10;
-    request.memory_limit_bytes = ~std::uint64_t{0};
+    request.place.memory_limit_bytes = ~std::uint64_t{0};
     EXPECT_EQ(refusal(request),
               "radius 1e-07: must be at least 9.5367431640625e-07, the longer side / 2^20, or the "
               "grid's units run out");

@@ -125,9 +125,9 @@ TEST(Stippling, IsTheSameOnEveryBackendAndNumberOfThreads) {
     StippleOptions options = in_inks("red,black,blue", 200);
     options.relax = 3;
     const std::vector<Point> points = stipple(kDrawing, options).result.points;
-    options.request.threads = 1;
+    options.request.place.threads = 1;
     EXPECT_EQ(stipple(kDrawing, options).result.points, points);
-    options.request.backend = "reference";
+    options.request.place.backend = "reference";
     EXPECT_EQ(stipple(kDrawing, options).result.points, points);
 }
 

@@ -22,10 +22,7 @@ using lacuna::tests::OnBackend;
 inline std::unique_ptr<RelaxBackend> make_backend(const std::string& name, const Lattice& lattice,
                                                   std::span<const Site> sites,
                                                   std::uint32_t threads = 0) {
-    RelaxOptions options;
-    options.backend = name;
-    options.threads = threads;
-    return make_relax_backend(options, lattice, sites).backend;
+    return make_relax_backend({.backend = name, .threads = threads}, lattice, sites).backend;
 }
 
 }  // namespace lacuna::relaxing::tests

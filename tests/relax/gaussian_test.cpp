@@ -54,10 +54,10 @@ TEST_P(Gaussian, gives_the_spots_of_the_reference) {
         options.gaussian = kSteps;
         const GaussianField field = make_gaussian(scene.points.size(), options);
         const std::vector<Spot> start = spots_of(scene.points, field, options, nobody_asks);
-        options.backend = "reference";
-        const auto reference = make_gaussian_backend(options, field, start);
-        options.backend = GetParam();
-        const auto backend = make_gaussian_backend(options, field, start);
+        options.place.backend = "reference";
+        const auto reference = make_gaussian_backend(options.place, field, start);
+        options.place.backend = GetParam();
+        const auto backend = make_gaussian_backend(options.place, field, start);
         EXPECT_TRUE(descended(*reference, kSteps) == descended(*backend, kSteps)) << scene;
     }
 }
@@ -66,12 +66,12 @@ TEST_P(Gaussian, gives_the_same_at_any_number_of_threads_and_after_iterations) {
     RelaxOptions options = on(1, 1, Boundary::torus);
     options.iterations = 2;
     options.gaussian = 5;
-    options.backend = "cpu";
+    options.place.backend = "cpu";
     const std::vector<Point> start = random_points(3000, 1, 1, 1);
     const std::vector<Point> expected = relax(start, nullptr, options).points;
-    options.backend = GetParam();
+    options.place.backend = GetParam();
     for (const std::uint32_t threads : {1u, 2u, 8u}) {
-        options.threads = threads;
+        options.place.threads = threads;
         EXPECT_TRUE(relax(start, nullptr, options).points == expected) << threads;
     }
 }
@@ -88,7 +88,7 @@ TEST_P(Gaussian, is_asked_whether_to_go_on_in_each_step) {
     RelaxOptions options = on(1, 1, Boundary::torus);
     options.iterations = 3;
     options.gaussian = 20;
-    options.backend = GetParam();
+    options.place.backend = GetParam();
     EXPECT_THROW(relax(random_points(500, 1, 1, 1), nullptr, options, stop), Cancelled);
     EXPECT_EQ(stop.rounds, 7u);
 }

@@ -79,7 +79,7 @@ std::vector<Picture> pictures() {
 
 InkDots placed(const Picture& picture, const std::string& backend, std::uint64_t seed = 0) {
     RelaxOptions options = picture.options;
-    options.backend = backend;
+    options.place.backend = backend;
     return place_inks(picture.parts(), seed, options);
 }
 
@@ -121,7 +121,7 @@ TEST(InkDots, AreAsManyAsAskedForAndWhereTheirInkIsWanted) {
 TEST(InkDots, DependOnTheSeedAndNotOnTheThreads) {
     Picture picture = pictures()[0];
     const std::vector<Point> points = placed(picture, "cpu").points;
-    picture.options.threads = 1;
+    picture.options.place.threads = 1;
     EXPECT_EQ(placed(picture, "cpu").points, points);
     EXPECT_NE(placed(picture, "cpu", 1).points, points);
 }

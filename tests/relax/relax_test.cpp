@@ -54,9 +54,9 @@ INSTANTIATE_TEST_SUITE_P(All, Relax, kRelaxBackends, name_of_parameter);
 TEST_P(Relax, gives_the_points_of_the_reference) {
     for (Scene scene : scenes()) {
         scene.options.iterations = 5;
-        scene.options.backend = "reference";
+        scene.options.place.backend = "reference";
         const Relaxed expected = relax(scene.points, scene.field_or_null(), scene.options);
-        scene.options.backend = GetParam();
+        scene.options.place.backend = GetParam();
         const Relaxed relaxed = relax(scene.points, scene.field_or_null(), scene.options);
         EXPECT_EQ(relaxed.points, expected.points) << scene;
         EXPECT_EQ(relaxed.backend, GetParam());
@@ -65,7 +65,7 @@ TEST_P(Relax, gives_the_points_of_the_reference) {
 
 TEST_P(Relax, leaves_no_point_outside_of_the_domain_or_on_white) {
     for (Scene scene : scenes()) {
-        scene.options.backend = GetParam();
+        scene.options.place.backend = GetParam();
         for (const std::uint32_t iterations : {1u, 4u, 15u}) {
             scene.options.iterations = iterations;
             const Relaxed relaxed = relax(scene.points, scene.field_or_null(), scene.options);
@@ -86,7 +86,7 @@ TEST_P(Relax, leaves_no_point_outside_of_the_domain_or_on_white) {
 TEST_P(Relax, takes_points_on_one_spot_apart) {
     for (const std::size_t which : {2u, 3u}) {
         Scene scene = scenes()[which];
-        scene.options.backend = GetParam();
+        scene.options.place.backend = GetParam();
         scene.options.iterations = 60;
         const Relaxed relaxed = relax(scene.points, nullptr, scene.options);
         EXPECT_GT(relative_least_distance(relaxed.points, scene.options), 0.5) << scene;
@@ -98,7 +98,7 @@ TEST_P(Relax, evens_shares_out_on_a_torus) {
     request.count = 1024;
     request.domain.boundary = Boundary::torus;
     RelaxOptions options = on(1, 1, Boundary::torus);
-    options.backend = GetParam();
+    options.place.backend = GetParam();
     options.measure = true;
     const std::vector<Point> start = sample(request).points;
     options.iterations = 10;
@@ -123,7 +123,7 @@ TEST_P(Relax, is_asked_whether_to_go_on_and_stops) {
         std::uint64_t iterations = 0;
     } stop;
     RelaxOptions options = on(1, 1, Boundary::torus);
-    options.backend = GetParam();
+    options.place.backend = GetParam();
     options.iterations = 20;
     EXPECT_THROW(relax(random_points(2000, 1, 1, 1), nullptr, options, stop), Cancelled);
     EXPECT_EQ(stop.iterations, 3u);
@@ -144,7 +144,7 @@ TEST_P(Relax, is_asked_before_the_first_iteration_too) {
         int at_;
     };
     RelaxOptions options = on(1, 1, Boundary::box);
-    options.backend = GetParam();
+    options.place.backend = GetParam();
     std::vector<Point> points = random_points(200'000, 1, 1, 1);
     points.resize(201'000, {0.5, 0.5});  // a crowd, which must spread
     for (int at = 1; at <= 50; ++at) {
@@ -265,7 +265,7 @@ TEST(RelaxOptionsGiven, are_refused_when_they_cannot_be_met) {
     EXPECT_NE(refusal_of([&] { relax(points, nullptr, options); }).find("domain"),
               std::string::npos);
     options = {};
-    options.backend = "abacus";
+    options.place.backend = "abacus";
     EXPECT_EQ(refusal_of([&] { relax(points, nullptr, options); }),
               "backend abacus: must be one of auto, cpu, opencl, vulkan, reference");
     options = {};

@@ -37,7 +37,7 @@ Request request_of(std::vector<double> distances, std::vector<double> weights = 
         request.classes.names.push_back("class-" + std::to_string(i));
     request.classes.distances = std::move(distances);
     request.classes.weights = std::move(weights);
-    request.backend = "cpu";
+    request.place.backend = "cpu";
     return request;
 }
 
@@ -257,7 +257,7 @@ TEST(Classes, AreDrawnByTheirWeights) {
 TEST(Classes, AreOneSetWithoutClassesIfThereIsOne) {
     Request plain;
     plain.radius = 0.02;
-    plain.backend = "cpu";
+    plain.place.backend = "cpu";
     Request one = request_of({0.02});
     const Result expected = sample(plain);
     const Result got = sample(one);

@@ -123,7 +123,7 @@ void make_hostile(Random& random, Made& made) {
         request.scale = *request.scale * std::min(1.0, 0.49 * shorter / longest);
     request.seed = random();
     request.round_size = random() % 3 == 0 ? 1 + random() % 100 : 0;
-    request.backend = "cpu";
+    request.place.backend = "cpu";
 }
 
 TEST(EllipsesOfHostileFields, KeepTheirDistancesAndLeaveNoRoom) {
@@ -167,7 +167,7 @@ Request request_of(const Field& field) {
     Request request;
     request.field = &field;
     request.scale = 0.02;
-    request.backend = "cpu";
+    request.place.backend = "cpu";
     return request;
 }
 

@@ -18,7 +18,7 @@ Request request_of(double radius, Mode mode = Mode::exact) {
     Request request;
     request.mode = mode;
     request.radius = radius;
-    request.backend = "cpu";
+    request.place.backend = "cpu";
     return request;
 }
 
@@ -73,7 +73,7 @@ TEST(AnyExactSet, KeepsTheRadiusInDoubleAndItsPointsInTheDomain) {
     double closest = 10;  // least distance over radius
     for (int i = 0; i < kSets; ++i) {
         Request request;
-        request.backend = "cpu";
+        request.place.backend = "cpu";
         request.domain.width = side(random) / 7919;
         request.domain.height = side(random) / 7919;
         request.radius = request.domain.shorter_side() * share(random) * share(random);

@@ -19,8 +19,8 @@ Request request_of(double radius, std::uint32_t threads = 0) {
     Request request;
     request.radius = radius;
     request.domain.boundary = Boundary::torus;
-    request.backend = "cpu";
-    request.threads = threads;
+    request.place.backend = "cpu";
+    request.place.threads = threads;
     return request;
 }
 
@@ -61,7 +61,7 @@ TEST(SampleMany, GivesTheSetOfEachSeedInAllModesAndSizes) {
     count.count = 500;
     EXPECT_EQ(expect_same_as_alone(count, seeds), 3U);
     Request reference = request_of(0.1);
-    reference.backend = "reference";
+    reference.place.backend = "reference";
     EXPECT_EQ(expect_same_as_alone(reference, seeds), 3U);
     const Field field{2, 1, {1, 0.2}};
     Request cells;
@@ -81,7 +81,7 @@ TEST(SampleMany, RefusesWhatSampleRefuses) {
     EXPECT_THROW(sample_many(request_of(-1), seeds, take), BadRequest);
     EXPECT_THROW(sample_many(request_of(0.1, 1025), seeds, take), BadRequest);
     Request elsewhere = request_of(0.1);
-    elsewhere.backend = "abacus";
+    elsewhere.place.backend = "abacus";
     EXPECT_THROW(sample_many(elsewhere, seeds, take), BadRequest);
     Request snapped = request_of(0.1);
     snapped.snap = true;

@@ -71,8 +71,8 @@ Request request_of(Mode mode, double radius, std::uint32_t threads) {
     Request request;
     request.mode = mode;
     request.radius = radius;
-    request.threads = threads;
-    request.backend = "cpu";
+    request.place.threads = threads;
+    request.place.backend = "cpu";
     return request;
 }
 

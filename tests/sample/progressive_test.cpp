@@ -161,9 +161,9 @@ TEST_P(ProgressiveOn, IsTheReferencesSequence) {
     const Kinds kinds;
     for (Request request : kinds.all()) {
         request.limit = 150;
-        request.backend = "reference";
+        request.place.backend = "reference";
         const Result expected = sample(request);
-        request.backend = GetParam();
+        request.place.backend = GetParam();
         const Result got = sample(request);
         ASSERT_EQ(got.points, expected.points);
         EXPECT_EQ(got.draws, expected.draws);
@@ -185,7 +185,7 @@ TEST(Progressive, IsRefusedAtOnceWhereItWouldTakeTooMuch) {
     Request request = progressive(1'000'000'000'000);
     EXPECT_TRUE(tests::refusal_of([&] { sample(request); }).starts_with("count 1000000000000: "));
     request = progressive(2'000'000);
-    request.memory_limit_bytes = 100'000'000;
+    request.place.memory_limit_bytes = 100'000'000;
     EXPECT_TRUE(tests::refusal_of([&] { sample(request); }).starts_with("count 2000000: needs"));
     request.count.reset();
     request.radius = 1e-9;

@@ -32,8 +32,8 @@ struct EllipseCase : FieldCase {
         request.field = &field;
         request.scale = scale;
         if (mask) request.mask = &*mask;
-        request.backend = "cpu";
-        request.threads = 1;
+        request.place.backend = "cpu";
+        request.place.threads = 1;
         request.seed = seed;
         return request;
     }

@@ -124,7 +124,7 @@ TEST(OneEllipseEverywhere, ProvesWhatDisksProveInASqueezedPicture) {
         request.domain.boundary = torus ? Boundary::torus : Boundary::box;
         request.radius = 0.12;
         request.seed = seed;
-        request.backend = "cpu";
+        request.place.backend = "cpu";
         std::vector<Point> disks = sample(request).points;
         if (seed % 4 < 2) disks = without(disks, seed);
         EllipseCase made{"one ellipse", {1, 1, {1}, {{root * root, 0}}}, 0.12};

@@ -31,7 +31,7 @@ inline Request small_exact_request(std::uint64_t seed) {
     std::mt19937_64 random(seed);
     Request request;
     request.mode = Mode::exact;
-    request.backend = "cpu";
+    request.place.backend = "cpu";
     request.seed = random();
     request.domain.boundary = pick(random, {Boundary::box, Boundary::torus});
     const double scale = pick(random, {1.0, 1.0, 1e-7, 3e8});
@@ -52,7 +52,7 @@ inline Request small_exact_request(std::uint64_t seed) {
     request.radius = std::min(fewest, fewest * std::pow(std::min(1.0, finest / fewest), share));
     request.lines_per_radius = static_cast<std::uint32_t>(1 + random() % 60);
     request.round_size = pick(random, {0u, 0u, 1u, 7u});
-    request.threads = 1;
+    request.place.threads = 1;
     return request;
 }
 

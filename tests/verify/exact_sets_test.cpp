@@ -185,7 +185,7 @@ TEST(ALargeExactSet, IsMaximalAndLessOneOfItsPointsIsNot) {
     Request request;
     request.radius = 0.001;
     request.domain.boundary = Boundary::torus;
-    request.backend = "cpu";
+    request.place.backend = "cpu";
     std::vector<Point> points = sample(request).points;
     std::printf("seed %lu, %zu points\n", request.seed, points.size());
     EXPECT_GT(points.size(), 690'000U);

@@ -13,7 +13,7 @@ TEST(Prove, OfAMaximalSetOfTheSamplersFindsAllThatIsPromised) {
     Request request;
     request.radius = 0.05;
     request.domain.boundary = Boundary::torus;
-    request.backend = "cpu";
+    request.place.backend = "cpu";
     const Result result = sample(request);
     Claim claim;
     claim.radius = 0.05;

@@ -112,7 +112,7 @@ TEST(ASnappedSet, KeepsItsDistancesAndWhereItHasAHoleTheHoleIsReal) {
         request.radius = 0.02;
         request.snap = true;
         request.domain.boundary = boundary;
-        request.backend = "cpu";
+        request.place.backend = "cpu";
         const bool torus = boundary == Boundary::torus;
         const std::vector<Point> points = sample(request).points;
         const Proof proof = check(points, 1, 1, torus, *request.radius);

@@ -99,7 +99,7 @@ public:
     Runs(std::size_t all, bool quiet) : bar_(quiet), all_(all) {}
 
     void start(const Request& request) {
-        words_ = fmt::format("run {} of {}: {}", ++started_, all_, request.backend);
+        words_ = fmt::format("run {} of {}: {}", ++started_, all_, request.place.backend);
     }
     bool keep_going(const Progress& progress) override {
         const auto expected =

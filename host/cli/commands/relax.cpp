@@ -76,9 +76,9 @@ Json json_of(const RelaxCommand& options, const Request& request) {
               {"height", request.domain.height},
               {"boundary", request.domain.wraps() ? "torus" : "box"}};
     json.update(json_of_importance(options.set.picture.importance));
-    json["backend"] = request.backend;
-    json["device"] = request.device;
-    json["threads"] = request.threads;
+    json["backend"] = request.place.backend;
+    json["device"] = request.place.device;
+    json["threads"] = request.place.threads;
     return json;
 }
 

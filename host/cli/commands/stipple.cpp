@@ -123,7 +123,7 @@ Stippling make(const CommonOptions& common, const std::string& image, const Stip
                Made& made) {
     const lacuna::Picture picture = read_picture(image);
     ProgressBar bar(common.quiet);
-    DriverAtWork driver(options.request.backend);
+    DriverAtWork driver(options.request.place.backend);
     Observers observers({driver, made.stopwatch, bar});
     Stippling stippling = stipple(picture, options, observers);
     made.seconds = made.stopwatch.seconds_so_far();

@@ -45,7 +45,7 @@ std::vector<Output> checked_outputs(const CommonOptions& options,
 Made make(const CommonOptions& options) {
     Made made;
     ProgressBar bar(options.quiet);
-    DriverAtWork driver(options.request.backend);
+    DriverAtWork driver(options.request.place.backend);
     Observers observers({driver, made.stopwatch, bar});
     made.result = sample(options.request, observers);
     made.seconds = made.stopwatch.seconds_so_far();

@@ -231,7 +231,7 @@ void read_domain_files(const CommandLine& line, const DomainOptions& options, Re
     const std::vector<std::vector<PolygonRing>> rings = rings_of(request, files);
     const std::vector<PolygonSet> sets = sets_of(files.kinds, rings);
     files.edge = edge_of(options, request, sets, files);
-    files.mask = draw_places(sets, request.domain, files.edge, request.memory_limit_bytes);
+    files.mask = draw_places(sets, request.domain, files.edge, request.place.memory_limit_bytes);
     request.mask = &*files.mask;
 }
 

@@ -41,7 +41,7 @@ Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& 
     relaxation.options.measure = !common.report.empty();
     {
         ProgressBar bar(common.quiet);
-        DriverAtWork driver(options.backend);
+        DriverAtWork driver(options.place.backend);
         Observers observers({driver, made.stopwatch, bar});
         relaxation.relaxed = relax(made.result.points, field, relaxation.options, observers);
     }

@@ -177,7 +177,7 @@ void sample_seeds(const CommandLine& line, const CommonOptions& options,
     made.last_seed = seeds.last;
     Stopwatch stopwatch;
     {
-        DriverAtWork driver(options.request.backend);
+        DriverAtWork driver(options.request.place.backend);
         Sets bar(options.quiet);
         Observers observers({driver, bar});
         sample_many(

@@ -60,8 +60,8 @@ public:
 private:
     void run_once(Entry& entry, bool is_first) {
         Request request = request_;
-        request.backend = entry.contestant.backend;
-        request.device = entry.contestant.device;
+        request.place.backend = entry.contestant.backend;
+        request.place.device = entry.contestant.device;
         const PeakMemory memory;
         Stopwatch stopwatch;
         Observers observers({observer_, stopwatch});
@@ -84,7 +84,7 @@ private:
     }
 
     Result sampled(const Request& request, Observer& observer) {
-        DriverAtWork driver(request.backend);
+        DriverAtWork driver(request.place.backend);
         Observers observers({driver, observer});
         return sampler_(request, observers);
     }

@@ -25,7 +25,7 @@ inline constexpr const char* kNoDriver = "no driver for it is installed";
 // A device of a backend.
 struct Contestant {
     std::string backend;
-    std::string device;   // its number, for Request::device; empty if it is the only one
+    std::string device;   // its number, for Place::device; empty if it is the only one
     std::string name;     // of the device
     std::string missing;  // why it cannot be used; empty if it can
 };

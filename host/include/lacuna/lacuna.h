@@ -168,6 +168,17 @@ std::string_view name_of(Mode mode);
 enum class Metric { min, mean, max };
 std::string_view name_of(Metric metric);
 
+// Where the work is done.
+struct Place {
+    // A Device::backend that devices() lists. "auto" is the backend that the environment variable
+    // LACUNA_BACKEND names or, where it is unset or empty, the first in the list.
+    std::string backend = "auto";
+    std::string device{};       // for backends with devices: a number or part of a name
+    std::uint32_t threads = 0;  // at most 1024; 0: one for each core
+    // sample() refuses sets that take more memory. 0: than the machine has.
+    std::uint64_t memory_limit_bytes = 0;
+};
+
 // What sample() is to make. Exactly one of radius, scale and count must be given; with classes,
 // none or one.
 struct Request {
@@ -226,14 +237,7 @@ struct Request {
     std::optional<std::uint64_t> limit{};  // stop after this many points, >= 1
     std::uint64_t round_size = 0;  // draws in a round; 0: automatic, 1: the paper's algorithm
     std::uint64_t seed = 0;
-
-    // A Device::backend that devices() lists. "auto" is the backend that the environment variable
-    // LACUNA_BACKEND names or, where it is unset or empty, the first in the list.
-    std::string backend = "auto";
-    std::string device{};       // for backends with devices: a number or part of a name
-    std::uint32_t threads = 0;  // at most 1024; 0: one for each core
-
-    std::uint64_t memory_limit_bytes = 0;  // refuse a larger set; 0: the machine's memory
+    Place place = Place();  // {} makes gcc 12 warn at -O3 that its texts may be uninitialized
 };
 
 // A level of a progressive order: the first `points` points are a maximal set of this size.
@@ -323,10 +327,7 @@ struct RelaxOptions {
     // 0: only the energy does.
     double gaussian_distance = 0.90;
 
-    // As in Request: "auto", or a backend by name.
-    std::string backend = "auto";
-    std::string device{};
-    std::uint32_t threads = 0;
+    Place place = Place();
 
     bool measure = false;  // fill in Relaxed::evenness; costs two more passes over the lattice
 };
@@ -377,7 +378,7 @@ struct Device {
 };
 
 // The devices of all backends. Backends come in order of preference, and the devices of each in the
-// order of their numbers, which Request::device names. A backend that this build lacks, or whose
+// order of their numbers, which Place::device names. A backend that this build lacks, or whose
 // driver fails, has one entry that says so.
 std::vector<Device> devices();
 
@@ -404,7 +405,7 @@ private:
     std::string option_;
 };
 
-// The set asked for would take more memory than there is, or than Request::memory_limit_bytes.
+// The set asked for would take more memory than there is, or than Place::memory_limit_bytes.
 class MemoryRefused : public BadRequest {
     using BadRequest::BadRequest;
 };

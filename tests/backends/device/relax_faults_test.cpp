@@ -36,8 +36,8 @@ class RelaxFaults : public lacuna::tests::OnFaultyBackend {
 protected:
     static std::vector<Site> on_cpu(const Lattice& lattice, const std::vector<Site>& start) {
         RelaxOptions options;
-        options.backend = "cpu";
-        return relaxed(*make_relax_backend(options, lattice, start).backend);
+        options.place.backend = "cpu";
+        return relaxed(*make_relax_backend(options.place, lattice, start).backend);
     }
     static std::vector<Site> on_cpu(const tests::Scene& scene) {
         const Lattice lattice = scene.lattice();

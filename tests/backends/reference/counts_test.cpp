@@ -42,7 +42,7 @@ protected:
         request.uniform_x = row.uniform_x;
         request.snap = snap;
         request.round_size = 1;
-        request.backend = "reference";
+        request.place.backend = "reference";
         // Counts of large sets vary less: the mean of 8 is six times more precise than is asked.
         const std::uint64_t seeds = row.radius < 0.01 ? 8 : 20;
         std::size_t total = 0;

@@ -59,7 +59,7 @@ Request small_request() {
     request.round_size = request.uniform_x ? 1 : *rc::gen::element(0u, 1u, 2u, 7u, 1000u);
     request.seed = *rc::gen::arbitrary<std::uint64_t>();
     request.radius = *rc::gen::inRange(5, 51) / 100.0;
-    request.backend = "reference";
+    request.place.backend = "reference";
     return request;
 }
 
@@ -103,7 +103,7 @@ TEST(Reference, KeepsItsDistancesInALargeSet) {
             request.radius = 0.005;
             request.domain.boundary = boundary;
             request.snap = snap;
-            request.backend = "reference";
+            request.place.backend = "reference";
             const double least =
                 tests::least_distance(sample(request).points, 1, 1, boundary == Boundary::torus);
             EXPECT_GE(least, snap ? 0.005 : 0.005 * (1 - 1.0 / 60));
@@ -117,7 +117,7 @@ TEST(Reference, InterpolatedDistancesDoFallBelowTheRadius) {
     Request request;
     request.mode = Mode::lines;
     request.radius = 0.01;
-    request.backend = "reference";
+    request.place.backend = "reference";
     EXPECT_LT(tests::least_distance(sample(request).points, 1, 1, false), 0.00995);
 }
 
@@ -125,7 +125,7 @@ Request request_of(Mode mode, double radius) {
     Request request;
     request.mode = mode;
     request.radius = radius;
-    request.backend = "reference";
+    request.place.backend = "reference";
     return request;
 }
 
@@ -161,7 +161,7 @@ TEST_P(ReferenceInMode, ACountIsMetExactly) {
                 request.domain.boundary = boundary;
                 request.lines_per_radius = m;
                 request.snap = request.mode == Mode::lines;
-                request.backend = "reference";
+                request.place.backend = "reference";
                 const Result result = sample(request);
                 EXPECT_EQ(result.points.size(), count);
                 const double least =
