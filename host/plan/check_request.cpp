@@ -38,15 +38,15 @@ void check_enums(const Request& request) {
 
 void check_round_size(const Request& request) {
     constexpr double kBytesPerDraw = 96;  // draw, candidate, status, and memory to sort them
-    const std::string value = std::to_string(request.round_size);
-    if (request.uniform_x && request.round_size > 1)
+    const std::uint64_t size = request.paper2011.round_size;
+    const std::string value = std::to_string(size);
+    if (request.paper2011.uniform_x && size > 1)
         throw BadRequest("round-size", value,
                          "must be 1 with uniform-x, whose draws cannot be thinned");
-    if (request.round_size > kMostRoundSize)
+    if (size > kMostRoundSize)
         throw BadRequest("round-size", value, "must be at most " + std::to_string(kMostRoundSize));
     if (request.place.backend == "reference") return;  // the reference takes one draw at a time
-    refuse_more_memory(request, "round-size", value,
-                       kBytesPerDraw * static_cast<double>(request.round_size));
+    refuse_more_memory(request, "round-size", value, kBytesPerDraw * static_cast<double>(size));
 }
 
 void check_stretches(const Request& request) {
@@ -103,10 +103,11 @@ void check_stratified(const Request& request) {
     if (request.radius) refuse("radius", shortest(*request.radius));
     if (request.scale) refuse("scale", shortest(*request.scale));
     if (request.limit) refuse("limit", std::to_string(*request.limit));
-    if (request.lines_per_radius)
-        refuse("lines-per-radius", std::to_string(*request.lines_per_radius));
+    if (request.paper2011.lines_per_radius)
+        refuse("lines-per-radius", std::to_string(*request.paper2011.lines_per_radius));
     if (request.metric != Metric::min) refuse("metric", std::string(name_of(request.metric)));
-    if (request.round_size != 0) refuse("round-size", std::to_string(request.round_size));
+    if (request.paper2011.round_size != 0)
+        refuse("round-size", std::to_string(request.paper2011.round_size));
     if (!request.count) throw BadRequest("count", "missing", "mode stratified needs one");
     const std::string count = std::to_string(*request.count);
     if (*request.count > kMostPoints)
@@ -150,12 +151,11 @@ void check_importance(const Field& field) {
 
 void check_request(const Request& request) {
     check_enums(request);
-    const double shorter = request.domain.shorter_side();
-    const double longer = request.domain.longer_side();
-    const std::string domain =
-        shortest(request.domain.width) + "x" + shortest(request.domain.height);
-    if (!std::isfinite(request.domain.width) || !std::isfinite(request.domain.height) ||
-        !(shorter > 0))
+    const auto& [width, height, boundary] = request.domain;
+    const double shorter = std::min(width, height);
+    const double longer = std::max(width, height);
+    const std::string domain = shortest(width) + "x" + shortest(height);
+    if (!std::isfinite(width) || !std::isfinite(height) || !(shorter > 0))
         throw BadRequest("domain", domain, "both sides must be finite numbers greater than 0");
     if (longer > kLargestAspect * shorter)
         throw BadRequest(
@@ -167,8 +167,8 @@ void check_request(const Request& request) {
     if (lines < 1 || lines > kMostLinesPerRadius)
         throw BadRequest("lines-per-radius", std::to_string(lines),
                          "must be between 1 and " + std::to_string(kMostLinesPerRadius));
-    if (request.mode != Mode::lines && (request.snap || request.uniform_x))
-        throw BadRequest(request.snap ? "snap" : "uniform-x",
+    if (request.mode != Mode::lines && (request.paper2011.snap || request.paper2011.uniform_x))
+        throw BadRequest(request.paper2011.snap ? "snap" : "uniform-x",
                          "with mode " + std::string(name_of(request.mode)),
                          "is for mode lines only");
     if (request.progressive && request.mode != Mode::exact)

@@ -87,7 +87,7 @@ void check_radius(const Request& request) {
 }  // namespace
 
 std::uint32_t lines_per_radius(const Request& request) {
-    if (request.lines_per_radius) return *request.lines_per_radius;
+    if (request.paper2011.lines_per_radius) return *request.paper2011.lines_per_radius;
     switch (request.mode) {
         case Mode::exact:
             return needs_radius_field(request) ? kBoxesPerRadius : kExactLinesPerRadius;
@@ -187,12 +187,13 @@ Plan make_plan(const CheckedRequest& checked) {
     if (is_exact)
         plan.of_mode = ExactPlan{.grid = grid_of(plan.width, plan.height, plan.radius), .halo = {}};
     else
-        plan.of_mode = LinesPlan{.snap = request.snap, .uniform_x = request.uniform_x};
+        plan.of_mode =
+            LinesPlan{.snap = request.paper2011.snap, .uniform_x = request.paper2011.uniform_x};
     plan.user_radius = radius;
     const std::uint64_t most = request.count.value_or(std::numeric_limits<std::uint64_t>::max());
     finish_plan(plan, request, std::min(most, request.limit.value_or(most)),
                 expected_count(request.domain, radius));
-    if (request.uniform_x) plan.round_size = 1;
+    if (request.paper2011.uniform_x) plan.round_size = 1;
     return plan;
 }
 
@@ -210,7 +211,7 @@ void finish_plan(Plan& plan, const Request& request, std::uint64_t limit, double
     plan.radius_squared = std::uint64_t{plan.radius} * plan.radius;
     plan.lines_per_radius = lines_per_radius(request);
     plan.seed = request.seed;
-    plan.round_size = request.round_size;
+    plan.round_size = request.paper2011.round_size;
     plan.limit = limit;
     plan.maximal_samples = static_cast<std::uint64_t>(std::min(expected, 1e18)) + 1;
     plan.expected_samples = std::min(plan.limit, plan.maximal_samples);

@@ -6,7 +6,7 @@ namespace {
 
 // In mode lines x is interpolated in a strip, unless points are snapped to their lines.
 double kept_distance(const Request& request, const Result& result) {
-    if (request.mode != Mode::lines || request.snap) return result.radius;
+    if (request.mode != Mode::lines || request.paper2011.snap) return result.radius;
     return result.radius * (1 - 1 / (2.0 * result.lines_per_radius));
 }
 

@@ -9,8 +9,8 @@ namespace lacuna::recipes {
 namespace {
 
 bool is_about_distances(const Given& given, const Request& request) {
-    return given.metric || request.radius || request.scale || request.lines_per_radius ||
-           request.limit || request.round_size != 0;
+    return given.metric || request.radius || request.scale || request.paper2011.lines_per_radius ||
+           request.limit || request.paper2011.round_size != 0;
 }
 
 Mode mode_of(const Given& given, const Request& request) {

@@ -18,7 +18,7 @@ Request request_of(const Step& step, Metric metric, const Field& field) {
     request.domain.width = 2;
     request.domain.boundary = Boundary::torus;
     request.scale = step.dense_radius;
-    request.lines_per_radius = step.m;
+    request.paper2011.lines_per_radius = step.m;
     request.metric = metric;
     request.place.backend = "cpu";
     return request;

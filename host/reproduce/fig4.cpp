@@ -56,7 +56,7 @@ Rows make(const Setting& setting) {
     request.seed = 0;
     request.mode = Mode::lines;
     for (const std::uint32_t m : kLines) {
-        request.lines_per_radius = m;
+        request.paper2011.lines_per_radius = m;
         rows.lines.push_back({fmt::format("m = {}", m), analysed(make_sets(request, runs, work))});
     }
     return rows;

@@ -35,7 +35,7 @@ std::string draw(const Field& field, Work& work, drawing::Medium medium) {
         request.mode = Mode::cells;
         request.field = &field;
         request.scale = kScale;
-        request.lines_per_radius = 30;
+        request.paper2011.lines_per_radius = 30;
         request.metric = kMetrics[i];
         request.place.backend = "cpu";
         const Sets sets = make_sets(request, 1, work);

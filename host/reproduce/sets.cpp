@@ -101,7 +101,7 @@ Request lines_request(double radius, Boundary boundary) {
     request.mode = Mode::lines;
     request.radius = radius;
     request.domain.boundary = boundary;
-    request.snap = true;
+    request.paper2011.snap = true;
     request.place.backend = "cpu";
     return request;
 }

@@ -15,7 +15,7 @@ Sets stipple(const Field& image, std::uint64_t dots, Metric metric, Work& work, 
     request.domain = domain_like(image.columns, image.rows);
     request.count = dots;
     request.metric = metric;
-    request.lines_per_radius = 30;
+    request.paper2011.lines_per_radius = 30;
     request.place.backend = "cpu";
     return make_sets(request, 1, work, cost);
 }

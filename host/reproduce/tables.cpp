@@ -36,12 +36,12 @@ std::string_view name_of(Way way) {
 
 Request request_of(Way way, double radius, Boundary boundary) {
     Request request = lines_request(radius, boundary);
-    request.uniform_x = way == Way::uniform_x;
+    request.paper2011.uniform_x = way == Way::uniform_x;
     // Uniform-x runs in rounds of one draw anyway, and the reference is the fastest at these.
-    if (request.uniform_x) request.place.backend = "reference";
+    if (request.paper2011.uniform_x) request.place.backend = "reference";
     if (way == Way::exact) {
         request.mode = Mode::exact;
-        request.snap = false;
+        request.paper2011.snap = false;
     }
     return request;
 }

@@ -96,8 +96,8 @@ private:
     CheckedRequest next_pilot() const {
         const std::uint32_t own = lines_per_radius(request_);
         return at_size(request_, scale_, kFar * kFar * *request_->count).with([&](Request& pilot) {
-            pilot.lines_per_radius = corrections_ == 0 ? std::min(own, kCoarse) : own;
-            pilot.round_size = 0;
+            pilot.paper2011.lines_per_radius = corrections_ == 0 ? std::min(own, kCoarse) : own;
+            pilot.paper2011.round_size = 0;
             pilot.place.backend = "cpu";
             pilot.place.device.clear();
         });

@@ -30,12 +30,11 @@ constexpr std::size_t kSetsAThread = 64;
 bool is_small(const Request& request) {
     const std::string backend = wanted_backend(request.place.backend);
     if (backend != "auto" && backend != "cpu") return false;
-    if (request.round_size != 0 || request.uniform_x) return false;
+    if (request.paper2011.round_size != 0 || request.paper2011.uniform_x) return false;
     if (request.field != nullptr) return false;
     if (request.count) return static_cast<double>(*request.count) <= kSmallSet;
     // Invalid requests are left to sample(), which refuses them.
-    return request.radius && *request.radius > 0 && request.domain.width > 0 &&
-           request.domain.height > 0 &&
+    return request.radius && *request.radius > 0 && request.domain.shorter_side() > 0 &&
            expected_count(request.domain, *request.radius) <= kSmallSet;
 }
 

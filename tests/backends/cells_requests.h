@@ -32,7 +32,7 @@ inline CellsRequest cells_request(std::string name, Field field, double count, s
     made.request.domain.width = width;
     made.request.domain.height = height;
     made.request.scale = scale_of(*made.field, width * height, count);
-    made.request.lines_per_radius = m;
+    made.request.paper2011.lines_per_radius = m;
     made.request.metric = metric;
     made.request.domain.boundary = boundary;
     return made;
@@ -105,7 +105,7 @@ inline std::vector<CellsRequest> cells_requests() {
                 const Boundary boundary = random() % 2 == 0 ? Boundary::torus : Boundary::box;
                 CellsRequest made = cells_request(name, field, count, m, metric, boundary,
                                                   pick({1, 1, 1.7, 0.5}), pick({1, 1, 0.4, 2.1}));
-                made.request.round_size = static_cast<std::uint64_t>(pick({0, 0, 1, 7}));
+                made.request.paper2011.round_size = static_cast<std::uint64_t>(pick({0, 0, 1, 7}));
                 made.request.place.threads = static_cast<std::uint32_t>(pick({1, 2, 5}));
                 made.request.seed = random();
                 if (random() % 6 == 0) made.request.limit = 1 + random() % 20;

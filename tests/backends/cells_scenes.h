@@ -19,7 +19,7 @@ inline Plan cells_plan(const Field& field, double least, std::uint32_t m, Metric
     request.field = &field;
     request.scale =
         least * std::sqrt(*std::max_element(field.importance.begin(), field.importance.end()));
-    request.lines_per_radius = m;
+    request.paper2011.lines_per_radius = m;
     request.metric = metric;
     request.domain.boundary = boundary;
     request.domain.width = width;

@@ -41,7 +41,7 @@ Request crowded(Mode mode, double radius, std::uint64_t round_size, Boundary bou
     Request request;
     request.mode = mode;
     request.radius = radius;
-    request.round_size = round_size;
+    request.paper2011.round_size = round_size;
     request.domain.boundary = boundary;
     request.seed = round_size;
     return request;
@@ -62,7 +62,7 @@ TEST_P(Crowd, OfALargeRadiusIsServedAsByTheReference) {
 TEST_P(Crowd, OfPlacesThatAreAlmostFullIsServedAsByTheReference) {
     for (const std::uint32_t m : {1u, 40u}) {
         Request request = crowded(Mode::exact, 0.2, 5'000, Boundary::torus);
-        request.lines_per_radius = m;
+        request.paper2011.lines_per_radius = m;
         expect_as_the_reference(request);
         request.mode = Mode::lines;
         request.domain.width = 30;
@@ -77,7 +77,7 @@ TEST_P(Crowd, OfALightPlaceBesideADarkOneIsServedAsByTheReference) {
                 tests::CellsRequest made = tests::cells_request("halves", halves(importance), 2'000,
                                                                 4, metric, boundary, 1, 4);
                 expect_as_the_reference(made.request);
-                made.request.round_size = 20'000;
+                made.request.paper2011.round_size = 20'000;
                 expect_as_the_reference(made.request);
             }
         }

@@ -119,15 +119,15 @@ inline std::vector<FieldRequest> special_radius_field_requests() {
     const Boundary torus = Boundary::torus;
     FieldRequest rounds_of_one =
         radius_field_request("rounds of one draw", ramp_field(9, 4), 60, torus);
-    rounds_of_one.request.round_size = 1;
+    rounds_of_one.request.paper2011.round_size = 1;
     FieldRequest rounds_of_all =
         radius_field_request("rounds larger than the set", noise_field(9, 4, 3), 60, box);
-    rounds_of_all.request.round_size = 5000;
+    rounds_of_all.request.paper2011.round_size = 5000;
     FieldRequest cut_short = radius_field_request("a limit", ramp_field(30, 40), 900, torus);
     cut_short.request.limit = 77;
     FieldRequest coarse =
         radius_field_request("long first boxes", noise_field(30, 40, 8), 500, torus);
-    coarse.request.lines_per_radius = 4;
+    coarse.request.paper2011.lines_per_radius = 4;
     FieldRequest threads =
         radius_field_request("regions that threads share", ramp_field(64, 48), 30000, torus, 4, 3);
     threads.request.place.threads = 3;
@@ -194,10 +194,10 @@ inline std::vector<FieldRequest> ellipse_requests() {
     threads.request.place.threads = 3;
     FieldRequest coarse = radius_field_request(
         "ellipses in long first boxes", stretched_at_random(ramp_field(3, 2), 8, 5), 300, box);
-    coarse.request.lines_per_radius = 4;
+    coarse.request.paper2011.lines_per_radius = 4;
     FieldRequest small_rounds = radius_field_request(
         "ellipses in rounds of ten", stretched_at_random(noise_field(5, 4, 3), 12, 4), 60, box);
-    small_rounds.request.round_size = 10;
+    small_rounds.request.paper2011.round_size = 10;
     return {
         threads,
         coarse,

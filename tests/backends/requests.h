@@ -20,10 +20,12 @@ inline std::string describe(const Request& request) {
         out << ", scale " << *request.scale << ", metric " << name_of(request.metric) << ", limit "
             << request.limit.value_or(0);
     else
-        out << ", radius " << *request.radius << (request.snap ? ", snap" : ", interpolated")
-            << (request.uniform_x ? ", uniform-x" : ", cdf");
-    out << ", m " << request.lines_per_radius.value_or(0) << ", round size " << request.round_size
-        << ", seed " << request.seed << ", threads " << request.place.threads;
+        out << ", radius " << *request.radius
+            << (request.paper2011.snap ? ", snap" : ", interpolated")
+            << (request.paper2011.uniform_x ? ", uniform-x" : ", cdf");
+    out << ", m " << request.paper2011.lines_per_radius.value_or(0) << ", round size "
+        << request.paper2011.round_size << ", seed " << request.seed << ", threads "
+        << request.place.threads;
     return out.str();
 }
 
@@ -35,7 +37,7 @@ inline std::vector<Request> special_requests(Mode mode) {
         made.mode = mode;
         made.domain = {width, height, boundary};
         made.radius = radius;
-        made.lines_per_radius = m;
+        made.paper2011.lines_per_radius = m;
         return made;
     };
     return {
@@ -68,14 +70,16 @@ inline std::vector<Request> equality_requests(Mode mode) {
         request.domain.height = pick({1, 1, 0.4, 2.1});
         request.domain.boundary = random() % 2 == 0 ? Boundary::torus : Boundary::box;
         request.radius = pick({0.4, 0.2, 0.1, 0.05, 0.02, 0.013});
-        request.lines_per_radius = static_cast<std::uint32_t>(1 + random() % 60);
-        request.snap = random() % 2 == 0 && mode == Mode::lines;
-        request.uniform_x = random() % 5 == 0 && *request.radius > 0.015 && mode == Mode::lines;
-        request.round_size = static_cast<std::uint64_t>(pick({0, 0, 1, 2, 7}));
-        if (request.uniform_x) request.round_size = 1;
+        request.paper2011.lines_per_radius = static_cast<std::uint32_t>(1 + random() % 60);
+        request.paper2011.snap = random() % 2 == 0 && mode == Mode::lines;
+        request.paper2011.uniform_x =
+            random() % 5 == 0 && *request.radius > 0.015 && mode == Mode::lines;
+        request.paper2011.round_size = static_cast<std::uint64_t>(pick({0, 0, 1, 2, 7}));
+        if (request.paper2011.uniform_x) request.paper2011.round_size = 1;
         // Small rounds need many launches, so these sets have few points.
-        if (request.round_size != 0)
-            request.radius = std::max(*request.radius, request.round_size < 7 ? 0.1 : 0.05);
+        if (request.paper2011.round_size != 0)
+            request.radius =
+                std::max(*request.radius, request.paper2011.round_size < 7 ? 0.1 : 0.05);
         request.place.threads = static_cast<std::uint32_t>(pick({1, 2, 5}));
         request.seed = random();
         requests.push_back(request);

@@ -34,7 +34,7 @@ inline Plan plan_of(double radius, std::uint32_t m, Boundary boundary, double wi
     request.domain.width = width;
     request.domain.height = height;
     request.radius = radius;
-    request.lines_per_radius = m;
+    request.paper2011.lines_per_radius = m;
     request.domain.boundary = boundary;
     return make_plan(request);
 }

@@ -40,7 +40,7 @@ void add(const std::string& backend, std::uint64_t count, std::uint32_t m, Metri
     request.domain.width = 4;
     request.domain.height = 3;
     request.count = count;
-    request.lines_per_radius = m;
+    request.paper2011.lines_per_radius = m;
     request.metric = metric;
     request.place.backend = backend;
     request.place.threads = threads;

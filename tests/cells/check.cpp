@@ -74,7 +74,7 @@ CellsCheck::CellsCheck(const Request& request, std::vector<Point> points)
     least_radius_ =
         *request.scale / std::sqrt(*std::max_element(importance.begin(), importance.end()));
     const double across =
-        std::ceil(*request.lines_per_radius * request.domain.width / least_radius_);
+        std::ceil(*request.paper2011.lines_per_radius * request.domain.width / least_radius_);
     columns_ = std::max(static_cast<std::int64_t>(across), std::int64_t{1});
     rows_ =
         std::llround(static_cast<double>(columns_) * request.domain.height / request.domain.width);
@@ -162,7 +162,7 @@ testing::AssertionResult CellsCheck::keeps_its_distances(By by) const {
         return result;
     }
     // The metric's radius is at most the larger radius, so looking around that point finds a pair.
-    Buckets buckets(*this, *request_.lines_per_radius);
+    Buckets buckets(*this, *request_.paper2011.lines_per_radius);
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const auto is_too_close = [&](std::size_t j) {
             return i != j && !(result = check_pair(i, j));
@@ -221,7 +221,7 @@ bool CellsCheck::is_blocked_by_any(Place place) const {
 testing::AssertionResult CellsCheck::is_maximal(By by) const {
     std::vector<bool> blocked;
     if (by == By::grid) blocked = blocked_within_own_radius();
-    Buckets buckets(*this, *request_.lines_per_radius);
+    Buckets buckets(*this, *request_.paper2011.lines_per_radius);
     for (std::int64_t x = 0; x < columns_; ++x) {
         for (std::int64_t y = 0; y < rows_; ++y) {
             const Place place = {x, y};

@@ -15,7 +15,7 @@ enum class By { brute_force, grid };
 
 class CellsCheck {
 public:
-    // request.scale and request.lines_per_radius must be set.
+    // request.scale and request.paper2011.lines_per_radius must be set.
     CellsCheck(const Request& request, std::vector<Point> points);
 
     // Every point lies where importance is over 0, in the middle of a cell of the lattice. That has

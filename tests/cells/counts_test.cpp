@@ -60,7 +60,7 @@ TEST(CellsCounts, AreMetExactlyOnEveryField) {
                 EXPECT_EQ(result.lines_per_radius, 10u);
                 request.scale = result.scale;
                 request.count.reset();
-                request.lines_per_radius = 10;
+                request.paper2011.lines_per_radius = 10;
                 const tests::CellsCheck check(request, result.points);
                 EXPECT_TRUE(check.is_on_the_lattice());
                 EXPECT_TRUE(check.keeps_its_distances(tests::By::grid));

@@ -43,7 +43,7 @@ Request torus_request(const Field& field, double scale, std::uint32_t m) {
     request.field = &field;
     request.scale = scale;
     request.domain.boundary = Boundary::torus;
-    request.lines_per_radius = m;
+    request.paper2011.lines_per_radius = m;
     return request;
 }
 

@@ -26,7 +26,7 @@ Request cells_request(const Field& field, double scale, Metric metric, Boundary 
     request.scale = scale;
     request.metric = metric;
     request.domain.boundary = boundary;
-    request.lines_per_radius = 10;
+    request.paper2011.lines_per_radius = 10;
     return request;
 }
 
@@ -62,10 +62,10 @@ RC_GTEST_PROP(CellsSets, KeepEveryPromiseByBruteForce, ()) {
                       *rc::gen::element(Boundary::box, Boundary::torus));
     request.domain.width = *rc::gen::inRange(50, 301) / 100.0;
     request.domain.height = *rc::gen::inRange(50, 301) / 100.0;
-    request.lines_per_radius = *rc::gen::inRange(1u, 21u);
+    request.paper2011.lines_per_radius = *rc::gen::inRange(1u, 21u);
     request.scale = tests::scale_of(field, request.domain.width * request.domain.height,
                                     *rc::gen::element(0.5, 5.0, 30.0, 120.0));
-    request.round_size = *rc::gen::element(0u, 1u, 7u);
+    request.paper2011.round_size = *rc::gen::element(0u, 1u, 7u);
     request.seed = *rc::gen::arbitrary<std::uint64_t>();
     request.place.backend = *rc::gen::element<std::string>("cpu", "reference");
 
@@ -219,7 +219,7 @@ TEST(CellsSets, TheLatticeHasCeilMOverTheLeastRadiusColumns) {
     const Field field = tests::constant_field(1, 1, 4);
     Request request = cells_request(field, 0.0666, Metric::min, Boundary::torus);
     request.domain.width = 2;
-    request.lines_per_radius = 7;
+    request.paper2011.lines_per_radius = 7;
     const Result result = sample(request);
     EXPECT_EQ(result.radius, 0.0333);
     EXPECT_EQ(result.scale, 0.0666);

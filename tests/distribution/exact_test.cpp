@@ -34,7 +34,7 @@ Request request_of(Boundary boundary, std::uint64_t round_size) {
     request.mode = Mode::exact;
     request.radius = kRadius;
     request.domain.boundary = boundary;
-    request.round_size = round_size;
+    request.paper2011.round_size = round_size;
     request.place.backend = "cpu";
     return request;
 }
@@ -69,7 +69,7 @@ class ExactCounts : public testing::TestWithParam<OnTorus> {};
 TEST_P(ExactCounts, AreTheJammingLimits) {
     constexpr std::uint64_t kSeeds = 100;
     Request request = request_of(Boundary::torus, GetParam().round_size);
-    request.lines_per_radius = GetParam().m;
+    request.paper2011.lines_per_radius = GetParam().m;
     const tests::Mean count = mean_count(request, kSeeds);
     const double unit = kRadius * kRadius;
     const double z = (count.value * unit - kJammed) / (count.error * unit);

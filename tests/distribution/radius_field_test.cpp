@@ -168,7 +168,7 @@ void expect_sets_of_darts(const Field& field) {
     // About four fifths of the maximal count.
     request.limit = static_cast<std::uint64_t>(0.8 * kJammed * 0.625 / (kRadius * kRadius));
     // Rounds larger than Lacuna would choose make a sharper test.
-    request.round_size = 3000;
+    request.paper2011.round_size = 3000;
     const tests::Verdict verdict =
         compare(make_sets(request, 1000, throw_darts), make_sets(request, 2000, samples_of));
     std::printf("%s: %s\n", LACUNA_VARIANT, verdict.text().c_str());
@@ -223,7 +223,7 @@ Request request_of_two_classes() {
 TEST(SetsOfTwoClasses, AreDistributedAsDartThrowings) {
     Request request = request_of_two_classes();
     request.limit = 900;  // about two thirds of a maximal set
-    request.round_size = 4000;
+    request.paper2011.round_size = 4000;
     const OfClasses darts = make_sets_of_classes(request, 1000, throw_darts);
     const OfClasses drawn = make_sets_of_classes(request, 2000, samples_of);
     const tests::Verdict first = compare(darts.first, drawn.first);

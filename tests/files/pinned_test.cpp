@@ -29,21 +29,21 @@ TEST(Pinned, Torus) {
 TEST(Pinned, RectangularBoxOnTheLines) {
     Request request = request_of(0.07, Boundary::box);
     request.domain.width = 2.5;
-    request.snap = true;
+    request.paper2011.snap = true;
     request.seed = 1;
     EXPECT_EQ(hash_of(request), "7eb075153dc967a65b533f1ab589e0da22c968d77360c9ca7e44b60d2015d5ca");
 }
 
 TEST(Pinned, UniformX) {
     Request request = request_of(0.05, Boundary::torus);
-    request.uniform_x = true;
-    request.lines_per_radius = 10;
+    request.paper2011.uniform_x = true;
+    request.paper2011.lines_per_radius = 10;
     EXPECT_EQ(hash_of(request), "6390ed06fa443cc3784c761579692a450fc0adb248e252f678cd9a2e6d917149");
 }
 
 TEST(Pinned, OneDrawARound) {
     Request request = request_of(0.05, Boundary::box);
-    request.round_size = 1;
+    request.paper2011.round_size = 1;
     request.seed = 18446744073709551615u;
     EXPECT_EQ(hash_of(request), "e295d3c6a8c47c012624a83f3fa1c678e339d76ed1d3768aed31736932f4ab98");
 }
@@ -62,8 +62,8 @@ TEST(Pinned, ExactRectangularBox) {
 
 TEST(Pinned, ExactInSmallRounds) {
     Request request = request_of(0.05, Boundary::torus, Mode::exact);
-    request.round_size = 1;
-    request.lines_per_radius = 1;
+    request.paper2011.round_size = 1;
+    request.paper2011.lines_per_radius = 1;
     EXPECT_EQ(hash_of(request), "535d0fd8551c4b744c33c19bb1f1d6eb46b335a7bf082fb0482ecf4c9e6596d3");
 }
 

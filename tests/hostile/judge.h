@@ -67,7 +67,7 @@ public:
     // The most room on the lines of mode lines (docs/design.md, section 5), just outside of disks.
     double most_room_on_lines() const {
         const double lines =
-            std::ceil(request_.lines_per_radius.value_or(30) * domain_.width / size_);
+            std::ceil(request_.paper2011.lines_per_radius.value_or(30) * domain_.width / size_);
         double most = -std::numeric_limits<double>::infinity();
         for (const Site& site : sites_) {
             const double middle = site.at.x / domain_.width * lines;

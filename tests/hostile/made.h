@@ -64,13 +64,13 @@ inline Row levels_of(const Made& made) {
     row[kLimit] = request.limit ? 1 : 0;
     row[kSeeds] = made.seeds.size() > 1 ? 1 : 0;
     row[kThreads] = request.place.threads > 1 ? 1 : 0;
-    row[kRounds] = request.round_size == 0    ? 0
-                   : request.round_size == 1  ? 1
-                   : request.round_size <= 42 ? 2
-                                              : 3;
-    row[kLines] = request.lines_per_radius ? 1 : 0;
+    row[kRounds] = request.paper2011.round_size == 0    ? 0
+                   : request.paper2011.round_size == 1  ? 1
+                   : request.paper2011.round_size <= 42 ? 2
+                                                        : 3;
+    row[kLines] = request.paper2011.lines_per_radius ? 1 : 0;
     row[kMetric] = level(request.metric);
-    row[kPlacing] = request.snap ? 1 : request.uniform_x ? 2 : 0;
+    row[kPlacing] = request.paper2011.snap ? 1 : request.paper2011.uniform_x ? 2 : 0;
     row[kRelax] = made.moves.iterations == 0 ? 0 : made.sparse.importance.empty() ? 1 : 2;
     row[kGaussian] = made.moves.gaussian > 0 ? 1 : 0;
     return row;
@@ -91,9 +91,9 @@ inline std::string describe(const Made& made) {
     if (request.mask != nullptr) out << ", mask of " << made.mask.columns << "x" << made.mask.rows;
     if (!request.classes.names.empty()) out << ", " << request.classes.names.size() << " classes";
     out << ", border " << request.border << ", " << made.keep.size() << " kept, limit "
-        << request.limit.value_or(0) << ", round size " << request.round_size << ", m "
-        << request.lines_per_radius.value_or(0) << ", seed " << request.seed << ", threads "
-        << request.place.threads;
+        << request.limit.value_or(0) << ", round size " << request.paper2011.round_size << ", m "
+        << request.paper2011.lines_per_radius.value_or(0) << ", seed " << request.seed
+        << ", threads " << request.place.threads;
     return out.str();
 }
 

@@ -51,17 +51,17 @@ private:
         request.mode = kModes[row_[kMode]];
         request.metric = kMetrics[row_[kMetric]];
         request.domain.boundary = is(kEdges, "torus") ? Boundary::torus : Boundary::box;
-        request.snap = is(kPlacing, "snap");
-        request.uniform_x = is(kPlacing, "uniform-x");
+        request.paper2011.snap = is(kPlacing, "snap");
+        request.paper2011.uniform_x = is(kPlacing, "uniform-x");
         request.progressive = is(kOrder, "progressive");
         request.seed = choose_.random()();
         made.seeds = {request.seed};
         if (is(kSeeds, "several")) made.seeds.push_back(choose_.random()());
         request.place.threads = is(kThreads, "one") ? 1 : 2 + choose_.below(3);
-        if (is(kRounds, "of one")) request.round_size = 1;
-        if (is(kRounds, "small")) request.round_size = 2 + choose_.below(40);
+        if (is(kRounds, "of one")) request.paper2011.round_size = 1;
+        if (is(kRounds, "small")) request.paper2011.round_size = 2 + choose_.below(40);
         if (is(kRounds, "large"))
-            request.round_size = static_cast<std::uint64_t>(choose_.power(50, 3e4));
+            request.paper2011.round_size = static_cast<std::uint64_t>(choose_.power(50, 3e4));
         choose_domain(request);
         choose_radii(made);
         if (is(kMask, "yes")) {
@@ -127,7 +127,9 @@ private:
         const double points = choose_.power(0.3, most_points());
         double radius = std::sqrt(0.7 * request.domain.width * request.domain.height / points);
         if (is(kLines, "given"))
-            request.lines_per_radius = choose_.some(is(kMode, "lines") ? 1000 : is_cells ? 12 : 60);
+            request.paper2011.lines_per_radius = choose_.some(is(kMode, "lines") ? 1000
+                                                              : is_cells         ? 12
+                                                                                 : 60);
         if (!is(kRadii, "one")) {
             made.field = has_ellipses() ? random_field(choose_, 12, 50)
                                         : random_field(choose_, 60, is_cells ? 1e4 : 1e12);
@@ -218,7 +220,7 @@ private:
         request.place.backend = "cpu";
         request.mode = Mode::exact;
         request.seed = choose_.random()();
-        request.progressive = request.snap = request.uniform_x = false;
+        request.progressive = request.paper2011.snap = request.paper2011.uniform_x = false;
         request.metric = Metric::min;
         if (!request.count) return sample(request);
         request.count.reset();

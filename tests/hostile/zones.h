@@ -37,7 +37,7 @@ public:
     // points next to a spot are covered.
     double tolerance() const {
         if (request_.mode == Mode::cells)
-            return 2.5 * least_radius() / request_.lines_per_radius.value_or(10);
+            return 2.5 * least_radius() / request_.paper2011.lines_per_radius.value_or(10);
         const std::size_t count = request_.classes.names.size();
         double most = least_distance_;
         for (const double distance : request_.classes.distances) most = std::max(most, distance);
@@ -191,9 +191,10 @@ protected:
     double limit(const Shape& a, const Shape& b) const {
         const double slack = 1 - 1e-12;  // the mean of two radii is rounded
         if (request_.mode == Mode::lines)
-            return request_.snap
+            return request_.paper2011.snap
                        ? size_
-                       : size_ * (1 - 0.5 / request_.lines_per_radius.value_or(30)) * slack;
+                       : size_ * (1 - 0.5 / request_.paper2011.lines_per_radius.value_or(30)) *
+                             slack;
         if (request_.metric == Metric::mean) return (a.shorter + b.shorter) / 2 * slack;
         return std::max(a.shorter, b.shorter);
     }

@@ -29,8 +29,8 @@ inline std::vector<Request> requests_for_ranks() {
                 request.radius = radius;
                 request.place.threads = 1;
                 if (kind == 1) request.limit = 1 + requests.size() * 7;
-                if (kind == 2) request.lines_per_radius = 2;
-                if (kind == 3) request.round_size = 40;
+                if (kind == 2) request.paper2011.lines_per_radius = 2;
+                if (kind == 3) request.paper2011.round_size = 40;
                 if (kind == 4) {
                     request.radius.reset();
                     request.count =

@@ -96,10 +96,10 @@ TEST(CellsPlan, RefusesAScaleThatIsNone) {
 TEST(CellsPlan, KeepsWhatIsForOneModeToThatMode) {
     const Field field = tests::constant_field(3, 2);
     Request request = cells_request(field);
-    request.snap = true;
+    request.paper2011.snap = true;
     EXPECT_EQ(refusal(request), "snap with mode cells: is for mode lines only");
-    request.snap = false;
-    request.uniform_x = true;
+    request.paper2011.snap = false;
+    request.paper2011.uniform_x = true;
     EXPECT_EQ(refusal(request), "uniform-x with mode cells: is for mode lines only");
     Request other;
     other.mode = Mode::lines;
@@ -161,7 +161,7 @@ TEST(CellsPlan, RefusesMOutsideItsRange) {
     const Field field = tests::constant_field(3, 2);
     Request request = cells_request(field);
     for (const std::uint32_t m : {0u, 1001u}) {
-        request.lines_per_radius = m;
+        request.paper2011.lines_per_radius = m;
         EXPECT_EQ(refusal(request),
                   "lines-per-radius " + std::to_string(m) + ": must be between 1 and 1000");
     }

@@ -34,7 +34,7 @@ TEST(Plan, HasTheNumberOfLinesOfThePaper) {
     EXPECT_EQ(make_plan(in_mode(Mode::lines, 0.001)).lines, 30000u);
     Request wide = in_mode(Mode::lines, 0.3);
     wide.domain.width = 2;
-    wide.lines_per_radius = 1;
+    wide.paper2011.lines_per_radius = 1;
     EXPECT_EQ(make_plan(wide).lines, 7u);
 }
 
@@ -43,7 +43,7 @@ TEST(Plan, HasFewerLinesInExactUnlessToldHowMany) {
     EXPECT_EQ(make_plan(in_mode(Mode::exact, 0.01)).lines_per_radius, 6u);
     EXPECT_EQ(make_plan(in_mode(Mode::lines, 0.01)).lines_per_radius, 30u);
     Request told = in_mode(Mode::exact, 0.01);
-    told.lines_per_radius = 30;
+    told.paper2011.lines_per_radius = 30;
     EXPECT_EQ(make_plan(told).lines, 3000u);
 }
 
@@ -53,7 +53,7 @@ RC_GTEST_PROP(Plan, KeepsEveryPromiseOfItsFields, ()) {
     request.domain.width = *rc::gen::inRange(1, 1000) / 100.0;
     request.domain.height = *rc::gen::inRange(1, 1000) / 100.0;
     request.domain.boundary = *rc::gen::element(Boundary::box, Boundary::torus);
-    request.lines_per_radius = *rc::gen::inRange(1u, 1001u);
+    request.paper2011.lines_per_radius = *rc::gen::inRange(1u, 1001u);
     const double longer = request.domain.longer_side();
     const double shorter = request.domain.shorter_side();
     request.radius = std::max(shorter * *rc::gen::inRange(1, 10001) / 10000, longer * 2e-5);
@@ -73,7 +73,7 @@ RC_GTEST_PROP(Plan, KeepsEveryPromiseOfItsFields, ()) {
     RC_ASSERT((plan.radius - 2) * std::min(plan.unit_x, plan.unit_y) <= *request.radius);
     RC_ASSERT(std::abs(plan.unit_y / plan.unit_x - 1) < std::ldexp(1, -20));
     // A radius has m strips, or a few thousandths more.
-    RC_ASSERT(plan.strip_width * std::uint64_t{*request.lines_per_radius} <= plan.radius);
+    RC_ASSERT(plan.strip_width * std::uint64_t{*request.paper2011.lines_per_radius} <= plan.radius);
     const Point last = plan.to_user({plan.width - 1, plan.height - 1});
     RC_ASSERT(last.x < request.domain.width && last.y < request.domain.height);
 }
@@ -151,9 +151,9 @@ TEST(Plan, NeedsLessMemoryForFewPoints) {
 
 TEST(Plan, RefusesRoundsThatNoMemoryHolds) {
     Request request = with_radius(0.1);
-    request.round_size = std::uint64_t{1} << 32;
+    request.paper2011.round_size = std::uint64_t{1} << 32;
     EXPECT_EQ(refusal(request), "round-size 4294967296: must be at most 2147483648");
-    request.round_size = 100'000'000;
+    request.paper2011.round_size = 100'000'000;
     request.place.memory_limit_bytes = 1'000'000'000;
     EXPECT_EQ(refusal(request).find("round-size 100000000: needs about 9.6 GB of memory"), 0u)
         << refusal(request);
@@ -220,21 +220,21 @@ TEST(Plan, RefusesMOutsideItsRange) {
     for (const Mode mode : {Mode::exact, Mode::lines}) {
         Request request = in_mode(mode, 0.1);
         for (const std::uint32_t m : {0u, 1001u}) {
-            request.lines_per_radius = m;
+            request.paper2011.lines_per_radius = m;
             EXPECT_EQ(refusal(request),
                       "lines-per-radius " + std::to_string(m) + ": must be between 1 and 1000");
         }
-        request.lines_per_radius.reset();
+        request.paper2011.lines_per_radius.reset();
         EXPECT_EQ(refusal(request), "accepted");
     }
 }
 
 TEST(Plan, RefusesInExactWhatIsForLinesOnly) {
     Request snap = in_mode(Mode::exact, 0.1);
-    snap.snap = true;
+    snap.paper2011.snap = true;
     EXPECT_EQ(refusal(snap), "snap with mode exact: is for mode lines only");
     Request uniform_x = in_mode(Mode::exact, 0.1);
-    uniform_x.uniform_x = true;
+    uniform_x.paper2011.uniform_x = true;
     EXPECT_EQ(refusal(uniform_x), "uniform-x with mode exact: is for mode lines only");
     for (Request request : {snap, uniform_x}) {
         request.mode = Mode::lines;

@@ -77,7 +77,7 @@ TEST(RadiusMap, NoConflictIsFartherThanTheReachOfEitherPlace) {
         request.domain.height = 0.1 + 0.01 * below(30);
         if (i % 2 == 0) std::swap(request.domain.width, request.domain.height);
         if (i % 2 == 0) std::swap(field.columns, field.rows);
-        request.lines_per_radius = 1 + below(3);
+        request.paper2011.lines_per_radius = 1 + below(3);
         request.scale = 0.01 + 0.001 * below(60);
         const Plan plan = make_plan(request);
         const std::uint32_t y = below(plan.height);

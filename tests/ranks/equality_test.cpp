@@ -117,7 +117,7 @@ TEST(Border, LooksAtTheWholeStripWhereItMust) {
 TEST(Border, SettlesRoundsThatCrowd) {
     Request request = small_request(3, 1, 0.05, Boundary::torus);
     for (const std::uint64_t size : {1000u, 30000u}) {
-        request.round_size = size;
+        request.paper2011.round_size = size;
         const Outcome expected = made_alone(request);
         for (const std::uint32_t ranks : {2u, 7u}) expect_same(request, expected, ranks, "cpu");
     }

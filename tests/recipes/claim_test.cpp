@@ -65,7 +65,7 @@ TEST(Claims, OfOtherSetsAreDistances) {
                                   [](Request& request) { request.mode = Mode::lines; },
                                   [](Request& request) {
                                       request.mode = Mode::lines;
-                                      request.snap = true;
+                                      request.paper2011.snap = true;
                                   },
                                   [](Request& request) {
                                       request.radius.reset();
@@ -80,10 +80,10 @@ TEST(Claims, OfLinesHaveTheDistanceThatInterpolationLeaves) {
     Request request;
     request.radius = 0.1;
     request.mode = Mode::lines;
-    request.lines_per_radius = 5;
+    request.paper2011.lines_per_radius = 5;
     const Result result = sample(request);
     EXPECT_DOUBLE_EQ(claim_of(request, result).radius, 0.09);
-    request.snap = true;
+    request.paper2011.snap = true;
     EXPECT_EQ(claim_of(request, result).radius, 0.1);
 }
 

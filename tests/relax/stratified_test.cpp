@@ -220,9 +220,10 @@ TEST(AStratifiedStart, RefusesWhatItHasNoUseFor) {
     const std::string takes_a_count = ": is not for mode stratified, which takes a count";
     EXPECT_EQ(refusal([](Request& r) { r.radius = 0.5; }), "radius 0.5" + takes_a_count);
     EXPECT_EQ(refusal([](Request& r) { r.limit = 3; }), "limit 3" + takes_a_count);
-    EXPECT_EQ(refusal([](Request& r) { r.lines_per_radius = 3; }),
+    EXPECT_EQ(refusal([](Request& r) { r.paper2011.lines_per_radius = 3; }),
               "lines-per-radius 3" + takes_a_count);
-    EXPECT_EQ(refusal([](Request& r) { r.round_size = 1; }), "round-size 1" + takes_a_count);
+    EXPECT_EQ(refusal([](Request& r) { r.paper2011.round_size = 1; }),
+              "round-size 1" + takes_a_count);
     EXPECT_EQ(refusal([](Request& r) { r.metric = Metric::max; }), "metric max" + takes_a_count);
     EXPECT_EQ(refusal([](Request& r) { r.count.reset(); }),
               "count missing: mode stratified needs one");

@@ -40,7 +40,7 @@ void expect_draws_inverted_alone(std::size_t bins, std::uint32_t count, bool uni
     request.mode = Mode::lines;
     request.radius = 0.1;
     request.seed = 5;
-    request.uniform_x = uniform_x;
+    request.paper2011.uniform_x = uniform_x;
     const Plan plan = make_plan(request);
     std::vector<std::uint32_t> lengths(bins);
     for (std::size_t i = 0; i < bins; ++i)  // also runs of empty bins

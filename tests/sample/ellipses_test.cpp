@@ -122,7 +122,7 @@ void make_hostile(Random& random, Made& made) {
     if (request.domain.wraps())
         request.scale = *request.scale * std::min(1.0, 0.49 * shorter / longest);
     request.seed = random();
-    request.round_size = random() % 3 == 0 ? 1 + random() % 100 : 0;
+    request.paper2011.round_size = random() % 3 == 0 ? 1 + random() % 100 : 0;
     request.place.backend = "cpu";
 }
 

@@ -36,7 +36,7 @@ TEST(AResult, TellsTheLinesPerRadiusAskedForOrTheModesOwn) {
     for (const Mode mode : {Mode::exact, Mode::lines}) {
         for (const std::uint32_t m : {1u, 6u, 17u, 30u, 1000u}) {
             Request request = request_of(0.1, mode);
-            request.lines_per_radius = m;
+            request.paper2011.lines_per_radius = m;
             EXPECT_EQ(sample(request).lines_per_radius, m);
         }
     }
@@ -44,7 +44,7 @@ TEST(AResult, TellsTheLinesPerRadiusAskedForOrTheModesOwn) {
     EXPECT_EQ(sample(request_of(0.1, Mode::lines)).lines_per_radius, 30u);
 
     Request told = request_of(0.1, Mode::exact);
-    told.lines_per_radius = 6;
+    told.paper2011.lines_per_radius = 6;
     EXPECT_EQ(sample(told).points, sample(request_of(0.1, Mode::exact)).points);
 }
 
@@ -53,7 +53,7 @@ TEST(ALargeExactSet, KeepsTheRadiusInDoubleAndComesCloseToIt) {
         for (const std::uint32_t m : {1u, 3u, 6u, 30u}) {
             Request request = request_of(0.005);
             request.domain.boundary = boundary;
-            request.lines_per_radius = m;
+            request.paper2011.lines_per_radius = m;
             const double least =
                 tests::least_distance(sample(request).points, 1, 1, boundary == Boundary::torus);
             EXPECT_GE(least, 0.005);
@@ -78,7 +78,7 @@ TEST(AnyExactSet, KeepsTheRadiusInDoubleAndItsPointsInTheDomain) {
         request.domain.height = side(random) / 7919;
         request.radius = request.domain.shorter_side() * share(random) * share(random);
         request.domain.boundary = random() % 2 == 0 ? Boundary::box : Boundary::torus;
-        request.lines_per_radius = static_cast<std::uint32_t>(1 + random() % 60);
+        request.paper2011.lines_per_radius = static_cast<std::uint32_t>(1 + random() % 60);
         request.seed = random();
         const bool torus = request.domain.wraps();
         const Result result = sample(request);
@@ -100,7 +100,7 @@ TEST(ATorus, AsWideAsTheRadiusHoldsOnePointAtAnyM) {
         for (const std::uint32_t m : {1u, 2u, 3u, 60u}) {
             Request request = request_of(1, mode);
             request.domain.boundary = Boundary::torus;
-            request.lines_per_radius = m;
+            request.paper2011.lines_per_radius = m;
             EXPECT_EQ(sample(request).points.size(), 1u) << name_of(mode) << ", m " << m;
         }
     }

@@ -54,7 +54,7 @@ TEST(SampleMany, GivesTheSetOfEachSeedInAllModesAndSizes) {
     Request lines = request_of(0.05);
     lines.mode = Mode::lines;
     EXPECT_EQ(expect_same_as_alone(lines, seeds), 3U);
-    lines.uniform_x = true;
+    lines.paper2011.uniform_x = true;
     EXPECT_EQ(expect_same_as_alone(lines, seeds), 3U);
     Request count = request_of(0);
     count.radius.reset();
@@ -84,7 +84,7 @@ TEST(SampleMany, RefusesWhatSampleRefuses) {
     elsewhere.place.backend = "abacus";
     EXPECT_THROW(sample_many(elsewhere, seeds, take), BadRequest);
     Request snapped = request_of(0.1);
-    snapped.snap = true;
+    snapped.paper2011.snap = true;
     EXPECT_THROW(sample_many(snapped, seeds, take), BadRequest);
     EXPECT_THROW(sample_many(snapped, {}, take), BadRequest);
 }

@@ -50,8 +50,8 @@ inline Request small_exact_request(std::uint64_t seed) {
         std::max(std::sqrt(request.domain.width * request.domain.height) / 10, fewest / 1000);
     const double share = random() % 6 == 0 ? 0 : random_in(random, 0, 1);
     request.radius = std::min(fewest, fewest * std::pow(std::min(1.0, finest / fewest), share));
-    request.lines_per_radius = static_cast<std::uint32_t>(1 + random() % 60);
-    request.round_size = pick(random, {0u, 0u, 1u, 7u});
+    request.paper2011.lines_per_radius = static_cast<std::uint32_t>(1 + random() % 60);
+    request.paper2011.round_size = pick(random, {0u, 0u, 1u, 7u});
     request.place.threads = 1;
     return request;
 }

@@ -110,7 +110,7 @@ TEST(ASnappedSet, KeepsItsDistancesAndWhereItHasAHoleTheHoleIsReal) {
         Request request;
         request.mode = Mode::lines;
         request.radius = 0.02;
-        request.snap = true;
+        request.paper2011.snap = true;
         request.domain.boundary = boundary;
         request.place.backend = "cpu";
         const bool torus = boundary == Boundary::torus;

@@ -15,7 +15,7 @@
 //     where samples may lie is covered: some point is no farther than the smaller radius of the
 //     two, plus 2^-28 of the longer side. A spot within 2^-28 of the longer side of a pixel's
 //     border may have the radius of either pixel.
-//   - Mode::lines with Request::snap: no two points are closer than the radius. Without snap
+//   - Mode::lines with Paper2011::snap: no two points are closer than the radius. Without snap
 //     (Kalantari & Sen 2011, section 4.1, x interpolated in its strip) no two points are closer
 //     than radius * (1 - 1 / (2 * lines_per_radius)). Gaps narrower than a strip remain.
 //   - Mode::cells: points lie on a lattice. Any two keep the distance that the metric makes of
@@ -168,6 +168,19 @@ std::string_view name_of(Mode mode);
 enum class Metric { min, mean, max };
 std::string_view name_of(Metric metric);
 
+// How the algorithm of Kalantari & Sen 2011 is run.
+struct Paper2011 {
+    // The paper's m, 1 to 1000. Default: 6 in exact, where it changes only the speed; 30, the
+    // paper's, in lines; 10 lattice steps per least radius in cells. In exact with a field, a mask,
+    // a border or kept points there are no lines. There the first boxes are at most 2 radii / m
+    // long, the default is 1, and m again changes only the speed.
+    std::optional<std::uint32_t> lines_per_radius{};
+    std::uint64_t round_size = 0;  // draws in a round; 0: automatic, 1: the paper's algorithm
+    // In mode lines only.
+    bool snap = false;       // points on the lines themselves: keeps every distance >= radius
+    bool uniform_x = false;  // end of section 4.1: lines with room are equally likely
+};
+
 // Where the work is done.
 struct Place {
     // A Device::backend that devices() lists. "auto" is the backend that the environment variable
@@ -198,14 +211,6 @@ struct Request {
     // domain's unit. Where the importance is 1 it is the radius itself.
     std::optional<double> scale{};
     Metric metric = Metric::min;
-    // The paper's m, 1 to 1000. Default: 6 in exact, where it changes only the speed; 30, the
-    // paper's, in lines; 10 lattice steps per least radius in cells. In exact with a field, a mask,
-    // a border or kept points there are no lines. There the first boxes are at most 2 radii / m
-    // long, the default is 1, and m again changes only the speed.
-    std::optional<std::uint32_t> lines_per_radius{};
-    // In mode lines only.
-    bool snap = false;       // points on the lines themselves: keeps every distance >= radius
-    bool uniform_x = false;  // end of section 4.1: lines with room are equally likely
 
     // The next three work in mode exact only. Together they say where samples may lie, and the set
     // is maximal there. Samples lie on pixels of the mask that are not 0. It must outlive the call.
@@ -235,8 +240,9 @@ struct Request {
     bool progressive = false;
 
     std::optional<std::uint64_t> limit{};  // stop after this many points, >= 1
-    std::uint64_t round_size = 0;  // draws in a round; 0: automatic, 1: the paper's algorithm
     std::uint64_t seed = 0;
+
+    Paper2011 paper2011{};
     Place place = Place();  // {} makes gcc 12 warn at -O3 that its texts may be uninitialized
 };
 

@@ -150,8 +150,8 @@ Plan radius_field_plan(Boundary boundary, double part) {
     request.scale = 0.025;
     request.mask = &mask;
     request.keep = keep;
-    request.round_size = 128;
-    request.lines_per_radius = 2;  // boxes are long, and many samples reach some of them
+    request.paper2011.round_size = 128;
+    request.paper2011.lines_per_radius = 2;  // boxes are long, and many samples reach some of them
     Plan plan = make_plan(request);
     plan.limit = static_cast<std::uint64_t>(static_cast<double>(plan.expected_samples) * part);
     return plan;
@@ -190,7 +190,7 @@ TEST_P(Faults, WithClassesAreNoticed) {
     request.classes.names = {"one", "two", "three"};
     request.classes.distances = distances_by_union(std::vector{0.12, 0.06, 0.03});
     request.domain.boundary = Boundary::torus;
-    request.round_size = 128;
+    request.paper2011.round_size = 128;
     Plan plan = make_plan(request);
     plan.limit = plan.expected_samples / 2;
     expect_noticed(
@@ -211,7 +211,7 @@ TEST_P(Faults, WithEllipsesAreNoticed) {
     request.field = &field;
     request.scale = 0.05;
     request.domain.boundary = Boundary::torus;
-    request.round_size = 128;
+    request.paper2011.round_size = 128;
     // Some faults leave boxes that nothing covers, and with them a set would never be full.
     Plan plan = make_plan(request);
     plan.limit = plan.expected_samples * 95 / 100;

@@ -80,7 +80,7 @@ TEST_F(Kernels, RunOnTheDeviceThatTheResultNames) {
 TEST_F(Kernels, RefuseARoundLargerThanTheDevicesLargestBuffer) {
     Request request;
     request.radius = 0.1;
-    request.round_size = 4'000'000'000;
+    request.paper2011.round_size = 4'000'000'000;
     request.place.backend = "opencl";
     const std::string what = tests::refusal_of([&] { sample(request); });
     EXPECT_TRUE(what.starts_with("round-size 4000000000: must be at most ")) << what;

@@ -39,9 +39,9 @@ protected:
         request.mode = Mode::lines;
         request.radius = row.radius;
         request.domain.boundary = row.boundary;
-        request.uniform_x = row.uniform_x;
-        request.snap = snap;
-        request.round_size = 1;
+        request.paper2011.uniform_x = row.uniform_x;
+        request.paper2011.snap = snap;
+        request.paper2011.round_size = 1;
         request.place.backend = "reference";
         // Counts of large sets vary less: the mean of 8 is six times more precise than is asked.
         const std::uint64_t seeds = row.radius < 0.01 ? 8 : 20;

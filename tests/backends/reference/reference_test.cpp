@@ -53,10 +53,11 @@ Request small_request() {
     request.domain.width = *rc::gen::inRange(50, 201) / 100.0;
     request.domain.height = *rc::gen::inRange(50, 201) / 100.0;
     request.domain.boundary = *rc::gen::element(Boundary::box, Boundary::torus);
-    request.lines_per_radius = *rc::gen::inRange(1u, 61u);
-    request.snap = *rc::gen::arbitrary<bool>();
-    request.uniform_x = *rc::gen::arbitrary<bool>();
-    request.round_size = request.uniform_x ? 1 : *rc::gen::element(0u, 1u, 2u, 7u, 1000u);
+    request.paper2011.lines_per_radius = *rc::gen::inRange(1u, 61u);
+    request.paper2011.snap = *rc::gen::arbitrary<bool>();
+    request.paper2011.uniform_x = *rc::gen::arbitrary<bool>();
+    request.paper2011.round_size =
+        request.paper2011.uniform_x ? 1 : *rc::gen::element(0u, 1u, 2u, 7u, 1000u);
     request.seed = *rc::gen::arbitrary<std::uint64_t>();
     request.radius = *rc::gen::inRange(5, 51) / 100.0;
     request.place.backend = "reference";
@@ -70,11 +71,11 @@ RC_GTEST_PROP(Reference, KeepsItsDistancesAndCoversEveryLine, ()) {
     RC_ASSERT(!samples.empty());
     RC_ASSERT(every_line_is_covered(plan, samples));
 
-    const double kept = request.snap ? 1 : 1 - 0.5 / *request.lines_per_radius;
+    const double kept = request.paper2011.snap ? 1 : 1 - 0.5 / *request.paper2011.lines_per_radius;
     const double least = tests::least_distance(sample(request).points, request.domain.width,
                                                request.domain.height, plan.period_x != 0);
     RC_ASSERT(least >= *request.radius * kept);
-    if (!request.snap) return;
+    if (!request.paper2011.snap) return;
     for (std::size_t i = 0; i < samples.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             RC_ASSERT(!portable::are_closer(samples[i].x, samples[i].y, samples[j].x, samples[j].y,
@@ -102,7 +103,7 @@ TEST(Reference, KeepsItsDistancesInALargeSet) {
             request.mode = Mode::lines;
             request.radius = 0.005;
             request.domain.boundary = boundary;
-            request.snap = snap;
+            request.paper2011.snap = snap;
             request.place.backend = "reference";
             const double least =
                 tests::least_distance(sample(request).points, 1, 1, boundary == Boundary::torus);
@@ -159,8 +160,8 @@ TEST_P(ReferenceInMode, ACountIsMetExactly) {
                 request.mode = GetParam();
                 request.count = count;
                 request.domain.boundary = boundary;
-                request.lines_per_radius = m;
-                request.snap = request.mode == Mode::lines;
+                request.paper2011.lines_per_radius = m;
+                request.paper2011.snap = request.mode == Mode::lines;
                 request.place.backend = "reference";
                 const Result result = sample(request);
                 EXPECT_EQ(result.points.size(), count);

@@ -52,7 +52,7 @@ protected:
 
 TEST_F(VulkanBackend, ServesSpansBeyondTheLargestBufferOfManyDevices) {
     Request request = torus(0.001, Mode::lines);
-    request.lines_per_radius = 52;
+    request.paper2011.lines_per_radius = 52;
     request.limit = 200'000;
     const Plan plan = make_plan(request);
     constexpr std::uint64_t kSmallestRange = std::uint64_t{128} << 20;
@@ -145,7 +145,7 @@ TEST_F(VulkanBackend, RefusesLatticesBeyondTheLargestBuffer) {
     request.mode = Mode::cells;
     request.field = &field;
     request.scale = 20.0 / (1 << 17);
-    request.lines_per_radius = 20;
+    request.paper2011.lines_per_radius = 20;
     const Plan plan = make_plan(request);
     if (largest >= std::uint64_t{1} << 31) GTEST_SKIP() << "the largest lattice has 2 GiB";
     const std::string message = message_of<Unavailable>([&] { vulkan::make_backend(plan, {}); });
@@ -156,7 +156,7 @@ TEST_F(VulkanBackend, RefusesLatticesBeyondTheLargestBuffer) {
 
 TEST_F(VulkanBackend, RefusesRoundsBeyondTheLargestBuffer) {
     Request request = torus(0.05);
-    request.round_size = std::uint64_t{1} << 40;
+    request.paper2011.round_size = std::uint64_t{1} << 40;
     const std::string message =
         message_of<BadRequest>([&] { vulkan::make_backend(make_plan(request), {}); });
     EXPECT_NE(message.find("round-size 1099511627776: must be at most"), std::string::npos)

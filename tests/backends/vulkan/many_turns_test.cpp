@@ -88,7 +88,7 @@ protected:
         Request request;
         request.radius = 0.9;
         request.domain.boundary = Boundary::torus;
-        request.lines_per_radius = 1;
+        request.paper2011.lines_per_radius = 1;
         return make_plan(request);
     }
 };
