@@ -8,7 +8,7 @@
 //     grows with the count: about 400 bytes per point besides the points.
 #pragma once
 
-#include <lacuna/lacuna.h>
+#include <lacuna/domain.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 // progressive_order(). Link lacuna.
 #pragma once
 
-#include <lacuna/lacuna.h>
+#include <lacuna/errors.h>
 
 #include <functional>
 

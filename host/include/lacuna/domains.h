@@ -18,8 +18,8 @@
 //     request.mask = &mask;
 #pragma once
 
+#include <lacuna/domain.h>
 #include <lacuna/files.h>
-#include <lacuna/lacuna.h>
 
 #include <cstdint>
 #include <optional>

@@ -11,7 +11,7 @@
 //     the line or offset in it, what was found and what was expected.
 #pragma once
 
-#include <lacuna/lacuna.h>
+#include <lacuna/domain.h>
 
 #include <span>
 #include <string>

@@ -10,7 +10,7 @@
 //     the way from the first cell's to the second's.
 #pragma once
 
-#include <lacuna/lacuna.h>
+#include <lacuna/relax.h>
 
 #include <array>
 #include <cstddef>

@@ -7,7 +7,7 @@
 //   - Few sets are in memory at once: about 64 small sets per thread, or one large set.
 #pragma once
 
-#include <lacuna/lacuna.h>
+#include <lacuna/sample.h>
 
 #include <cstdint>
 #include <functional>

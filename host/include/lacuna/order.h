@@ -2,7 +2,7 @@
 // as evenly as can be. Link lacuna.
 #pragma once
 
-#include <lacuna/lacuna.h>
+#include <lacuna/sample.h>
 
 #include <cstdint>
 #include <span>

@@ -20,7 +20,7 @@
 
 #include <lacuna/files.h>
 #include <lacuna/inks.h>
-#include <lacuna/lacuna.h>
+#include <lacuna/sample.h>
 
 #include <cstdint>
 #include <span>

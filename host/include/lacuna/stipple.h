@@ -14,8 +14,8 @@
 #pragma once
 
 #include <lacuna/inks.h>
-#include <lacuna/lacuna.h>
 #include <lacuna/pictures.h>
+#include <lacuna/relax.h>
 
 #include <cstdint>
 #include <optional>

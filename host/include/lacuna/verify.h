@@ -35,7 +35,7 @@
 //   - The work grows nearly linearly with the number of points, however crowded they are.
 #pragma once
 
-#include <lacuna/lacuna.h>
+#include <lacuna/sample.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,0 +1,71 @@
+// The domain of a set, and where in it samples may lie.
+#pragma once
+
+#include <lacuna/errors.h>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+// A position in the user's own units.
+struct Point {
+    double x = 0;
+    double y = 0;
+    friend bool operator==(const Point&, const Point&) = default;
+};
+
+// What happens at the edges of the domain: they wrap (torus) or they do not (box).
+enum class Boundary { box, torus };
+
+// The rectangle [0, width) x [0, height), in the user's unit of length. Sides are over 0, neither
+// over 1000 times the other.
+struct Domain {
+    double width = 1;
+    double height = 1;
+    Boundary boundary = Boundary::box;
+
+    bool wraps() const { return boundary == Boundary::torus; }
+    double longer_side() const { return width < height ? height : width; }
+    double shorter_side() const { return height < width ? height : width; }
+    friend bool operator==(const Domain&, const Domain&) = default;
+};
+// The domain of a picture's shape, with a longer side of 1.
+Domain domain_like(std::uint32_t columns, std::uint32_t rows, Boundary boundary = Boundary::box);
+
+struct DrawnMask;  // internal: plan/mask_tree.h
+
+// Where samples may lie, whatever the importance: pixels that are stretched over the domain. A
+// sample on the border of two pixels lies in the right or the upper one.
+struct Mask {
+    std::uint32_t columns = 0;            // pixels
+    std::uint32_t rows = 0;               // pixels
+    std::vector<std::uint8_t> allowed{};  // rows * columns values, at least one of them not 0 (0:
+                                          // no sample there); row by row, row 0 is the top of the
+                                          // picture (largest y)
+    // Instead of `allowed`: what draw_places() of lacuna/domains.h has drawn. It takes memory in
+    // proportion to the length of the outlines, whatever the number of pixels.
+    std::shared_ptr<const DrawnMask> drawn{};
+};
+
+// A closed outline: its last point is joined to its first.
+using PolygonRing = std::vector<Point>;
+
+// Polygons that belong together: a place is inside if an odd number of rings goes around it (the
+// even-odd rule), so a ring within a ring is a hole. Samples may lie inside of any set of polygons
+// that is not `forbidden`, if there is one, but in none that is. And they keep a distance from the
+// set's rings, on either side. A line is a ring that goes there and back, and a point is a ring of
+// one point: nothing is inside of these.
+struct PolygonSet {
+    std::span<const PolygonRing> rings{};
+    bool forbidden = false;
+    double distance = 0;
+    // For messages: the option that the set comes from, by default inside or outside, and the file.
+    std::string option{};
+    std::string name{};
+};
+
+}  // namespace lacuna

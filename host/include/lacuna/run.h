@@ -1,0 +1,83 @@
+// Where the work is done, and how it is watched.
+#pragma once
+
+#include <lacuna/errors.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lacuna {
+
+// Where the work is done.
+struct Place {
+    // A Device::backend that devices() lists. "auto" is the backend that the environment variable
+    // LACUNA_BACKEND names or, where it is unset or empty, the first in the list.
+    std::string backend = "auto";
+    std::string device{};       // for backends with devices: a number or part of a name
+    std::uint32_t threads = 0;  // at most 1024; 0: one for each core
+    // sample() refuses sets that take more memory. 0: than the machine has.
+    std::uint64_t memory_limit_bytes = 0;
+};
+
+// A device that a backend can run on, or a backend that cannot run: `unusable` then says why.
+struct Device {
+    std::string backend{};
+    std::string name{};  // as the driver gives it
+    std::string kind{};  // cpu, gpu or other
+    std::uint64_t memory_bytes = 0;
+    std::uint64_t largest_buffer_bytes = 0;
+    std::string unusable{};  // why it cannot be used; empty when it can
+};
+
+// The devices of all backends. Backends come in order of preference, and the devices of each in the
+// order of their numbers, which Place::device names. A backend that this build lacks, or whose
+// driver fails, has one entry that says so.
+std::vector<Device> devices();
+
+// The steps of a round, of an iteration of relax and of its descent, for observers that time them.
+enum class Verb {
+    invert,
+    locate,
+    admit,
+    subtract,
+    refine,
+    transfer,
+    first_use,
+    assign,
+    accumulate,
+    move,
+    descend,  // a step of RelaxOptions::gaussian
+    read,     // of stipple: decoding the picture
+    pen_path  // of stipple: ordering the dots along a path
+};
+std::string_view name_of(Verb verb);
+
+// What a run is doing: admitting points, moving them, or ordering them along a path.
+enum class Stage { sampling, relaxing, pen_path };
+
+struct Progress {
+    // The points that were admitted. While relaxing: their number times the finished rounds.
+    std::uint64_t points = 0;
+    std::uint64_t expected_points = 0;  // an estimate, at least `points`
+    std::uint64_t rounds = 0;           // finished ones. While relaxing: iterations and steps
+    Stage stage = Stage::sampling;
+    std::uint64_t all_rounds = 0;  // while relaxing: the number of iterations and steps in all
+};
+
+// Watches a run from the calling thread. The library has no clock: an observer that measures times
+// reads its own in begin and end.
+class Observer {
+public:
+    virtual ~Observer() = default;
+    // Called after each round, and now and then within long ones and before the first. Return false
+    // to cancel: sample() then throws Cancelled and does not call again.
+    virtual bool keep_going(const Progress&) { return true; }
+    virtual void begin(Verb) {}
+    virtual void end(Verb) {}
+    // All three functions may throw: sample() then ends with that exception. But an exception that
+    // end() throws while another one is being handled is lost.
+};
+
+}  // namespace lacuna
