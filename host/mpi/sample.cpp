@@ -202,7 +202,7 @@ void add_sample(CLI::App& app, const MpiProgram* const& program) {
                          {"report", &all->common.report},
                          {"progress", &all->progress},
                          {"quiet", &all->common.quiet}};
-    targets.merge(recipes::targets_of(all->common.request));
+    cli::add_targets(targets, recipes::targets_of(all->common.request));
     cli::add_command(app, recipes::kMpiSample, kSampleDescription, targets,
                      [all, &program](const cli::CommandLine&) { run(*all, *program); });
 }

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <iterator>
+#include <utility>
 
 namespace lacuna::recipes {
 namespace {
@@ -372,9 +373,11 @@ bool CommandLine::has(std::string_view name) const {
 }
 
 void CommandLine::sort() {
-    std::stable_sort(given.begin(), given.end(), [&](const auto& a, const auto& b) {
-        return find_option(command, a.name) < find_option(command, b.name);
-    });
+    std::vector<GivenOption> sorted;
+    for (const Option* option : options_of(command))
+        for (GivenOption& one : given)
+            if (one.name == option->name) sorted.push_back(std::move(one));
+    given = std::move(sorted);
 }
 
 std::string CommandLine::text(std::uint64_t seed) const {

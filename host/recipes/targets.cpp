@@ -23,7 +23,7 @@ struct Reader {
     void operator()(std::vector<std::string>* values) const { values->push_back(text); }
     void operator()(std::optional<Mode>* mode) const { *mode = named<Mode>(text); }
     void operator()(std::optional<Metric>* metric) const { *metric = named<Metric>(text); }
-    void operator()(const Take& take) const { take(text); }
+    void operator()(const Take& take) const { take.read(text, take.to); }
 };
 
 // The value of a member.
@@ -58,14 +58,17 @@ std::string text_of(const Value& value) {
     return text == nullptr ? "" : *text;
 }
 
+void read_sides(const std::string& text, Request& request) {
+    read_domain("domain", text, request.domain);
+}
+
 }  // namespace
 
 Targets targets_of(Request& request) {
     return {{"radius", &request.radius},
             {"count", &request.count},
             {"scale", &request.scale},
-            {"domain",
-             [&request](const std::string& text) { read_domain("domain", text, request.domain); }},
+            {"domain", take_by<read_sides>(request)},
             {"torus", &request.domain.boundary},
             {"border", &request.border},
             {"limit", &request.limit},
@@ -91,16 +94,21 @@ Targets targets_of(Tone& tone) {
             {"black", &tone.black},
             {"white", &tone.white},
             {"auto-levels", &tone.auto_levels},
-            {"sharpen", [&tone](const std::string& text) { read_sharpen(text, tone); }},
+            {"sharpen", take_by<read_sharpen>(tone)},
             {"along", &tone.along},
             {"gamma", &tone.gamma},
             {"min-importance", &tone.min_importance}};
 }
 
-void read(const Option& option, const std::string& text, const Target& target) {
-    const std::string name(option.name);
+void check_word(const Option& option, const std::string& text) {
     if (option.kind == Kind::word && !is_among(text, option.traits.words))
-        throw BadRequest(name, shown(text), "must be " + listed(option.traits.words));
+        throw BadRequest(std::string(option.name), shown(text),
+                         "must be " + listed(option.traits.words));
+}
+
+void read(const Option& option, const std::string& text, const Target& target) {
+    check_word(option, text);
+    const std::string name(option.name);
     std::visit(Reader{name, text}, target);
 }
 

@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,8 +19,18 @@
 
 namespace lacuna::recipes {
 
-// A variable, or a function that is called with the text.
-using Take = std::function<void(const std::string& text)>;
+// A function that reads a text into what `to` points to.
+struct Take {
+    void (*read)(const std::string& text, void* to);
+    void* to;
+};
+template <auto kRead, class To>
+Take take_by(To& to) {
+    return {[](const std::string& text, void* there) { kRead(text, *static_cast<To*>(there)); },
+            &to};
+}
+
+// A variable or a function. Nothing but pointers, which keeps lists of targets small.
 using Target = std::variant<bool*, Boundary*, double*, std::optional<double>*, std::uint32_t*,
                             std::optional<std::uint32_t>*, std::uint64_t*,
                             std::optional<std::uint64_t>*, std::string*, std::vector<std::string>*,
@@ -35,6 +44,9 @@ Targets targets_of(Moves& moves);
 Targets targets_of(Tone& tone);
 // With those of its request and its tone. Link lacuna::extras.
 Targets targets_of(StippleOptions& options);
+
+// Throws BadRequest if the option must be one of some words and the text is none of them.
+void check_word(const Option& option, const std::string& text);
 
 // Reads the text of an option into its target. Throws BadRequest for a text that is no value.
 void read(const Option& option, const std::string& text, const Target& target);

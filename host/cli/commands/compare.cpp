@@ -15,7 +15,6 @@
 
 #include "cli/options/common_options.h"
 #include "cli/options/given_files.h"
-#include "cli/options/picture_field.h"
 #include "cli/reports/comparison.h"
 #include "cli/reports/output.h"
 #include "cli/terminal/interruption.h"
@@ -192,7 +191,7 @@ Targets targets_of(CompareCommand& all) {
                     {"mode", &all.given.mode},
                     {"relax", &all.given.relax},
                     {"quiet", &all.quiet}};
-    targets.merge(recipes::targets_of(all.request));
+    add_targets(targets, recipes::targets_of(all.request));
     targets.merge(targets_of(all.picture));
     targets.merge(targets_of(all.charts));
     return targets;

@@ -13,7 +13,7 @@
 
 #include "cli/options/bind.h"
 #include "cli/reports/comparison.h"
-#include "cli/reports/json.h"
+#include "cli/reports/report.h"
 #include "cli/terminal/driver.h"
 #include "files/point_files.h"
 

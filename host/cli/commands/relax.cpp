@@ -17,7 +17,6 @@
 #include "cli/options/domain_options.h"
 #include "cli/options/drawing.h"
 #include "cli/options/given_set.h"
-#include "cli/options/picture_field.h"
 #include "cli/options/relaxation.h"
 #include "cli/reports/output.h"
 #include "cli/reports/report.h"
@@ -131,7 +130,7 @@ Targets targets_of(RelaxCommand& all) {
     targets.merge(targets_of(all.set));
     targets.merge(targets_of(all.common));
     targets.merge(targets_of(all.drawing));
-    targets.merge(recipes::targets_of(all.moves));
+    add_targets(targets, recipes::targets_of(all.moves));
     return targets;
 }
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "cli/options/bind.h"
-#include "cli/options/picture_field.h"
+#include "cli/options/common_options.h"
 #include "cli/reports/output.h"
 #include "cli/terminal/interruption.h"
 #include "cli/terminal/progress_bar.h"

@@ -15,11 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "cli/options/class_options.h"
 #include "cli/options/common_options.h"
 #include "cli/options/domain_options.h"
 #include "cli/options/drawing.h"
-#include "cli/options/ellipse_options.h"
 #include "cli/options/given_files.h"
 #include "cli/options/relaxation.h"
 #include "cli/options/sample_seeds.h"
@@ -31,7 +29,6 @@
 #include "pictures/importance.h"
 #include "plan/sheets.h"
 #include "recipes/settle.h"
-#include "relax/descent.h"
 
 namespace lacuna::cli {
 namespace {
@@ -98,9 +95,8 @@ void run(const CommandLine& line, SampleCommand all) {
     const drawing::Style style = style_of(all.drawing, request.domain);
     const RelaxOptions moves = recipes::relax_options_of(request, all.moves);
     const bool moves_points = all.moves.are_asked_for();
-    relaxing::check_gaussian(request.field, moves);
     Interruption interruption;
-    Made made = make(options);
+    Made made = make(options, all.moves);
     // Reports have the distances that the set keeps, which differ from those given with a count.
     Request as_made = request;
     const double factor = distance_factor(request, made.result);
@@ -109,7 +105,12 @@ void run(const CommandLine& line, SampleCommand all) {
     Json more{{"request", decides}};
     if (moves_points) {
         decides.update(json_of_moves(moves));
-        more.update(json_of(relax_points(options, outputs, moves, request.field, made)), true);
+        Relaxation relaxation{moves, *made.relaxed, std::nullopt};
+        if (!says_distances(options, outputs))
+            made.result.radius = 0;
+        else if (made.result.points.size() > 1)
+            relaxation.least_distance = made.result.radius;
+        more.update(json_of(relaxation), true);
     }
     const files::Origin origin = origin_of(line, request, made.result, decides);
     const MadeSet set(request, made.result, origin, showing);
@@ -135,7 +136,7 @@ Targets targets_of(SampleCommand& all) {
     targets.merge(targets_of(all.common));
     targets.merge(targets_of(all.domain));
     targets.merge(targets_of(all.drawing));
-    targets.merge(recipes::targets_of(all.moves));
+    add_targets(targets, recipes::targets_of(all.moves));
     return targets;
 }
 

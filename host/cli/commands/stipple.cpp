@@ -14,9 +14,8 @@
 #include <vector>
 
 #include "cli/options/common_options.h"
+#include "cli/options/domain_options.h"
 #include "cli/options/drawing.h"
-#include "cli/options/ellipse_options.h"
-#include "cli/options/picture_field.h"
 #include "cli/options/relaxation.h"
 #include "cli/reports/output.h"
 #include "cli/reports/report.h"
@@ -223,11 +222,11 @@ void run(const CommandLine& line, const StippleCommand& all) {
 
 // Where the value of each option goes.
 Targets targets_of(StippleCommand& all) {
-    Targets targets = recipes::targets_of(all.stipple);
-    targets.merge(Targets{{"IMAGE", &all.image},
-                          {"ellipse-columns", &all.ellipse_columns},
-                          {"report", &all.common.report},
-                          {"quiet", &all.common.quiet}});
+    Targets targets{{"IMAGE", &all.image},
+                    {"ellipse-columns", &all.ellipse_columns},
+                    {"report", &all.common.report},
+                    {"quiet", &all.common.quiet}};
+    add_targets(targets, recipes::targets_of(all.stipple));
     targets.merge(targets_of(all.common.output));
     targets.merge(targets_of(all.drawing, true));
     return targets;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/number_text.h"
-#include "cli/options/obstacles.h"
+#include "cli/options/domain_options.h"
 #include "files/formats.h"
 
 namespace lacuna::cli {
@@ -36,13 +36,16 @@ std::string names_of(const Option& row) {
 }
 
 // An argument has no name that a message could begin with.
-void take(const Option& row, const std::string& text, const recipes::Target& target) {
+void take(const Option& row, const std::string& text, const Target& target) {
     if (row.is_argument() && row.kind == Kind::word && !is_among(text, row.traits.words))
         throw CLI::ValidationError(shown(text) + ": must be " + listed(row.traits.words));
-    recipes::read(row, text, target);
+    if (const auto* const own = std::get_if<recipes::Target>(&target))
+        return recipes::read(row, text, *own);
+    check_word(row, text);
+    std::get<Take>(target)(text);
 }
 
-CLI::Option* add(CLI::App& command, const Option& row, const recipes::Target& target) {
+CLI::Option* add_option(CLI::App& command, const Option& row, const Target& target) {
     const std::string help = full_help_of(row);
     if (row.kind == Kind::flag)
         return command
@@ -81,7 +84,7 @@ void add_command(CLI::App& app, recipes::Commands which, const std::string& desc
         const auto target = targets.find(row->name);
         if (target == targets.end())
             throw std::logic_error(fmt::format("no target for the option {}", row->name));
-        options.emplace_back(row, add(command, *row, target->second));
+        options.emplace_back(row, add_option(command, *row, target->second));
     }
     command.callback([which, options, run] {
         CommandLine line{which, {}};

@@ -1,5 +1,5 @@
 // Reads classes and the distances between them.
-#include "cli/options/class_options.h"
+#include "cli/options/domain_options.h"
 
 #include <fmt/core.h>
 

@@ -1,17 +1,19 @@
-// Options of both `lacuna sample` and `lacuna stipple`.
+// Options that several commands have.
 #include "cli/options/common_options.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <utility>
 
-#include "cli/options/class_options.h"
 #include "cli/reports/output.h"
 #include "cli/terminal/driver.h"
 #include "cli/terminal/observers.h"
 #include "cli/terminal/progress_bar.h"
 #include "cli/terminal/run_program.h"
+#include "pictures/image.h"
 #include "plan/sheets.h"
 #include "recipes/read.h"
 
@@ -23,9 +25,21 @@ Targets targets_of(OutputOptions& output) {
 
 Targets targets_of(CommonOptions& options) {
     Targets targets{{"report", &options.report}, {"quiet", &options.quiet}};
-    targets.merge(recipes::targets_of(options.request));
+    add_targets(targets, recipes::targets_of(options.request));
     targets.merge(targets_of(options.output));
     return targets;
+}
+
+Targets targets_of(Picture& picture) {
+    Targets targets{{"metric", &picture.metric}};
+    add_targets(targets, recipes::targets_of(picture.importance));
+    return targets;
+}
+
+Field read_field(const Picture& picture, Request& request) {
+    pictures::Image image = pictures::read_image(picture.path, pictures::kLargestAspect);
+    request.domain = domain_like(image.columns, image.rows, request.domain.boundary);
+    return pictures::importance_of(std::move(image), picture.importance);
 }
 
 std::vector<Output> checked_outputs(const CommonOptions& options,
@@ -42,12 +56,15 @@ std::vector<Output> checked_outputs(const CommonOptions& options,
     return outputs;
 }
 
-Made make(const CommonOptions& options) {
+Made make(const CommonOptions& options, recipes::Moves moves) {
     Made made;
+    moves.measure = !options.report.empty();
     ProgressBar bar(options.quiet);
     DriverAtWork driver(options.request.place.backend);
     Observers observers({driver, made.stopwatch, bar});
-    made.result = sample(options.request, observers);
+    recipes::Made set = recipes::make(options.request, moves, observers);
+    made.result = std::move(set.result);
+    made.relaxed = std::move(set.relaxed);
     made.seconds = made.stopwatch.seconds_so_far();
     return made;
 }

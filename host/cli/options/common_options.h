@@ -1,8 +1,10 @@
-// Options and the run that `lacuna sample` and `lacuna stipple` have in common.
+// Options that several commands have, and the run that `lacuna sample` and `lacuna stipple` have in
+// common.
 #pragma once
 
 #include <lacuna/lacuna.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,8 @@
 #include "cli/options/given_files.h"
 #include "cli/reports/output.h"
 #include "cli/terminal/observers.h"
+#include "pictures/importance.h"
+#include "recipes/make.h"
 
 namespace lacuna::cli {
 
@@ -24,6 +28,20 @@ struct CommonOptions {
 Targets targets_of(OutputOptions& output);
 Targets targets_of(CommonOptions& options);
 
+// A picture on the command line, as the field of a request.
+struct Picture {
+    std::string path;
+    pictures::Importance importance;
+    std::optional<Metric> metric;
+};
+
+// The targets of --metric and of the options that say how a picture is read.
+Targets targets_of(Picture& picture);
+
+// Reads the picture, and sets the request's domain to its shape with a longer side of 1. Throws
+// BadRequest and files::FileError.
+Field read_field(const Picture& picture, Request& request);
+
 // The outputs, checked before the work starts; without --output it is standard output. No output
 // may be a file in `read`. Throws BadRequest and files::FileError.
 std::vector<Output> checked_outputs(const CommonOptions& options,
@@ -34,10 +52,12 @@ struct Made {
     Result result;
     Stopwatch stopwatch;
     double seconds = 0;
+    std::optional<Relaxed> relaxed{};  // how the points were moved, without the points
 };
 
-// Makes the set under a progress bar. Throws what lacuna::sample throws.
-Made make(const CommonOptions& options);
+// Makes the set under a progress bar. Evenness is measured if there is a report. Throws what
+// recipes::make throws.
+Made make(const CommonOptions& options, recipes::Moves moves);
 
 // Prints a line about the set on standard error, unless --quiet is given or standard output is an
 // output. `what` is "point" or "dot"; `note` follows their number, and `more` the backend.

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "base/number_text.h"
-#include "cli/options/obstacles.h"
 #include "cli/reports/report.h"
 #include "files/parse.h"
 #include "files/point_files.h"

@@ -15,13 +15,72 @@
 #include <vector>
 
 #include "cli/options/bind.h"
-#include "cli/options/class_options.h"
-#include "cli/options/ellipse_options.h"
-#include "cli/options/picture_field.h"
+#include "cli/options/common_options.h"
+#include "cli/reports/output.h"
 #include "drawing/dot_size.h"
+#include "files/point_files.h"
 #include "files/read_sets.h"
 
 namespace lacuna::cli {
+
+// Classes of points: --class and --between.
+struct ClassOptions {
+    std::vector<std::string> given;  // NAME:RADIUS:WEIGHT, where the last two may be missing
+    std::string between = "sum";     // a rule, or the path of a matrix
+    bool has_file() const { return between != "sum" && between != "union"; }
+};
+
+// The classes, without names if none were given. Reads the matrix. Throws BadRequest and FileError.
+Classes read_classes(const ClassOptions& options);
+
+// The class of each point of a file, as places in `classes`. `name` stands for the file in
+// messages. Throws FileError if points have no class, or one that is not among the classes.
+std::vector<std::uint8_t> classes_in(const files::SetsOfFile& file, const Classes& classes,
+                                     const std::string& name);
+
+// The classes that a result has; empty if it has none.
+std::vector<files::Layer> layers_of(const Classes& classes, const Result& result);
+
+// The diameters of dots in classes: two thirds of the distance that two points of that class
+// keep in this result.
+std::vector<double> class_diameters(const Request& request, const Result& result);
+
+nlohmann::ordered_json json_of(const Classes& classes);
+
+// An ellipse instead of a disk for each sample: --ellipses and --stretch.
+struct EllipseOptions {
+    std::string path;  // of --ellipses; empty: not given
+    std::string same;  // of --stretch
+
+    bool are_given() const { return !path.empty() || !same.empty(); }
+};
+
+// The field of the ellipses, whose scale is 1. Throws BadRequest and files::FileError.
+Field read_ellipses(const EllipseOptions& options);
+
+nlohmann::ordered_json json_of(const EllipseOptions& options);
+
+// The ellipse that A:B@DEGREES names. Throws BadRequest for --stretch.
+Ellipse ellipse_from(const std::string& text);
+
+// The ellipses of the points that were made of the request; empty if its field has no stretches.
+std::vector<Ellipse> ellipses_of(const Request& request, const Result& result);
+
+// Throws BadRequest if an output has no place for the columns.
+void check_ellipse_columns(bool is_given, const std::vector<Output>& outputs);
+
+// Obstacles from which points keep a distance, --avoid: what a file has at one distance.
+struct Obstacles {
+    Polygons lines;
+    double distance;
+};
+
+// `text` is FILE or FILE:WIDTH. Points of a .csv have a column radius, or all have the width; the
+// lines and outlines of another file need one. Throws BadRequest and FileError.
+std::vector<Obstacles> read_obstacles(const std::string& text);
+
+// FILE without the width.
+std::string path_of_obstacles(const std::string& text);
 
 // The options as given. An empty path means that the option was not given.
 struct DomainOptions {

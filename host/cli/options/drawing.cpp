@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
-#include "cli/reports/json.h"
+#include "cli/reports/report.h"
 #include "drawing/dot_count.h"
 #include "recipes/read.h"
 

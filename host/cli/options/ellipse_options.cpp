@@ -1,5 +1,5 @@
 // Options of ellipses, and how they become a field.
-#include "cli/options/ellipse_options.h"
+#include "cli/options/domain_options.h"
 
 #include <nlohmann/json.hpp>
 #include <numbers>

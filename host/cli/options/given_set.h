@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "cli/options/bind.h"
+#include "cli/options/common_options.h"
 #include "cli/options/drawing.h"
-#include "cli/options/picture_field.h"
 #include "cli/reports/output.h"
 #include "files/read_sets.h"
 

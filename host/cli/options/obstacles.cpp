@@ -1,5 +1,5 @@
 // Reads obstacles.
-#include "cli/options/obstacles.h"
+#include "cli/options/domain_options.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,8 @@
 // Relaxing points under a progress bar.
 #include "cli/options/relaxation.h"
 
+#include <lacuna/verify.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -11,29 +13,13 @@
 #include "cli/terminal/observers.h"
 #include "cli/terminal/progress_bar.h"
 #include "files/formats.h"
-#include "verify/closest.h"
 
 namespace lacuna::cli {
-namespace {
-
-// Notes that the points of `made` were moved: the set is not known to be maximal, and its radius
-// becomes the least distance if a report or a .json needs it, and otherwise 0, which means not
-// known. Returns the least distance if it is known.
-std::optional<double> measure_moved(const CommonOptions& common, const std::vector<Output>& outputs,
-                                    const Domain& domain, Made& made) {
-    made.result.maximal = false;
-    made.result.radius = 0;
-    const bool is_told = !common.report.empty() ||
-                         std::any_of(outputs.begin(), outputs.end(), [](const Output& output) {
-                             return output.format.name() == "json";
-                         });
-    if (!is_told || made.result.points.size() < 2) return std::nullopt;
-    made.result.radius =
-        verify::closest_pair(verify::domain_of(domain), made.result.points).distance;
-    return made.result.radius;
+bool says_distances(const CommonOptions& common, const std::vector<Output>& outputs) {
+    return !common.report.empty() ||
+           std::any_of(outputs.begin(), outputs.end(),
+                       [](const Output& output) { return output.format.name() == "json"; });
 }
-
-}  // namespace
 
 Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& outputs,
                         const RelaxOptions& options, const Field* field, Made& made) {
@@ -49,7 +35,9 @@ Relaxation relax_points(const CommonOptions& common, const std::vector<Output>& 
     made.result.points = std::move(relaxation.relaxed.points);
     made.result.backend = relaxation.relaxed.backend;  // a stratified start has none
     made.result.device = relaxation.relaxed.device;
-    relaxation.least_distance = measure_moved(common, outputs, options.domain, made);
+    if (says_distances(common, outputs) && made.result.points.size() > 1)
+        made.result.radius =
+            relaxation.least_distance.emplace(least_distance(made.result.points, options.domain));
     return relaxation;
 }
 

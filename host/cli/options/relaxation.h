@@ -21,6 +21,10 @@ struct Relaxation {
     std::optional<double> least_distance;
 };
 
+// Whether a report or a .json says the least distance of moved points. It is not looked for or said
+// otherwise: a radius of 0 means that it is not known.
+bool says_distances(const CommonOptions& common, const std::vector<Output>& outputs);
+
 // Relaxes the points of `made` under a progress bar, and adds the time to it; `field` may be null.
 // Evenness is measured if there is a report. The set is then not known to be maximal; its radius is
 // the least distance if a report or a .json needs it, and otherwise 0, which means not known.

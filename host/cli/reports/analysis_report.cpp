@@ -1,5 +1,5 @@
 // Writes the numbers of an analysis.
-#include "cli/reports/analysis_report.h"
+#include "cli/reports/report.h"
 
 #include <lacuna/version.h>
 
@@ -10,8 +10,6 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
-
-#include "cli/reports/json.h"
 
 namespace lacuna::cli {
 namespace {

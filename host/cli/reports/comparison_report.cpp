@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cli/reports/json.h"
+#include "cli/reports/report.h"
 
 namespace lacuna::cli {
 namespace {

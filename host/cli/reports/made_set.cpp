@@ -3,9 +3,7 @@
 
 #include <cmath>
 
-#include "cli/options/class_options.h"
 #include "cli/options/domain_options.h"
-#include "cli/options/ellipse_options.h"
 
 namespace lacuna::cli {
 

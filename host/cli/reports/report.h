@@ -1,18 +1,29 @@
-// --report: the request, the result and the time and memory it took, as JSON; and the origin of a
-// set for its files.
+// --report: the request, the result and the time and memory it took, as JSON; the origin of a set
+// for its files; and what `lacuna analyze` says.
 #pragma once
 
 #include <lacuna/lacuna.h>
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "analysis/analyse.h"
 #include "cli/options/common_options.h"
-#include "cli/reports/json.h"
 #include "files/point_files.h"
 #include "pictures/importance.h"
 
 namespace lacuna::cli {
+
+// Names stay in the order in which they are written.
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
 
 // The parts of the request that decide which points are made.
 Json what_decides(const Request& request, const Result& result);
@@ -48,5 +59,11 @@ std::string relax_report(const Json& request, const Made& made, const Json& more
 files::Origin origin_of(const CommandLine& line, const Request& request, const Result& result,
                         const Json& more);
 files::Origin origin_of(const CommandLine& line, const Request& request, const Result& result);
+
+// The output of `lacuna analyze`: one number on each line, behind its name.
+std::string text_of(const analysis::Analysis& analysis);
+
+// All numbers and curves; numbers that do not exist are null. `files` are the names as given.
+std::string json_of(const analysis::Analysis& analysis, const std::vector<std::string>& files);
 
 }  // namespace lacuna::cli

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "cli/reports/json.h"
+#include "cli/reports/report.h"
 #include "cli/terminal/run_program.h"
 #include "verify/verify.h"
 
