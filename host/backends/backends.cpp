@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "backends/cpu/make_backend.h"
+#include "backends/cpu/cpu_backend.h"
 #include "backends/device/choice.h"
 #ifdef LACUNA_OPENCL
 #include "backends/opencl/make_backend.h"

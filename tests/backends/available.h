@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "backends/backend.h"
-#include "backends/cpu/make_backend.h"
+#include "backends/cpu/cpu_backend.h"
 #include "backends/device/layout.h"
 #include "plan/make_plan.h"
 #ifdef LACUNA_OPENCL

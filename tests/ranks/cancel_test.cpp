@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "backends/cpu/make_backend.h"
+#include "backends/cpu/cpu_backend.h"
 #include "plan/make_plan.h"
 #include "plan/plan.h"
 #include "ranks/run_on_ranks.h"

@@ -15,77 +15,86 @@
 #include <utility>
 #include <vector>
 
-#include "backends/cpu/state.h"
+#include "backends/cpu/sorted_bins.h"
+#include "base/workers.h"
 #include "portable/status.h"
 
 namespace lacuna::cpu {
 
-// Draws [begin, end) of a round, by their order.
-struct Part {
-    std::uint32_t begin;
-    std::uint32_t end;
-};
-
-template <typename ModeState>
 class Crowd {
 public:
-    // Takes the round out of the state, which then holds one part of it at a time.
-    explicit Crowd(ModeState& state) { exchange(state); }
-    void give_back(ModeState& state) { exchange(state); }
+    // Takes the round out of the bins, which then hold one part of it at a time.
+    Crowd(SortedBins& bins, Workers& workers)
+        : bins_(bins), workers_(workers), begins_(bins.round.column_begins.size()) {
+        exchange();
+        left_.resize(begins_.size());
+    }
+    void give_back() { exchange(); }
 
-    // For each column, in this order: screen rejects the part's draws that samples of earlier parts
-    // cover, move_in copies the others into the state to be admitted, and move_out copies their
-    // statuses back.
-    void screen(const ModeState& state, std::uint32_t column, Part part) {
+    // Rejects the draws [begin, end) that samples of earlier parts cover, and puts the others into
+    // the bins, to be admitted.
+    void open_part(std::uint32_t begin, std::uint32_t end) {
+        begin_ = begin;
+        end_ = end;
+        for_columns([&](std::uint32_t column) { screen(column); });
+        std::inclusive_scan(left_.begin(), left_.end(), bins_.round.column_begins.begin());
+        origins_.resize(bins_.round.column_begins.back());
+        bins_.make_room(origins_.size());
+        for_columns([&](std::uint32_t column) { move_in(column); });
+        bins_.end_locate();
+    }
+    // Copies the statuses of the part's draws.
+    void close_part() {
+        for_columns([&](std::uint32_t column) {
+            const std::uint32_t end = bins_.round.column_begins[column + 1];
+            for (std::uint32_t i = bins_.round.column_begins[column]; i < end; ++i)
+                statuses_[origins_[i]] = bins_.round.statuses[i];
+        });
+    }
+
+private:
+    template <typename Work>
+    void for_columns(Work work) {
+        workers_.for_columns(bins_.round.columns, end_, work);
+    }
+    bool is_open(std::uint32_t i) const {
+        return candidates_[i].order - begin_ < end_ - begin_ && statuses_[i] == STATUS_UNDECIDED;
+    }
+    void screen(std::uint32_t column) {
         std::uint32_t left = 0;
         for (std::uint32_t i = begins_[column]; i < begins_[column + 1]; ++i) {
-            if (!is_open(i, part)) continue;
-            if (part.begin > 0 && is_covered(state, candidates_[i]))
+            if (!is_open(i)) continue;
+            if (begin_ > 0 && bins_.is_covered(candidates_[i]))
                 statuses_[i] = STATUS_REJECTED;
             else
                 ++left;
         }
         left_[column + 1] = left;
     }
-    void make_room(ModeState& state) {
-        std::inclusive_scan(left_.begin(), left_.end(), state.column_begins.begin());
-        const std::size_t left = state.column_begins.back();
-        origins_.resize(left);
-        state.make_room(left);
-    }
-    void move_in(ModeState& state, std::uint32_t column, Part part) {
-        std::uint32_t to = state.column_begins[column];
+    void move_in(std::uint32_t column) {
+        std::uint32_t to = bins_.round.column_begins[column];
         for (std::uint32_t i = begins_[column]; i < begins_[column + 1]; ++i) {
-            if (!is_open(i, part)) continue;
+            if (!is_open(i)) continue;
             origins_[to] = i;
-            state.candidates[to++] = candidates_[i];
+            bins_.round.candidates[to++] = candidates_[i];
         }
-        set_undecided(state, column);
+        bins_.set_undecided(column);
     }
-    void move_out(const ModeState& state, std::uint32_t column) {
-        for (std::uint32_t i = state.column_begins[column]; i < state.column_begins[column + 1];
-             ++i)
-            statuses_[origins_[i]] = state.statuses[i];
-    }
-
-private:
-    bool is_open(std::uint32_t i, Part part) const {
-        return candidates_[i].order - part.begin < part.end - part.begin &&
-               statuses_[i] == STATUS_UNDECIDED;
-    }
-    void exchange(ModeState& state) {
-        if (begins_.empty()) begins_.resize(state.column_begins.size());
-        left_.resize(begins_.size());
-        std::swap(candidates_, state.candidates);
-        std::swap(begins_, state.column_begins);
-        std::swap(statuses_, state.statuses);
+    void exchange() {
+        std::swap(candidates_, bins_.round.candidates);
+        std::swap(begins_, bins_.round.column_begins);
+        std::swap(statuses_, bins_.round.statuses);
     }
 
+    SortedBins& bins_;
+    Workers& workers_;
+    std::uint32_t begin_ = 0;  // of the part, by order
+    std::uint32_t end_ = 0;
     std::vector<Candidate> candidates_;
     std::vector<std::uint32_t> begins_;
     std::vector<std::uint32_t> statuses_;
     std::vector<std::uint32_t> left_;     // left_[c + 1]: the part's open draws in column c
-    std::vector<std::uint32_t> origins_;  // index in candidates_ of each candidate in the state
+    std::vector<std::uint32_t> origins_;  // index in candidates_ of each candidate in the bins
 };
 
 }  // namespace lacuna::cpu

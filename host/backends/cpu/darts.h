@@ -1,12 +1,14 @@
-// admit in exact: the round's draws are thrown like darts, one after another, at the sample grid.
+// admit in exact: the round's draws are thrown like darts, one after another, at the samples.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <vector>
 
-#include "backends/cpu/field_state.h"
-#include "backends/cpu/state.h"
+#include "backends/cpu/neighbour_lists.h"
+#include "backends/cpu/round_memory.h"
+#include "backends/cpu/sample_grid.h"
+#include "base/workers.h"
 
 namespace lacuna::cpu {
 
@@ -19,14 +21,20 @@ namespace lacuna::cpu {
 // order. In slabs of c columns, about 2 / c of the draws are put off.
 class Darts {
 public:
-    // Takes draws [begin, end), by order. Call throw_in for each slab, in parallel, then finish.
+    // Index is SampleGrid or NeighbourLists. Decides the round's candidates, and puts its samples
+    // into the index.
+    template <typename Index>
+    void throw_all(Index& index, RoundMemory& round, Workers& workers);
+
+    // The steps of throw_all. Takes draws [begin, end), by order. Call throw_in for each slab, in
+    // parallel, then finish.
     void begin(std::uint32_t begin, std::uint32_t end, std::uint32_t slabs);
     std::uint32_t slabs() const { return static_cast<std::uint32_t>(put_off_.size()); }
-    template <typename DartState>  // SpanState or FieldState
-    void throw_in(DartState& state, std::uint32_t slab);
+    template <typename Index>
+    void throw_in(Index& index, RoundMemory& round, std::uint32_t slab);
     // Decides what was put off. Calls poll now and then, which may throw.
-    template <typename DartState>
-    void finish(DartState& state, const std::function<void()>& poll);
+    template <typename Index>
+    void finish(Index& index, RoundMemory& round, const std::function<void()>& poll);
 
 private:
     struct Turn {
@@ -41,12 +49,16 @@ private:
         std::vector<Turn> unsorted;
         std::vector<Turn> sorted;
     };
-    void list_turns(const State& state, Scratch& scratch) const;
+    void list_turns(const RoundMemory& round, Scratch& scratch) const;
     void sort_turns(Scratch& scratch) const;
 
     std::uint32_t begin_ = 0;
     std::uint32_t end_ = 0;
     std::vector<std::vector<std::uint32_t>> put_off_;  // of each slab, in the order of turns
 };
+
+// Gives the column's undecided candidates that samples of earlier rounds cover STATUS_COVERED.
+template <typename Index>
+void screen(Index& index, RoundMemory& round, std::uint32_t column);
 
 }  // namespace lacuna::cpu

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "backends/cpu/chords.h"
-#include "backends/cpu/field_state.h"
 #include "backends/cpu/near_ellipses.h"
+#include "backends/cpu/neighbour_lists.h"
 #include "base/insertion_sort.h"
 #include "portable/chord.h"
 #include "portable/conflict.h"
@@ -21,21 +21,22 @@ namespace lacuna::cpu {
 
 class FieldCut {
 public:
-    FieldCut(const FieldState& state, std::uint32_t region, std::vector<FieldState::BlockBox>& left)
-        : state_(state),
-          sheets_(state.plan.field().sheets),
-          is_at_edge_(wraps(state.first.regions[region])),
+    FieldCut(const NeighbourLists& lists, std::vector<BlockBox>& left)
+        : plan_(lists.plan()),
+          first_(lists.first()),
+          radius_field_(lists.radius_field()),
+          sheets_(plan_.field().sheets),
           left_(left) {}
 
     // Boxes that are appended from here on are parts of this block.
     void begin(std::uint32_t block) {
         block_ = block;
-        even_radius_ = state_.first.blocks[block].even_radius;
-        wraps_ = is_at_edge_ && wraps(state_.first.blocks[block].node);
-        const Box& all = state_.first.nodes[state_.first.blocks[block].node].box;
+        even_radius_ = first_.blocks[block].even_radius;
+        wraps_ = wraps(first_.blocks[block].node);
+        const Box& all = first_.nodes[first_.blocks[block].node].box;
         sheet_ = sheets_.of(all.x);
         if (has_ellipses_ && even_radius_ != 0)
-            ellipses_.set_boxes(state_.radius_field.ellipse_at(all.x, all.begin));
+            ellipses_.set_boxes(radius_field_.ellipse_at(all.x, all.begin));
     }
     // Boxes that are appended from here on are cut by these samples.
     void cut_by(const SizedSpan& near) {
@@ -45,8 +46,7 @@ public:
     }
 
     void append_halves(const Box& box) {
-        const std::uint32_t cut =
-            even_radius_ != 0 ? middle_of(box) : state_.radius_field.cut_x(box);
+        const std::uint32_t cut = even_radius_ != 0 ? middle_of(box) : radius_field_.cut_x(box);
         if (cut == 0) return append_parts(box);
         append_parts({box.x, cut - box.x, box.begin, box.end});
         append_parts({cut, box.x + box.width - cut, box.begin, box.end});
@@ -58,8 +58,8 @@ public:
     }
 
     // Appends the pieces of all boxes of the block, or of their halves.
-    void append_all(std::span<const FieldState::BlockBox> boxes, bool halve) {
-        for (const FieldState::BlockBox& box : boxes) {
+    void append_all(std::span<const BlockBox> boxes, bool halve) {
+        for (const BlockBox& box : boxes) {
             if (has_ellipses_) {
                 halve ? append_halves(box.at) : append(box.at);
                 continue;
@@ -83,19 +83,18 @@ public:
 private:
     Under under(const Box& box) const {
         return even_radius_ != 0 ? Under{even_radius_, even_radius_, true}
-                                 : state_.radius_field.under(box);
+                                 : radius_field_.under(box);
     }
 
     // Whether the nearest way from a sample to a box in the node may cross an edge of the torus.
     bool wraps(std::uint32_t node) const {
-        const Plan& plan = state_.plan;
-        if (plan.period_x == 0) return false;
-        const auto& [box, greatest, next, first, whole] = state_.first.nodes[node];
+        if (plan_.period_x == 0) return false;
+        const auto& [box, greatest, next, first, whole] = first_.nodes[node];
         const std::uint32_t x = sheets_.x_on_sheet(box.x);
         const std::uint32_t most =
             portable::times_factor(greatest, sheets_.greatest_factor(sheets_.of(box.x)));
-        return x < most || plan.width - (x + box.width) < most || box.begin < most ||
-               plan.height - box.end < most;
+        return x < most || plan_.width - (x + box.width) < most || box.begin < most ||
+               plan_.height - box.end < most;
     }
 
     // With classes: the samples near become what the block's sheet sees of them, with the distances
@@ -129,8 +128,7 @@ private:
             finish();
             return left_.push_back({box, block_});
         }
-        if (even_radius_ == 0)
-            ellipses_.set_box(batched_, state_.radius_field.ellipse_under(box, under));
+        if (even_radius_ == 0) ellipses_.set_box(batched_, radius_field_.ellipse_under(box, under));
         if (!wraps_) return batch(box);
         append_cut(box, batched_, near_.count, [](std::size_t k) { return k; });
     }
@@ -158,18 +156,17 @@ private:
 
     // The chords where samples may be nearer across an edge of the torus.
     std::size_t find_chords_around(const Box& box, std::uint32_t radius) {
-        const Plan& plan = state_.plan;
         const std::uint32_t half = box.width / 2;
         std::size_t count = 0;
         for (std::size_t i = 0; i < near_.count; ++i) {
             const Sized sample = near_[i];
             const std::uint64_t least = std::min(radius, sample.radius);
             const std::uint32_t dx =
-                portable::axis_distance(sample.x, box.x + half, plan.period_x) + half;
+                portable::axis_distance(sample.x, box.x + half, plan_.period_x) + half;
             const std::uint32_t reach = portable::chord_reach(dx, least * least);
             for (std::uint32_t window = 0; reach != 0 && window < 3; ++window) {
-                const Span chord{portable::window_begin(window, sample.y, reach, plan.height),
-                                 portable::window_end(window, sample.y, reach, plan.height)};
+                const Span chord{portable::window_begin(window, sample.y, reach, plan_.height),
+                                 portable::window_end(window, sample.y, reach, plan_.height)};
                 if (chord.begin >= chord.end) continue;
                 if (chord.begin <= box.begin && chord.end >= box.end) return Vectors::kAll;
                 chords_[count++] = chord;
@@ -239,7 +236,7 @@ private:
 
     // Cuts only along borders of pixels.
     void append_parts(const Box& box) {
-        const std::uint32_t cut = even_radius_ != 0 ? 0 : state_.radius_field.cut_y(box);
+        const std::uint32_t cut = even_radius_ != 0 ? 0 : radius_field_.cut_y(box);
         if (cut == 0) return append_part(box);
         append_part({box.x, box.width, box.begin, cut});
         append_part({box.x, box.width, cut, box.end});
@@ -250,19 +247,20 @@ private:
         if (const Under found = under(box); found.least != 0) append(box, found);
     }
 
-    const FieldState& state_;
+    const Plan& plan_;
+    const FirstBoxes& first_;
+    const RadiusField& radius_field_;
     const Sheets& sheets_;
     const bool has_classes_ = sheets_.are_several();
-    const bool has_ellipses_ = state_.radius_field.has_ellipses();
+    const bool has_ellipses_ = radius_field_.has_ellipses();
     const Vectors& vectors_ = *all_vectors().front();
-    bool is_at_edge_;  // the region lies at an edge of a torus
-    std::vector<FieldState::BlockBox>& left_;
+    std::vector<BlockBox>& left_;
     std::uint32_t block_ = 0;
     std::uint32_t sheet_ = 0;
     SizedSpan all_near_{};  // as listed
     SizedSpan near_{};      // with classes, as the sheet sees them
     SizedList seen_;
-    NearEllipses ellipses_{state_};
+    NearEllipses ellipses_{plan_};
     std::uint32_t even_radius_ = 0;  // 0 where the radius varies in the block
     bool wraps_ = false;
     std::vector<Span> chords_;  // has room for the chords of all samples

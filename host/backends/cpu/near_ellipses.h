@@ -7,23 +7,24 @@
 #include <cstdint>
 #include <vector>
 
-#include "backends/cpu/field_state.h"
 #include "backends/cpu/float_ellipse.h"
 #include "backends/cpu/vectors.h"
+#include "plan/plan.h"
+#include "plan/radius_field.h"
 #include "portable/conflict.h"
 
 namespace lacuna::cpu {
 
 class NearEllipses {
 public:
-    explicit NearEllipses(const FieldState& state) : state_(state) {}
+    explicit NearEllipses(const Plan& plan) : plan_(plan) {}
 
     void set_samples(const SizedSpan& near) {
         near_ = near;
         of_samples_.clear();
         in_floats_.clear();
         for (std::size_t k = 0; k < near.count; ++k) {
-            of_samples_.push_back(state_.radius_field.ellipse_at(near.x[k], near.y[k]));
+            of_samples_.push_back(plan_.field().radius_field->ellipse_at(near.x[k], near.y[k]));
             in_floats_.push_back(in_floats(of_samples_.back()));
         }
     }
@@ -47,14 +48,13 @@ public:
     // edge of a torus may be written as up to three.
     std::size_t add_chord(std::size_t k, const Box& box, std::size_t i, bool wraps, Span* chords,
                           std::size_t count) const {
-        const Plan& plan = state_.plan;
         const portable::Interval chord = portable::ellipse_chord(
-            near_.x[k], of_samples_[k], box.x, box.width, of_boxes_[i], wraps ? plan.period_x : 0);
+            near_.x[k], of_samples_[k], box.x, box.width, of_boxes_[i], wraps ? plan_.period_x : 0);
         if (chord.begin >= chord.end) return count;
         const std::int64_t y = near_.y[k];
         for (std::uint32_t window = 0; window < (wraps ? 3U : 1U); ++window) {
-            const Span there{portable::height_in_window(window, y + chord.begin, plan.height),
-                             portable::height_in_window(window, y + chord.end, plan.height)};
+            const Span there{portable::height_in_window(window, y + chord.begin, plan_.height),
+                             portable::height_in_window(window, y + chord.end, plan_.height)};
             if (there.begin <= box.begin && there.end >= box.end) return Vectors::kAll;
             if (there.begin < there.end) chords[count++] = there;
         }
@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    const FieldState& state_;
+    const Plan& plan_;
     SizedSpan near_{};
     std::vector<portable::Ellipse> of_samples_;
     std::vector<FloatEllipse> in_floats_;

@@ -342,15 +342,33 @@ void NeighbourLists::unmark_all() {
     }
 }
 
-std::vector<Sample> NeighbourLists::samples() const {
-    std::vector<Sample> all;
+std::uint32_t NeighbourLists::line_at(std::uint32_t x, std::uint32_t y) const {
+    return block_at(first_, x, y);
+}
+
+std::uint32_t NeighbourLists::column_of(std::uint32_t block) const {
+    const auto after = std::upper_bound(
+        first_.regions.begin(), first_.regions.end(), block,
+        [&](std::uint32_t at, std::uint32_t node) { return at < first_.nodes[node].first; });
+    return static_cast<std::uint32_t>(after - first_.regions.begin()) - 1;
+}
+
+void NeighbourLists::snapshot(Snapshot& snapshot, std::span<const Sample> left_out) const {
     SizedList found;
     for (std::uint32_t block = 0; block < first_.block_count(); ++block) {
         const SizedSpan near = of_part(block, box_of(block), Which::all, found);
-        for (std::size_t i = 0; i < near.count; ++i) all.push_back({near.x[i], near.y[i]});
+        for (std::size_t i = 0; i < near.count; ++i)
+            snapshot.samples.push_back({near.x[i], near.y[i]});
     }
-    sort_for_snapshot(all);
-    return all;
+    sort_for_snapshot(snapshot.samples);
+    std::erase_if(snapshot.samples, [&](const Sample& sample) {
+        return std::find(left_out.begin(), left_out.end(), sample) != left_out.end();
+    });
+}
+
+void NeighbourLists::restore(const Snapshot& snapshot) {
+    put(with_radii(plan_, snapshot.samples));
+    for (std::uint32_t block = 0; block < first_.block_count(); ++block) note_cuts(block);
 }
 
 }  // namespace lacuna::cpu

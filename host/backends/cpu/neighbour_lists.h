@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "backends/backend.h"
 #include "backends/cpu/done_nodes.h"
 #include "backends/cpu/sized.h"
 #include "backends/cpu/vectors.h"
@@ -28,9 +29,31 @@
 
 namespace lacuna::cpu {
 
+// An active box, and the block of first boxes that it is a part of.
+struct BlockBox {
+    Box at;
+    std::uint32_t block;
+};
+
 class NeighbourLists {
 public:
     explicit NeighbourLists(const Plan& plan);
+
+    using Active = BlockBox;
+    static Active active(const Box& box, std::uint32_t block) { return {box, block}; }
+    static const Box& box_of(const Active& active) { return active.at; }
+    // The block of a box or position, which is what Candidate::line holds, and the region that the
+    // block lies in.
+    static std::uint32_t line_of(const Active& active) { return active.block; }
+    std::uint32_t line_at(std::uint32_t x, std::uint32_t y) const;
+    std::uint32_t column_of(std::uint32_t block) const;
+
+    const Plan& plan() const { return plan_; }
+    const FirstBoxes& first() const { return first_; }
+    const RadiusField& radius_field() const { return radius_field_; }
+    Sized sized(const Candidate& candidate) const {
+        return {candidate.x, candidate.y, radius_field_.radius_at(candidate.x, candidate.y)};
+    }
 
     // The samples that may cut a part of a block, some perhaps twice; `latest` leaves out samples
     // that were listed before the last note_cuts(). Valid until the next call with the same
@@ -81,6 +104,7 @@ public:
     // run in parallel for samples that reach nothing outside of their zone (FirstBoxes::Zone),
     // which then is `within`.
     void insert(const Sized& sample, std::uint32_t block, const FirstBoxes::Zone* within);
+    void insert(const Candidate& candidate) { insert(sized(candidate), candidate.line, nullptr); }
     // Marks the blocks of a zone that the candidate reaches; may run in parallel for different
     // zones. All share one mark of the block, because in a crowded round they are thousands.
     void mark(const Sized& candidate, std::uint32_t zone);
@@ -88,9 +112,9 @@ public:
     void unmark_all();
     bool is_marked(std::uint32_t block) const { return (states_[block] & kMarked) != 0; }
 
-    // Returns all samples, sorted by x, then y; put() replaces them.
-    std::vector<Sample> samples() const;
-    void put(std::span<const Sized> samples);
+    // Sets Snapshot::samples, without `left_out`.
+    void snapshot(Snapshot& snapshot, std::span<const Sample> left_out) const;
+    void restore(const Snapshot& snapshot);
 
 private:
     // Entries. Seven of eight lists never grow longer, and Few then fills seven cache lines.
@@ -144,6 +168,8 @@ private:
     const Box& box_of(std::uint32_t block) const {
         return first_.nodes[first_.blocks[block].node].box;
     }
+    // Replaces all samples by these.
+    void put(std::span<const Sized> samples);
 
     // A sample on a sheet: with the x that it has there, and the factor that its radius and the
     // radii under blocks get there.

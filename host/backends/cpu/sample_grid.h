@@ -8,9 +8,12 @@
 #include <memory>
 #include <span>
 
+#include "backends/backend.h"
+#include "backends/columns.h"
 #include "backends/cpu/vectors.h"
 #include "base/large_pages.h"
 #include "plan/plan.h"
+#include "portable/column.h"
 #include "portable/distance.h"
 #include "portable/status.h"
 #include "portable/stretch.h"
@@ -33,6 +36,16 @@ private:
 
 class SampleGrid {
 public:
+    using Active = Box;  // an active box
+    static Active active(const Box& box, std::uint32_t) { return box; }
+    static const Box& box_of(const Active& active) { return active; }
+    // The line of a box or position, which is what Candidate::line holds, and the line's column.
+    std::uint32_t line_of(const Active& active) const { return active.x / plan_.strip_width; }
+    std::uint32_t line_at(std::uint32_t x, std::uint32_t) const { return x / plan_.strip_width; }
+    std::uint32_t column_of(std::uint32_t line) const {
+        return portable::column_of_line(line, plan_.lines, count_columns(plan_));
+    }
+
     // Makes room for the plan's samples. Cells hold nothing valid before clear().
     explicit SampleGrid(const Plan& plan)
         : plan_(plan),
@@ -58,6 +71,7 @@ public:
 
     // May run in parallel: no two samples lie in the same cell.
     void insert(Sample sample) { cell_of(sample) = sample; }
+    void insert(const Candidate& candidate) { insert(Sample{candidate.x, candidate.y}); }
 
     // Whether some sample is closer than the radius. A disk is 2 sqrt(2) < 3 cells wide and lies in
     // 4 x 4 cells. Away from edges all are compared without a branch, which could not be predicted.
@@ -93,6 +107,23 @@ public:
         for_each_cell_near(x, x + 1, y, y + 1, [&](Sample cell) { is_marked |= cell == kMark; });
         return is_marked;
     }
+
+    // Sets Snapshot::grid, where the cells of `left_out` are empty.
+    void snapshot(Snapshot& snapshot, std::span<const Sample> left_out) const {
+        const auto& [side, columns, rows] = plan_.grid();
+        for (std::uint32_t i = 0; i < columns; ++i)
+            snapshot.grid.insert(snapshot.grid.end(), column(i), column(i) + rows);
+        for (const Sample sample : left_out)
+            snapshot.grid[std::size_t{sample.x / side} * rows + sample.y / side] = kNone;
+    }
+    void restore(const Snapshot& snapshot) {
+        clear(0, 1);  // the margin, too, which is in no snapshot
+        for (std::uint32_t i = 0; i < plan_.grid().columns; ++i)
+            std::copy_n(&snapshot.grid[std::size_t{i} * plan_.grid().rows], plan_.grid().rows,
+                        column(i));
+    }
+
+    const Plan& plan() const { return plan_; }
 
     // Prefetches the cells near (x, y). Inlined by force, because compilers drop a call without
     // visible effect.

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "backends/cpu/state.h"
+#include "backends/cpu/lines.h"
 #include "backends/cpu/vectors.h"
 #include "portable/chord.h"
 #include "portable/column.h"
@@ -97,7 +97,7 @@ struct Scratch {
     }
 };
 
-// Sorts the first `count` samples found by y: into buckets, as in sort_column.cpp, then by
+// Sorts the first `count` samples found by y: into buckets, as in sorted_bins.cpp, then by
 // insertion.
 std::span<const Sample> sorted(Scratch& scratch, std::uint32_t count, std::uint32_t height) {
     const std::span<const Sample> found = std::span(scratch.found).first(count);
@@ -120,20 +120,21 @@ std::span<const Sample> sorted(Scratch& scratch, std::uint32_t count, std::uint3
 }
 
 // The samples that may cut a column's lines, in the order of y.
-std::span<const Sample> find_near(const SpanState& state, std::uint32_t column, Scratch& scratch) {
+std::span<const Sample> find_near(const RoundMemory& round, std::uint32_t column,
+                                  Scratch& scratch) {
     const portable::Stretch columns =
-        portable::stretch_around(column, 1, state.columns, state.plan.period_x);
+        portable::stretch_around(column, 1, round.columns, round.plan.period_x);
     std::uint32_t count = 0;
     for (std::uint32_t k = 0; k < columns.count; ++k) {
-        const std::uint32_t neighbour = portable::nth_of_stretch(columns, k, state.columns);
-        const std::uint32_t end = state.column_begins[neighbour + 1];
-        scratch.make_room(count + end - state.column_begins[neighbour]);
-        for (std::uint32_t i = state.column_begins[neighbour]; i < end; ++i) {
-            scratch.found[count] = {state.candidates[i].x, state.candidates[i].y};
-            count += state.statuses[i] == STATUS_ADMITTED;
+        const std::uint32_t neighbour = portable::nth_of_stretch(columns, k, round.columns);
+        const std::uint32_t end = round.column_begins[neighbour + 1];
+        scratch.make_room(count + end - round.column_begins[neighbour]);
+        for (std::uint32_t i = round.column_begins[neighbour]; i < end; ++i) {
+            scratch.found[count] = {round.candidates[i].x, round.candidates[i].y};
+            count += round.statuses[i] == STATUS_ADMITTED;
         }
     }
-    return sorted(scratch, count, state.plan.height);
+    return sorted(scratch, count, round.plan.height);
 }
 
 // The chords of a line in the order of their samples' y. All are found before the first is cut, so
@@ -181,30 +182,31 @@ std::span<const Span> chords_of_line(const Plan& plan, std::uint32_t centre,
 
 }  // namespace
 
-bool subtract(SpanState& state, std::uint32_t column) {
+bool Lines::subtract(const RoundMemory& round, std::uint32_t column,
+                     std::vector<std::uint32_t>& free_lengths) {
     // Looked up once: in a shared library, such as Python's module, each use of a thread_local is a
     // call.
     thread_local Scratch of_thread;
     Scratch& scratch = of_thread;
-    const std::span<const Sample> near = find_near(state, column, scratch);
+    const std::span<const Sample> near = find_near(round, column, scratch);
     if (near.empty()) return true;
 
     bool complete = true;
-    const Span own = state.plan.own_lines();
-    const std::uint32_t end = std::min(state.first_lines[column + 1], own.end);
-    for (std::uint32_t i = std::max(state.first_lines[column], own.begin); i < end; ++i) {
-        if (state.span_counts[i] == 0) continue;
+    const Span own = plan_.own_lines();
+    const std::uint32_t end = std::min(first_lines_[column + 1], own.end);
+    for (std::uint32_t i = std::max(first_lines_[column], own.begin); i < end; ++i) {
+        if (span_counts_[i] == 0) continue;
         const std::span<const Span> chords =
-            chords_of_line(state.plan, state.plan.centre_of_line(i), near, scratch);
+            chords_of_line(plan_, plan_.centre_of_line(i), near, scratch);
         SpanBuffer& line = scratch.line;
-        line.load(state.slot(i).first(state.span_counts[i]), chords.size());
+        line.load(spans_of(i), chords.size());
         line.cut(chords);
-        if (line.count() > state.capacity) {
+        if (line.count() > capacity_) {
             complete = false;
             continue;
         }
-        state.span_counts[i] = static_cast<std::uint32_t>(line.count());
-        state.free_lengths[i] = line.store(state.slot(i));
+        span_counts_[i] = static_cast<std::uint32_t>(line.count());
+        free_lengths[i] = line.store({slot(i), capacity_});
     }
     return complete;
 }

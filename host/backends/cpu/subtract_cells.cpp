@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "backends/cpu/state.h"
+#include "backends/cpu/lattice.h"
 #include "portable/chord.h"
 #include "portable/distance.h"
 #include "portable/metric.h"
@@ -49,13 +49,14 @@ void shrink(std::span<const std::uint64_t> line, std::uint32_t& begin, std::uint
 }
 
 // Blocks the points of one line that conflict with one sample.
-class Cut {
+class PointBlocker {
 public:
-    Cut(const BitState& state, std::uint32_t radius, std::uint32_t dx, std::uint32_t x)
-        : state_(state),
+    PointBlocker(const Lattice& lattice, std::uint32_t radius, std::uint32_t dx, std::uint32_t x)
+        : lattice_(lattice),
           radius_(radius),
-          line_(state.line(x)),
-          pixels_(&state.radii.radii[std::size_t{state.radii.column_of[x]} * state.radii.rows]),
+          line_(lattice.line(x)),
+          pixels_(
+              &lattice.radii.radii[std::size_t{lattice.radii.column_of[x]} * lattice.radii.rows]),
           dx_(dx) {}
 
     // Blocks the points in [begin, end) that conflict with a sample at height y, as if they lay
@@ -63,7 +64,7 @@ public:
     void block(std::uint32_t y, std::uint32_t begin, std::uint32_t end, std::uint32_t shift) {
         if (begin >= end) return;
         shrink(line_, begin, end);
-        const RadiusMap& radii = state_.radii;
+        const RadiusMap& radii = lattice_.radii;
         std::uint32_t from = begin;  // [from, begin) is blocked, but not yet cleared
         while (begin < end) {
             const std::uint32_t row = radii.row_of[begin];
@@ -88,8 +89,8 @@ private:
     // is all or nothing, which squared distances show without a square root.
     Span blocked_of_run(std::uint32_t pixel, std::uint32_t y, Span run) const {
         if (pixel == 0) return run;  // no importance: its bits are never set
-        const std::uint64_t limit = portable::metric_squared(portable::twice_metric_radius(
-            static_cast<std::uint32_t>(state_.plan.cells().metric), radius_, pixel));
+        const std::uint64_t limit = portable::metric_squared(
+            portable::twice_metric_radius(lattice_.metric(), radius_, pixel));
         if (portable::squared_length(dx_, portable::farthest_distance(y, run.begin, run.end)) <
             limit)
             return run;
@@ -104,7 +105,7 @@ private:
         if (from < to) blocked_ += clear(line_, from, to);
     }
 
-    const BitState& state_;
+    const Lattice& lattice_;
     std::uint32_t radius_;
     std::span<std::uint64_t> line_;
     const std::uint32_t* pixels_;
@@ -121,24 +122,24 @@ bool any_set(std::span<const std::uint64_t> line, std::uint32_t begin, std::uint
 // 1 more than the largest distance in y of a free point of line x that the sample may block; 0 if
 // there is none. With min the radius bounds it. With mean and max the pixels of largest radius are
 // blocked from farthest away, and first have no free point.
-std::uint32_t half_chord(BitState& state, std::uint32_t reach, std::uint32_t radius,
-                         std::uint32_t dx, std::uint32_t x) {
-    const RadiusMap& radii = state.radii;
+std::uint32_t half_chord(const Lattice& lattice, std::uint32_t& widest, std::uint32_t reach,
+                         std::uint32_t radius, std::uint32_t dx, std::uint32_t x) {
+    const RadiusMap& radii = lattice.radii;
     std::uint64_t limit = portable::squared_length(reach, 0) + 1;
     const std::uint64_t dx_squared = portable::squared_length(dx, 0);
     if (dx_squared >= limit) return 0;
-    const auto metric = static_cast<std::uint32_t>(state.plan.cells().metric);
-    if (!portable::is_far_reach(metric, reach, radius)) return portable::chord_reach(dx, limit);
+    if (!portable::is_far_reach(lattice.metric(), reach, radius))
+        return portable::chord_reach(dx, limit);
 
     // Skip pixels without a free point until one has some, or all the others are too small.
     const std::size_t pixels = std::size_t{radii.column_of[x]} * radii.rows;
-    for (std::uint32_t& i = state.widest[x]; i < radii.rows; ++i) {
-        const std::uint32_t row = radii.widest_rows[pixels + i];
+    for (; widest < radii.rows; ++widest) {
+        const std::uint32_t row = radii.widest_rows[pixels + widest];
         const std::uint32_t bound = portable::class_bound(radii.radii[pixels + row]);
-        limit = std::min(
-            limit, portable::metric_squared(portable::twice_metric_radius(metric, radius, bound)));
+        limit = std::min(limit, portable::metric_squared(portable::twice_metric_radius(
+                                    lattice.metric(), radius, bound)));
         if (dx_squared >= limit) return 0;
-        if (any_set(state.line(x), radii.row_begins[row], radii.row_begins[row + 1]))
+        if (any_set(lattice.line(x), radii.row_begins[row], radii.row_begins[row + 1]))
             return portable::chord_reach(dx, limit);
     }
     return 0;
@@ -146,26 +147,32 @@ std::uint32_t half_chord(BitState& state, std::uint32_t reach, std::uint32_t rad
 
 }  // namespace
 
-void subtract(BitState& state, std::uint32_t column) {
-    const Plan& plan = state.plan;
-    for (std::uint32_t k = state.near_begins[column]; k < state.near_begins[column + 1]; ++k) {
-        const Candidate& sample = state.candidates[state.near[k]];
-        const std::uint32_t reach = state.reach_of(sample);
-        const std::uint32_t radius = state.candidate_radii[state.near[k]];
-        for (std::uint32_t x = state.first_lines[column]; x < state.first_lines[column + 1]; ++x) {
+void Lattice::subtract() {
+    find_near();
+    for_columns(near_.size(), [&](std::uint32_t column) { subtract(column); });
+}
+
+void Lattice::subtract(std::uint32_t column) {
+    const Plan& plan = round.plan;
+    const std::uint32_t first = begins[column], end = begins[column + 1];
+    for (std::uint32_t k = near_begins_[column]; k < near_begins_[column + 1]; ++k) {
+        const Candidate& sample = round.candidates[near_[k]];
+        const std::uint32_t reach = reach_of(sample);
+        const std::uint32_t radius = candidate_radii[near_[k]];
+        for (std::uint32_t x = first; x < end; ++x) {
             const std::uint32_t dx = portable::axis_distance(sample.x, x, plan.period_x);
-            const std::uint32_t half = half_chord(state, reach, radius, dx, x);
+            const std::uint32_t half = half_chord(*this, widest_[x], reach, radius, dx, x);
             if (half == 0) continue;
-            Cut cut(state, radius, dx, x);
+            PointBlocker blocker(*this, radius, dx, x);
             const std::uint32_t y = sample.y;
             const std::uint32_t height = plan.height;
-            cut.block(y, portable::window_begin(0, y, half, height),
-                      portable::window_end(0, y, half, height), 0);
+            blocker.block(y, portable::window_begin(0, y, half, height),
+                          portable::window_end(0, y, half, height), 0);
             if (plan.period_y != 0) {
-                cut.block(y, 0, portable::window_end(2, y, half, height), height);
-                cut.block(y + height, portable::window_begin(1, y, half, height), height, 0);
+                blocker.block(y, 0, portable::window_end(2, y, half, height), height);
+                blocker.block(y + height, portable::window_begin(1, y, half, height), height, 0);
             }
-            state.free_lengths[x] -= cut.blocked();
+            free_lengths[x] -= blocker.blocked();
         }
     }
 }

@@ -10,33 +10,34 @@
 #include <utility>
 #include <vector>
 
-#include "backends/cpu/state.h"
+#include "backends/columns.h"
+#include "backends/cpu/round_memory.h"
+#include "backends/cpu/sample_grid.h"
 #include "backends/scenes.h"
+#include "portable/column.h"
 #include "portable/distance.h"
 #include "portable/status.h"
 
 namespace lacuna::cpu {
 namespace {
 
-// A state with `count` candidates at random points, in random order, all undecided.
-SpanState thrown_at(const Plan& plan, std::uint32_t count, tests::Chance chance) {
-    SpanState state(plan);
-    for (std::uint32_t column = 0; column < state.columns; ++column) set_free(state, column);
-    std::vector<Draw> draws;
+// A round of `count` candidates at random points, in random order, all undecided.
+RoundMemory thrown_at(const Plan& plan, std::uint32_t count, tests::Chance chance) {
+    RoundMemory round(plan, count_columns(plan));
+    Snapshot scene;
     for (const std::uint32_t order : chance.orders(count))
-        draws.push_back({chance.below(plan.lines), chance.below(plan.height),
-                         chance.below(plan.strip_width), order});
-    std::sort(draws.begin(), draws.end(), [](const Draw& a, const Draw& b) {
-        return a.bin != b.bin ? a.bin < b.bin : a.rank < b.rank;
+        scene.candidates.push_back({chance.below(plan.width), chance.below(plan.height), 0, order});
+    scene.statuses.assign(count, STATUS_UNDECIDED);
+    round.restore(scene, [&](Candidate& candidate) {
+        candidate.line = candidate.x / plan.strip_width;
+        return portable::column_of_line(candidate.line, plan.lines, round.columns);
     });
-    state.begin_round(draws);
-    for (std::uint32_t column = 0; column < state.columns; ++column) locate(state, draws, column);
-    return state;
+    return round;
 }
 
 // Throws the darts with a thread for each slab.
-void throw_all(SpanState& state, std::uint32_t slabs) {
-    const auto count = static_cast<std::uint32_t>(state.candidates.size());
+void throw_all(SampleGrid& grid, RoundMemory& round, std::uint32_t slabs) {
+    const std::uint32_t count = round.count();
     Darts darts;
     // In two parts; the second one sees the samples of the first.
     for (const auto& [begin, end] : {std::pair{0u, count / 3}, std::pair{count / 3, count}}) {
@@ -44,19 +45,19 @@ void throw_all(SpanState& state, std::uint32_t slabs) {
         {
             std::vector<std::jthread> threads;
             for (std::uint32_t slab = 0; slab < slabs; ++slab)
-                threads.emplace_back([&, slab] { darts.throw_in(state, slab); });
+                threads.emplace_back([&, slab] { darts.throw_in(grid, round, slab); });
         }
-        darts.finish(state, [] {});
+        darts.finish(grid, round, [] {});
     }
 }
 
 // Decides candidates one after another; each is compared with all samples.
-std::vector<std::uint32_t> expected_statuses(const SpanState& state) {
-    const Plan& plan = state.plan;
-    std::vector<std::uint32_t> statuses(state.candidates.size(), STATUS_REJECTED);
+std::vector<std::uint32_t> expected_statuses(const RoundMemory& round) {
+    const Plan& plan = round.plan;
+    std::vector<std::uint32_t> statuses(round.candidates.size(), STATUS_REJECTED);
     std::vector<Candidate> samples;
-    for (const std::uint32_t i : state.by_order) {
-        const Candidate& candidate = state.candidates[i];
+    for (const std::uint32_t i : round.by_order) {
+        const Candidate& candidate = round.candidates[i];
         const bool is_free = std::none_of(samples.begin(), samples.end(), [&](const Candidate& s) {
             return portable::are_closer(s.x, s.y, candidate.x, candidate.y, plan.period_x,
                                         plan.period_y, plan.radius_squared);
@@ -68,19 +69,18 @@ std::vector<std::uint32_t> expected_statuses(const SpanState& state) {
     return statuses;
 }
 
-void expect_samples_in_grid(const SpanState& state) {
-    std::vector<Sample> expected(std::size_t{state.plan.grid().columns} * state.plan.grid().rows,
+void expect_samples_in_grid(const SampleGrid& grid, const RoundMemory& round) {
+    std::vector<Sample> expected(std::size_t{round.plan.grid().columns} * round.plan.grid().rows,
                                  {NO_SAMPLE, NO_SAMPLE});
-    for (std::size_t i = 0; i < state.candidates.size(); ++i) {
-        const auto [x, y] = Sample{state.candidates[i].x, state.candidates[i].y};
-        if (state.statuses[i] == STATUS_ADMITTED)
-            expected[std::size_t{x / state.plan.grid().side} * state.plan.grid().rows +
-                     y / state.plan.grid().side] = {x, y};
+    for (std::size_t i = 0; i < round.candidates.size(); ++i) {
+        const auto [x, y] = Sample{round.candidates[i].x, round.candidates[i].y};
+        if (round.statuses[i] == STATUS_ADMITTED)
+            expected[std::size_t{x / round.plan.grid().side} * round.plan.grid().rows +
+                     y / round.plan.grid().side] = {x, y};
     }
     std::vector<Sample> got;
-    for (std::uint32_t i = 0; i < state.plan.grid().columns; ++i)
-        got.insert(got.end(), state.grid->column(i),
-                   state.grid->column(i) + state.plan.grid().rows);
+    for (std::uint32_t i = 0; i < round.plan.grid().columns; ++i)
+        got.insert(got.end(), grid.column(i), grid.column(i) + round.plan.grid().rows);
     EXPECT_TRUE(got == expected) << "the grid holds other samples, or a mark";
 }
 
@@ -93,11 +93,13 @@ TEST(Darts, InAnyNumberOfSlabsBecomeWhatTheyBecomeOneByOne) {
             const Plan plan = tests::plan_of(radius, lines, boundary, 1, height, Mode::exact);
             for (const std::uint32_t slabs : {1u, 2u, 3u, 8u, 40u}) {
                 SCOPED_TRACE(testing::Message() << "radius " << radius << ", slabs " << slabs);
-                SpanState state = thrown_at(plan, draws, tests::Chance(draws));
-                const std::vector<std::uint32_t> expected = expected_statuses(state);
-                throw_all(state, slabs);
-                EXPECT_EQ(state.statuses, expected);
-                expect_samples_in_grid(state);
+                RoundMemory round = thrown_at(plan, draws, tests::Chance(draws));
+                SampleGrid grid(plan);
+                grid.clear(0, 1);
+                const std::vector<std::uint32_t> expected = expected_statuses(round);
+                throw_all(grid, round, slabs);
+                EXPECT_EQ(round.statuses, expected);
+                expect_samples_in_grid(grid, round);
             }
         }
     }
