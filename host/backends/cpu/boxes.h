@@ -9,15 +9,16 @@
 #include <vector>
 
 #include "backends/cpu/bins.h"
+#include "backends/cpu/box_cutter.h"
 #include "backends/cpu/darts.h"
-#include "backends/cpu/refine.h"
 
 namespace lacuna::cpu {
 
-// Index::Active is a box with what the index finds its neighbours by.
 template <typename Index>
 class Boxes : public Bins {
 public:
+    using Active = typename Index::Active;  // a box with what its neighbours are found by
+
     Boxes(const Plan& plan, Workers& workers, std::uint32_t columns)
         : Bins(plan, workers, columns), index_(plan), boxes_(columns) {}
 
@@ -72,8 +73,6 @@ public:
     }
 
 protected:
-    using Active = typename Index::Active;
-
     // Called after the column's draws became candidates.
     void end_locate(std::uint32_t column) {
         round.set_undecided(column);
@@ -82,13 +81,16 @@ protected:
     }
     void screen_column(std::uint32_t column) { cpu::screen(index_, round, column); }
 
-    // Replaces the column's boxes by the pieces that the samples near them leave.
-    void refine_column(std::uint32_t column, bool halve) {
-        thread_local std::vector<Active> of_thread;
-        std::vector<Active>& left = of_thread;  // looked up once, see subtract.cpp
-        left.clear();
-        cpu::refine(index_, boxes_[column], halve, left);
-        boxes_[column] = std::vector<Active>(left.begin(), left.end());
+    // Replaces the column's boxes by the pieces that the samples near them leave, with refine_by
+    // the plan's rule (box_cutter.h).
+    virtual void refine_column(std::uint32_t column, bool halve) = 0;
+    template <typename Rule>
+    void refine_by(std::uint32_t column, bool halve) {
+        thread_local typename BoxCutter<Rule>::Scratch of_thread;
+        auto& scratch = of_thread;  // looked up once, see subtract.cpp
+        Rule rule(index_, halve);
+        BoxCutter<Rule>(rule, scratch).refine(boxes_[column]);
+        boxes_[column] = std::vector<Active>(scratch.left.begin(), scratch.left.end());
     }
     // Makes the boxes the bins.
     virtual void settle() {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numeric>
 #include <span>
+#include <type_traits>
 
 #include "backends/cpu/precedence.h"
 #include "base/insertion_sort.h"
@@ -25,14 +26,11 @@ constexpr std::uint32_t kDrawsWorthSlabs = 4096;
 
 constexpr std::size_t kPollEvery = std::size_t{1} << 14;  // in candidates put off: some 2 ms
 
-// What darts are thrown at with one radius: the sample grid. A slab is a run of columns, and
-// decides the candidates whose x lies in inner_: they read only cells whose x lies in own_, which
-// no other slab changes.
-class GridBoard {
+// A slab of the sample grid is a run of columns. It decides the candidates whose x lies in inner_:
+// they read only cells whose x lies in own_, which no other slab changes.
+class GridSlab {
 public:
-    explicit GridBoard(SampleGrid& grid) : grid_(grid) {}
-    GridBoard(SampleGrid& grid, const RoundMemory& round, std::uint32_t slab, std::size_t slabs)
-        : grid_(grid) {
+    GridSlab(const SampleGrid&, const RoundMemory& round, std::uint32_t number, std::size_t slabs) {
         if (slabs == 1) return;
         const Plan& plan = round.plan;
         const auto column_at = [&](std::size_t border) {
@@ -42,7 +40,7 @@ public:
             return plan.strip_width *
                    portable::first_line_of_column(column, plan.lines, round.columns);
         };
-        columns_ = {column_at(slab), column_at(slab + std::size_t{1})};
+        columns_ = {column_at(number), column_at(number + std::size_t{1})};
         const std::uint32_t side = plan.grid().side;
         own_.begin = (x_of(columns_.begin) + side - 1) / side * side;
         own_.end = x_of(columns_.end) / side * side;
@@ -50,33 +48,21 @@ public:
         inner_.begin = own_.begin + plan.radius;
         inner_.end = own_.end - std::min(3 * side, own_.end) + plan.radius;
     }
-
     // In narrower slabs too many draws are put off; the cells of wider ones do not stay in a core's
     // cache. Slabs of 64 columns were the fastest at 8 million points. A single thread uses slabs
     // as well, for the cache's sake.
-    static std::uint32_t most_slabs(const SampleGrid&, const RoundMemory& round) {
+    static std::uint32_t most(const SampleGrid&, const RoundMemory& round) {
         return std::clamp(round.columns / 64, 1u, 1024u);
     }
+
     // The slab's candidates, in runs.
     void find_candidates(const RoundMemory& round, std::vector<Span>& found) const {
         found = {{round.column_begins[columns_.begin], round.column_begins[columns_.end]}};
     }
-
-    void fetch(const Candidate& later) const { grid_.fetch_near(later.x, later.y); }
-    void fetch_sooner(const Candidate&) const {}
     bool may_settle(const Candidate& candidate) const { return is_in(inner_, candidate.x); }
-    bool is_covered(const Candidate& candidate) const {
-        return grid_.is_covered(candidate.x, candidate.y);
-    }
-    bool has_mark_near(const Candidate& candidate) const {
-        return grid_.has_mark_near(candidate.x, candidate.y);
-    }
-    void insert(const Candidate& candidate) { grid_.insert(candidate); }
-    void mark(const Candidate& candidate) {
-        if (is_in(own_, candidate.x)) grid_.mark({candidate.x, candidate.y});
-    }
-    void unmark_all(std::span<const Candidate> candidates, std::span<const std::uint32_t> put_off) {
-        for (const std::uint32_t i : put_off) grid_.unmark({candidates[i].x, candidates[i].y});
+    void insert(SampleGrid& grid, const Candidate& sample) const { grid.insert(sample); }
+    void mark(SampleGrid& grid, const Candidate& candidate) const {
+        if (is_in(own_, candidate.x)) grid.mark(candidate);
     }
 
 private:
@@ -84,102 +70,73 @@ private:
         return x >= stretch.begin && x < stretch.end;
     }
 
-    SampleGrid& grid_;
     Span columns_{0, 0};
     Span own_{0, ~std::uint32_t{0}};
     Span inner_{0, ~std::uint32_t{0}};
 };
 
-// The same with a radius field: the neighbour lists. A slab is a zone, and decides the candidates
-// whose disk lies in it: no conflict is farther away than a candidate's own radius, times the
-// greatest factor of its class.
-class ListBoard {
+// A slab of the neighbour lists is a zone. It decides the candidates whose disk lies in it: no
+// conflict is farther away than a candidate's own radius, times the greatest factor of its class.
+class ListSlab {
 public:
-    explicit ListBoard(NeighbourLists& lists)
-        : lists_(lists), sheets_(lists.plan().field().sheets) {}
-    ListBoard(NeighbourLists& lists, const RoundMemory&, std::uint32_t slab, std::size_t slabs)
-        : ListBoard(lists) {
-        if (slabs == 1) return;
-        index_ = slab;
-        zone_ = &lists.first().zones[slab];
-    }
-
-    static std::uint32_t most_slabs(const NeighbourLists& lists, const RoundMemory&) {
+    ListSlab(const NeighbourLists& lists, const RoundMemory&, std::uint32_t number,
+             std::size_t slabs)
+        : lists_(lists),
+          number_(number),
+          zone_(slabs == 1 ? nullptr : &lists.first().zones[number]) {}
+    static std::uint32_t most(const NeighbourLists& lists, const RoundMemory&) {
         return std::max(1u, static_cast<std::uint32_t>(lists.first().zones.size()));
     }
+
     void find_candidates(const RoundMemory& round, std::vector<Span>& found) const {
         found.clear();
         for (const std::uint32_t region : zone_->regions)
             found.push_back({round.column_begins[region], round.column_begins[region + 1]});
     }
-
-    void fetch(const Candidate& later) const {
-        lists_.fetch_list(later.line);
-        lists_.fetch_way_to_node(later.line);
-    }
-    void fetch_sooner(const Candidate& later) const { lists_.fetch_node(later.line); }
     bool may_settle(const Candidate& at) const {
         if (zone_ == nullptr) return true;
+        const Sheets& sheets = lists_.plan().field().sheets;
         const Box& own = lists_.first().nodes[zone_->nodes.front()].box;
-        const std::uint32_t reach = portable::times_factor(
-            lists_.sized(at).radius, sheets_.greatest_factor(sheets_.of(at.x)));
-        const std::uint32_t x = sheets_.x_on_sheet(at.x);
-        const std::uint32_t own_x = sheets_.x_on_sheet(own.x);
+        const std::uint32_t reach = portable::times_factor(lists_.sized(at).radius,
+                                                           sheets.greatest_factor(sheets.of(at.x)));
+        const std::uint32_t x = sheets.x_on_sheet(at.x);
+        const std::uint32_t own_x = sheets.x_on_sheet(own.x);
         return x - own_x >= reach && own_x + own.width - x > reach && at.y - own.begin >= reach &&
                own.end - at.y > reach;
     }
-    bool is_covered(const Candidate& candidate) const {
-        const std::uint32_t radius = lists_.sized(candidate).radius;
-        return radius == 0 ||
-               lists_.is_any_closer(candidate.line, {candidate.x, candidate.y}, radius);
-    }
-    bool has_mark_near(const Candidate& candidate) const {
-        return lists_.is_marked(candidate.line);
-    }
-    void insert(const Candidate& candidate) {
+    void insert(NeighbourLists& lists, const Candidate& sample) const {
         // A candidate that the slab could not decide may reach beyond the zone.
-        lists_.insert(lists_.sized(candidate), candidate.line,
-                      may_settle(candidate) ? zone_ : nullptr);
+        lists.insert(lists.sized(sample), sample.line, may_settle(sample) ? zone_ : nullptr);
     }
-    void mark(const Candidate& candidate) { lists_.mark(lists_.sized(candidate), index_); }
-    void unmark_all(std::span<const Candidate>, std::span<const std::uint32_t>) {
-        lists_.unmark_all();
+    void mark(NeighbourLists& lists, const Candidate& candidate) const {
+        lists.mark(lists.sized(candidate), number_);
     }
 
 private:
-    NeighbourLists& lists_;
-    const Sheets& sheets_;
-    std::uint32_t index_ = 0;
-    const FirstBoxes::Zone* zone_ = nullptr;  // null: all of the domain
+    const NeighbourLists& lists_;
+    std::uint32_t number_;
+    const FirstBoxes::Zone* zone_;  // null: all of the domain
 };
 
-template <typename... Slab>
-GridBoard board_of(SampleGrid& grid, const Slab&... slab) {
-    return GridBoard(grid, slab...);
-}
-template <typename... Slab>
-ListBoard board_of(NeighbourLists& lists, const Slab&... slab) {
-    return ListBoard(lists, slab...);
-}
+template <typename Index>
+using SlabOf = std::conditional_t<std::is_same_v<Index, SampleGrid>, GridSlab, ListSlab>;
 
 }  // namespace
 
 template <typename Index>
 void screen(Index& index, RoundMemory& round, std::uint32_t column) {
     const std::span<const Candidate> candidates = round.candidates_of(column);
-    const auto board = board_of(index);
     for (std::size_t k = 0; k < candidates.size(); ++k) {
-        board.fetch(candidates[std::min(k + kAhead, candidates.size() - 1)]);
+        index.fetch(candidates[std::min(k + kAhead, candidates.size() - 1)]);
         std::uint32_t& status = round.statuses[round.column_begins[column] + k];
-        if (status == STATUS_UNDECIDED && board.is_covered(candidates[k])) status = STATUS_COVERED;
+        if (status == STATUS_UNDECIDED && index.is_covered(candidates[k])) status = STATUS_COVERED;
     }
 }
 
 template <typename Index>
 void Darts::throw_all(Index& index, RoundMemory& round, Workers& workers) {
     const std::uint32_t count = round.count();
-    const std::uint32_t most = decltype(board_of(index))::most_slabs(index, round);
-    const std::uint32_t slabs = count < kDrawsWorthSlabs ? 1 : most;
+    const std::uint32_t slabs = count < kDrawsWorthSlabs ? 1 : SlabOf<Index>::most(index, round);
     for (std::uint32_t end, begin = 0; begin < count; begin = end) {
         end = begin + std::min(kTurnsAtOnce * slabs, count - begin);
         this->begin(begin, end, slabs);
@@ -232,32 +189,32 @@ void Darts::sort_turns(Scratch& scratch) const {
 }
 
 template <typename Index>
-void Darts::throw_in(Index& index, RoundMemory& round, std::uint32_t slab) {
+void Darts::throw_in(Index& index, RoundMemory& round, std::uint32_t number) {
     thread_local Scratch of_thread;
     Scratch& scratch = of_thread;  // looked up once, see subtract.cpp
-    auto board = board_of(index, round, slab, put_off_.size());
-    if (slabs() > 1) board.find_candidates(round, scratch.candidates);
+    const SlabOf<Index> slab(index, round, number, put_off_.size());
+    if (slabs() > 1) slab.find_candidates(round, scratch.candidates);
     list_turns(round, scratch);
     const std::vector<std::uint32_t>& thrown = scratch.thrown;
     const bool is_shared = put_off_.size() > 1;
     for (std::size_t k = 0; k + 2 * kAhead < thrown.size(); ++k) {
         __builtin_prefetch(&round.candidates[thrown[k + 2 * kAhead]]);
-        board.fetch(round.candidates[thrown[k + kAhead]]);
-        board.fetch_sooner(round.candidates[thrown[k + kAhead / 2]]);
+        index.fetch(round.candidates[thrown[k + kAhead]]);
+        index.fetch_sooner(round.candidates[thrown[k + kAhead / 2]]);
         const std::uint32_t i = thrown[k];
         const Candidate& candidate = round.candidates[i];
         std::uint32_t& status = round.statuses[i];
-        if (status == STATUS_ADMITTED) board.insert(candidate);
+        if (status == STATUS_ADMITTED) slab.insert(index, candidate);
         if (status != STATUS_UNDECIDED) continue;
-        const bool is_inner = board.may_settle(candidate);
-        if (is_inner && board.is_covered(candidate)) {
+        const bool is_inner = slab.may_settle(candidate);
+        if (is_inner && index.is_covered(candidate)) {
             status = STATUS_REJECTED;
-        } else if (is_inner && (!is_shared || !board.has_mark_near(candidate))) {
+        } else if (is_inner && (!is_shared || !index.has_mark_near(candidate))) {
             status = STATUS_ADMITTED;
-            board.insert(candidate);
+            slab.insert(index, candidate);
         } else {
-            put_off_[slab].push_back(i);
-            board.mark(candidate);
+            put_off_[number].push_back(i);
+            slab.mark(index, candidate);
         }
     }
 }
@@ -270,20 +227,19 @@ void Darts::finish(Index& index, RoundMemory& round, const std::function<void()>
     std::sort(all.begin(), all.end(), [&](std::uint32_t a, std::uint32_t b) {
         return precedes(round.candidates[a], round.candidates[b]);
     });
-    auto board = board_of(index);
     const auto later = [&](std::size_t k) {
         return round.candidates[all[std::min(k, all.size() - 1)]];
     };
     for (std::size_t k = 0; k < all.size(); ++k) {
         if (k % kPollEvery == 0) poll();
-        board.fetch(later(k + kAhead));
-        board.fetch_sooner(later(k + kAhead / 2));
+        index.fetch(later(k + kAhead));
+        index.fetch_sooner(later(k + kAhead / 2));
         const std::uint32_t i = all[k];
-        const bool is_covered = board.is_covered(round.candidates[i]);
+        const bool is_covered = index.is_covered(round.candidates[i]);
         round.statuses[i] = is_covered ? STATUS_REJECTED : STATUS_ADMITTED;
-        if (!is_covered) board.insert(round.candidates[i]);
+        if (!is_covered) index.insert(round.candidates[i]);
     }
-    board.unmark_all(round.candidates, all);
+    index.unmark_all(round.candidates, all);
 }
 
 template void screen(SampleGrid&, RoundMemory&, std::uint32_t);

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "backends/cpu/boxes.h"
-#include "backends/cpu/neighbour_lists.h"
+#include "backends/cpu/list_rules.h"
 #include "plan/first_free.h"
+#include "plan/radius_field.h"
 
 namespace lacuna::cpu {
 namespace {
@@ -75,10 +76,25 @@ private:
     std::vector<std::uint32_t> sheet_ends_;
 };
 
+template <typename Rule>
+class FieldBoxesBy : public FieldBoxes {
+public:
+    using FieldBoxes::FieldBoxes;
+
+private:
+    void refine_column(std::uint32_t column, bool halve) override {
+        refine_by<Rule>(column, halve);
+    }
+};
+
 }  // namespace
 
 std::unique_ptr<Bins> make_field_boxes(const Plan& plan, Workers& workers) {
-    return std::make_unique<FieldBoxes>(plan, workers);
+    if (plan.field().sheets.are_several())
+        return std::make_unique<FieldBoxesBy<Classes>>(plan, workers);
+    if (plan.field().radius_field->has_ellipses())
+        return std::make_unique<FieldBoxesBy<Ellipses>>(plan, workers);
+    return std::make_unique<FieldBoxesBy<Radii>>(plan, workers);
 }
 
 }  // namespace lacuna::cpu

@@ -14,22 +14,16 @@ namespace lacuna::cpu {
 namespace {
 
 // Whether the sample is closer to the box than both its own radius and the greatest under the box,
-// each times the factor.
+// each times the factor. Without periods there is no branch.
 bool is_reached(const Box& box, std::uint32_t greatest, const Sized& sample, std::uint32_t factor,
                 std::uint32_t period_x, std::uint32_t period_y) {
-    return portable::squared_length(
-               portable::distance_to_stretch(sample.x, box.x, box.x + box.width, period_x),
-               portable::distance_to_stretch(sample.y, box.begin, box.end, period_y)) <
-           portable::squared_limit(sample.radius, greatest, factor);
-}
-
-// The same without wrapping, and without a branch.
-bool is_reached(const Box& box, std::uint32_t greatest, const Sized& sample, std::uint32_t factor) {
-    const auto distance = [](std::uint32_t at, std::uint32_t begin, std::uint32_t last) {
-        return std::max(at, last) - last + (begin - std::min(at, begin));
+    const auto distance = [](std::uint32_t at, std::uint32_t begin, std::uint32_t end,
+                             std::uint32_t period) {
+        if (period != 0) return portable::distance_to_stretch(at, begin, end, period);
+        return std::max(at, end - 1) - (end - 1) + (begin - std::min(at, begin));
     };
-    return portable::squared_length(distance(sample.x, box.x, box.x + box.width - 1),
-                                    distance(sample.y, box.begin, box.end - 1)) <
+    return portable::squared_length(distance(sample.x, box.x, box.x + box.width, period_x),
+                                    distance(sample.y, box.begin, box.end, period_y)) <
            portable::squared_limit(sample.radius, greatest, factor);
 }
 
@@ -132,7 +126,7 @@ void NeighbourLists::for_each_reached(const There& there, std::uint32_t root, bo
         }
         const bool is_near = wraps ? is_reached(node.box, node.greatest, sample, factor,
                                                 plan_.period_x, plan_.period_y)
-                                   : is_reached(node.box, node.greatest, sample, factor);
+                                   : is_reached(node.box, node.greatest, sample, factor, 0, 0);
         if (!is_near || (ellipse != nullptr && misses(there, node.box, wraps))) {
             i = node.next;
             continue;
@@ -315,8 +309,10 @@ void NeighbourLists::gather(const List& list, const Box& part, Which which, Size
 
 SizedSpan NeighbourLists::of_long_part(std::uint32_t block, const Box& part, Which which,
                                        SizedList& scratch) const {
+    const List& list = *long_[block];
+    if (!list.split) return list.near.span().from(which == Which::latest ? list.cuts : 0);
     scratch.clear();
-    gather(*long_[block], part, which, scratch);
+    gather(list, part, which, scratch);
     return scratch.span();
 }
 
@@ -332,7 +328,7 @@ void NeighbourLists::mark(const Sized& candidate, std::uint32_t zone) {
                          first_.nodes[node].whole == 0 && plan_.period_x != 0, all_marked_, note);
 }
 
-void NeighbourLists::unmark_all() {
+void NeighbourLists::unmark_all(std::span<const Candidate>, std::span<const std::uint32_t>) {
     for (std::vector<std::uint32_t>& of_zone : marked_) {
         for (const std::uint32_t block : of_zone) {
             states_[block] &= static_cast<std::uint8_t>(~kMarked);

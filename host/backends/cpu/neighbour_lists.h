@@ -66,39 +66,45 @@ public:
     }
 
     // Whether of_part may return different samples for different parts of the block.
-    bool is_long(std::uint32_t block) const { return few_[block].is_long != 0; }
+    bool is_split(std::uint32_t block) const {
+        return few_[block].is_long && long_[block]->split != nullptr;
+    }
     // Whether a sample was listed since note_cuts(): call that after all listed samples cut boxes.
     bool has_latest(std::uint32_t block) const { return (states_[block] & kLatest) != 0; }
     void note_cuts(std::uint32_t block);
     // The block has no boxes any more: no more samples are listed for it. May run in parallel.
     void close(std::uint32_t block);
 
-    // Whether a sample in the block's list conflicts with a candidate of this radius in the block:
-    // their distance is less than the smaller of both radii.
-    bool is_any_closer(std::uint32_t block, Sample at, std::uint32_t radius) const {
-        const Few& few = few_[block];
-        const SizedSpan near = few.is_long ? long_part(block, at) : few.span();
-        if (sheets_.are_several()) return is_any_seen_closer(near, at, radius);
-        if (radius_field_.has_ellipses()) return is_any_ellipse_closer(near, at, radius);
-        return vectors_.is_any_sized_closer(near, at, radius, {plan_.period_x, plan_.period_y});
+    // Whether a sample conflicts with the candidate, or no sample may lie there: two samples keep
+    // the smaller of their radii.
+    bool is_covered(const Candidate& candidate) const {
+        const auto [x, y, radius] = sized(candidate);
+        const Few& few = few_[candidate.line];
+        const SizedSpan near = few.is_long ? long_part(candidate.line, {x, y}) : few.span();
+        if (radius == 0) return true;
+        if (sheets_.are_several()) return is_any_seen_closer(near, {x, y}, radius);
+        if (radius_field_.has_ellipses()) return is_any_ellipse_closer(near, {x, y}, radius);
+        return vectors_.is_any_sized_closer(near, {x, y}, radius, {plan_.period_x, plan_.period_y});
     }
 
-    // Prefetch a list, and the tree node that insert begins with: its index first, then the node.
+    // Prefetch what is_covered and insert read about a candidate: its list and the index of the
+    // tree node that insert begins with, then the node.
+    void fetch(const Candidate& later) const {
+        fetch_list(later.line);
+        __builtin_prefetch(&first_.blocks[later.line].node);
+    }
+    void fetch_sooner(const Candidate& later) const {
+        const FirstBoxes::Node* const node = &first_.nodes[first_.blocks[later.line].node];
+        __builtin_prefetch(node - 2);
+        __builtin_prefetch(node);
+        __builtin_prefetch(node + 2);
+    }
     void fetch_list(std::uint32_t block) const {
         const Few& few = few_[block];
         __builtin_prefetch(few.x);
         __builtin_prefetch(few.y);
         __builtin_prefetch(few.radius);
         __builtin_prefetch(&few.count);
-    }
-    void fetch_way_to_node(std::uint32_t block) const {
-        __builtin_prefetch(&first_.blocks[block].node);
-    }
-    void fetch_node(std::uint32_t block) const {
-        const FirstBoxes::Node* const node = &first_.nodes[first_.blocks[block].node];
-        __builtin_prefetch(node - 2);
-        __builtin_prefetch(node);
-        __builtin_prefetch(node + 2);
     }
     // Lists a sample that lies in `block` for all blocks that it reaches, except closed ones. May
     // run in parallel for samples that reach nothing outside of their zone (FirstBoxes::Zone),
@@ -108,9 +114,8 @@ public:
     // Marks the blocks of a zone that the candidate reaches; may run in parallel for different
     // zones. All share one mark of the block, because in a crowded round they are thousands.
     void mark(const Sized& candidate, std::uint32_t zone);
-    // Takes all marks away.
-    void unmark_all();
-    bool is_marked(std::uint32_t block) const { return (states_[block] & kMarked) != 0; }
+    bool has_mark_near(const Candidate& at) const { return is_marked(at.line); }
+    void unmark_all(std::span<const Candidate>, std::span<const std::uint32_t>);
 
     // Sets Snapshot::samples, without `left_out`.
     void snapshot(Snapshot& snapshot, std::span<const Sample> left_out) const;
@@ -192,6 +197,7 @@ private:
     template <typename Visit>
     void for_each_reached(const There& there, std::uint32_t root, bool wraps, const DoneNodes& done,
                           Visit visit) const;
+    bool is_marked(std::uint32_t block) const { return (states_[block] & kMarked) != 0; }
     bool is_closed(std::uint32_t block) const { return (states_[block] & kClosed) != 0; }
     // Whether the block lies in the sample's disk, which then conflicts with every candidate there.
     bool covers(const There& there, std::uint32_t block) const;

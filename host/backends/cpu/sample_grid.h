@@ -70,13 +70,13 @@ public:
     }
 
     // May run in parallel: no two samples lie in the same cell.
-    void insert(Sample sample) { cell_of(sample) = sample; }
-    void insert(const Candidate& candidate) { insert(Sample{candidate.x, candidate.y}); }
+    void insert(const Candidate& sample) { cell_of(sample) = {sample.x, sample.y}; }
 
     // Whether some sample is closer than the radius. A disk is 2 sqrt(2) < 3 cells wide and lies in
     // 4 x 4 cells. Away from edges all are compared without a branch, which could not be predicted.
     // Empty cells, at (-1, -1), and marks, at (-1, -2), are farther away than the radius.
-    bool is_covered(std::uint32_t x, std::uint32_t y) const {
+    bool is_covered(const Candidate& candidate) const {
+        const auto& [x, y, line, order] = candidate;
         if (is_inside(x, x + 1, y, y + 1)) {
             const Sample* const cells =
                 column((x - plan_.radius) / side_) + (y - plan_.radius) / side_;
@@ -93,19 +93,21 @@ public:
 
     // A mark stands in an empty cell until a sample is inserted there or the mark is removed. The
     // cell still counts as empty.
-    void mark(Sample at) {
+    void mark(const Candidate& at) {
         Sample& cell = cell_of(at);
         if (cell == kNone) cell = kMark;
     }
-    void unmark(Sample at) {
-        Sample& cell = cell_of(at);
-        if (cell == kMark) cell = kNone;
-    }
     // Whether a mark stands within the radius, or a little farther away.
-    bool has_mark_near(std::uint32_t x, std::uint32_t y) const {
+    bool has_mark_near(const Candidate& at) const {
         bool is_marked = false;
-        for_each_cell_near(x, x + 1, y, y + 1, [&](Sample cell) { is_marked |= cell == kMark; });
+        for_each_cell_near(at.x, at.x + 1, at.y, at.y + 1,
+                           [&](Sample cell) { is_marked |= cell == kMark; });
         return is_marked;
+    }
+    // Removes all marks; those that were marked are `marked` among the candidates.
+    void unmark_all(std::span<const Candidate> candidates, std::span<const std::uint32_t> marked) {
+        for (const std::uint32_t i : marked)
+            if (Sample& cell = cell_of(candidates[i]); cell == kMark) cell = kNone;
     }
 
     // Sets Snapshot::grid, where the cells of `left_out` are empty.
@@ -125,6 +127,11 @@ public:
 
     const Plan& plan() const { return plan_; }
 
+    // Prefetch what is read about a candidate.
+    [[gnu::always_inline]] void fetch(const Candidate& later) const {
+        fetch_near(later.x, later.y);
+    }
+    void fetch_sooner(const Candidate&) const {}
     // Prefetches the cells near (x, y). Inlined by force, because compilers drop a call without
     // visible effect.
     [[gnu::always_inline]] void fetch_near(std::uint32_t x, std::uint32_t y) const {
@@ -168,7 +175,7 @@ private:
     static constexpr Sample kNone{NO_SAMPLE, NO_SAMPLE};
     static constexpr Sample kMark{NO_SAMPLE, NO_SAMPLE - 1};
 
-    Sample& cell_of(Sample at) { return column(at.x / side_)[at.y / side_]; }
+    Sample& cell_of(const Candidate& at) { return column(at.x / side_)[at.y / side_]; }
 
     // Whether [x_begin, x_end) x [y_begin, y_end), widened by the radius, touches no edge.
     bool is_inside(std::uint32_t x_begin, std::uint32_t x_end, std::uint32_t y_begin,

@@ -1,6 +1,7 @@
 // Samples with their radii, an array for each member, as vector instructions read them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -9,7 +10,11 @@
 
 namespace lacuna::cpu {
 
-// kVectorPadding entries past the end must exist, because they may be read (vectors.h).
+// Buffers are padded by this many entries: the loops of vectors.h read and write that far past the
+// end.
+inline constexpr std::size_t kVectorPadding = 8;
+
+// Padded past the end.
 struct SizedSpan {
     const std::uint32_t* x;
     const std::uint32_t* y;
@@ -27,16 +32,44 @@ class SizedList {
 public:
     std::size_t size() const { return count_; }
     void clear() { count_ = 0; }
-    void push_back(const Sized& sample);
-    void append(const SizedSpan& samples);
+    void push_back(const Sized& sample) {
+        make_room(count_ + 1);
+        x_[count_] = sample.x;
+        y_[count_] = sample.y;
+        radius_[count_++] = sample.radius;
+    }
+    void append(const SizedSpan& samples) {
+        make_room(count_ + samples.count);
+        std::copy_n(samples.x, samples.count, &x_[count_]);
+        std::copy_n(samples.y, samples.count, &y_[count_]);
+        std::copy_n(samples.radius, samples.count, &radius_[count_]);
+        count_ += samples.count;
+    }
     // With classes: becomes the samples as a sheet sees them (plan/sheets.h). Their radii become
     // the distances that they keep there from samples of `radius`.
     void see(const Sheets& sheets, std::uint32_t sheet, const SizedSpan& samples,
-             std::uint32_t radius);
+             std::uint32_t radius) {
+        make_room(samples.count);
+        count_ = samples.count;
+        // Read once: the compiler cannot know that the arrays do not overlap the sheets.
+        const std::uint32_t begin = sheets.begin_of(sheet), last = sheets.last();
+        const std::uint32_t bits = sheets.bits();
+        const std::uint32_t* const factors = &sheets.factors()[sheet * std::size_t{MOST_CLASSES}];
+        for (std::size_t i = 0; i < samples.count; ++i) {
+            x_[i] = (samples.x[i] & last) + begin;
+            y_[i] = samples.y[i];
+            radius_[i] = portable::times_factor(std::min(samples.radius[i], radius),
+                                                factors[portable::sheet_of(samples.x[i], bits)]);
+        }
+    }
     SizedSpan span() const { return {x_.data(), y_.data(), radius_.data(), count_}; }
 
 private:
-    void make_room(std::size_t count);
+    void make_room(std::size_t count) {
+        if (count + kVectorPadding <= x_.size()) return;
+        for (std::vector<std::uint32_t>* const words : {&x_, &y_, &radius_})
+            words->resize(std::max(count + kVectorPadding, 2 * x_.size()));
+    }
 
     std::size_t count_ = 0;
     std::vector<std::uint32_t> x_;  // padded past count_

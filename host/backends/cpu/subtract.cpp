@@ -7,6 +7,7 @@
 
 #include "backends/cpu/lines.h"
 #include "backends/cpu/vectors.h"
+#include "base/insertion_sort.h"
 #include "portable/chord.h"
 #include "portable/column.h"
 #include "portable/distance.h"
@@ -110,12 +111,7 @@ std::span<const Sample> sorted(Scratch& scratch, std::uint32_t count, std::uint3
     for (const Sample sample : found) ++ends[bucket_of(sample)];
     std::inclusive_scan(ends.begin(), ends.end(), ends.begin());
     for (const Sample sample : found) near[--ends[bucket_of(sample)]] = sample;
-    for (std::size_t i = 1; i < near.size(); ++i) {
-        const Sample moved = near[i];
-        std::size_t to = i;
-        for (; to > 0 && moved.y < near[to - 1].y; --to) near[to] = near[to - 1];
-        near[to] = moved;
-    }
+    insertion_sort(near, [](Sample a, Sample b) { return a.y < b.y; });
     return near;
 }
 

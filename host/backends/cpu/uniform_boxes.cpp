@@ -9,7 +9,7 @@
 #include "backends/columns.h"
 #include "backends/cpu/boxes.h"
 #include "backends/cpu/lines.h"
-#include "backends/cpu/sample_grid.h"
+#include "backends/cpu/one_radius.h"
 #include "plan/first_free.h"
 
 namespace lacuna::cpu {
@@ -70,6 +70,9 @@ public:
     }
 
 private:
+    void refine_column(std::uint32_t column, bool halve) override {
+        refine_by<OneRadius>(column, halve);
+    }
     // The spans of the column's lines become boxes, which end where rows of the grid's cells do.
     void turn_into_boxes(std::uint32_t column) {
         const std::uint32_t side = round.plan.grid().side;

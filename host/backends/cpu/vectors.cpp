@@ -2,11 +2,8 @@
 #include "backends/cpu/vectors.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
-#include "backends/cpu/plain_ellipses.h"
-#include "backends/cpu/vectors_avx2.h"
 #include "portable/chord.h"
 #include "portable/distance.h"
 
@@ -43,50 +40,84 @@ bool is_any_sized_closer(const SizedSpan& samples, Sample at, std::uint32_t radi
     return is_closer;
 }
 
-std::size_t find_sized_chords(const SizedSpan& samples, const Box& box, std::uint32_t radius,
-                              Span* chords) {
-    const std::uint32_t half = box.width / 2;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < samples.count; ++i) {
-        const std::uint64_t limit = std::min(samples.radius[i], radius);
-        const std::uint32_t dx = portable::axis_distance(samples.x[i], box.x + half, 0) + half;
-        const std::uint32_t y = samples.y[i];
-        const auto is_within = [&](std::uint32_t dy) {
-            return portable::squared_length(dx, dy) < limit * limit;
-        };
-        if (is_within(portable::farthest_distance(y, box.begin, box.end))) return Vectors::kAll;
-        if (!is_within(portable::nearest_distance(y, box.begin, box.end))) continue;
-        const std::uint32_t reach = portable::chord_reach(dx, limit * limit);
-        chords[count++] = {y + 1 - std::min(y + 1, reach), y + reach};
-    }
-    return count;
-}
-
-std::uint32_t find_touching(const SizedSpan& samples, const Box* boxes, std::uint32_t radius,
-                            std::uint8_t* touching) {
+std::uint32_t find_touching(const SizedSpan& samples, const BoxBatch& boxes,
+                            const std::uint32_t* radii_of_boxes, std::uint8_t* touching) {
     std::uint32_t covered = 0;
     for (std::size_t k = 0; k < samples.count; ++k) {
         std::uint32_t touched = 0;
-        for (std::size_t i = 0; i < Vectors::kBoxes; ++i) {
-            std::array<Span, 1 + kVectorPadding> chord;
-            const std::size_t count =
-                find_sized_chords(samples.part(k, 1), boxes[i], radius, chord.data());
-            touched |= std::uint32_t{count != 0} << i;
-            covered |= std::uint32_t{count == Vectors::kAll} << i;
+        for (std::size_t i = 0; i < BoxBatch::kBoxes; ++i) {
+            const auto [x, width, begin, end] = boxes[i];
+            const std::uint32_t half = width / 2;
+            const std::uint32_t dx = portable::axis_distance(samples.x[k], x + half, 0) + half;
+            const std::uint64_t limit = std::min(samples.radius[k], radii_of_boxes[i]);
+            const auto is_within = [&](std::uint32_t dy) {
+                return portable::squared_length(dx, dy) < limit * limit;
+            };
+            const std::uint32_t y = samples.y[k];
+            touched |= std::uint32_t{is_within(portable::nearest_distance(y, begin, end))} << i;
+            covered |= std::uint32_t{is_within(portable::farthest_distance(y, begin, end))} << i;
         }
         touching[k] = static_cast<std::uint8_t>(touched);
     }
     return covered;
 }
 
-constexpr Vectors kPlain{"plain",
-                         is_any_closer,
-                         find_chords,
-                         is_any_sized_closer,
-                         find_sized_chords,
-                         find_touching,
-                         plain::next_in_ellipse,
-                         plain::find_touching_ellipses};
+// How far one number lies after another. Their distance is less than 2^31.
+float offset(std::uint32_t at, std::uint32_t from) {
+    return static_cast<float>(static_cast<std::int32_t>(at - from));
+}
+
+// How far from the middle of an ellipse, squared, a line from `low` to `high` at dx is.
+struct FromMiddle {
+    float nearest;
+    float farthest;
+};
+FromMiddle from_middle(const FloatEllipse& e, float dx, float low, float high) {
+    const float u = e.p * dx;
+    const float bottom = e.q * dx + e.s * low;
+    const float top = e.q * dx + e.s * high;
+    const float near = std::max({bottom, -top, 0.0F});
+    const float far = std::max(-bottom, top);
+    return {u * u + near * near, u * u + far * far};
+}
+
+std::size_t next_in_ellipse(const SizedSpan& samples, Sample at, const FloatEllipse& e,
+                            std::size_t from) {
+    for (std::size_t i = from; i < samples.count; ++i) {
+        const float dx = offset(samples.x[i], at.x);
+        const float v = e.q * dx + e.s * offset(samples.y[i], at.y);
+        if (e.p * dx * (e.p * dx) + v * v < e.outside) return i;
+    }
+    return samples.count;
+}
+
+std::uint32_t find_touching_ellipses(const SizedSpan& samples, const FloatEllipse* of_samples,
+                                     const BoxBatch& boxes, const FloatEllipse* of_boxes,
+                                     std::uint8_t* touching) {
+    std::uint32_t covered = 0;
+    for (std::size_t k = 0; k < samples.count; ++k) {
+        std::uint32_t touched = 0;
+        for (std::size_t i = 0; i < BoxBatch::kBoxes; ++i) {
+            const Box box = boxes[i];
+            const float low = offset(box.begin, samples.y[k]);
+            const float high = offset(box.end - 1, samples.y[k]);
+            bool touches = true, covers = true;
+            for (const std::uint32_t side : {box.x, box.x + box.width / 2 * 2})
+                for (const FloatEllipse* e : {of_samples + k, of_boxes + i}) {
+                    const FromMiddle at = from_middle(*e, offset(side, samples.x[k]), low, high);
+                    touches &= at.nearest < e->outside;
+                    covers &= at.farthest < e->inside;
+                }
+            touched |= std::uint32_t{touches} << i;
+            covered |= std::uint32_t{covers} << i;
+        }
+        touching[k] = static_cast<std::uint8_t>(touched);
+    }
+    return covered;
+}
+
+constexpr Vectors kPlain{"plain",       is_any_closer,   find_chords,           is_any_sized_closer,
+                         find_touching, next_in_ellipse, find_touching_ellipses};
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 // The inner loops for AVX2, written with Highway: see base/highway_avx2.h.
-#include "backends/cpu/vectors_avx2.h"
+#include "backends/cpu/vectors.h"
 
 #if defined(__x86_64__)
 
@@ -126,10 +126,6 @@ HWY_INLINE hn::Mask<Words> less(const Squares& a, const Squares& b) {
     return hn::MaskFromVec(
         hn::OddEven(bits_of(hn::Lt(a.odd, b.odd)), bits_of(hn::Lt(a.even, b.even))));
 }
-// The squares of the smaller of both radii, from entry i onwards.
-HWY_INLINE Squares limits_of(const SizedSpan& samples, std::size_t i, WordVector radius) {
-    return squares_of(hn::Min(hn::LoadU(kWords, samples.radius + i), radius));
-}
 HWY_INLINE WordVector all(std::uint32_t word) {
     return hn::Set(kWords, word);
 }
@@ -151,67 +147,13 @@ bool is_any_sized_closer(const SizedSpan& samples, Sample at, std::uint32_t radi
     };
     auto closer = hn::FirstN(kWords, 0);
     for (std::size_t i = 0; i < samples.count; i += hn::Lanes(kWords)) {
-        const auto is_closer = less(sum_of(squared_distance(samples.x + i, at.x, periods.x),
-                                           squared_distance(samples.y + i, at.y, periods.y)),
-                                    limits_of(samples, i, all(radius)));
+        const auto is_closer =
+            less(sum_of(squared_distance(samples.x + i, at.x, periods.x),
+                        squared_distance(samples.y + i, at.y, periods.y)),
+                 squares_of(hn::Min(hn::LoadU(kWords, samples.radius + i), all(radius))));
         closer = hn::Or(closer, hn::And(hn::FirstN(kWords, samples.count - i), is_closer));
     }
     return !hn::AllFalse(kWords, closer);
-}
-
-// For each set of lanes, which is 8 bits: the numbers of the lanes in it, one a byte.
-constexpr std::array<std::uint64_t, 256> lanes_of_sets() {
-    std::array<std::uint64_t, 256> lanes{};
-    for (std::uint64_t set = 0; set < 256; ++set)
-        for (unsigned lane = 0, count = 0; lane < 8; ++lane)
-            if ((set >> lane & 1) != 0) lanes[set] |= std::uint64_t{lane} << 8 * count++;
-    return lanes;
-}
-// Highway's own functions would copy their table at every use.
-constexpr std::array<std::uint64_t, 256> kLanesOfSets = lanes_of_sets();
-
-// Samples that touch a box: distance in x to its far edge, y, and the smaller radius.
-struct Touching {
-    static constexpr std::size_t kMost = 32;
-
-    std::size_t count = 0;
-    std::uint32_t distance[kMost + kVectorPadding];
-    std::uint32_t y[kMost + kVectorPadding];
-    std::uint32_t limit[kMost + kVectorPadding];
-
-    HWY_INLINE void append(hn::Mask<Words> mask, WordVector of_distance, WordVector of_y,
-                           WordVector of_limit) {
-        const hn::Rebind<std::uint8_t, Words> bytes;
-        std::uint8_t set = 0;
-        hn::StoreMaskBits(kWords, mask, &set);
-        const auto* const lanes = reinterpret_cast<const std::uint8_t*>(&kLanesOfSets[set]);
-        const auto order =
-            hn::IndicesFromVec(kWords, hn::PromoteTo(kWords, hn::LoadU(bytes, lanes)));
-        hn::StoreU(hn::TableLookupLanes(of_distance, order), kWords, distance + count);
-        hn::StoreU(hn::TableLookupLanes(of_y, order), kWords, y + count);
-        hn::StoreU(hn::TableLookupLanes(of_limit, order), kWords, limit + count);
-        count += static_cast<std::size_t>(__builtin_popcount(set));
-    }
-};
-
-HWY_INLINE void write_chords(const Touching& touching, Span* chords) {
-    const hn::Rebind<std::uint32_t, Pairs> halves;
-    const auto load_as_pairs = [&](const std::uint32_t* words) {
-        return hn::PromoteTo(kPairs, hn::LoadU(halves, words));
-    };
-    const SignedVector one = hn::Set(kSigned, 1);
-    for (std::size_t i = 0; i < touching.count; i += hn::Lanes(kPairs)) {
-        const SignedVector limit = squares_of(signed_of(load_as_pairs(touching.limit + i)));
-        const SignedVector across = squares_of(signed_of(load_as_pairs(touching.distance + i)));
-        const SignedVector n = hn::Max(hn::Sub(hn::Sub(limit, across), one), hn::Zero(kSigned));
-        const WordVector reach = words_of(hn::Add(roots(n), hn::Set(kPairs, 1)));
-        const WordVector y = words_of(load_as_pairs(touching.y + i));
-        const WordVector above = words_of(hn::Add(hn::BitCast(kPairs, y), hn::Set(kPairs, 1)));
-        const PairVector begin = hn::BitCast(kPairs, hn::Sub(above, hn::Min(above, reach)));
-        const PairVector end = hn::BitCast(kPairs, hn::Add(y, reach));
-        hn::StoreU(hn::Or(begin, hn::ShiftLeft<32>(end)), kPairs,
-                   reinterpret_cast<std::uint64_t*>(chords + i));
-    }
 }
 
 // The distance from y to the interval [begin, last] and, in farthest_distance, to its farther end.
@@ -223,79 +165,22 @@ HWY_INLINE WordVector farthest_distance(WordVector y, WordVector begin, WordVect
     return hn::Max(distance(y, begin), distance(y, last));
 }
 
-std::size_t find_sized_chords(const SizedSpan& samples, const Box& box, std::uint32_t radius,
-                              Span* chords) {
-    const std::uint32_t half = box.width / 2;
-    const WordVector begin = all(box.begin);
-    const WordVector last = all(box.end - 1);
-    std::size_t count = 0;
-    Touching touching;
-    for (std::size_t i = 0; i < samples.count; i += hn::Lanes(kWords)) {
-        const WordVector dx =
-            hn::Add(distance(hn::LoadU(kWords, samples.x + i), all(box.x + half)), all(half));
-        const WordVector y = hn::LoadU(kWords, samples.y + i);
-        const WordVector nearest = nearest_distance(y, begin, last);
-        const WordVector farthest = farthest_distance(y, begin, last);
-        const WordVector limit = hn::Min(hn::LoadU(kWords, samples.radius + i), all(radius));
-        const Squares limits = squares_of(limit);
-        const Squares across = squares_of(dx);
-        const auto is_there = hn::FirstN(kWords, samples.count - i);
-        const auto covers = less(sum_of(across, squares_of(farthest)), limits);
-        if (!hn::AllFalse(kWords, hn::And(is_there, covers))) return Vectors::kAll;
-        const auto touches = less(sum_of(across, squares_of(nearest)), limits);
-        touching.append(hn::And(is_there, touches), dx, y, limit);
-        if (touching.count + hn::Lanes(kWords) > Touching::kMost ||
-            i + hn::Lanes(kWords) >= samples.count) {
-            write_chords(touching, chords + count);
-            count += touching.count;
-            touching.count = 0;
-        }
-    }
-    return count;
+HWY_INLINE WordVector load(const std::array<std::uint32_t, BoxBatch::kBoxes>& of_boxes) {
+    static_assert(BoxBatch::kBoxes == 8);
+    return hn::LoadU(kWords, of_boxes.data());
 }
 
-// Eight boxes, a vector for each member.
-struct Boxes {
-    WordVector x;
-    WordVector width;
-    WordVector begin;
-    WordVector end;
-};
-HWY_INLINE Boxes load_boxes(const Box* boxes) {
-    static_assert(sizeof(Box) == 16);
-    const hn::Half<Words> of_one;
-    const auto load_two = [&](std::size_t i) {
-        const auto load_one = [&](std::size_t box) {
-            return hn::LoadU(of_one, reinterpret_cast<const std::uint32_t*>(boxes + box));
-        };
-        return hn::Combine(kWords, load_one(i + 4), load_one(i));
-    };
-    const WordVector first = load_two(0), second = load_two(1);
-    const WordVector third = load_two(2), fourth = load_two(3);
-    const PairVector low = hn::BitCast(kPairs, hn::InterleaveLower(kWords, first, second));
-    const PairVector high = hn::BitCast(kPairs, hn::InterleaveLower(kWords, third, fourth));
-    const PairVector low_y = hn::BitCast(kPairs, hn::InterleaveUpper(kWords, first, second));
-    const PairVector high_y = hn::BitCast(kPairs, hn::InterleaveUpper(kWords, third, fourth));
-    return {words_of(hn::InterleaveLower(kPairs, low, high)),
-            words_of(hn::InterleaveUpper(kPairs, low, high)),
-            words_of(hn::InterleaveLower(kPairs, low_y, high_y)),
-            words_of(hn::InterleaveUpper(kPairs, low_y, high_y))};
-}
-
-std::uint32_t find_touching(const SizedSpan& samples, const Box* boxes, std::uint32_t radius,
-                            std::uint8_t* touching) {
-    static_assert(Vectors::kBoxes == 8);
-    const auto [x, width, begin, end] = load_boxes(boxes);
-    const WordVector last = hn::Sub(end, all(1));
-    const WordVector half = hn::ShiftRight<1>(width);
-    const WordVector middle = hn::Add(x, half);
+std::uint32_t find_touching(const SizedSpan& samples, const BoxBatch& boxes,
+                            const std::uint32_t* radii_of_boxes, std::uint8_t* touching) {
+    const WordVector begin = load(boxes.begin);
+    const WordVector radii = hn::LoadU(kWords, radii_of_boxes);
+    const WordVector last = hn::Sub(load(boxes.end), all(1));
+    const WordVector half = hn::ShiftRight<1>(load(boxes.width));
+    const WordVector middle = hn::Add(load(boxes.x), half);
     auto covered = hn::FirstN(kWords, 0);
     for (std::size_t k = 0; k < samples.count; ++k) {
         const WordVector y = all(samples.y[k]);
-        const std::uint64_t limit = std::min(samples.radius[k], radius);
-        const SignedVector limit_squared =
-            hn::Set(kSigned, static_cast<std::int64_t>(limit * limit));
-        const Squares limits{limit_squared, limit_squared};
+        const Squares limits = squares_of(hn::Min(all(samples.radius[k]), radii));
         const Squares across = squares_of(hn::Add(distance(all(samples.x[k]), middle), half));
         const Squares near = squares_of(nearest_distance(y, begin, last));
         const Squares far = squares_of(farthest_distance(y, begin, last));
@@ -338,7 +223,7 @@ HWY_INLINE EllipseVectors all(const FloatEllipse& e) {
 }
 HWY_INLINE EllipseVectors load(const FloatEllipse* ellipses) {
     const auto load_member = [&](float FloatEllipse::*member) {
-        std::array<float, Vectors::kBoxes> values;
+        std::array<float, BoxBatch::kBoxes> values;
         for (std::size_t i = 0; i < values.size(); ++i) values[i] = ellipses[i].*member;
         return hn::LoadU(kFloats, values.data());
     };
@@ -372,11 +257,12 @@ HWY_INLINE Reached reached_by(const EllipseVectors& e, const Sides& sides) {
 }
 
 std::uint32_t find_touching_ellipses(const SizedSpan& samples, const FloatEllipse* of_samples,
-                                     const Box* boxes, const FloatEllipse* of_boxes,
+                                     const BoxBatch& boxes, const FloatEllipse* of_boxes,
                                      std::uint8_t* touching) {
-    const auto [x, width, begin, end] = load_boxes(boxes);
-    const WordVector last = hn::Sub(end, all(1));
-    const WordVector right = hn::Add(x, hn::ShiftLeft<1>(hn::ShiftRight<1>(width)));
+    const WordVector x = load(boxes.x);
+    const WordVector begin = load(boxes.begin);
+    const WordVector last = hn::Sub(load(boxes.end), all(1));
+    const WordVector right = hn::Add(x, hn::ShiftLeft<1>(hn::ShiftRight<1>(load(boxes.width))));
     const EllipseVectors around_boxes = load(of_boxes);
     auto covered = hn::FirstN(kFloats, 0);
     for (std::size_t k = 0; k < samples.count; ++k) {
@@ -396,7 +282,7 @@ std::uint32_t find_touching_ellipses(const SizedSpan& samples, const FloatEllips
 }
 
 constexpr Vectors kVectors{
-    "AVX2",        is_any_closer,   find_chords,           is_any_sized_closer, find_sized_chords,
+    "AVX2",        is_any_closer,   find_chords,           is_any_sized_closer,
     find_touching, next_in_ellipse, find_touching_ellipses};
 
 #endif

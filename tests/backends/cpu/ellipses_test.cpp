@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "backends/cpu/float_ellipse.h"
 #include "backends/cpu/vectors.h"
 #include "plan/ellipse.h"
 #include "portable/conflict.h"
@@ -72,20 +71,20 @@ TEST_P(EllipsesOfVectors, TouchAndCoverBoxes) {
             of_samples.push_back(any_ellipse(random, longest));
             samples_in_floats.push_back(in_floats(of_samples.back()));
         }
-        std::array<Box, Vectors::kBoxes> boxes;
-        std::array<portable::Ellipse, Vectors::kBoxes> of_boxes;
-        std::array<FloatEllipse, Vectors::kBoxes> boxes_in_floats;
-        for (std::size_t i = 0; i < boxes.size(); ++i) {
-            boxes[i] = any_box(random, longest / 8);
+        BoxBatch boxes;
+        std::array<portable::Ellipse, BoxBatch::kBoxes> of_boxes;
+        std::array<FloatEllipse, BoxBatch::kBoxes> boxes_in_floats;
+        for (std::size_t i = 0; i < BoxBatch::kBoxes; ++i) {
+            boxes.set(i, any_box(random, longest / 8));
             of_boxes[i] =
                 random() % 2 == 0 ? of_samples[i % kSamples] : any_ellipse(random, 2 * longest);
             boxes_in_floats[i] = in_floats(of_boxes[i]);
         }
         std::array<std::uint8_t, kSamples> touching;
-        const std::uint32_t covered = GetParam()->find_touching_ellipses(
-            samples.span(), samples_in_floats.data(), boxes.data(), boxes_in_floats.data(),
-            touching.data());
-        for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const std::uint32_t covered =
+            GetParam()->find_touching_ellipses(samples.span(), samples_in_floats.data(), boxes,
+                                               boxes_in_floats.data(), touching.data());
+        for (std::size_t i = 0; i < BoxBatch::kBoxes; ++i) {
             bool is_covered = false;
             for (std::size_t k = 0; k < kSamples; ++k) {
                 const auto [x, y, radius] = samples.span()[k];

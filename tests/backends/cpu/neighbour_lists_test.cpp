@@ -58,8 +58,7 @@ std::size_t entries_after(const FieldRequest& made, std::size_t draws, std::size
         bool is_covered = false;
         for (const Sized& sample : admitted)
             is_covered = is_covered || conflict(plan, sample, candidate);
-        EXPECT_EQ(lists.is_any_closer(block, {candidate.x, candidate.y}, candidate.radius),
-                  is_covered)
+        EXPECT_EQ(lists.is_covered({candidate.x, candidate.y, block, 0}), is_covered)
             << made.name << ", after " << admitted.size();
         if (is_covered) continue;
         admitted.push_back(candidate);

@@ -142,85 +142,49 @@ TEST_P(OfVectors, ASampleIsCloserThanTheSmallerRadiusOrNot) {
     EXPECT_LT(closer, 90'000);
 }
 
-TEST_P(OfVectors, SamplesTakeTheirChordsFromABox) {
-    int covered = 0;
-    std::size_t found = 0;
-    constexpr std::uint32_t kLength = 1u << 30;
-    for (int i = 0; i < 100'000; ++i) {
-        const std::uint32_t most = std::uint32_t{2} << below(29);
-        Box box{below(kLength - most), 1 + below(most), below(kLength - most), 0};
-        box.end = box.begin + 1 + below(most);
-        const Sample middle{box.x + box.width / 2, (box.begin + box.end) / 2};
-        const SizedList padded = samples_around(middle, kLength, random_);
-        const SizedSpan samples = padded.span().part(0, padded.size() - kVectorPadding);
-        const std::uint32_t radius = 1 + below(std::uint64_t{1} << (4 + below(27)));
-        std::vector<Span> expected;
-        bool is_covered = false;
-        for (std::size_t k = 0; k < samples.count; ++k) {
-            const std::uint64_t limit = std::min(samples.radius[k], radius);
-            const std::uint32_t half = box.width / 2;
-            const std::uint32_t reach = portable::chord_reach(
-                portable::axis_distance(samples.x[k], middle.x, 0) + half, limit * limit);
-            const Span chord{portable::window_begin(0, samples.y[k], reach, 2 * kLength),
-                             portable::window_end(0, samples.y[k], reach, 2 * kLength)};
-            is_covered |= reach != 0 && chord.begin <= box.begin && chord.end >= box.end;
-            if (reach != 0 && chord.begin < box.end && chord.end > box.begin)
-                expected.push_back(chord);
-        }
-        std::vector<Span> chords(samples.count + kVectorPadding);
-        const std::size_t count =
-            GetParam()->find_sized_chords(samples, box, radius, chords.data());
-        ASSERT_EQ(count == Vectors::kAll, is_covered);
-        covered += is_covered ? 1 : 0;
-        if (is_covered) continue;
-        ASSERT_EQ(count, expected.size());
-        for (std::size_t k = 0; k < count; ++k) {
-            ASSERT_EQ(chords[k].begin, expected[k].begin);
-            ASSERT_EQ(chords[k].end, expected[k].end);
-        }
-        found += count;
-    }
-    EXPECT_GT(covered, 1'000);
-    EXPECT_LT(covered, 90'000);
-    EXPECT_GT(found, 50'000u);
-}
-
 TEST_P(OfVectors, SamplesTouchAndCoverBoxes) {
     constexpr std::uint32_t kLength = 1u << 30;
-    int touches = 0;
+    int touched = 0;
     int covered = 0;
-    for (int i = 0; i < 50'000; ++i) {
+    for (int turn = 0; turn < 50'000; ++turn) {
         const std::uint32_t most = std::uint32_t{2} << below(28);
         const Sample corner{below(kLength - 2 * most), below(kLength - 2 * most)};
-        std::vector<Box> boxes;
-        for (std::size_t box = 0; box < Vectors::kBoxes; ++box) {
+        BoxBatch boxes;
+        for (std::size_t i = 0; i < BoxBatch::kBoxes; ++i) {
             const std::uint32_t begin = corner.y + below(most);
-            boxes.push_back(
-                {corner.x + below(most), 1 + below(most), begin, begin + 1 + below(most)});
+            boxes.set(i, {corner.x + below(most), 1 + below(most), begin, begin + 1 + below(most)});
         }
         const SizedList padded =
             samples_around({corner.x + most, corner.y + most}, kLength, random_);
         const SizedSpan samples = padded.span().part(0, padded.size() - kVectorPadding);
-        const std::uint32_t radius =
-            below(2) == 0 ? ~std::uint32_t{0} : 1 + below(std::uint64_t{1} << (4 + below(27)));
+        std::vector<std::uint32_t> radii(BoxBatch::kBoxes, ~std::uint32_t{0});
+        if (below(2) == 0)
+            for (std::uint32_t& radius : radii)
+                radius = 1 + below(std::uint64_t{1} << (4 + below(27)));
         std::vector<std::uint8_t> touching(samples.count);
         const std::uint32_t all =
-            GetParam()->find_touching(samples, boxes.data(), radius, touching.data());
-        std::vector<Span> chord(1 + kVectorPadding);
-        for (std::size_t box = 0; box < boxes.size(); ++box) {
+            GetParam()->find_touching(samples, boxes, radii.data(), touching.data());
+        for (std::size_t i = 0; i < BoxBatch::kBoxes; ++i) {
+            const Box box = boxes[i];
             bool is_covered = false;
             for (std::size_t k = 0; k < samples.count; ++k) {
-                const std::size_t count = all_vectors().back()->find_sized_chords(
-                    samples.part(k, 1), boxes[box], radius, chord.data());
-                ASSERT_EQ((touching[k] >> box & 1) != 0, count != 0);
-                touches += count != 0 ? 1 : 0;
-                is_covered |= count == Vectors::kAll;
+                const auto [x, y, radius] = samples[k];
+                const std::uint64_t limit = std::min(radius, radii[i]);
+                const std::uint32_t half = box.width / 2;
+                const std::uint32_t reach = portable::chord_reach(
+                    portable::axis_distance(x, box.x + half, 0) + half, limit * limit);
+                const Span chord{portable::window_begin(0, y, reach, 2 * kLength),
+                                 portable::window_end(0, y, reach, 2 * kLength)};
+                const bool touches = reach != 0 && chord.begin < box.end && chord.end > box.begin;
+                ASSERT_EQ((touching[k] >> i & 1) != 0, touches);
+                touched += touches ? 1 : 0;
+                is_covered |= touches && chord.begin <= box.begin && chord.end >= box.end;
             }
-            ASSERT_EQ((all >> box & 1) != 0, is_covered);
+            ASSERT_EQ((all >> i & 1) != 0, is_covered);
             covered += is_covered ? 1 : 0;
         }
     }
-    EXPECT_GT(touches, 50'000);
+    EXPECT_GT(touched, 50'000);
     EXPECT_GT(covered, 10'000);
     EXPECT_LT(covered, 390'000);
 }
